@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "config.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// Names one body of one world for as long as that body lives. All zero is the null id: it names no body.
+///
+/// `generation` counts the additions and removals of its slot: odd while a body lives there, so an id outlives its body
+/// without ever naming another. A slot whose counter is used up is not given out again.
+struct BodyId {
+    uint16_t slot;
+    uint16_t world_tag;     ///< World::set_tag; tells apart the ids of several worlds of one scene
+    uint32_t generation;
+
+    constexpr bool operator==(const BodyId& other) const {
+        return slot == other.slot && world_tag == other.world_tag && generation == other.generation;
+    }
+    constexpr bool operator!=(const BodyId& other) const { return !(*this == other); }
+};
+
+} }  // namespace ingot

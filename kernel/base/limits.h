@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// Every tolerance and range of the kernel, with its unit and what happens beyond it.
+#pragma once
+
+#include "config.h"
+
+namespace ingot { inline namespace INGOT_ABI { namespace limits {
+
+// Ranges of input. Beyond them a call answers out_of_range (or the named status). They keep every product that the step
+// forms inside the range of float: the largest is force_max * lever, 1e15 * 1e9 = 1e24.
+inline constexpr scalar position_max = scalar(1e9);    ///< m
+inline constexpr scalar speed_max    = scalar(1e6);    ///< m/s
+inline constexpr scalar spin_max     = scalar(1e6);    ///< rad/s
+inline constexpr scalar force_max    = scalar(1e15);   ///< N, and N s for impulses
+inline constexpr scalar torque_max   = scalar(1e15);   ///< N m, and N m s
+inline constexpr scalar gravity_max  = scalar(1e6);    ///< m/s^2
+inline constexpr scalar mass_min     = scalar(1e-9);   ///< kg; bad_mass
+inline constexpr scalar mass_max     = scalar(1e12);   ///< kg; bad_mass
+inline constexpr scalar inertia_min  = scalar(1e-18);  ///< kg m^2; bad_inertia
+inline constexpr scalar inertia_max  = scalar(1e18);   ///< kg m^2; bad_inertia
+inline constexpr scalar inertia_ratio_max = scalar(1e9);  ///< largest over smallest moment; bad_inertia
+inline constexpr scalar size_min     = scalar(1e-6);   ///< m, radius or half extent of a shape; bad_shape
+inline constexpr scalar size_max     = scalar(1e6);    ///< m; bad_shape
+inline constexpr scalar step_min     = scalar(1e-9);   ///< s; bad_step
+inline constexpr scalar step_max     = scalar(1);      ///< s; bad_step
+
+// Tolerances of input.
+/// Largest entry of |A^T A - 1| that is taken for a rotation; it is then made orthonormal at the door.
+inline constexpr scalar orthogonality = scalar(1e-2);
+/// Relative excess of one moment over the sum of the other two that is taken for rounding (a flat plate has none to spare).
+inline constexpr scalar triangle_inequality = scalar(1e-5);
+/// | |n|^2 - 1 | of a direction; the direction is used as it is given.
+inline constexpr scalar unit_length = 8 * epsilon;
+
+// Rotation (motion/moser_veselov): angles are |omega| h.
+inline constexpr scalar angle_per_substep = scalar(0.5);  ///< rad; the series and the sweeps converge well below 0.8
+inline constexpr int substeps_max = 16;                   ///< beyond 16 * 0.5 rad the turn of a step is clamped and reported
+inline constexpr int sweeps_max = INGOT_DOUBLE ? 32 : 16; ///< of the fixed point; at 0.5 rad 15 and 7 are needed
+inline constexpr int polar_interval = 16;                 ///< steps from one polar step to the next
+
+// Contacts (collide/, solve/).
+/// A corner this fraction of the bounding radius above a face touches it: a box that lands flat but for rounding lands on
+/// all its corners at once.
+inline constexpr scalar flatness = scalar(1e-4);
+inline constexpr int impact_waves_max = 64;     ///< impacts that impacts cause, within one step; the rest is reported
+inline constexpr int contact_sweeps_max = 128;  ///< over the contacts solved together; the rest is reported
+/// A contact counts as approaching, and a sweep as unfinished, beyond this many roundings of the speeds it is made of.
+inline constexpr scalar contact_roundings = 8;
+/// Impacts slower than this many times |gravity| h are contacts at rest: restitution does not apply to them.
+inline constexpr scalar rest_speed_factor = 2;
+
+} } }  // namespace ingot::limits

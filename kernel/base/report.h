@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "status.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// What a step has to say. Nothing is lost silently: a full array, a body taken out of the motion, an iteration that
+/// stopped at its bound each have a count here.
+struct [[nodiscard]] StepReport {
+    Status status;               ///< bad_step: the step was refused and nothing has changed
+
+    uint16_t bodies_frozen;      ///< driven out of range in this step: they stand still, see World::is_frozen
+    uint16_t spins_clamped;      ///< turned by the largest angle a step allows instead of omega h: lower h
+    uint16_t contacts;           ///< contacts found
+    uint16_t contacts_lost;      ///< shallower than those kept, and no room: raise Scene::max_contacts
+    uint16_t pairs_untested;     ///< pairs of shapes that overlap by their bounds, and for which the kernel has no test yet
+    uint16_t impact_waves;       ///< rounds of simultaneous impacts that were resolved
+    uint16_t impacts_left;       ///< contacts still approaching after limits::impact_waves_max
+    uint16_t sweeps;             ///< sweeps over contacts, in all
+    uint16_t sweeps_unfinished;  ///< solves that stopped at limits::contact_sweeps_max
+
+    /// True when the step did all it was asked for, in full.
+    constexpr bool clean() const {
+        return status == Status::ok && bodies_frozen == 0 && spins_clamped == 0 && contacts_lost == 0 &&
+               pairs_untested == 0 && impacts_left == 0 && sweeps_unfinished == 0;
+    }
+};
+
+} }  // namespace ingot

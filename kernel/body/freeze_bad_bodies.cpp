@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "freeze_bad_bodies.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+namespace {
+
+/// Neither force nor torque moves the body any more.
+void make_immovable(const BodyView& bodies, Place at) {
+    const scalar third = scalar(1) / 3;
+    RotationTile& rotation = bodies.rotation[at.tile];
+    set_lane(rotation.inv_I_ratio, at.lane, Vector{third, third, third});
+    rotation.inv_I_scale[at.lane] = 0;
+    set_lane(rotation.inv_I_world, at.lane, SymmetricMatrix{});
+    set_lane(rotation.L, at.lane, Vector{});
+    set_lane(rotation.omega, at.lane, Vector{});
+    set_lane(rotation.tau_T, at.lane, Vector{});
+    if (bodies.flight != nullptr) bodies.flight[at.tile].E_0[at.lane] = 0;
+    if (bodies.translation != nullptr) {
+        TranslationTile& translation = bodies.translation[at.tile];
+        translation.inv_M[at.lane] = 0;
+        set_lane(translation.v_CM, at.lane, Vector{});
+        set_lane(translation.F_T, at.lane, Vector{});
+    }
+}
+
+}  // namespace
+
+int freeze_bad_bodies(const BodyView& bodies) {
+    int count = 0;
+    for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) {
+        RotationTile& tile = bodies.rotation[tile_i];
+        if (bodies.translation != nullptr) tile.bad = static_cast<uint16_t>(tile.bad | bodies.translation[tile_i].bad);
+        if (tile.bad == 0) continue;
+        for (int lane_i = 0; lane_i < lanes; ++lane_i) {
+            const bool movable = tile.inv_I_scale[lane_i] > 0;  // an immovable body is never marked: this is a new mark
+            if ((tile.bad >> lane_i & 1u) == 0 || !movable) continue;
+            make_immovable(bodies, {tile_i, lane_i});
+            ++count;
+        }
+    }
+    return count;
+}
+
+bool is_frozen(const BodyView& bodies, int slot) {
+    const Place at = place_of(slot);
+    return (bodies.rotation[at.tile].bad >> at.lane & 1u) != 0;
+}
+
+void set_identity_body(const BodyView& bodies, int slot) {
+    const Place at = place_of(slot);
+    make_immovable(bodies, at);
+    const uint16_t others = static_cast<uint16_t>(~(1u << at.lane));
+    RotationTile& rotation = bodies.rotation[at.tile];
+    set_lane(rotation.A, at.lane, identity_matrix<scalar>());
+    rotation.bad = static_cast<uint16_t>(rotation.bad & others);
+    rotation.kicked = static_cast<uint16_t>(rotation.kicked & others);
+    if (bodies.flight != nullptr) set_lane(bodies.flight[at.tile].A_low, at.lane, Matrix{});
+    if (bodies.translation != nullptr) {
+        TranslationTile& translation = bodies.translation[at.tile];
+        set_lane(translation.r_CM, at.lane, Vector{});
+        translation.bad = static_cast<uint16_t>(translation.bad & others);
+    }
+}
+
+} }  // namespace ingot

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "body_tiles.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// inv_I_world of every body from its A (Hecker 1997, Eq. 20), then omega from its L (Eq. 18): auxiliary state is
+/// never integrated.
+/// Cost: 60 flops a body.
+void refresh_auxiliary(const BodyView& bodies);
+
+/// The same for the body of one slot, with the same bits.
+void refresh_auxiliary_of(const BodyView& bodies, int slot);
+
+} }  // namespace ingot

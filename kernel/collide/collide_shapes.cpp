@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "collide_shapes.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+void ContactSink::add(const Vector& n, const Vector& lever_A, const Vector& lever_B, scalar separation) {
+    int index = *contacts.count;
+    if (index < contacts.capacity) {
+        ++*contacts.count;
+    } else {
+        ++*lost;
+        index = 0;
+        for (int contact_i = 1; contact_i < contacts.capacity; ++contact_i)
+            if (contacts.contacts[contact_i].separation > contacts.contacts[index].separation) index = contact_i;
+        if (separation >= contacts.contacts[index].separation) return;
+    }
+    Contact& contact = contacts.contacts[index];
+    contact.body_A = static_cast<uint16_t>(slot_A);
+    contact.body_B = static_cast<uint16_t>(slot_B);
+    contact.n = n;
+    contact.lever_A = lever_A;
+    contact.lever_B = lever_B;
+    contact.separation = separation;
+    contact.e = e;
+    contact.j_total = 0;
+}
+
+namespace {
+
+/// A half space in the world: all points with n . r <= d.
+struct WorldFace {
+    Vector n;
+    scalar d;
+};
+
+WorldFace face_of(const Placed& half_space) {
+    const Vector n = half_space.A * half_space.shape.size;
+    return {n, dot(n, half_space.r_CM) + half_space.shape.offset};
+}
+
+}  // namespace
+
+bool bounds_overlap(const Placed& A, scalar radius_A, const Placed& B, scalar radius_B) {
+    if (B.shape.kind == ShapeKind::half_space) {
+        if (A.shape.kind == ShapeKind::half_space) return false;
+        const WorldFace face = face_of(B);
+        return dot(face.n, A.r_CM) - face.d <= radius_A;
+    }
+    const scalar reach = radius_A + radius_B;
+    return length_sq(A.r_CM - B.r_CM) <= reach * reach;
+}
+
+void collide_sphere_sphere(const Placed& A, const Placed& B, ContactSink& sink) {
+    const Vector d = A.r_CM - B.r_CM;
+    const scalar distance = sqrt(length_sq(d)), reach = A.shape.size.x + B.shape.size.x;
+    if (distance > reach) return;
+    const Vector n = distance > 0 ? d * (1 / distance) : Vector{1, 0, 0};
+    sink.add(n, {}, {}, distance - reach);
+}
+
+void collide_sphere_half_space(const Placed& A, const Placed& B, ContactSink& sink) {
+    const WorldFace face = face_of(B);
+    const scalar separation = dot(face.n, A.r_CM) - face.d - A.shape.size.x;
+    if (separation <= 0) sink.add(face.n, {}, {}, separation);
+}
+
+void collide_box_half_space(const Placed& A, const Placed& B, ContactSink& sink) {
+    const WorldFace face = face_of(B);
+    const Vector half = A.shape.size;
+    const Vector edge_x = A.A.c0 * half.x, edge_y = A.A.c1 * half.y, edge_z = A.A.c2 * half.z;
+    const scalar height = dot(face.n, A.r_CM) - face.d, margin = limits::flatness * bounding_radius(A.shape);
+    for (int corner_i = 0; corner_i < 8; ++corner_i) {
+        const Vector x = (corner_i & 1) != 0 ? edge_x : -edge_x;
+        const Vector y = (corner_i & 2) != 0 ? edge_y : -edge_y;
+        const Vector z = (corner_i & 4) != 0 ? edge_z : -edge_z;
+        const Vector r_AP = x + y + z;
+        const scalar separation = height + dot(face.n, r_AP);
+        if (separation <= margin) sink.add(face.n, cross(r_AP, face.n), {}, separation);
+    }
+}
+
+} }  // namespace ingot

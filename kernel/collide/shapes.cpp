@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#include "shapes.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+scalar bounding_radius(const Shape& shape) {
+    if (shape.kind == ShapeKind::sphere) return shape.size.x;
+    if (shape.kind == ShapeKind::box) return sqrt(length_sq(shape.size));
+    return 0;
+}
+
+namespace {
+
+bool is_size(scalar length) { return length >= limits::size_min && length <= limits::size_max; }
+
+}  // namespace
+
+Status check_shape(const Shape& shape) {
+    if (!is_finite(shape.size) || !is_finite(shape.offset)) return Status::not_finite;
+    switch (shape.kind) {
+        case ShapeKind::none: return Status::ok;
+        case ShapeKind::sphere: return is_size(shape.size.x) ? Status::ok : Status::bad_shape;
+        case ShapeKind::box:
+            return is_size(shape.size.x) && is_size(shape.size.y) && is_size(shape.size.z) ? Status::ok : Status::bad_shape;
+        case ShapeKind::half_space:
+            if (abs(length_sq(shape.size) - 1) > limits::unit_length) return Status::bad_direction;
+            return abs(shape.offset) <= limits::position_max ? Status::ok : Status::out_of_range;
+    }
+    return Status::bad_shape;
+}
+
+} }  // namespace ingot

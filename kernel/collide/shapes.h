@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "../base/limits.h"
+#include "../base/status.h"
+#include "../math/rotation.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+enum class ShapeKind : uint8_t { none, sphere, box, half_space };
+
+/// The surface of a body in its own frame (origin at the centre of mass, principal axes). Made from Sphere, Box or HalfSpace.
+struct Shape {
+    ShapeKind kind;
+    Vector size;    ///< sphere: radius, 0, 0; box: half extents; half space: outward unit normal
+    scalar offset;  ///< half space: distance of its face from the origin along the normal; else 0
+};
+
+/// A ball about the centre of mass. radius in m, limits::size_min .. size_max.
+struct Sphere {
+    static constexpr ShapeKind kind = ShapeKind::sphere;
+    scalar radius;
+    constexpr operator Shape() const { return {kind, {radius, 0, 0}, 0}; }
+};
+
+/// A box about the centre of mass, along the principal axes. half_extents in m, each limits::size_min .. size_max.
+struct Box {
+    static constexpr ShapeKind kind = ShapeKind::box;
+    Vector half_extents;
+    constexpr operator Shape() const { return {kind, half_extents, 0}; }
+};
+
+/// All points with normal . r <= offset: solid ground; a wall. For immovable bodies only.
+struct HalfSpace {
+    static constexpr ShapeKind kind = ShapeKind::half_space;
+    Vector normal;
+    scalar offset;
+    constexpr operator Shape() const { return {kind, normal, offset}; }
+};
+
+/// The shapes a scene names: `using shapes = ingot::Shapes<ingot::Sphere, ingot::HalfSpace>;`. Only their tests are linked.
+template <class... Named>
+struct Shapes {
+    static constexpr bool has([[maybe_unused]] ShapeKind kind) { return ((Named::kind == kind) || ... || false); }
+};
+
+/// Radius of the sphere about the centre of mass that holds the shape; 0 for a half space, which has none. Units: m.
+scalar bounding_radius(const Shape& shape);
+
+/// Errors: not_finite, bad_shape (a size outside limits::size_min .. size_max), bad_direction (a normal not of unit length),
+///         out_of_range (an offset beyond limits::position_max).
+Status check_shape(const Shape& shape);
+
+} }  // namespace ingot

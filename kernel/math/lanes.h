@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// The lane type: one number, or `lanes` numbers that one instruction works on. The only file that knows vector types.
+//
+// Written with the compiler's vectors, not with intrinsics, so that one source serves SSE, AVX, NEON and wasm; with one
+// lane it is the plain scalar. Every function is documented by what it does in one lane. Control flow may depend on any()
+// of a mask, data may not: a lane that is done is frozen with select(), so that its bits do not depend on its neighbours.
+#pragma once
+
+#include "../base/config.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// a where m, else b.
+INGOT_INLINE constexpr scalar select(bool m, scalar a, scalar b) { return m ? a : b; }
+INGOT_INLINE constexpr bool any(bool m) { return m; }
+/// One bit per lane of the mask, lane 0 lowest.
+INGOT_INLINE constexpr uint16_t bits(bool m) { return m ? 1 : 0; }
+
+#if INGOT_LANES == 1
+
+using lane = scalar;
+using mask = bool;
+inline constexpr bool lane_is_scalar = true;
+
+INGOT_INLINE lane load(const scalar* from) { return *from; }
+INGOT_INLINE void store(scalar* to, lane value) { *to = value; }
+INGOT_INLINE mask mask_from_bits(uint16_t b) { return (b & 1u) != 0; }
+
+#else
+
+typedef scalar lane __attribute__((vector_size(sizeof(scalar) * lanes)));
+using mask = decltype(lane{} < lane{});
+inline constexpr bool lane_is_scalar = false;
+
+INGOT_INLINE lane load(const scalar* from) {
+    lane value;
+    __builtin_memcpy(&value, from, sizeof value);
+    return value;
+}
+INGOT_INLINE void store(scalar* to, lane value) { __builtin_memcpy(to, &value, sizeof value); }
+INGOT_INLINE lane select(mask m, lane a, lane b) { return m ? a : b; }
+
+INGOT_INLINE bool any(mask m) {
+    uint64_t words[sizeof(mask) / 8];
+    __builtin_memcpy(words, &m, sizeof m);
+    uint64_t all = 0;
+    for (uint64_t word : words) all |= word;
+    return all != 0;
+}
+INGOT_INLINE uint16_t bits(mask m) {
+    uint16_t b = 0;
+    for (int lane_i = 0; lane_i < lanes; ++lane_i) b = static_cast<uint16_t>(b | (m[lane_i] != 0 ? 1u << lane_i : 0u));
+    return b;
+}
+INGOT_INLINE mask mask_from_bits(uint16_t b) {
+    mask m{};
+    for (int lane_i = 0; lane_i < lanes; ++lane_i) m[lane_i] = (b >> lane_i & 1u) != 0 ? -1 : 0;
+    return m;
+}
+
+#endif
+
+/// The same value in every lane.
+template <class T>
+INGOT_INLINE constexpr T splat(scalar value) {
+    return T{} + value;
+}
+
+/// True where x is neither NaN nor infinite.
+template <class T>
+INGOT_INLINE constexpr auto is_finite(T x) {
+    return x - x == T{};
+}
+
+INGOT_INLINE constexpr scalar abs(scalar x) { return x < 0 ? -x : x; }
+#if INGOT_LANES > 1
+INGOT_INLINE lane abs(lane x) { return select(x < lane{}, -x, x); }
+#endif
+
+} }  // namespace ingot

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "mat3.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// A symmetric 3x3 matrix: an inertia tensor or its inverse. The entries are the tensor's own (products of inertia with
+/// their minus sign inside).
+template <class T>
+struct Sym3 {
+    T xx, yy, zz, xy, xz, yz;
+
+    INGOT_INLINE friend constexpr Sym3 operator+(const Sym3& a, const Sym3& b) {
+        return {a.xx + b.xx, a.yy + b.yy, a.zz + b.zz, a.xy + b.xy, a.xz + b.xz, a.yz + b.yz};
+    }
+    INGOT_INLINE friend constexpr Sym3 operator-(const Sym3& a, const Sym3& b) {
+        return {a.xx - b.xx, a.yy - b.yy, a.zz - b.zz, a.xy - b.xy, a.xz - b.xz, a.yz - b.yz};
+    }
+    INGOT_INLINE friend constexpr Sym3 operator*(const Sym3& a, T s) {
+        return {a.xx * s, a.yy * s, a.zz * s, a.xy * s, a.xz * s, a.yz * s};
+    }
+    INGOT_INLINE friend constexpr Vec3<T> operator*(const Sym3& a, const Vec3<T>& v) {
+        return {a.xx * v.x + a.xy * v.y + a.xz * v.z, a.xy * v.x + a.yy * v.y + a.yz * v.z, a.xz * v.x + a.yz * v.y + a.zz * v.z};
+    }
+};
+
+using SymmetricMatrix = Sym3<scalar>;
+
+/// A diag(d) A^T: a tensor known in its principal axes, seen from the world (Hecker 1997, Eq. 2).
+template <class T>
+INGOT_INLINE constexpr Sym3<T> rotated_diagonal(const Mat3<T>& a, const Vec3<T>& d) {
+    const Vec3<T> c0 = a.c0 * d.x, c1 = a.c1 * d.y, c2 = a.c2 * d.z;
+    return {c0.x * a.c0.x + c1.x * a.c1.x + c2.x * a.c2.x, c0.y * a.c0.y + c1.y * a.c1.y + c2.y * a.c2.y,
+            c0.z * a.c0.z + c1.z * a.c1.z + c2.z * a.c2.z, c0.x * a.c0.y + c1.x * a.c1.y + c2.x * a.c2.y,
+            c0.x * a.c0.z + c1.x * a.c1.z + c2.x * a.c2.z, c0.y * a.c0.z + c1.y * a.c1.z + c2.y * a.c2.z};
+}
+
+/// A^T A, for an A by columns.
+template <class T>
+INGOT_INLINE constexpr Sym3<T> gram(const Mat3<T>& a) {
+    return {dot(a.c0, a.c0), dot(a.c1, a.c1), dot(a.c2, a.c2), dot(a.c0, a.c1), dot(a.c0, a.c2), dot(a.c1, a.c2)};
+}
+
+/// A S.
+template <class T>
+INGOT_INLINE constexpr Mat3<T> operator*(const Mat3<T>& a, const Sym3<T>& s) {
+    return {a.c0 * s.xx + a.c1 * s.xy + a.c2 * s.xz, a.c0 * s.xy + a.c1 * s.yy + a.c2 * s.yz,
+            a.c0 * s.xz + a.c1 * s.yz + a.c2 * s.zz};
+}
+
+/// A B A^T of a full symmetric tensor B (Hecker 1997, Eq. 2).
+template <class T>
+INGOT_INLINE constexpr Sym3<T> rotated(const Mat3<T>& a, const Sym3<T>& b) {
+    const Mat3<T> ab = a * b;
+    return {ab.c0.x * a.c0.x + ab.c1.x * a.c1.x + ab.c2.x * a.c2.x, ab.c0.y * a.c0.y + ab.c1.y * a.c1.y + ab.c2.y * a.c2.y,
+            ab.c0.z * a.c0.z + ab.c1.z * a.c1.z + ab.c2.z * a.c2.z, ab.c0.x * a.c0.y + ab.c1.x * a.c1.y + ab.c2.x * a.c2.y,
+            ab.c0.x * a.c0.z + ab.c1.x * a.c1.z + ab.c2.x * a.c2.z, ab.c0.y * a.c0.z + ab.c1.y * a.c1.z + ab.c2.y * a.c2.z};
+}
+
+template <class T>
+INGOT_INLINE constexpr Sym3<T> identity_sym3() {
+    const T zero{}, one = splat<T>(1);
+    return {one, one, one, zero, zero, zero};
+}
+
+template <class T>
+INGOT_INLINE constexpr auto is_finite(const Sym3<T>& a) {
+    return is_finite((a.xx - a.xx) + (a.yy - a.yy) + (a.zz - a.zz) + (a.xy - a.xy) + (a.xz - a.xz) + (a.yz - a.yz));
+}
+
+/// Six rows of `lanes` numbers, as body tiles keep them.
+INGOT_INLINE void store(scalar (&to)[6][lanes], const Sym3<lane>& value) {
+    store(to[0], value.xx);
+    store(to[1], value.yy);
+    store(to[2], value.zz);
+    store(to[3], value.xy);
+    store(to[4], value.xz);
+    store(to[5], value.yz);
+}
+INGOT_INLINE Sym3<lane> load(const scalar (&from)[6][lanes]) {
+    return {load(from[0]), load(from[1]), load(from[2]), load(from[3]), load(from[4]), load(from[5])};
+}
+
+} }  // namespace ingot

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "lanes.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// A column of three numbers. T is the scalar, or the lane: then one Vec3 holds a vector of each of `lanes` bodies.
+template <class T>
+struct Vec3 {
+    T x, y, z;
+
+    INGOT_INLINE constexpr Vec3& operator+=(const Vec3& b) { return *this = *this + b; }
+    INGOT_INLINE constexpr Vec3& operator-=(const Vec3& b) { return *this = *this - b; }
+
+    INGOT_INLINE friend constexpr Vec3 operator+(const Vec3& a, const Vec3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+    INGOT_INLINE friend constexpr Vec3 operator-(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+    INGOT_INLINE friend constexpr Vec3 operator-(const Vec3& a) { return {-a.x, -a.y, -a.z}; }
+    INGOT_INLINE friend constexpr Vec3 operator*(const Vec3& a, T s) { return {a.x * s, a.y * s, a.z * s}; }
+    INGOT_INLINE friend constexpr Vec3 operator*(T s, const Vec3& a) { return a * s; }
+};
+
+using Vector = Vec3<scalar>;
+
+template <class T>
+INGOT_INLINE constexpr T dot(const Vec3<T>& a, const Vec3<T>& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+template <class T>
+INGOT_INLINE constexpr Vec3<T> cross(const Vec3<T>& a, const Vec3<T>& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/// Component by component; the product of a diagonal matrix and a column.
+template <class T>
+INGOT_INLINE constexpr Vec3<T> scaled(const Vec3<T>& diagonal, const Vec3<T>& b) {
+    return {diagonal.x * b.x, diagonal.y * b.y, diagonal.z * b.z};
+}
+
+template <class T>
+INGOT_INLINE constexpr T length_sq(const Vec3<T>& a) {
+    return dot(a, a);
+}
+
+/// True where all three components are neither NaN nor infinite.
+template <class T>
+INGOT_INLINE constexpr auto is_finite(const Vec3<T>& a) {
+    return is_finite((a.x - a.x) + (a.y - a.y) + (a.z - a.z));
+}
+
+template <class M, class T>
+INGOT_INLINE constexpr Vec3<T> select(M m, const Vec3<T>& a, const Vec3<T>& b) {
+    return {select(m, a.x, b.x), select(m, a.y, b.y), select(m, a.z, b.z)};
+}
+
+/// Three rows of `lanes` numbers, as body tiles keep them.
+INGOT_INLINE Vec3<lane> load(const scalar (&from)[3][lanes]) { return {load(from[0]), load(from[1]), load(from[2])}; }
+INGOT_INLINE void store(scalar (&to)[3][lanes], const Vec3<lane>& value) {
+    store(to[0], value.x);
+    store(to[1], value.y);
+    store(to[2], value.z);
+}
+
+} }  // namespace ingot

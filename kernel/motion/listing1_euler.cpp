@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#include "listing1_euler.h"
+
+#include "../body/kinematics.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+void integrate_A_listing1(const BodyView& bodies, scalar h) {
+    for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) {
+        RotationTile& tile = bodies.rotation[tile_i];
+        const Mat3<lane> A = load(tile.A);
+        const Mat3<lane> A_next = reorthogonalized(A + orientation_rate(load(tile.omega), A) * splat<lane>(h));
+        const auto good = is_finite(A_next);
+        store(tile.A, select(good, A_next, A));
+        mark_bad(tile.bad, good);
+    }
+}
+
+} }  // namespace ingot

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "contact_rows.h"
+
+#include "../base/limits.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+namespace {
+
+struct Motion {
+    Vector v_CM, L;
+};
+
+Motion motion_of(const BodyView& bodies, int slot) {
+    const Place at = place_of(slot);
+    return {lane_of(bodies.translation[at.tile].v_CM, at.lane), lane_of(bodies.rotation[at.tile].L, at.lane)};
+}
+
+void set_motion(const BodyView& bodies, int slot, const Motion& motion, bool turned) {
+    const Place at = place_of(slot);
+    set_lane(bodies.translation[at.tile].v_CM, at.lane, motion.v_CM);
+    if (!turned) return;  // a central impulse leaves L, and the free flight that hangs on it, alone
+    RotationTile& tile = bodies.rotation[at.tile];
+    set_lane(tile.L, at.lane, motion.L);
+    tile.kicked = static_cast<uint16_t>(tile.kicked | (1u << at.lane));
+}
+
+void mark_bad_body(const BodyView& bodies, int slot) {
+    const Place at = place_of(slot);
+    uint16_t& bad = bodies.rotation[at.tile].bad;
+    bad = static_cast<uint16_t>(bad | (1u << at.lane));
+}
+
+scalar inv_M_of(const BodyView& bodies, int slot) {
+    const Place at = place_of(slot);
+    return bodies.translation[at.tile].inv_M[at.lane];
+}
+
+SymmetricMatrix inv_I_world_of(const BodyView& bodies, int slot) {
+    const Place at = place_of(slot);
+    return lane_of(bodies.rotation[at.tile].inv_I_world, at.lane);
+}
+
+scalar magnitude_of(const Vector& a, const Vector& b) { return abs(a.x * b.x) + abs(a.y * b.y) + abs(a.z * b.z); }
+
+}  // namespace
+
+void prepare_contact_rows(const ContactView& contacts, const BodyView& bodies) {
+    for (int contact_i = 0; contact_i < *contacts.count; ++contact_i) {
+        Contact& c = contacts.contacts[contact_i];
+        const scalar inv_M_A = inv_M_of(bodies, c.body_A), inv_M_B = inv_M_of(bodies, c.body_B);
+        if (!(inv_M_A > 0)) c.lever_A = {};
+        if (!(inv_M_B > 0)) c.lever_B = {};
+        c.k_A = inv_I_world_of(bodies, c.body_A) * c.lever_A;
+        c.k_B = inv_I_world_of(bodies, c.body_B) * c.lever_B;
+        c.inv_K = 1 / (length_sq(c.n) * (inv_M_A + inv_M_B) + dot(c.k_A, c.lever_A) + dot(c.k_B, c.lever_B));
+        c.active = false;
+        c.j = 0;
+    }
+}
+
+NormalSpeed normal_speed(const Contact& c, const BodyView& bodies) {
+    const Motion A = motion_of(bodies, c.body_A), B = motion_of(bodies, c.body_B);
+    const scalar u = dot(c.n, A.v_CM - B.v_CM) + dot(A.L, c.k_A) - dot(B.L, c.k_B);
+    return {u, magnitude_of(c.n, A.v_CM) + magnitude_of(c.n, B.v_CM) + magnitude_of(A.L, c.k_A) + magnitude_of(B.L, c.k_B)};
+}
+
+bool apply_impulse(const Contact& c, scalar j, const BodyView& bodies) {
+    Motion A = motion_of(bodies, c.body_A), B = motion_of(bodies, c.body_B);
+    A.v_CM += c.n * (j * inv_M_of(bodies, c.body_A));
+    A.L += c.lever_A * j;
+    B.v_CM -= c.n * (j * inv_M_of(bodies, c.body_B));
+    B.L -= c.lever_B * j;
+    const bool good_A = is_finite(A.v_CM) && is_finite(A.L), good_B = is_finite(B.v_CM) && is_finite(B.L);
+    if (!good_A) mark_bad_body(bodies, c.body_A);
+    if (!good_B) mark_bad_body(bodies, c.body_B);
+    if (!good_A || !good_B) return false;
+    set_motion(bodies, c.body_A, A, length_sq(c.lever_A) > 0);
+    set_motion(bodies, c.body_B, B, length_sq(c.lever_B) > 0);
+    return true;
+}
+
+SweepOutcome solve_active_contacts(const ContactView& contacts, const BodyView& bodies) {
+    for (int sweep_i = 0; sweep_i < limits::contact_sweeps_max; ++sweep_i) {
+        bool settled = true;
+        for (int contact_i = 0; contact_i < *contacts.count; ++contact_i) {
+            Contact& c = contacts.contacts[contact_i];
+            if (!c.active) continue;
+            const scalar missing = c.target - normal_speed(c, bodies).u;
+            if (abs(missing) <= c.tolerance) continue;
+            const scalar wanted = c.j + missing * c.inv_K;
+            const scalar j = wanted > 0 ? wanted : 0;
+            if (j == c.j) continue;
+            if (!apply_impulse(c, j - c.j, bodies)) {
+                c.active = false;
+                continue;
+            }
+            settled = false;
+            c.j = j;
+        }
+        if (settled) return {sweep_i + 1, true};
+    }
+    return {limits::contact_sweeps_max, false};
+}
+
+} }  // namespace ingot

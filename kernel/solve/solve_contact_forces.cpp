@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include "solve_contact_forces.h"
+
+#include "../base/limits.h"
+#include "contact_rows.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+namespace {
+
+void add_force(const BodyView& bodies, int slot, const Vector& F, const Vector& tau) {
+    const Place at = place_of(slot);
+    TranslationTile& translation = bodies.translation[at.tile];
+    RotationTile& rotation = bodies.rotation[at.tile];
+    set_lane(translation.F_T, at.lane, lane_of(translation.F_T, at.lane) + F);
+    set_lane(rotation.tau_T, at.lane, lane_of(rotation.tau_T, at.lane) + tau);
+}
+
+}  // namespace
+
+void solve_contact_forces(const ContactView& contacts, const BodyView& bodies, scalar h, StepReport& report) {
+    for (int contact_i = 0; contact_i < *contacts.count; ++contact_i) {
+        Contact& c = contacts.contacts[contact_i];
+        c.tolerance = limits::contact_roundings * epsilon * normal_speed(c, bodies).magnitude;
+        c.active = true;
+        c.target = 0;
+        c.j = 0;
+    }
+    const SweepOutcome outcome = solve_active_contacts(contacts, bodies);
+    report.sweeps = static_cast<uint16_t>(report.sweeps + outcome.sweeps);
+    if (!outcome.finished) ++report.sweeps_unfinished;
+
+    for (int contact_i = 0; contact_i < *contacts.count; ++contact_i) {
+        Contact& c = contacts.contacts[contact_i];
+        if (!(c.j > 0)) continue;
+        const scalar force = c.j / h;
+        add_force(bodies, c.body_A, c.n * force, c.lever_A * force);
+        add_force(bodies, c.body_B, c.n * -force, c.lever_B * -force);
+        c.j_total += c.j;
+    }
+}
+
+} }  // namespace ingot

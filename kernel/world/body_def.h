@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "../body/check_body.h"
+#include "../collide/shapes.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// What World::add needs to know of a body.
+struct BodyDef {
+    MassProperties mass{};       ///< see body/mass_properties.h; not looked at for an immovable body
+    BodyState state{};           ///< of the principal frame; an immovable body has v_CM = L = 0
+    Shape shape{};               ///< Sphere, Box or HalfSpace in the principal frame; none: the body touches nothing
+    scalar restitution = 0;      ///< e of Fig. 4, 0 .. 1; of a pair the larger counts
+    bool immovable = false;      ///< neither force nor impulse moves it
+};
+
+} }  // namespace ingot

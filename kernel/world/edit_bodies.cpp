@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+#include "edit_bodies.h"
+
+#include "../base/limits.h"
+#include "../body/freeze_bad_bodies.h"
+#include "../body/refresh_auxiliary.h"
+#include "../solve/impulse.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+namespace {
+
+bool is_zero(const Vector& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
+
+bool can_move(const BodyView& bodies, int slot) {
+    const Place at = place_of(slot);
+    return bodies.rotation[at.tile].inv_I_scale[at.lane] > 0;
+}
+
+Vector inv_I_body_of(const BodyView& bodies, int slot) {
+    const Place at = place_of(slot);
+    const RotationTile& tile = bodies.rotation[at.tile];
+    return lane_of(tile.inv_I_ratio, at.lane) * tile.inv_I_scale[at.lane];
+}
+
+Status check_restitution(scalar e) {
+    if (!is_finite(e)) return Status::not_finite;
+    return e >= 0 && e <= 1 ? Status::ok : Status::bad_restitution;
+}
+
+/// A sum of inputs may leave the range that each input kept.
+Status check_sum(const Vector& sum, scalar limit) {
+    return is_finite(sum) ? check_vector(sum, limit) : Status::out_of_range;
+}
+
+void write_checked_state(const BodyView& bodies, int slot, const BodyState& state) {
+    const Place at = place_of(slot);
+    const Vector positive_zero{};  // x + 0 turns -0 into +0: one value, one set of bits
+    RotationTile& rotation = bodies.rotation[at.tile];
+    set_lane(rotation.A, at.lane, nearest_rotation(state.A));
+    set_lane(rotation.L, at.lane, state.L + positive_zero);
+    rotation.kicked = static_cast<uint16_t>(rotation.kicked | (1u << at.lane));
+    if (bodies.flight != nullptr) set_lane(bodies.flight[at.tile].A_low, at.lane, Matrix{});
+    if (bodies.translation != nullptr) {
+        set_lane(bodies.translation[at.tile].r_CM, at.lane, state.r_CM + positive_zero);
+        set_lane(bodies.translation[at.tile].v_CM, at.lane, state.v_CM + positive_zero);
+    }
+    refresh_auxiliary_of(bodies, slot);
+}
+
+struct Motion {
+    Vector v_CM, L;
+};
+
+/// What an impulse j and an angular impulse k make of a body's motion, checked and not yet written.
+Result<Motion> motion_after(const BodyView& bodies, int slot, const Vector& j, const Vector& k) {
+    if (is_frozen(bodies, slot)) return {Status::frozen, {}};
+    if (!can_move(bodies, slot)) return {Status::immovable, {}};
+    Status status = check_vector(j, limits::force_max);
+    if (status == Status::ok) status = check_vector(k, limits::torque_max);
+    if (status != Status::ok) return {status, {}};
+
+    BodyState state = read_state(bodies, slot);
+    state.L += k;
+    if (bodies.translation != nullptr) state.v_CM += j * bodies.translation[place_of(slot).tile].inv_M[place_of(slot).lane];
+    status = check_sum(state.v_CM, limits::speed_max);
+    if (status == Status::ok)
+        status = check_sum(scaled(inv_I_body_of(bodies, slot), transpose_times(state.A, state.L)), limits::spin_max);
+    if (status != Status::ok) return {status, {}};
+    return {Status::ok, {state.v_CM, state.L}};
+}
+
+void set_motion(const BodyView& bodies, int slot, const Motion& motion) {
+    const Place at = place_of(slot);
+    RotationTile& rotation = bodies.rotation[at.tile];
+    set_lane(rotation.L, at.lane, motion.L);
+    rotation.kicked = static_cast<uint16_t>(rotation.kicked | (1u << at.lane));
+    if (bodies.translation != nullptr) set_lane(bodies.translation[at.tile].v_CM, at.lane, motion.v_CM);
+    refresh_auxiliary_of(bodies, slot);
+}
+
+}  // namespace
+
+Status check_definition(const BodyDef& def, bool scene_translates, bool scene_has_shape) {
+    Vector inv_I_body{};
+    if (def.immovable) {
+        if (!is_zero(def.state.v_CM) || !is_zero(def.state.L)) return Status::immovable;
+    } else {
+        const Status status = check_mass_properties(def.mass);
+        if (status != Status::ok) return status;
+        if (def.shape.kind == ShapeKind::half_space) return Status::bad_shape;
+        inv_I_body = {1 / def.mass.I_body.x, 1 / def.mass.I_body.y, 1 / def.mass.I_body.z};
+    }
+    Status status = check_state(def.state, inv_I_body);
+    if (status == Status::ok) status = check_shape(def.shape);
+    if (status == Status::ok) status = check_restitution(def.restitution);
+    if (status != Status::ok) return status;
+    if (!scene_translates && !(is_zero(def.state.r_CM) && is_zero(def.state.v_CM))) return Status::not_in_scene;
+    return def.shape.kind == ShapeKind::none || scene_has_shape ? Status::ok : Status::not_in_scene;
+}
+
+void write_body(const BodyView& bodies, int slot, const BodyDef& def) {
+    set_identity_body(bodies, slot);
+    const Place at = place_of(slot);
+    if (!def.immovable) {
+        const ScaledInverseInertia inverse = scaled_inverse_inertia(def.mass.I_body);
+        set_lane(bodies.rotation[at.tile].inv_I_ratio, at.lane, inverse.ratio);
+        bodies.rotation[at.tile].inv_I_scale[at.lane] = inverse.scale;
+        if (bodies.translation != nullptr) bodies.translation[at.tile].inv_M[at.lane] = 1 / def.mass.M;
+    }
+    write_checked_state(bodies, slot, def.state);
+}
+
+BodyState read_state(const BodyView& bodies, int slot) {
+    const Place at = place_of(slot);
+    BodyState state{{}, {}, lane_of(bodies.rotation[at.tile].A, at.lane), lane_of(bodies.rotation[at.tile].L, at.lane)};
+    if (bodies.translation != nullptr) {
+        state.r_CM = lane_of(bodies.translation[at.tile].r_CM, at.lane);
+        state.v_CM = lane_of(bodies.translation[at.tile].v_CM, at.lane);
+    }
+    return state;
+}
+
+Status write_state(const BodyView& bodies, int slot, const BodyState& state) {
+    if (is_frozen(bodies, slot)) return Status::frozen;
+    const Status status = check_state(state, inv_I_body_of(bodies, slot));
+    if (status != Status::ok) return status;
+    if (bodies.translation == nullptr && !(is_zero(state.r_CM) && is_zero(state.v_CM))) return Status::not_in_scene;
+    if (!can_move(bodies, slot) && !(is_zero(state.v_CM) && is_zero(state.L))) return Status::immovable;
+    write_checked_state(bodies, slot, state);
+    return Status::ok;
+}
+
+Status accumulate_force(const BodyView& bodies, int slot, const Vector& F, const Vector& tau) {
+    if (is_frozen(bodies, slot)) return Status::frozen;
+    if (!can_move(bodies, slot)) return Status::immovable;
+    Status status = check_vector(F, limits::force_max);
+    if (status == Status::ok) status = check_vector(tau, limits::torque_max);
+    if (status != Status::ok) return status;
+
+    const Place at = place_of(slot);
+    const Vector tau_T = lane_of(bodies.rotation[at.tile].tau_T, at.lane) + tau;
+    status = check_sum(tau_T, limits::torque_max);
+    if (status != Status::ok) return status;
+    if (bodies.translation != nullptr) {
+        const Vector F_T = lane_of(bodies.translation[at.tile].F_T, at.lane) + F;
+        status = check_sum(F_T, limits::force_max);
+        if (status != Status::ok) return status;
+        set_lane(bodies.translation[at.tile].F_T, at.lane, F_T);
+    }
+    set_lane(bodies.rotation[at.tile].tau_T, at.lane, tau_T);
+    return Status::ok;
+}
+
+Status accumulate_impulse(const BodyView& bodies, int slot, const Vector& j, const Vector& k) {
+    const Result<Motion> kicked = motion_after(bodies, slot, j, k);
+    if (kicked.ok()) set_motion(bodies, slot, kicked.value);
+    return kicked.status;
+}
+
+Vector moment_about_centre(const BodyView& bodies, int slot, const Vector& F, const Vector& P) {
+    return cross(P - read_state(bodies, slot).r_CM, F);
+}
+
+Result<scalar> collide_bodies(const BodyView& bodies, int slot_A, int slot_B, const Vector& P, const Vector& n, scalar e) {
+    Status status = check_vector(P, limits::position_max);
+    if (status == Status::ok && !is_finite(n)) status = Status::not_finite;
+    if (status == Status::ok && abs(length_sq(n) - 1) > limits::unit_length) status = Status::bad_direction;
+    if (status == Status::ok) status = check_restitution(e);
+    if (status == Status::ok && is_frozen(bodies, slot_A)) status = Status::frozen;
+    if (status == Status::ok && is_frozen(bodies, slot_B)) status = Status::frozen;
+    if (status == Status::ok && !can_move(bodies, slot_A) && !can_move(bodies, slot_B)) status = Status::immovable;
+    if (status != Status::ok) return {status, 0};
+
+    const auto colliding = [&](int slot) {
+        const Place at = place_of(slot);
+        const TranslationTile& translation = bodies.translation[at.tile];
+        const RotationTile& rotation = bodies.rotation[at.tile];
+        return CollidingBody{translation.inv_M[at.lane], lane_of(rotation.inv_I_world, at.lane), lane_of(translation.v_CM, at.lane),
+                             lane_of(rotation.omega, at.lane), P - lane_of(translation.r_CM, at.lane)};
+    };
+    const CollidingBody A = colliding(slot_A), B = colliding(slot_B);
+    const scalar j = collision_impulse(A, B, n, e);
+    if (j == 0) return {Status::ok, 0};
+
+    // Both sides are checked before either is written.
+    const bool move_A = can_move(bodies, slot_A), move_B = can_move(bodies, slot_B);
+    const Result<Motion> none{Status::ok, {}};
+    const Result<Motion> after_A = move_A ? motion_after(bodies, slot_A, n * j, cross(A.r_P, n * j)) : none;
+    const Result<Motion> after_B = move_B ? motion_after(bodies, slot_B, n * -j, cross(B.r_P, n * -j)) : none;
+    if (!after_A.ok()) return {after_A.status, 0};
+    if (!after_B.ok()) return {after_B.status, 0};
+    if (move_A) set_motion(bodies, slot_A, after_A.value);
+    if (move_B) set_motion(bodies, slot_B, after_B.value);
+    return {Status::ok, j};
+}
+
+} }  // namespace ingot

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// What World does to one body, on views: shared by worlds of every scene. Each call checks all before it writes any.
+#pragma once
+
+#include "../body/check_body.h"
+#include "../body/body_tiles.h"
+#include "body_def.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// Everything about a definition that does not depend on the scene's capacity.
+Status check_definition(const BodyDef& def, bool scene_translates, bool scene_has_shape);
+/// Writes a checked definition into a slot.
+void write_body(const BodyView& bodies, int slot, const BodyDef& def);
+
+BodyState read_state(const BodyView& bodies, int slot);
+Status write_state(const BodyView& bodies, int slot, const BodyState& state);
+
+/// F at the centre of mass and tau about it: F_T += F, tau_T += tau.
+Status accumulate_force(const BodyView& bodies, int slot, const Vector& F, const Vector& tau);
+/// An impulse through the centre of mass and an angular impulse: v_CM += j / M, L += k.
+Status accumulate_impulse(const BodyView& bodies, int slot, const Vector& j, const Vector& k);
+/// r_P x F with r_P from the centre of mass to the world point P (Hecker 1997, Eq. 16).
+Vector moment_about_centre(const BodyView& bodies, int slot, const Vector& F, const Vector& P);
+
+/// Figure 4 for the bodies of two slots at the world point P, applied to both.
+Result<scalar> collide_bodies(const BodyView& bodies, int slot_A, int slot_B, const Vector& P, const Vector& n, scalar e);
+
+} }  // namespace ingot

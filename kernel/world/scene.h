@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "../collide/shapes.h"
+#include "../motion/listing1_euler.h"
+#include "../motion/moser_veselov.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// What a world is made of. A scene inherits the least there is, one body that only turns, and adds what it needs; what it
+/// does not name costs no flash, no RAM and no time.
+///
+///     struct Crates : ingot::Scene {
+///         static constexpr int  max_bodies   = 10;
+///         static constexpr bool translates   = true;    // r_CM, v_CM, forces, gravity
+///         static constexpr int  max_contacts = 80;      // and collisions
+///         using shapes = ingot::Shapes<ingot::Box, ingot::HalfSpace>;
+///     };
+///     static ingot::World<Crates> world;                // .bss; no constructor runs; memcpy is a snapshot
+struct Scene {
+    static constexpr int  max_bodies   = 1;      ///< 1 .. 65536
+    static constexpr bool translates   = false;
+    static constexpr int  max_contacts = 0;      ///< points of contact in one step, 0 .. 65535
+    using shapes   = Shapes<>;
+    using rotation = MoserVeselov;               ///< or Listing1Euler
+};
+
+template <class S>
+inline constexpr bool collides = S::max_contacts > 0;
+
+/// Turns a scene that contradicts itself into a sentence.
+template <class S>
+constexpr bool check_scene() {
+    static_assert(S::max_bodies >= 1 && S::max_bodies <= 65536, "a scene holds 1 to 65536 bodies: set max_bodies");
+    static_assert(S::max_contacts >= 0 && S::max_contacts <= 65535, "a scene holds 0 to 65535 contacts: set max_contacts");
+    static_assert(!collides<S> || S::translates, "bodies that collide move: set translates = true, or max_contacts = 0");
+    return true;
+}
+
+} }  // namespace ingot

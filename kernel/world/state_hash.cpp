@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include "state_hash.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+namespace {
+
+#if INGOT_DOUBLE
+using Bits = uint64_t;
+#else
+using Bits = uint32_t;
+#endif
+
+uint64_t hash_number(uint64_t hash, scalar x) {
+    Bits b;
+    __builtin_memcpy(&b, &x, sizeof b);
+    for (unsigned byte_i = 0; byte_i < sizeof b; ++byte_i) {
+        hash = (hash ^ (b & 0xffu)) * 0x100000001b3u;
+        b >>= 8;
+    }
+    return hash;
+}
+
+template <int rows>
+uint64_t hash_lane(uint64_t hash, const scalar (&numbers)[rows][lanes], int lane_i) {
+    for (int row_i = 0; row_i < rows; ++row_i) hash = hash_number(hash, numbers[row_i][lane_i]);
+    return hash;
+}
+
+}  // namespace
+
+uint64_t hash_body(const BodyView& bodies, int slot, uint64_t hash) {
+    const Place at = place_of(slot);
+    const RotationTile& rotation = bodies.rotation[at.tile];
+    hash = hash_lane(hash, rotation.A, at.lane);
+    hash = hash_lane(hash, rotation.L, at.lane);
+    if (bodies.flight != nullptr) hash = hash_lane(hash, bodies.flight[at.tile].A_low, at.lane);
+    if (bodies.translation == nullptr) return hash;
+    hash = hash_lane(hash, bodies.translation[at.tile].r_CM, at.lane);
+    return hash_lane(hash, bodies.translation[at.tile].v_CM, at.lane);
+}
+
+} }  // namespace ingot

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// The step is the table of contents of the kernel, and the only place where a scene's features are asked for.
+#pragma once
+
+#include "../body/refresh_auxiliary.h"
+#include "../motion/integrate_L.h"
+#include "../motion/integrate_r.h"
+#include "../motion/integrate_v.h"
+#include "../solve/contact_rows.h"
+#include "../solve/solve_contact_forces.h"
+#include "../solve/solve_impacts.h"
+#include "world.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// Advances a world by h seconds.
+///
+/// Needs:   limits::step_min <= h <= limits::step_max; anything else, NaN included, is answered with bad_step and changes
+///          nothing. A constant h is best: time is then a count of steps and does not drift.
+/// Bound:   every loop is bounded by a capacity of the scene or a number in base/limits.h.
+template <class S>
+StepReport step(World<S>& world, scalar h) {
+    StepReport report{};
+    report.status = check_step(h);
+    if (report.status != Status::ok) return report;
+
+    auto& storage = world.storage_;
+    const BodyView bodies = storage.bodies();
+
+    if constexpr (collides<S>) {
+        const ContactView contacts = storage.contact_view();
+        const scalar rest_speed = limits::rest_speed_factor * h * sqrt(length_sq(storage.gravity));
+        find_contacts<typename S::shapes>(bodies, storage.surface_view(), contacts, report);
+        prepare_contact_rows(contacts, bodies);
+        solve_impacts(contacts, bodies, rest_speed, report);              // Fig. 4
+        if constexpr (S::rotation::as_printed) refresh_auxiliary(bodies);
+    }
+
+    if constexpr (S::rotation::as_printed) {                              // Listing 1: every right-hand side is of step n
+        if constexpr (S::translates) {
+            integrate_r_listing1(bodies, h);
+            integrate_v(bodies, h, storage.gravity);                      // Eq. 14
+        }
+        integrate_A_listing1(bodies, h);                                  // Eq. 10, then Eq. 1
+        integrate_L(bodies, h);                                           // Eq. 16
+    } else {
+        integrate_L(bodies, h);
+        if constexpr (S::translates) integrate_v(bodies, h, storage.gravity);
+        if constexpr (collides<S>) solve_contact_forces(storage.contact_view(), bodies, h, report);
+
+        const FlightClock clock{storage.steps, h != storage.h_before};
+        storage.h_before = h;
+        report.spins_clamped = static_cast<uint16_t>(integrate_A_moser_veselov(bodies, h, clock));
+        if constexpr (S::translates) integrate_r(bodies, h, storage.gravity);
+    }
+
+    refresh_auxiliary(bodies);                                            // Eq. 20, then Eq. 18
+    clear_forces(bodies);
+    report.bodies_frozen = static_cast<uint16_t>(freeze_bad_bodies(bodies));
+    ++storage.steps;
+    return report;
+}
+
+} }  // namespace ingot

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// The memory of a world, part by part: a part its scene does not name is an empty base and takes no room.
+//
+// No part holds a pointer to itself, all zero is the valid empty part, and nothing has a constructor that runs: a world
+// lies in .bss and memcpy is its snapshot.
+#pragma once
+
+#include "../body/body_tiles.h"
+#include "../collide/find_contacts.h"
+#include "scene.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+template <class S>
+inline constexpr int tile_capacity = (S::max_bodies + lanes - 1) / lanes;
+
+template <class S, bool present>
+struct TranslationPart {
+    TranslationTile translation[tile_capacity<S>] = {};
+    Vector gravity = {};  ///< m s^-2
+    TranslationTile* translation_tiles() { return translation; }
+};
+template <class S>
+struct TranslationPart<S, false> {
+    TranslationTile* translation_tiles() { return nullptr; }
+};
+
+template <class S, bool present>
+struct FlightPart {
+    FlightTile flight[tile_capacity<S>] = {};
+    scalar h_before = 0;  ///< s, of the last step
+    FlightTile* flight_tiles() { return flight; }
+};
+template <class S>
+struct FlightPart<S, false> {
+    FlightTile* flight_tiles() { return nullptr; }
+};
+
+template <class S, bool present>
+struct ContactPart {
+    Surface surfaces[static_cast<unsigned>(S::max_bodies)] = {};
+    Contact contacts[static_cast<unsigned>(S::max_contacts)] = {};
+    uint16_t contact_count = 0;
+};
+template <class S>
+struct ContactPart<S, false> {};
+
+template <class S>
+struct Storage : TranslationPart<S, S::translates>, FlightPart<S, S::rotation::keeps_flight>, ContactPart<S, collides<S>> {
+    RotationTile rotation[tile_capacity<S>] = {};
+    uint32_t generation[static_cast<unsigned>(S::max_bodies)] = {};  ///< see BodyId: odd while a body lives in the slot
+    uint32_t steps = 0;         ///< taken
+    int32_t slots_used = 0;     ///< slots that hold or held a body
+    int32_t free_hint = 0;      ///< no slot below it is free
+    uint16_t world_tag = 0;
+
+    BodyView bodies() {
+        return {rotation, this->translation_tiles(), this->flight_tiles(), (slots_used + lanes - 1) / lanes};
+    }
+    /// A view for reading; whoever holds it does not write.
+    BodyView bodies() const { return const_cast<Storage*>(this)->bodies(); }
+
+    SurfaceView surface_view() const { return {this->surfaces, slots_used}; }
+    ContactView contact_view() { return {this->contacts, &this->contact_count, S::max_contacts}; }
+};
+
+} }  // namespace ingot

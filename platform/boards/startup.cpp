@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+// From reset to main() and out again, for every Cortex-M board here. No vendor code, no libc start-up, no constructors.
+#include <stdint.h>
+
+#include "platform/console.h"
+#include "platform/cortex_m.h"
+#include "platform/fault.h"
+#include "platform/stack_watermark.h"
+
+// The firmware's main(). By its assembler name, because C++ forbids calling main, and because a unit compiled
+// -ffreestanding would look for a mangled one.
+int firmware_main() __asm__("main");
+
+extern "C" {
+
+// Of boards/sections.ld.
+extern const uint32_t ingot_stack_low[], ingot_stack_high[];
+extern const uint32_t ingot_data_low[], ingot_data_high[], ingot_data_load[];
+extern const uint32_t ingot_bss_low[], ingot_bss_high[];
+
+void Reset_Handler();
+void ingot_hard_fault(uint32_t frame);
+void ingot_unhandled_exception();
+
+// The names are CMSIS's. A firmware that wants an exception defines its handler; the rest end in one place.
+void NMI_Handler() __attribute__((weak, alias("ingot_unhandled_exception")));
+void HardFault_Handler();
+void MemManage_Handler() __attribute__((weak, alias("ingot_unhandled_exception")));
+void BusFault_Handler() __attribute__((weak, alias("ingot_unhandled_exception")));
+void UsageFault_Handler() __attribute__((weak, alias("ingot_unhandled_exception")));
+void SVC_Handler() __attribute__((weak, alias("ingot_unhandled_exception")));
+void DebugMon_Handler() __attribute__((weak, alias("ingot_unhandled_exception")));
+void PendSV_Handler() __attribute__((weak, alias("ingot_unhandled_exception")));
+void SysTick_Handler() __attribute__((weak, alias("ingot_unhandled_exception")));
+
+}  // extern "C"
+
+namespace {
+
+using namespace ingot::platform;
+using cortex_m::address_of;
+using cortex_m::reg;
+
+/// The first 16 words of memory: where the stack begins, and whom to call. Interrupts of devices are not used.
+struct Vectors {
+    const uint32_t* stack;
+    void (*handlers[15])();
+};
+
+__attribute__((section(".vectors"), used)) const Vectors vectors = {
+    ingot_stack_high,
+    {
+        Reset_Handler,
+        NMI_Handler,
+        HardFault_Handler,
+        MemManage_Handler,  // these three exist from Armv7-M on, and only when switched on;
+        BusFault_Handler,   // until then their faults become HardFaults
+        UsageFault_Handler,
+        nullptr, nullptr, nullptr, nullptr,
+        SVC_Handler,
+        DebugMon_Handler,
+        nullptr,
+        PendSV_Handler,
+        SysTick_Handler,
+    }};
+
+/// Must come before any function that may save a floating-point register.
+inline void switch_fpu_on() {
+#ifdef __ARM_FP
+    constexpr uint32_t cpacr = 0xE000ED88;           // coprocessor access control
+    constexpr uint32_t full_access_cp10_cp11 = 0xF00000;
+    reg(cpacr) = reg(cpacr) | full_access_cp10_cp11;
+    // Round to nearest, denormals kept, NaNs propagated: the reset state, unless a boot loader left another.
+    __asm__ volatile("dsb\n\tisb\n\tvmsr fpscr, %0" : : "r"(0) : "memory");
+#endif
+}
+
+void write_register(const char* name, uint32_t value) {
+    console_write(name);
+    console_write_hex(value, 8);
+}
+
+}  // namespace
+
+extern "C" void Reset_Handler() {
+    switch_fpu_on();
+    stack_paint();
+
+    uint32_t from = address_of(ingot_data_load);
+    for (uint32_t to = address_of(ingot_data_low); to != address_of(ingot_data_high); to += 4, from += 4) reg(to) = reg(from);
+    for (uint32_t to = address_of(ingot_bss_low); to != address_of(ingot_bss_high); to += 4) reg(to) = 0;
+
+    console_exit(firmware_main());
+}
+
+/// Takes the stack pointer of the fault and moves to a fresh stack, because a stack that has overflowed is the likeliest
+/// cause and the report needs one. Whatever was on it is lost; nobody returns there.
+extern "C" __attribute__((naked)) void HardFault_Handler() {
+    __asm__(
+        ".syntax unified\n"
+        "mrs r0, msp\n"
+        "ldr r1, =ingot_stack_high\n"
+        "msr msp, r1\n"
+        "isb\n"
+        "ldr r1, =ingot_hard_fault\n"
+        "bx r1\n"
+        ".ltorg\n");
+}
+
+/// Reports a HardFault. frame: address of what the core pushed, r0 r1 r2 r3 r12 lr pc xpsr, if it could.
+extern "C" __attribute__((used)) void ingot_hard_fault(uint32_t frame) {
+    constexpr uint32_t frame_lr = 5 * 4, frame_pc = 6 * 4, frame_bytes = 8 * 4;
+    if (frame >= address_of(ingot_stack_low) && frame + frame_bytes <= address_of(ingot_stack_high)) {
+        write_register("HardFault at pc ", reg(frame + frame_pc));
+        write_register(", lr ", reg(frame + frame_lr));
+    } else {
+        write_register("HardFault with the stack pointer out of the stack: ", frame);
+    }
+#if __ARM_ARCH >= 7
+    constexpr uint32_t cfsr = 0xE000ED28;  // configurable fault status: which of MemManage, BusFault, UsageFault, and why
+    write_register(", CFSR ", reg(cfsr));
+#endif
+    console_write("\n");
+    ingot_fault("HardFault", __FILE__, __LINE__);
+}
+
+extern "C" void ingot_unhandled_exception() {
+    uint32_t number;
+    __asm__ volatile("mrs %0, ipsr" : "=r"(number));
+    console_write("exception number ");
+    console_write_u64(number);
+    console_write("\n");
+    ingot_fault("unhandled exception", __FILE__, __LINE__);
+}

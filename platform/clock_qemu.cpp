@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// Instruction counter: a free-running counter of the emulated board, under qemu-system-arm -icount shift=6.
+//
+// With that option every instruction takes 2^6 = 64 ns of virtual time, neither more nor less, and virtual time is all that
+// the board's counter sees. A difference of readings is thus a count of instructions, the same in every run on every
+// machine. Ticks per instruction are 64 ns times the frequency of the counter:
+//
+//   mps2_an386, mps2_an500   FPGAIO COUNTER   25 MHz   1.6   ticks    instructions = ticks * 5 / 8
+//   microbit                 nRF51 TIMER0     16 MHz   1.024 ticks    instructions = ticks * 125 / 128
+//
+// Instructions are not cycles: this says whether code became longer, not how many microseconds silicon takes. Without the
+// option the counters follow the host's time, and the figures mean nothing.
+#include "clock.h"
+
+#include "boards/board.h"
+#include "cortex_m.h"
+#include "counter_extension.h"
+
+namespace ingot::platform {
+namespace {
+
+constexpr uint32_t instructions_per_second = 1'000'000'000u >> 6;  // of virtual time
+
+CounterExtension extension;
+
+}  // namespace
+
+void clock_start() {
+    const cortex_m::InterruptGuard guard;
+    board_counter_start();
+    extension.restart(board_counter());
+}
+
+uint64_t clock_ticks() {
+    const cortex_m::InterruptGuard guard;
+    return extension.extend(board_counter());
+}
+
+uint64_t clock_frequency_hz() { return board_counter_hz(); }
+
+const char* clock_name() { return "board counter (QEMU -icount shift=6)"; }
+
+bool clock_counts_instructions() { return true; }
+
+uint64_t clock_ticks_to_instructions(uint64_t ticks) {
+    const uint32_t hz = board_counter_hz();
+    // Whole seconds apart, so that the product does not overflow.
+    const uint64_t seconds = ticks / hz;
+    const uint64_t rest = ticks % hz;
+    return seconds * instructions_per_second + (rest * instructions_per_second + hz / 2) / hz;
+}
+
+}  // namespace ingot::platform
