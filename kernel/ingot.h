@@ -5,7 +5,7 @@
 //     static ingot::World<Satellite> world;
 //     ...
 //     ingot::BodyDef def;
-//     def.mass = ingot::principal(ingot::box(4 / (0.1f * 0.1f * 0.3405f), {0.05f, 0.05f, 0.17025f})).value;
+//     def.mass = ingot::principal(ingot::with_mass(ingot::solid_box(1, {0.05f, 0.05f, 0.17025f}), 4)).value;
 //     def.state.L = {0, 0.02f, 0.001f};
 //     const ingot::BodyId id = world.add(def).value;
 //     for (;;) (void)ingot::step(world, 1.0f / 60);

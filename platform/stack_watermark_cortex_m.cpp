@@ -2,7 +2,8 @@
 // Works on the main stack between two symbols of the linker script.
 //
 // Two of the functions are naked: without a frame of their own the stack pointer they see is the caller's, and the paint
-// reaches up to the first word that a function called next can touch.
+// reaches up to the first word that a function called next can touch. They name the assembler's syntax, because GCC hands
+// inline assembly for Armv6-M over in the old one.
 #include "stack_watermark.h"
 
 #include "cortex_m.h"
@@ -15,6 +16,10 @@
 extern "C" {
 extern const uint32_t ingot_stack_low[];
 extern const uint32_t ingot_stack_high[];
+
+/// Stack pointer of who called stack_paint(). Above it lie words that were not painted, but may hold older paint: a slot that
+/// its frame has never written.
+uint32_t ingot_stack_painted_to;
 }
 
 namespace ingot::platform {
@@ -39,6 +44,8 @@ __attribute__((naked)) void stack_paint() {
         "ldr r0, =ingot_stack_low\n"
         "ldr r1, =" INGOT_TEXT(INGOT_STACK_PAINT) "\n"
         "mov r2, sp\n"
+        "ldr r3, =ingot_stack_painted_to\n"
+        "str r2, [r3]\n"
         "1: cmp r0, r2\n"
         "bhs 2f\n"
         "stmia r0!, {r1}\n"
@@ -48,10 +55,9 @@ __attribute__((naked)) void stack_paint() {
 }
 
 uint32_t stack_deepest_bytes() {
-    const uint32_t high = address_of(ingot_stack_high);
     uint32_t lowest = address_of(ingot_stack_low);
-    while (lowest != high && cortex_m::reg(lowest) == INGOT_STACK_PAINT) lowest += 4;
-    return high - lowest;
+    while (lowest < ingot_stack_painted_to && cortex_m::reg(lowest) == INGOT_STACK_PAINT) lowest += 4;
+    return address_of(ingot_stack_high) - lowest;
 }
 
 }  // namespace ingot::platform

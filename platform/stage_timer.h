@@ -93,7 +93,9 @@ public:
     }
 
     /// Measurements of a stage; for an id that is not of this timer, an empty one named "?".
-    constexpr StageStats stage(StageId id) const { return knows(id) ? stages_[id.value - 1].stats : StageStats{"?", 0, 0, 0, 0, 0}; }
+    constexpr StageStats stage(StageId id) const {
+        return knows(id) ? stages_[id.value - 1].stats : StageStats{"?", 0, 0, 0, 0, 0};
+    }
 
     /// For listing: ids are 1 .. size() in the order of add_stage().
     constexpr int32_t size() const { return size_; }
@@ -101,14 +103,14 @@ public:
 
 private:
     struct Stage {
-        StageStats stats;
-        uint64_t begun_at;
-        bool running;
+        StageStats stats{};
+        uint64_t begun_at = 0;
+        bool running = false;
     };
 
     constexpr bool knows(StageId id) const { return id.value > 0 && id.value <= size_; }
 
-    Stage stages_[stages_max]{};
+    Stage stages_[stages_max];
     int32_t size_ = 0;
 };
 

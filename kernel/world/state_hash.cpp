@@ -15,15 +15,15 @@ uint64_t hash_number(uint64_t hash, scalar x) {
     Bits b;
     __builtin_memcpy(&b, &x, sizeof b);
     for (unsigned byte_i = 0; byte_i < sizeof b; ++byte_i) {
-        hash = (hash ^ (b & 0xffu)) * 0x100000001b3u;
+        hash = (hash ^ static_cast<uint64_t>(b & 0xffu)) * 0x100000001b3u;
         b >>= 8;
     }
     return hash;
 }
 
-template <int rows>
+template <unsigned rows>
 uint64_t hash_lane(uint64_t hash, const scalar (&numbers)[rows][lanes], int lane_i) {
-    for (int row_i = 0; row_i < rows; ++row_i) hash = hash_number(hash, numbers[row_i][lane_i]);
+    for (unsigned row_i = 0; row_i < rows; ++row_i) hash = hash_number(hash, numbers[row_i][lane_i]);
     return hash;
 }
 

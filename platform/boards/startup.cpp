@@ -84,12 +84,12 @@ void write_register(const char* name, uint32_t value) {
 
 extern "C" void Reset_Handler() {
     switch_fpu_on();
-    stack_paint();
 
     uint32_t from = address_of(ingot_data_load);
     for (uint32_t to = address_of(ingot_data_low); to != address_of(ingot_data_high); to += 4, from += 4) reg(to) = reg(from);
     for (uint32_t to = address_of(ingot_bss_low); to != address_of(ingot_bss_high); to += 4) reg(to) = 0;
 
+    stack_paint();
     console_exit(firmware_main());
 }
 
