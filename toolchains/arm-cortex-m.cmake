@@ -48,5 +48,5 @@ set(CMAKE_CROSSCOMPILING_EMULATOR
   ${INGOT_QEMU} -machine ${INGOT_QEMU_MACHINE}
   -nographic -monitor none -serial none
   -semihosting-config enable=on,target=native
-  -icount shift=6
+  -icount shift=6,sleep=off
   -kernel)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Headers are included as <ingot/room/name.h>, in the build tree as after an install: the build tree gets one forwarding
 # header for each.
-function(ingot_public_headers target prefix)
+function(ingot_public_headers prefix)
   foreach(header IN LISTS ARGN)
     file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/include/${prefix}/${header}
       CONTENT "#include \"${CMAKE_CURRENT_SOURCE_DIR}/${header}\"\n")
@@ -11,6 +11,4 @@ function(ingot_public_headers target prefix)
       install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/${prefix}/${room})
     endif()
   endforeach()
-  target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_BINARY_DIR}/include>
-    $<INSTALL_INTERFACE:include>)
 endfunction()

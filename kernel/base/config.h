@@ -32,17 +32,24 @@
 #define INGOT_ABI INGOT_JOIN(f32x, INGOT_LANES, )
 #endif
 
-/// Helpers over lanes are inlined at every level: a vector passed by value across a call is an ABI trap.
+/// Helpers over lanes are inlined at every level: a vector passed by value across a call is an ABI trap. With one lane and
+/// -Os the compiler may keep them apart, which halves the code of a core without a floating-point unit.
+#if INGOT_LANES == 1 && defined(__OPTIMIZE_SIZE__)
+#define INGOT_INLINE inline
+#else
 #define INGOT_INLINE inline __attribute__((always_inline))
+#endif
 
 namespace ingot { inline namespace INGOT_ABI {
 
 #if INGOT_DOUBLE
 using scalar = double;
 inline constexpr scalar epsilon = DBL_EPSILON;
+inline constexpr scalar scalar_max = DBL_MAX;
 #else
 using scalar = float;
 inline constexpr scalar epsilon = FLT_EPSILON;
+inline constexpr scalar scalar_max = FLT_MAX;
 #endif
 
 inline constexpr int lanes = INGOT_LANES;

@@ -66,15 +66,26 @@ INGOT_INLINE constexpr T splat(scalar value) {
     return T{} + value;
 }
 
-/// True where x is neither NaN nor infinite.
-template <class T>
-INGOT_INLINE constexpr auto is_finite(T x) {
-    return x - x == T{};
-}
-
-INGOT_INLINE constexpr scalar abs(scalar x) { return x < 0 ? -x : x; }
+/// True where both are true. (The operators && and & do not both fit: one is for bool, the other for vectors.)
+INGOT_INLINE constexpr bool both(bool a, bool b) { return a && b; }
 #if INGOT_LANES > 1
-INGOT_INLINE lane abs(lane x) { return select(x < lane{}, -x, x); }
+INGOT_INLINE mask both(mask a, mask b) { return a & b; }
+#endif
+
+#if INGOT_DOUBLE
+INGOT_INLINE constexpr scalar abs(scalar x) { return __builtin_fabs(x); }
+#else
+INGOT_INLINE constexpr scalar abs(scalar x) { return __builtin_fabsf(x); }
+#endif
+/// True where x is neither NaN nor infinite. Comparisons only: no unit raises a flag, and without a unit they are cheap.
+INGOT_INLINE constexpr bool is_finite(scalar x) { return abs(x) <= scalar_max; }
+
+#if INGOT_LANES > 1
+INGOT_INLINE lane abs(lane x) {
+    const mask sign = reinterpret_cast<mask>(-lane{});  // the bits of -0
+    return reinterpret_cast<lane>(reinterpret_cast<mask>(x) & ~sign);
+}
+INGOT_INLINE mask is_finite(lane x) { return abs(x) <= splat<lane>(scalar_max); }
 #endif
 
 } }  // namespace ingot

@@ -45,7 +45,7 @@ INGOT_INLINE constexpr Mat3<T> identity_matrix() {
 
 template <class T>
 INGOT_INLINE constexpr auto is_finite(const Mat3<T>& a) {
-    return is_finite((a.c0 - a.c0) + (a.c1 - a.c1) + (a.c2 - a.c2));
+    return both(both(is_finite(a.c0), is_finite(a.c1)), is_finite(a.c2));
 }
 
 template <class M, class T>

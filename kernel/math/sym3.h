@@ -64,11 +64,6 @@ INGOT_INLINE constexpr Sym3<T> identity_sym3() {
     return {one, one, one, zero, zero, zero};
 }
 
-template <class T>
-INGOT_INLINE constexpr auto is_finite(const Sym3<T>& a) {
-    return is_finite((a.xx - a.xx) + (a.yy - a.yy) + (a.zz - a.zz) + (a.xy - a.xy) + (a.xz - a.xz) + (a.yz - a.yz));
-}
-
 /// Six rows of `lanes` numbers, as body tiles keep them.
 INGOT_INLINE void store(scalar (&to)[6][lanes], const Sym3<lane>& value) {
     store(to[0], value.xx);

@@ -46,7 +46,7 @@ INGOT_INLINE constexpr T length_sq(const Vec3<T>& a) {
 /// True where all three components are neither NaN nor infinite.
 template <class T>
 INGOT_INLINE constexpr auto is_finite(const Vec3<T>& a) {
-    return is_finite((a.x - a.x) + (a.y - a.y) + (a.z - a.z));
+    return both(both(is_finite(a.x), is_finite(a.y)), is_finite(a.z));
 }
 
 template <class M, class T>

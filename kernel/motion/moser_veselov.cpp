@@ -70,7 +70,7 @@ INGOT_INLINE Vec3<lane> solve_turn(const Vec3<lane>& j, const Vec3<lane>& y, lan
         const Vec3<lane> next = {q.x * al + k.x * (c.y * c.z), q.y * al + k.y * (c.z * c.x), q.z * al + k.z * (c.x * c.y)};
         const lane change = abs(next.x - c.x) + abs(next.y - c.y) + abs(next.z - c.z);
         c = select(unsettled, next, c);
-        unsettled = unsettled & (change > tolerance * al);
+        unsettled = both(unsettled, change > tolerance * al);
     }
     return c;
 }
@@ -117,7 +117,7 @@ int integrate_A_moser_veselov(const BodyView& bodies, scalar h, const FlightCloc
         step = select(good, step, lane{});
 
         constexpr scalar angle_max = limits::angle_per_substep * limits::substeps_max;
-        const mask clamped = good & (angle_sq > splat<lane>(angle_max * angle_max));
+        const mask clamped = both(good, angle_sq > splat<lane>(angle_max * angle_max));
         if (any(clamped)) {
             const lane shrink = splat<lane>(angle_max) / sqrt(select(clamped, angle_sq, splat<lane>(1)));
             step = select(clamped, step * shrink, step);
@@ -142,15 +142,15 @@ int integrate_A_moser_veselov(const BodyView& bodies, scalar h, const FlightCloc
             Vec3<lane> c = solve_turn(j, y, H, C) + energy_return(y, w, H, E_0 / (n * n));
             c = select(turning, c, Vec3<lane>{});
             add_compensated(A, A_low, turn_increment(A, c));
-            turning = turning & (n > splat<lane>(static_cast<scalar>(substep_i + 1)));
+            turning = both(turning, n > splat<lane>(static_cast<scalar>(substep_i + 1)));
         }
         if (polar_step) A_low = A_low + polar_correction(A);
 
-        const mask finite = is_finite((A - A) + (A_low - A_low));
+        const mask finite = both(is_finite(A), is_finite(A_low));
         store(tile.A, select(finite, A, load(tile.A)));
         store(flight.A_low, select(finite, A_low, load(flight.A_low)));
         store(flight.E_0, E_0);
-        mark_bad(tile.bad, good & finite);
+        mark_bad(tile.bad, both(good, finite));
     }
     return clamped_count;
 }

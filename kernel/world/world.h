@@ -102,6 +102,16 @@ public:
         return slot.ok() ? write_state(storage_.bodies(), slot.value, state) : slot.status;
     }
 
+    /// Mass, kg, to the rounding of two divisions; 0 for an immovable body.
+    Result<scalar> mass(BodyId id) const {
+        translation_only();
+        const Result<int> slot = find(id);
+        if (!slot.ok()) return {slot.status, 0};
+        const Place at = place_of(slot.value);
+        const scalar inv_M = storage_.translation[at.tile].inv_M[at.lane];
+        return {Status::ok, inv_M > 0 ? 1 / inv_M : 0};
+    }
+
     /// Angular velocity, rad/s, world (Eq. 18).
     Result<Vector> omega(BodyId id) const {
         const Result<int> slot = find(id);

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+// The demo: runs the scenes on the host, tells what each cost and how wrong it was, and writes what there is to plot.
+//
+//     ingot_demo OUT_DIR        writes OUT_DIR/<scene>_energy.csv, t_handle_flip.csv, drop_heights.csv, hashes.txt
+#include <chrono>
+#include <cstdio>
+#include <string>
+
+#include "../scenes/all_scenes.h"
+#include "euler_equations.h"
+#include "ledger.h"
+#include "platform/clock.h"
+#include "progress.h"
+
+namespace {
+
+template <class S>
+ingot::World<S> world;
+
+/// The stages that the scene's step calls, in order.
+template <class S>
+std::string stages() {
+    std::string names;
+    if (ingot::collides<S>) names += "find_contacts solve_impacts ";
+    names += "integrate_L ";
+    if (S::translates) names += "integrate_v ";
+    if (ingot::collides<S>) names += "solve_contact_forces ";
+    names += S::rotation::name;
+    if (S::translates) names += " integrate_r";
+    return names + " refresh_auxiliary";
+}
+
+struct File {
+    explicit File(const std::string& path) : stream(std::fopen(path.c_str(), "w")) {
+        if (stream == nullptr) std::perror(path.c_str());
+    }
+    ~File() {
+        if (stream != nullptr) std::fclose(stream);
+    }
+    std::FILE* stream;
+};
+
+/// Steps a second, measured on a run of its own, without books.
+template <class S>
+double steps_per_second() {
+    using namespace ingot::platform;
+    static ingot::World<S> timed;
+    if (set_up(timed) != ingot::Status::ok) return 0;
+    const uint64_t begin = clock_ticks();
+    int steps = 0;
+    double seconds = 0;
+    for (; seconds < 0.3; ++steps) {
+        (void)ingot::step(timed, S::h);
+        seconds = static_cast<double>(clock_ticks() - begin) / static_cast<double>(clock_frequency_hz());
+    }
+    return steps / seconds;
+}
+
+/// Runs a scene, prints its row, and calls sample(step_i) now and then. Returns false if anything went wrong.
+template <class S, class Sample>
+bool run(const std::string& out_dir, std::FILE* hashes, Sample sample) {
+    ingot::World<S>& w = world<S>;
+    if (set_up(w) != ingot::Status::ok) return false;
+    File energy_csv(out_dir + "/" + S::name + "_energy.csv");
+    if (energy_csv.stream == nullptr) return false;
+    std::fprintf(energy_csv.stream, "t,energy_change,momentum_error,orthogonality\n");
+
+    demo::Ledger<S> ledger(w);
+    int unclean = 0;
+    const int every = S::demo_steps / 1200 + 1;
+    {
+        demo::Progress progress(S::title, S::demo_steps);
+        for (int step_i = 0; step_i < S::demo_steps; ++step_i) {
+            if (step_i == S::golden_steps)
+                std::fprintf(hashes, "%s %d 0x%016llx\n", S::name, step_i, static_cast<unsigned long long>(w.state_hash()));
+            if (step_i % every == 0) {
+                std::fprintf(energy_csv.stream, "%.9g,%.9g,%.9g,%.9g\n", step_i * static_cast<double>(S::h), ledger.energy_change(),
+                             ledger.momentum_error(), ledger.orthogonality());
+                sample(step_i);
+            }
+            if (!ingot::step(w, S::h).clean()) ++unclean;
+            ledger.book(w, S::h);
+            progress.at(step_i);
+        }
+    }
+    std::printf("%s: %s, %d steps of 1/%.0f s\n", S::name, S::title, S::demo_steps, 1 / static_cast<double>(S::h));
+    std::printf("  bodies %d   world %zu bytes   %.3g million steps/s   %.3g million body-steps/s\n", w.body_count(), sizeof w,
+                steps_per_second<S>() * 1e-6, steps_per_second<S>() * w.body_count() * 1e-6);
+    std::printf("  stages %s\n", stages<S>().c_str());
+    std::printf("  energy change %.2g (largest gain of a step %.2g)   momentum error %.2g   |A^T A - 1| %.2g\n",
+                ledger.energy_change(), ledger.largest_gain(), ledger.momentum_error(), ledger.orthogonality());
+    std::printf("  state hash 0x%016llx%s\n\n", static_cast<unsigned long long>(w.state_hash()),
+                unclean == 0 ? "" : "   NOT EVERY STEP WAS CLEAN");
+    return unclean == 0;
+}
+
+/// The handle's spin about its middle axis, beside Euler's equations in extended precision.
+bool run_t_handle(const std::string& out_dir, std::FILE* hashes) {
+    using scenes::THandle;
+    File csv(out_dir + "/t_handle_flip.csv");
+    if (csv.stream == nullptr) return false;
+    std::fprintf(csv.stream, "t,omega,omega_reference\n");
+
+    const ingot::Vector I = ingot::principal(scenes::t_handle_solid()).value.I_body;
+    const int axis = scenes::middle_axis(I);
+    const auto component = [&](const ingot::Vector& v) { return static_cast<double>(axis == 0 ? v.x : axis == 1 ? v.y : v.z); };
+    const auto omega_body = [&] {
+        const ingot::BodyId id = world<THandle>.body_at(0);
+        return ingot::transpose_times(world<THandle>.state(id).value.A, world<THandle>.omega(id).value);
+    };
+    demo::EulerEquations reference;
+    int reference_step = -1;
+    return run<THandle>(out_dir, hashes, [&](int step_i) {
+        if (reference_step < 0) reference = demo::EulerEquations(I, omega_body());
+        for (reference_step = std::max(reference_step, 0); reference_step < step_i; ++reference_step) reference.advance(1.0L / 60);
+        std::fprintf(csv.stream, "%.9g,%.9g,%.9g\n", step_i / 60.0, component(omega_body()), static_cast<double>(reference.omega[axis]));
+    });
+}
+
+/// Height of every body over time.
+bool run_drop(const std::string& out_dir, std::FILE* hashes) {
+    using scenes::Drop;
+    File csv(out_dir + "/drop_heights.csv");
+    if (csv.stream == nullptr) return false;
+    std::fprintf(csv.stream, "t,flat,edge,corner,askew,ball_e_05,ball_e_09\n");
+    return run<Drop>(out_dir, hashes, [&](int step_i) {
+        std::fprintf(csv.stream, "%.9g", step_i * static_cast<double>(Drop::h));
+        for (int slot = 1; slot < Drop::max_bodies; ++slot)
+            std::fprintf(csv.stream, ",%.9g", static_cast<double>(world<Drop>.state(world<Drop>.body_at(slot)).value.r_CM.z));
+        std::fprintf(csv.stream, "\n");
+    });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 2) {
+        std::fprintf(stderr, "usage: ingot_demo OUT_DIR\n");
+        return 2;
+    }
+    const std::string out_dir = argv[1];
+    File hashes(out_dir + "/hashes.txt");
+    if (hashes.stream == nullptr) return 1;
+    ingot::platform::clock_start();
+
+    std::printf("ingot %d.%d.%d, %s, %d lanes\n\n", INGOT_VERSION_MAJOR, INGOT_VERSION_MINOR, INGOT_VERSION_PATCH,
+                sizeof(ingot::scalar) == 4 ? "float" : "double", ingot::lanes);
+    const auto nothing = [](int) {};
+    bool good = run<scenes::Satellite>(out_dir, hashes.stream, nothing);
+    good = run_t_handle(out_dir, hashes.stream) && good;
+    good = run<scenes::Tumblers>(out_dir, hashes.stream, nothing) && good;
+    good = run_drop(out_dir, hashes.stream) && good;
+    return good ? 0 : 1;
+}

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// Runs scenes to their golden step and prints what they came to: the same source on the host and as firmware.
+//
+//     satellite float steps 1000 hash 0x0123456789abcdef
+//     satellite world_bytes 180 stack_bytes 96 instructions_per_step 640 worst_step 700      (where the clock counts them)
+//
+// With INGOT_SCENE defined the program holds that scene and no other: its size is the scene's size.
+#include "../scenes/all_scenes.h"
+#include "platform/clock.h"
+#include "platform/console.h"
+#include "platform/stack_watermark.h"
+
+namespace {
+
+using namespace ingot::platform;
+
+template <class S>
+ingot::World<S> world;
+
+void write_number(const char* label, uint64_t value) {
+    console_write(label);
+    console_write_u64(value);
+}
+
+/// Returns: true when the scene could be set up and every step was clean.
+template <class S>
+bool run() {
+    if (set_up(world<S>) != ingot::Status::ok) return false;
+
+    uint64_t ticks_sum = 0, ticks_worst = 0;
+    uint32_t stack_bytes = 0;
+    bool clean = true;
+    const uint32_t depth = stack_depth_bytes();
+    stack_paint();
+    for (int step_i = 0; step_i < S::golden_steps; ++step_i) {
+        const uint64_t begin = clock_ticks();
+        const ingot::StepReport report = ingot::step(world<S>, S::h);
+        const uint64_t ticks = clock_ticks() - begin;
+        ticks_sum += ticks;
+        ticks_worst = ticks > ticks_worst ? ticks : ticks_worst;
+        clean = clean && report.clean();
+    }
+    if (stack_size_bytes() > 0) stack_bytes = stack_deepest_bytes() - depth;
+
+    console_write(S::name);
+    console_write(sizeof(ingot::scalar) == 4 ? " float" : " double");
+    write_number(" steps ", S::golden_steps);
+    console_write(" hash ");
+    console_write_hex(world<S>.state_hash(), 16);
+    console_write("\n");
+    if (clock_counts_instructions()) {
+        console_write(S::name);
+        write_number(" world_bytes ", sizeof(ingot::World<S>));
+        write_number(" stack_bytes ", stack_bytes);
+        write_number(" instructions_per_step ", clock_ticks_to_instructions(ticks_sum) / S::golden_steps);
+        write_number(" worst_step ", clock_ticks_to_instructions(ticks_worst));
+        console_write("\n");
+    }
+    if (!clean) console_write("a step was not clean\n");
+    return clean;
+}
+
+}  // namespace
+
+int main() {
+    clock_start();
+#ifdef INGOT_SCENE
+    return run<scenes::INGOT_SCENE>() ? 0 : 1;
+#else
+    const bool results[] = {run<scenes::Satellite>(), run<scenes::THandle>(), run<scenes::Tumblers>(), run<scenes::Drop>()};
+    for (bool result : results)
+        if (!result) return 1;
+    return 0;
+#endif
+}

@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: MIT
+// The scenes of tests, demo, budgets and firmware: each one header, used by all of them.
+#pragma once
+
+#include "drop.h"
+#include "satellite.h"
+#include "t_handle.h"
+#include "tumblers.h"
