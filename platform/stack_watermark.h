@@ -29,8 +29,9 @@ void stack_paint();
 
 /// The deepest that the stack has been since stack_paint(), or since the start-up code painted it. Units: bytes.
 ///
-/// At least the depth of who painted. Equal to stack_size_bytes() when the stack was used up; beyond it the boards fault, see boards/sections.ld.
-/// Cost:    4 instructions per word still painted.
+/// Range:   from the depth of who painted up to stack_size_bytes(), the stack used up; beyond that the boards fault, see
+///          boards/sections.ld.
+/// Cost:    7 instructions per word still painted.
 uint32_t stack_deepest_bytes();
 
 }  // namespace ingot::platform

@@ -12,6 +12,7 @@
 // The kernel's own step is not measured from inside: measuring code in it would take more lines than the physics.
 #pragma once
 
+#include <stddef.h>
 #include <stdint.h>
 
 #include "clock.h"
@@ -110,7 +111,7 @@ private:
 
     constexpr bool knows(StageId id) const { return id.value > 0 && id.value <= size_; }
 
-    Stage stages_[stages_max];
+    Stage stages_[static_cast<size_t>(stages_max)];
     int32_t size_ = 0;
 };
 

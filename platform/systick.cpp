@@ -3,7 +3,8 @@
 //
 // The counter runs down, 2^24 ticks a round; -CVR modulo 2^24 is therefore an up counter, and the value 0 belongs to the
 // round that begins. (Written as RELOAD - CVR, value 0 would be the last tick of the old round although the hardware has
-// already announced the new one: the reading would jump a whole round ahead for one tick.)
+// already announced the new one: for one tick the reading would be a whole round ahead. So it would be right after the
+// start, when CVR is still 0.)
 //
 // Rounds are counted by COUNTFLAG, not by the interrupt. The usual way, a handler that increments, has a hole: once the
 // core has entered the handler the interrupt is no longer pending, but the count is not yet incremented, and an interrupt
@@ -33,17 +34,7 @@ constexpr uint32_t icsr_clear_pending_systick = 1u << 25;
 constexpr int bits = 24;
 constexpr uint32_t value_max = (1u << bits) - 1;
 
-// Readings of 0 that are waited out. The hardware shows 0 for one tick. An emulator on real time shows it until its timer
-// thread has come round, and sets COUNTFLAG only then; without waiting, that reading would be a round too low.
-constexpr int zero_readings_max = 1 << 16;
-
 uint64_t rounds;  // completed rounds of 2^24 ticks
-
-uint32_t current_value() {
-    uint32_t value = reg(syst_cvr);
-    for (int i = 0; value == 0 && i < zero_readings_max; ++i) value = reg(syst_cvr);
-    return value;
-}
 
 }  // namespace
 
@@ -52,22 +43,19 @@ void systick_start() {
     reg(syst_csr) = 0;
     reg(syst_rvr) = value_max;
     reg(syst_cvr) = 0;
-    reg(syst_csr) = csr_enable | csr_interrupt | csr_processor_clock;
-
-    // A reading waits for the first reload and takes any flag there is; neither is a round that was counted through.
-    (void)systick_ticks();
-    reg(icsr) = icsr_clear_pending_systick;
+    reg(icsr) = icsr_clear_pending_systick;  // of an earlier user
     rounds = 0;
+    reg(syst_csr) = csr_enable | csr_interrupt | csr_processor_clock;
 }
 
 uint64_t systick_ticks() {
     const cortex_m::InterruptGuard guard;
     // Value first, flag second. No flag: no wrap before the value was read. Flag: the value may be from either side of
     // the wrap, but a second reading is surely from behind it.
-    uint32_t value = current_value();
+    uint32_t value = reg(syst_cvr);
     if ((reg(syst_csr) & csr_countflag) != 0) {
         ++rounds;
-        value = current_value();
+        value = reg(syst_cvr);
     }
     return (rounds << bits) + ((0u - value) & value_max);
 }

@@ -40,16 +40,6 @@ WorldFace face_of(const Placed& half_space) {
 
 }  // namespace
 
-bool bounds_overlap(const Placed& A, scalar radius_A, const Placed& B, scalar radius_B) {
-    if (B.shape.kind == ShapeKind::half_space) {
-        if (A.shape.kind == ShapeKind::half_space) return false;
-        const WorldFace face = face_of(B);
-        return dot(face.n, A.r_CM) - face.d <= radius_A;
-    }
-    const scalar reach = radius_A + radius_B;
-    return length_sq(A.r_CM - B.r_CM) <= reach * reach;
-}
-
 void collide_sphere_sphere(const Placed& A, const Placed& B, ContactSink& sink) {
     const Vector d = A.r_CM - B.r_CM;
     const scalar distance = sqrt(length_sq(d)), reach = A.shape.size.x + B.shape.size.x;

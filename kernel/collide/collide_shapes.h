@@ -9,7 +9,6 @@ namespace ingot { inline namespace INGOT_ABI {
 
 /// A shape and where it is.
 struct Placed {
-    uint16_t slot;
     Shape shape;
     Vector r_CM;
     Matrix A;
@@ -24,9 +23,6 @@ struct ContactSink {
 
     void add(const Vector& n, const Vector& lever_A, const Vector& lever_B, scalar separation);
 };
-
-/// False when the spheres that hold the two shapes, or the sphere of A and the half space B, are apart.
-bool bounds_overlap(const Placed& A, scalar radius_A, const Placed& B, scalar radius_B);
 
 /// Centres at one place have no normal: the x axis of the world is taken.
 void collide_sphere_sphere(const Placed& A, const Placed& B, ContactSink& sink);

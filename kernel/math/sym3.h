@@ -64,6 +64,12 @@ INGOT_INLINE constexpr Sym3<T> identity_sym3() {
     return {one, one, one, zero, zero, zero};
 }
 
+/// True where all six entries are neither NaN nor infinite.
+template <class T>
+INGOT_INLINE constexpr auto is_finite(const Sym3<T>& a) {
+    return both(is_finite(Vec3<T>{a.xx, a.yy, a.zz}), is_finite(Vec3<T>{a.xy, a.xz, a.yz}));
+}
+
 /// Six rows of `lanes` numbers, as body tiles keep them.
 INGOT_INLINE void store(scalar (&to)[6][lanes], const Sym3<lane>& value) {
     store(to[0], value.xx);

@@ -64,6 +64,9 @@ __attribute__((section(".vectors"), used)) const Vectors vectors = {
         SysTick_Handler,
     }};
 
+/// Not __FILE__, which would put the path of the checkout, and its length, into flash.
+constexpr const char* this_file = "startup.cpp";
+
 /// Must come before any function that may save a floating-point register.
 inline void switch_fpu_on() {
 #ifdef __ARM_FP
@@ -121,7 +124,7 @@ extern "C" __attribute__((used)) void ingot_hard_fault(uint32_t frame) {
     write_register(", CFSR ", reg(cfsr));
 #endif
     console_write("\n");
-    ingot_fault("HardFault", __FILE__, __LINE__);
+    ingot_fault("HardFault", this_file, __LINE__);
 }
 
 extern "C" void ingot_unhandled_exception() {
@@ -130,5 +133,5 @@ extern "C" void ingot_unhandled_exception() {
     console_write("exception number ");
     console_write_u64(number);
     console_write("\n");
-    ingot_fault("unhandled exception", __FILE__, __LINE__);
+    ingot_fault("unhandled exception", this_file, __LINE__);
 }

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "../body/body_tiles.h"
+#include "shapes.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// Shape and material of each body slot; kind `none` where no body lives.
+struct Surface {
+    Shape shape;
+    scalar bounding_radius;  ///< m, about the centre of mass; 0 for a half space
+    scalar e;                ///< restitution 0 .. 1; of a pair the larger counts
+};
+
+/// The surfaces of all slots, without their capacity.
+struct SurfaceView {
+    const Surface* surfaces;
+    int slot_count;
+};
+
+/// False for two bodies that cannot touch: neither moves, one has no shape, or the spheres that hold the shapes (the sphere
+/// and the half space) are apart. Most pairs are told apart by their first coordinate.
+bool may_touch(const BodyView& bodies, const SurfaceView& surfaces, int slot_A, int slot_B);
+
+} }  // namespace ingot
