@@ -84,8 +84,9 @@ bool run(const std::string& out_dir, std::FILE* hashes, Sample sample) {
         }
     }
     std::printf("%s: %s, %d steps of 1/%.0f s\n", S::name, S::title, S::demo_steps, 1 / static_cast<double>(S::h));
-    std::printf("  bodies %d   world %zu bytes   %.3g million steps/s   %.3g million body-steps/s\n", w.body_count(), sizeof w,
-                steps_per_second<S>() * 1e-6, steps_per_second<S>() * w.body_count() * 1e-6);
+    const double rate = steps_per_second<S>();
+    std::printf("  bodies %d   world %zu bytes   %.3g million steps/s   %.3g million bodies times steps/s\n", w.body_count(), sizeof w,
+                rate * 1e-6, rate * w.body_count() * 1e-6);
     std::printf("  stages %s\n", stages<S>().c_str());
     std::printf("  energy change %.2g (largest gain of a step %.2g)   momentum error %.2g   |A^T A - 1| %.2g\n",
                 ledger.energy_change(), ledger.largest_gain(), ledger.momentum_error(), ledger.orthogonality());

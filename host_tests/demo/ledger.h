@@ -31,7 +31,7 @@ public:
 
         double error = 0;
         const ingot::Vector p = momentum(world);
-        const double now[3] = {p.x, p.y, p.z};
+        const double now[3] = {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)};
         for (int axis_i = 0; axis_i < 3; ++axis_i) {
             error = std::max(error, std::abs(now[axis_i] - expected_[axis_i]));
             scale_ = std::max(scale_, std::abs(now[axis_i]));
@@ -66,12 +66,13 @@ private:
     }
 
     static double energy(const ingot::World<S>& world) {
-        double sum = world.kinetic_energy();
+        double sum = static_cast<double>(world.kinetic_energy());
         if constexpr (S::translates) {
             const ingot::Vector g = world.gravity();
             for_each_body(world, [&](ingot::BodyId id) {
                 const ingot::Vector r = world.state(id).value.r_CM;
-                sum -= mass_of(world, id) * (static_cast<double>(g.x) * r.x + static_cast<double>(g.y) * r.y + static_cast<double>(g.z) * r.z);
+                const double g_r[3] = {product(g.x, r.x), product(g.y, r.y), product(g.z, r.z)};
+                sum -= mass_of(world, id) * (g_r[0] + g_r[1] + g_r[2]);
             });
         }
         return sum;
@@ -81,9 +82,11 @@ private:
     void book_walls(const ingot::World<S>& world) {
         for (int contact_i = 0; contact_i < world.contact_count(); ++contact_i) {
             const ingot::ContactInfo contact = world.contact(contact_i).value;
-            if (mass_of(world, contact.B) == 0) add(expected_, contact.n, contact.j);
+            if (mass_of(world, contact.B) == 0) add(expected_, contact.n, static_cast<double>(contact.j));
         }
     }
+
+    static double product(ingot::scalar a, ingot::scalar b) { return static_cast<double>(a) * static_cast<double>(b); }
 
     static void add(double (&sum)[3], const ingot::Vector& v, double factor = 1) {
         sum[0] += factor * static_cast<double>(v.x);

@@ -53,7 +53,7 @@ TEST(AxisAngle, agrees_with_eigen) {
     for (int i = 0; i < samples; ++i) {
         const ingot::Vector n = to_vector(random.direction());
         const scalar angle = static_cast<scalar>(random.real(-10, 10));
-        const Square exact = Eigen::AngleAxis<long double>(angle, to_eigen<long double>(n)).toRotationMatrix();
+        const Square exact = Eigen::AngleAxis<long double>(static_cast<long double>(angle), to_eigen<long double>(n)).toRotationMatrix();
         // 2 u for a sine or cosine of 1 ulp, 4 roundings of numbers below 2, and n of unit length to 1.5 u: 2 + 8 + 2.
         ASSERT_LE(largest_difference(to_eigen(ingot::axis_angle(n, angle)), exact), 12 * u);
     }

@@ -7,6 +7,9 @@
 
 #include "../math/sym3.h"
 
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpsabi"  // see lanes.h
+
 namespace ingot { inline namespace INGOT_ABI {
 
 inline constexpr int tile_alignment = static_cast<int>(sizeof(scalar)) * lanes;
@@ -96,3 +99,5 @@ struct Place {
 INGOT_INLINE constexpr Place place_of(int slot) { return {slot / lanes, slot % lanes}; }
 
 } }  // namespace ingot
+
+#pragma GCC diagnostic pop

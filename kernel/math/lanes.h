@@ -8,6 +8,10 @@
 
 #include "../base/config.h"
 
+// Vectors never cross a call that is not inlined, so it does not matter how such a call would pass them.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpsabi"
+
 namespace ingot { inline namespace INGOT_ABI {
 
 /// a where m, else b.
@@ -89,3 +93,5 @@ INGOT_INLINE mask is_finite(lane x) { return abs(x) <= splat<lane>(scalar_max); 
 #endif
 
 } }  // namespace ingot
+
+#pragma GCC diagnostic pop

@@ -3,6 +3,9 @@
 
 #include "vec3.h"
 
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpsabi"  // see lanes.h
+
 namespace ingot { inline namespace INGOT_ABI {
 
 /// A 3x3 matrix by columns. As an orientation its columns are the body's axes seen from the world.
@@ -69,3 +72,5 @@ INGOT_INLINE void store(scalar (&to)[9][lanes], const Mat3<lane>& value) {
 }
 
 } }  // namespace ingot
+
+#pragma GCC diagnostic pop

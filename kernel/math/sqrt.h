@@ -4,6 +4,9 @@
 
 #include "lanes.h"
 
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpsabi"  // see lanes.h
+
 namespace ingot { inline namespace INGOT_ABI {
 
 /// Square root by shift and subtract, for cores without a floating-point unit: correctly rounded, so it gives the bits
@@ -35,3 +38,5 @@ INGOT_INLINE lane sqrt(lane x) {
 #endif
 
 } }  // namespace ingot
+
+#pragma GCC diagnostic pop

@@ -3,6 +3,9 @@
 
 #include "mat3.h"
 
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpsabi"  // see lanes.h
+
 namespace ingot { inline namespace INGOT_ABI {
 
 /// A symmetric 3x3 matrix: an inertia tensor or its inverse. The entries are the tensor's own (products of inertia with
@@ -84,3 +87,5 @@ INGOT_INLINE Sym3<lane> load(const scalar (&from)[6][lanes]) {
 }
 
 } }  // namespace ingot
+
+#pragma GCC diagnostic pop

@@ -3,6 +3,9 @@
 
 #include "lanes.h"
 
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpsabi"  // see lanes.h
+
 namespace ingot { inline namespace INGOT_ABI {
 
 /// A column of three numbers. T is the scalar, or the lane: then one Vec3 holds a vector of each of `lanes` bodies.
@@ -63,3 +66,5 @@ INGOT_INLINE void store(scalar (&to)[3][lanes], const Vec3<lane>& value) {
 }
 
 } }  // namespace ingot
+
+#pragma GCC diagnostic pop

@@ -78,6 +78,30 @@ inline void switch_fpu_on() {
 #endif
 }
 
+/// Forbids the memory below the stack to all access, so that an overflow faults at the first word beyond.
+///
+/// On silicon nothing answers there and the bus faults by itself. QEMU's MPS2 boards answer everywhere, with zeros, and a
+/// function would return to address 0. Cortex-M0 has no protection unit, and its emulated board does fault.
+inline void switch_stack_guard_on() {
+#if __ARM_ARCH == 7
+    constexpr uint32_t mpu_type = 0xE000ED90, mpu_ctrl = 0xE000ED94, mpu_rnr = 0xE000ED98;
+    constexpr uint32_t mpu_rbar = 0xE000ED9C, mpu_rasr = 0xE000EDA0;
+    constexpr uint32_t type_regions = 0xFFu << 8;
+    constexpr uint32_t ctrl_enable_with_default_map = 1u << 0 | 1u << 2;
+    constexpr uint32_t guard_bytes = 1u << 20;
+    constexpr uint32_t rasr_no_access_1_mib = 1u << 28 | 19u << 1 | 1u;  // never execute, size 2^(19 + 1), enabled
+
+    const uint32_t low = address_of(ingot_stack_low);
+    const bool can_guard = (reg(mpu_type) & type_regions) != 0 && low % guard_bytes == 0;
+    if (!can_guard) return;
+    reg(mpu_rnr) = 0;
+    reg(mpu_rbar) = low - guard_bytes;
+    reg(mpu_rasr) = rasr_no_access_1_mib;
+    reg(mpu_ctrl) = ctrl_enable_with_default_map;
+    __asm__ volatile("dsb\n\tisb" : : : "memory");
+#endif
+}
+
 void write_register(const char* name, uint32_t value) {
     console_write(name);
     console_write_hex(value, 8);
@@ -87,6 +111,7 @@ void write_register(const char* name, uint32_t value) {
 
 extern "C" void Reset_Handler() {
     switch_fpu_on();
+    switch_stack_guard_on();
 
     uint32_t from = address_of(ingot_data_load);
     for (uint32_t to = address_of(ingot_data_low); to != address_of(ingot_data_high); to += 4, from += 4) reg(to) = reg(from);
@@ -96,16 +121,18 @@ extern "C" void Reset_Handler() {
     console_exit(firmware_main());
 }
 
-/// Takes the stack pointer of the fault and moves to a fresh stack, because a stack that has overflowed is the likeliest
-/// cause and the report needs one. Whatever was on it is lost; nobody returns there.
+/// Takes the stack pointer of the fault, and moves to the other end of the stack if there is no room left for the report:
+/// an overflow is a likely cause. Nobody returns to what is overwritten there.
 extern "C" __attribute__((naked)) void HardFault_Handler() {
     __asm__(
         ".syntax unified\n"
         "mrs r0, msp\n"
+        "ldr r1, =ingot_stack_low + 512\n"
+        "cmp r0, r1\n"
+        "bhs 1f\n"
         "ldr r1, =ingot_stack_high\n"
         "msr msp, r1\n"
-        "isb\n"
-        "ldr r1, =ingot_hard_fault\n"
+        "1: ldr r1, =ingot_hard_fault\n"
         "bx r1\n"
         ".ltorg\n");
 }
