@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: MIT
-// Instruction counter: a free-running counter of the emulated board, under qemu-system-arm -icount shift=6.
+// Instruction counter: a free-running counter of the emulated board, under qemu-system-arm -icount shift=6,sleep=off.
 //
-// With that option every instruction takes 2^6 = 64 ns of virtual time, neither more nor less, and virtual time is all that
-// the board's counter sees. A difference of readings is thus a count of instructions, the same in every run on every
-// machine. Ticks per instruction are 64 ns times the frequency of the counter:
+// With shift=6 every instruction takes 2^6 = 64 ns of virtual time, neither more nor less, and virtual time is all that the
+// board's counter sees. A difference of readings is thus a count of instructions. Ticks per instruction are 64 ns times the
+// frequency of the counter:
 //
 //   mps2_an386, mps2_an500   FPGAIO COUNTER   25 MHz   1.6   ticks    instructions = ticks * 5 / 8
 //   microbit                 nRF51 TIMER0     16 MHz   1.024 ticks    instructions = ticks * 125 / 128
 //
-// Instructions are not cycles: this says whether code became longer, not how many microseconds silicon takes. Without the
-// option the counters follow the host's time, and the figures mean nothing.
+// With sleep=off the count is the same to the tick in every run on every machine, however busy. Without it virtual time may
+// begin a little later than the program, and figures differ by a tick from run to run.
+//
+// Instructions are not cycles: this says whether code became longer, not how many microseconds silicon takes. Without
+// -icount the counters follow the host's time, and the figures mean nothing. QEMU's TIMER0 gains up to 0.01 ticks whenever it is
+// read: no matter for a measurement, but visible if it is read a thousand times within one.
 #include "clock.h"
 
 #include "boards/board.h"

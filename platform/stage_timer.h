@@ -40,8 +40,8 @@ struct StageStats {
 ///
 /// Stages may nest and overlap, but one stage is not inside itself: the later begin() counts. For one thread; the stages
 /// of an interrupt belong into a timer of their own.
-/// Cost:    48 bytes per stage on a 32-bit core; begin and end one clock reading each and about 30 instructions. A
-///          measurement contains the cost of one reading (see clock_ticks()).
+/// Cost:    56 bytes per stage on a 32-bit core; begin and end together 120 instructions on a Cortex-M4, two readings of
+///          the clock among them. A stage that does nothing measures 40 of them (53 on a Cortex-M0).
 template <int stages_max>
 class StageTimer {
     static_assert(stages_max > 0, "a StageTimer needs room for a stage");

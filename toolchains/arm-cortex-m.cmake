@@ -41,8 +41,8 @@ set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
 set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
 set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE ONLY)
 
-# ctest appends the ELF file to this list. -icount shift=6 makes every instruction 64 ns of virtual time, so that a clock
-# of the board counts instructions, the same number in every run (see platform/clock_qemu.cpp). The exit status is the
+# ctest appends the ELF file to this list. -icount makes every instruction 64 ns of virtual time, so that a clock of the
+# board counts instructions, to the tick the same in every run (see platform/clock_qemu.cpp). The exit status is the
 # firmware's, by semihosting.
 set(CMAKE_CROSSCOMPILING_EMULATOR
   ${INGOT_QEMU} -machine ${INGOT_QEMU_MACHINE}

@@ -11,7 +11,8 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace limits {
 
-/// Sweeps of three Jacobi rotations; the worst tensor found needs 6, the last of which only looks. Beyond: not_converged.
+/// Sweeps of three Jacobi rotations. The worst of 40 million tensors needed 6, the last of which only looks. Beyond:
+/// not_converged.
 inline constexpr int jacobi_sweeps_max = 12;
 /// Two moments that differ by less than this fraction of their sum, with a product of inertia as small, count as equal: what
 /// turning, moving and summing parts leaves of an exact equality. All axes in their plane are principal; the user's are kept.
@@ -131,12 +132,13 @@ constexpr Naming nearest_naming(const Matrix& axes) {
 /// A tensor that is diagonal to rounding gives A = 1 exactly and its own diagonal, bit for bit; of a body with equal moments
 /// (a ball, a cube, a cylinder) only those axes turn that must.
 /// Units:   moments in the unit of the tensor, kg m^2.
-/// Error:   the moments within 16 epsilon of the largest; |A^T A - 1| within 4 epsilon. In float that leaves the smallest
-///          moment of a rod 1000:1 that lies askew in its frame one digit: describe long bodies along the axes.
+/// Error:   the moments within 9 epsilon of the largest, those that count as equal within 25; |A^T A - 1| within 4 epsilon. In
+///          float that leaves the smallest moment of a rod 1000:1 that lies askew in its frame no more than a digit: describe
+///          long bodies along the axes.
 /// Errors:  not_finite, bad_inertia (an entry beyond limits::inertia_max; no entry of a tensor exceeds its largest moment),
 ///          not_converged (after limits::jacobi_sweeps_max sweeps).
-/// Cost:    about 150 flops and 15 divisions a rotation, 3 rotations a sweep, rarely more than 4 sweeps; for set-up. Diagonal
-///          tensors cost one look.
+/// Cost:    about 150 flops and 15 divisions a rotation, at most 3 a sweep, rarely more than 4 sweeps; for set-up. Diagonal tensors
+///          cost one look.
 /// Source:  Jacobi 1846, cyclic; Golub and Van Loan, "Matrix Computations", 8.5.
 constexpr Result<PrincipalAxes> principal_axes(const SymmetricMatrix& S) {
     if (!is_finite(S)) return {Status::not_finite, {}};

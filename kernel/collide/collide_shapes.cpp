@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "collide_shapes.h"
 
+#include "../base/checks.h"
+
 namespace ingot { inline namespace INGOT_ABI {
 
 void ContactSink::add(const Vector& n, const Vector& lever_A, const Vector& lever_B, scalar separation) {
+    INGOT_ASSERT(*contacts.count <= contacts.capacity);
+    INGOT_ASSERT(slot_A != slot_B);
     int index = *contacts.count;
     if (index < contacts.capacity) {
         ++*contacts.count;

@@ -10,6 +10,7 @@
 // beside 1. The increments are summed with their rounding errors kept (A_low).
 #include "moser_veselov.h"
 
+#include "../base/checks.h"
 #include "../base/limits.h"
 #include "../math/rotation.h"
 #include "moser_veselov_series.h"
@@ -87,9 +88,18 @@ INGOT_INLINE Vec3<lane> energy_return(const Vec3<lane>& y, const Vec3<lane>& w, 
 INGOT_INLINE lane substeps_for(lane angle_sq) {
     lane n = splat<lane>(1);
     scalar limit = limits::angle_per_substep;
+    if (!any(angle_sq > splat<lane>(limit * limit))) return n;
     for (int doubled = 2; doubled <= limits::substeps_max; doubled *= 2, limit *= 2)
         n = select(angle_sq > splat<lane>(limit * limit), splat<lane>(static_cast<scalar>(doubled)), n);
     return n;
+}
+
+/// The factor that keeps the turn of a step at what all substeps together allow; 1 for bodies that are slower.
+INGOT_INLINE lane clamp_factor(lane angle_sq, mask& clamped) {
+    constexpr scalar angle_max = limits::angle_per_substep * limits::substeps_max;
+    clamped = both(is_finite(angle_sq), angle_sq > splat<lane>(angle_max * angle_max));
+    if (!any(clamped)) return splat<lane>(1);
+    return select(clamped, splat<lane>(angle_max) / sqrt(select(clamped, angle_sq, splat<lane>(1))), splat<lane>(1));
 }
 
 INGOT_INLINE int count_bits(uint16_t b) {
@@ -101,6 +111,7 @@ INGOT_INLINE int count_bits(uint16_t b) {
 }  // namespace
 
 int integrate_A_moser_veselov(const BodyView& bodies, scalar h, const FlightClock& clock) {
+    INGOT_ASSERT(bodies.flight != nullptr);
     const bool polar_step = clock.steps % limits::polar_interval == 0;
     int clamped_count = 0;
     for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) {
@@ -109,48 +120,42 @@ int integrate_A_moser_veselov(const BodyView& bodies, scalar h, const FlightCloc
         Mat3<lane> A = load(tile.A), A_low = load(flight.A_low);
         const Vec3<lane> j = load(tile.inv_I_ratio);
         const Vec3<lane> L = load(tile.L) - load(tile.tau_T) * splat<lane>(h * scalar(0.5));
-        lane step = load(tile.inv_I_scale) * splat<lane>(h);  // h scale: takes L to y
 
+        lane step = load(tile.inv_I_scale) * splat<lane>(h);  // h scale: takes A^T L to y
         Vec3<lane> y = transpose_times(A, L) * step;
-        lane angle_sq = length_sq(scaled(j, y));
-        const mask good = is_finite(angle_sq);
-        step = select(good, step, lane{});
+        const lane angle_sq = length_sq(scaled(j, y));
+        mask clamped;
+        const lane n = substeps_for(angle_sq), fraction = clamp_factor(angle_sq, clamped) / n;
+        step = step * fraction;
+        y = y * fraction;
 
-        constexpr scalar angle_max = limits::angle_per_substep * limits::substeps_max;
-        const mask clamped = both(good, angle_sq > splat<lane>(angle_max * angle_max));
-        if (any(clamped)) {
-            const lane shrink = splat<lane>(angle_max) / sqrt(select(clamped, angle_sq, splat<lane>(1)));
-            step = select(clamped, step * shrink, step);
-            clamped_count += count_bits(bits(clamped));
-        }
-        const lane n = substeps_for(select(good, angle_sq, lane{}));
-        step = step / n;
-
-        // Energies are kept in units of the whole step's (h scale)^2: n is a power of two, so the change is exact.
-        lane E_0 = load(flight.E_0);
+        // The energy at the begin of this flight, in the units of a substep: n is a power of two, so the change is exact.
         const uint16_t restarts = clock.h_changed ? all_lanes : static_cast<uint16_t>(tile.kicked | bits(clamped));
-        if (restarts != 0) E_0 = select(mask_from_bits(restarts), lane{}, E_0);
+        lane e_0 = load(flight.E_0) / (n * n);
+        if (restarts != 0) e_0 = select(mask_from_bits(restarts), lane{}, e_0);
         tile.kicked = bits(clamped);
+        clamped_count += count_bits(bits(clamped));
 
-        mask turning = good;
-        for (int substep_i = 0; substep_i < limits::substeps_max && any(turning); ++substep_i) {
-            y = transpose_times(A, L) * step;
+        mask good = is_finite(angle_sq), turning = good;
+        for (int substep_i = 1; any(turning); ++substep_i) {
             const Vec3<lane> w = scaled(j, y);
             const lane H = dot(y, w) * splat<lane>(scalar(0.5)), C = length_sq(y) * splat<lane>(scalar(0.5));
-            const lane e = H * n * n;
-            E_0 = select(E_0 > lane{}, E_0, e);
-            Vec3<lane> c = solve_turn(j, y, H, C) + energy_return(y, w, H, E_0 / (n * n));
-            c = select(turning, c, Vec3<lane>{});
+            e_0 = select(e_0 > lane{}, e_0, H);
+            Vec3<lane> c = solve_turn(j, y, H, C) + energy_return(y, w, H, e_0);
+            good = both(good, length_sq(c) <= splat<lane>(1));  // false for NaN too; a good turn has |c| near 1/4 or less
+            c = select(both(turning, good), c, Vec3<lane>{});
             add_compensated(A, A_low, turn_increment(A, c));
-            turning = both(turning, n > splat<lane>(static_cast<scalar>(substep_i + 1)));
+
+            turning = both(turning, n > splat<lane>(static_cast<scalar>(substep_i)));
+            if (substep_i == limits::substeps_max || !any(turning)) break;
+            y = transpose_times(A, L) * step;
         }
         if (polar_step) A_low = A_low + polar_correction(A);
 
-        const mask finite = both(is_finite(A), is_finite(A_low));
-        store(tile.A, select(finite, A, load(tile.A)));
-        store(flight.A_low, select(finite, A_low, load(flight.A_low)));
-        store(flight.E_0, E_0);
-        mark_bad(tile.bad, both(good, finite));
+        store(tile.A, A);
+        store(flight.A_low, A_low);
+        store(flight.E_0, e_0 * (n * n));
+        mark_bad(tile.bad, good);
     }
     return clamped_count;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "contact_rows.h"
 
+#include "../base/checks.h"
 #include "../base/limits.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -54,6 +55,7 @@ void prepare_contact_rows(const ContactView& contacts, const BodyView& bodies) {
         c.k_A = inv_I_world_of(bodies, c.body_A) * c.lever_A;
         c.k_B = inv_I_world_of(bodies, c.body_B) * c.lever_B;
         c.inv_K = 1 / (length_sq(c.n) * (inv_M_A + inv_M_B) + dot(c.k_A, c.lever_A) + dot(c.k_B, c.lever_B));
+        INGOT_ASSERT(c.inv_K > 0);  // at least one of the two moves
         c.active = false;
         c.j = 0;
     }
@@ -95,6 +97,7 @@ SweepOutcome solve_active_contacts(const ContactView& contacts, const BodyView& 
                 c.active = false;
                 continue;
             }
+            INGOT_ASSERT(j >= 0);
             settled = false;
             c.j = j;
         }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "edit_bodies.h"
 
+#include "../base/checks.h"
 #include "../base/limits.h"
 #include "../body/freeze_bad_bodies.h"
 #include "../body/refresh_auxiliary.h"
@@ -46,6 +47,7 @@ void write_checked_state(const BodyView& bodies, int slot, const BodyState& stat
         set_lane(bodies.translation[at.tile].v_CM, at.lane, state.v_CM + positive_zero);
     }
     refresh_auxiliary_of(bodies, slot);
+    INGOT_ASSERT(!is_frozen(bodies, slot));
 }
 
 struct Motion {
