@@ -2,7 +2,7 @@
 # ingot_add_firmware(<target> [STACK_BYTES <n>] <source>...): a program for the board of the current toolchain.
 #
 # On a board: an ELF file with start-up code, vector table and linker script of the board, no libc start-up, unused sections
-# dropped, and a map file beside it. Not cross compiling: an ordinary program from the same sources, so that a scene's
+# dropped, and a map file beside it. With an operating system: an ordinary program from the same sources, so that a scene's
 # firmware also runs on the host. Both link ingot::platform and start at `int main()`.
 #
 # Under the toolchain files of ingot the target runs in the emulator: add_test(NAME x COMMAND <target>).
@@ -14,7 +14,7 @@ function(ingot_add_firmware target)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "STACK_BYTES" "")
   add_executable(${target} ${arg_UNPARSED_ARGUMENTS})
   target_link_libraries(${target} PRIVATE ingot::platform)
-  if(NOT CMAKE_CROSSCOMPILING)
+  if(NOT CMAKE_SYSTEM_NAME STREQUAL "Generic")
     return()
   endif()
 

@@ -12,6 +12,7 @@ Fails on what has no bound: recursion, a frame of no fixed size, a call through 
 instruction not known here.
 """
 import argparse
+import bisect
 import re
 import subprocess
 import sys
@@ -28,7 +29,8 @@ class Unbounded(Exception):
 class Function:
     """One function of the firmware. Frame in bytes, return address included where the function saves it."""
 
-    def __init__(self, name):
+    def __init__(self, address, name):
+        self.address = address
         self.name = name
         self.frame = 0
         self.callees = set()  # addresses
@@ -67,14 +69,14 @@ def read_disassembly(objdump, elf):
     """All functions of a firmware by address, with frames and calls as the instructions have them."""
     command = [objdump, "-d", "--no-show-raw-insn", elf]
     text = subprocess.run(command, check=True, stdout=subprocess.PIPE, universal_newlines=True).stdout
-    starts = {int(m[1], 16): m[2] for m in re.finditer(r"^([0-9a-f]+) <(.+)>:$", text, re.M)}
-    functions = {address: Function(name) for address, name in starts.items()}
-    function = address = None
+    headers = re.compile(r"^([0-9a-f]+) <(.+)>:$", re.M)
+    functions = {int(m[1], 16): Function(int(m[1], 16), m[2]) for m in headers.finditer(text)}
+    starts = sorted(functions)
+    function = None
     for line in text.splitlines():
-        header = re.match(r"([0-9a-f]+) <.+>:$", line)
+        header = headers.match(line)
         if header:
-            address = int(header[1], 16)
-            function = functions[address]
+            function = functions[int(header[1], 16)]
             continue
         instruction = re.match(r"\s+[0-9a-f]+:\t(\S+)(?:\t([^;@]*))?", line)
         if not instruction or function is None or instruction[1].startswith("."):
@@ -87,16 +89,19 @@ def read_disassembly(objdump, elf):
             function.faults.add("moves the stack pointer by `%s %s`" % (mnemonic, operands))
         function.frame += pushed or 0
 
-        # A branch out of the function is a call too: the last one, made as a jump. `mov pc, rN` and tbb jump by a table
-        # within the function; GCC calls by blx, and jumps to a function by bx.
+        # A branch out of the function is a call too: the last one, made as a jump. (libgcc also jumps into the middle of a
+        # neighbour: its whole frame is taken.) `mov pc, rN` and tbb jump by a table within the function; GCC calls through
+        # a pointer by blx, and as the last act by bx.
         target = re.match(r"(?:r\d+, )?([0-9a-f]+) <", operands)
-        if base[0] in "bc" and target and int(target[1], 16) in starts and int(target[1], 16) != address:
-            function.callees.add(int(target[1], 16))
-        elif base == "bl" and target and int(target[1], 16) == address:
-            function.callees.add(address)
+        if target and base[0] in "bc":
+            destination = int(target[1], 16)
+            callee = starts[bisect.bisect_right(starts, destination) - 1]
+            # Within itself a Cortex-M0 takes bl for a long jump; a call of itself begins at the beginning.
+            if callee != function.address or (base == "bl" and destination == callee):
+                function.callees.add(callee)
         elif base == "blx" or (base == "bx" and operands != "lr"):
             function.faults.add("calls through a pointer: `%s %s`" % (mnemonic, operands))
-        elif base == "bl" and target is None:
+        elif base == "bl":
             function.faults.add("calls what has no name: `%s %s`" % (mnemonic, operands))
         if base != "nop":  # padding, behind the last instruction
             returns = base in ("pop", "ldmia") and re.search(r"\bpc\b", operands)

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 # Runs PROGRAM (through EMULATOR, a list, if there is one) and compares its hash lines with the rows of GOLDEN.
-execute_process(COMMAND ${EMULATOR} ${PROGRAM} OUTPUT_VARIABLE output ERROR_VARIABLE errors RESULT_VARIABLE result)
-message("${output}${errors}")
+# QEMU writes what firmware prints by semihosting to its standard error.
+execute_process(COMMAND ${EMULATOR} ${PROGRAM} OUTPUT_VARIABLE output ERROR_VARIABLE output RESULT_VARIABLE result)
+message("${output}")
 if(NOT result EQUAL 0)
   message(FATAL_ERROR "the program ended with ${result}")
 endif()
