@@ -7,20 +7,19 @@
 //   A report says what happened: capacities, bounds of iterations, bodies frozen.
 //   An id names its body while it lives and nothing afterwards.
 //   A copy of the world steps to the same bytes.
+//   Every lane count gives the same answers to the bit (fuzz_main.cpp).
 //
 // The first byte chooses the scene. Numbers are mostly sane, at times at an edge, at times any bit pattern there is, so
 // that a run gets through the door and still tries every lock.
-#include <ingot/ingot.h>
+//
+// Compiled once for each lane count. INGOT_FUZZ_RUN names the function; INGOT_FUZZ_FAULT breaks a promise on purpose, so that
+// a test can see that the oracle notices (CMakeLists.txt).
+#include "fuzz_world.h"
 
-#include <stdint.h>
+#include <ingot/ingot.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-// Breaks one promise on purpose, so that a test can see that the oracle notices: see fuzz/CMakeLists.txt.
-#ifndef INGOT_FUZZ_FAULT
-#define INGOT_FUZZ_FAULT 0
-#endif
 
 namespace {
 
@@ -62,14 +61,12 @@ bool same_bytes(const void* a, const void* b, size_t size) { return memcmp(a, b,
 
 scalar magnitude(scalar x) { return x < 0 ? -x : x; }
 
-bool is_normal_or_zero(const Vector& v) { return ingot::is_finite(v); }
-
 /// How far A may be from orthonormal.
 ///
 /// At the door: limits of nearest_rotation, 4 epsilon. In flight: a substep adds A (R - 1), |R - 1| <= 2, in at most 12
 /// roundings an entry, a step has up to substeps_max of them, and the defect is taken back every polar_interval steps, up to
 /// the rounding of A itself. A defect of an entry counts twice in A^T A.
-constexpr scalar flight_defect_max = scalar(2 * 12 * 2) * ingot::epsilon * limits::substeps_max * limits::polar_interval;
+constexpr scalar defect_max = scalar(2 * 12 * 2) * ingot::epsilon * limits::substeps_max * limits::polar_interval;
 
 /// Reads the input; past its end everything is zero.
 class Bytes {
@@ -138,7 +135,7 @@ public:
     }
 
     BodyState state(bool translates) {
-        BodyState s;
+        BodyState s{};
         if (translates || byte() == 255) {
             s.r_CM = vector(8);
             s.v_CM = vector(8);
@@ -185,12 +182,14 @@ public:
         memset(static_cast<void*>(&twin_), 0, sizeof twin_);
     }
 
-    void run(Bytes in) {
+    /// Answers with a hash of all that was seen.
+    uint64_t run(Bytes in) {
         while (!in.empty()) {
             memcpy(static_cast<void*>(&before_), &world_, sizeof world_);
             call(in);
             demand_all();
         }
+        return seen_;
     }
 
 private:
@@ -258,6 +257,7 @@ private:
         demand(!world_.is_frozen(added.value), "a new body is not frozen");
         for (int id_i = 0; id_i < known_count_; ++id_i) demand(known_[id_i] != added.value, "an id is given out once");
         only_changed(added.value);
+        immovable_[added.value.slot] = def.immovable;
         if (known_count_ < known_max) known_[known_count_++] = added.value;
     }
 
@@ -338,7 +338,18 @@ private:
         }
     }
 
+    void see(const void* data, size_t size) {
+        const unsigned char* bytes = static_cast<const unsigned char*>(data);
+        for (size_t byte_i = 0; byte_i < size; ++byte_i) seen_ = (seen_ ^ bytes[byte_i]) * 0x100000001b3u;
+    }
+    template <class... Numbers>
+    void see_all(const Numbers&... numbers) {
+        (see(&numbers, sizeof numbers), ...);
+    }
+
     void demand_report(const StepReport& report) {
+        see_all(report.bodies_frozen, report.spins_clamped, report.contacts, report.contacts_lost, report.pairs_untested,
+                report.impact_waves, report.impacts_left, report.sweeps, report.sweeps_unfinished);
         demand(world_.step_count() == before_.step_count() + 1, "a step counts one");
         demand(world_.body_count() == before_.body_count(), "a step neither adds nor removes");
         int frozen = 0, movable = 0;
@@ -348,15 +359,16 @@ private:
             if (id == BodyId{}) continue;
             ++movable;
             demand(world_.is_frozen(id) || !before_.is_frozen(id), "frozen is for ever");
-            if (!world_.is_frozen(id)) continue;
             const BodyState was = before_.state(id).value, is = world_.state(id).value;
+            if (immovable_[slot]) demand(same_bytes(&was, &is, sizeof is), "an immovable body stands still");
+            if (!world_.is_frozen(id)) continue;
+            demand(!immovable_[slot], "only what moves can freeze");
             if (before_.is_frozen(id)) {
                 demand(same_bytes(&was, &is, sizeof is), "a frozen body stands still");
                 continue;
             }
             ++frozen;
             demand(is_zero(is.v_CM) && is_zero(is.L), "a body freezes at rest");
-            demand(same_bytes(&was.r_CM, &is.r_CM, sizeof is.r_CM) || is_normal_or_zero(is.r_CM), "a body freezes at a good place");
         }
         demand(report.bodies_frozen == frozen, "every body that froze is reported");
         demand(report.spins_clamped <= movable, "at most every body is clamped");
@@ -403,6 +415,7 @@ private:
     // The promises.
 
     void refused(Status status) {
+        see(&status, sizeof status);
         if (status == Status::ok) return;
 #if INGOT_FUZZ_FAULT == 1
         reinterpret_cast<unsigned char*>(&world_)[sizeof world_ / 2] ^= 1u;
@@ -450,11 +463,13 @@ private:
 
     void demand_body(BodyId id) {
         const BodyState s = world_.state(id).value;
+        const Vector omega = world_.omega(id).value;
+        see_all(s, omega);
         demand(within(s.r_CM, limits::position_max), "a body stays within limits::position_max");
         demand(ingot::is_finite(s.v_CM), "v_CM is finite");
         demand(ingot::is_finite(s.L), "L is finite");
-        demand(ingot::is_finite(world_.omega(id).value), "omega is finite");
-        demand(ingot::orthogonality_error(s.A) <= flight_defect_max, "A is orthonormal");
+        demand(ingot::is_finite(omega), "omega is finite");
+        demand(ingot::orthogonality_error(s.A) <= defect_max, "A is orthonormal");
         demand(ingot::determinant(s.A) > 0, "A is a rotation");
     }
 
@@ -463,6 +478,7 @@ private:
             const Result<ingot::ContactInfo> contact = world_.contact(contact_i);
             demand(contact.ok(), "a contact below the count can be read");
             const ingot::ContactInfo& c = contact.value;
+            see_all(c.A, c.B, c.n, c.separation, c.j);
             demand(world_.is_alive(c.A) && world_.is_alive(c.B) && c.A != c.B, "a contact is of two living bodies");
             demand(magnitude(ingot::length_sq(c.n) - 1) <= 16 * ingot::epsilon, "the normal of a contact is of unit length");
             demand(ingot::is_finite(c.separation) && ingot::is_finite(c.j) && c.j >= 0, "contacts push, with a finite impulse");
@@ -509,6 +525,8 @@ private:
     static World<S> world_, before_, twin_;
     BodyId known_[known_max] = {};
     int known_count_ = 0;
+    bool immovable_[S::max_bodies] = {};  ///< by slot
+    uint64_t seen_ = ingot::state_hash_seed;
 };
 
 template <class S>
@@ -520,12 +538,11 @@ World<S> Machine<S>::twin_;
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+uint64_t INGOT_FUZZ_RUN(const uint8_t* data, size_t size) {
     Bytes in(data, size);
     switch (in.byte() % 4u) {
-        case 0: case 1: Machine<Yard>().run(in); break;
-        case 2: Machine<PrintedYard>().run(in); break;
-        default: Machine<Tops>().run(in); break;
+        case 0: case 1: return Machine<Yard>().run(in);
+        case 2: return Machine<PrintedYard>().run(in);
+        default: return Machine<Tops>().run(in);
     }
-    return 0;
 }

@@ -9,7 +9,7 @@
 #include "../scenes/all_scenes.h"
 #include "euler_equations.h"
 #include "ledger.h"
-#include "platform/clock.h"
+#include <ingot/platform/clock.h>
 #include "progress.h"
 
 namespace {

@@ -6,9 +6,9 @@
 //
 // With INGOT_SCENE defined the program holds that scene and no other: its size is the scene's size.
 #include "../scenes/all_scenes.h"
-#include "platform/clock.h"
-#include "platform/console.h"
-#include "platform/stack_watermark.h"
+#include <ingot/platform/clock.h>
+#include <ingot/platform/console.h>
+#include <ingot/platform/stack_watermark.h>
 
 namespace {
 

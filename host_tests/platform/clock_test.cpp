@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "platform/clock.h"
+#include <ingot/platform/clock.h>
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <random>
 #include <thread>
 
-#include "platform/counter_extension.h"
+#include <ingot/platform/counter_extension.h>
 
 namespace {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Formatting, against the C library's.
-#include "platform/console.h"
+#include <ingot/platform/console.h>
 
 #include <gtest/gtest.h>
 #include <stdint.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "platform/fault.h"
+#include <ingot/platform/fault.h>
 
 #include <gtest/gtest.h>
 

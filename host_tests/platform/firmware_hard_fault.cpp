@@ -6,9 +6,9 @@
 #include <stdint.h>
 #include <string.h>
 
-#include "platform/console.h"
-#include "platform/cortex_m.h"
-#include "platform/fault.h"
+#include <ingot/platform/console.h>
+#include <ingot/platform/cortex_m.h>
+#include <ingot/platform/fault.h>
 
 extern "C" const uint32_t undefined_instruction[];
 

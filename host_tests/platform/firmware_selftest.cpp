@@ -5,11 +5,11 @@
 #include <stdint.h>
 #include <string.h>
 
-#include "platform/boards/board.h"
-#include "platform/clock.h"
-#include "platform/console.h"
-#include "platform/cortex_m.h"
-#include "platform/stack_watermark.h"
+#include <ingot/platform/boards/board.h>
+#include <ingot/platform/clock.h>
+#include <ingot/platform/console.h>
+#include <ingot/platform/cortex_m.h>
+#include <ingot/platform/stack_watermark.h>
 
 extern "C" void Reset_Handler();
 

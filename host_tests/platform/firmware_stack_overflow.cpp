@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A firmware that uses up its stack. Expected: the fault is reported, by a handler that has a stack again.
-#include "platform/console.h"
+#include <ingot/platform/console.h>
 
 namespace {
 

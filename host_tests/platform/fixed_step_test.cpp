@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Laws of the fixed-step accumulator, against exact 128-bit arithmetic.
-#include "platform/fixed_step.h"
+#include <ingot/platform/fixed_step.h>
 
 #include <gtest/gtest.h>
 

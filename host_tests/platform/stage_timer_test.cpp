@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "platform/stage_timer.h"
+#include <ingot/platform/stage_timer.h>
 
 #include <gtest/gtest.h>
 #include <string.h>

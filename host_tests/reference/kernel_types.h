@@ -2,7 +2,7 @@
 // The kernel's numbers as Eigen's and back. The references beside this file do not include it: they know no kernel.
 #pragma once
 
-#include <ingot/math/sym3.h>
+#include <ingot/ingot.h>
 
 #include <Eigen/Dense>
 
@@ -36,6 +36,20 @@ ingot::Vector to_vector(const V& v) {
 template <class M>
 ingot::Matrix to_matrix(const M& m) {
     return {to_vector(m.col(0)), to_vector(m.col(1)), to_vector(m.col(2))};
+}
+
+/// Mass and principal moments, the user's frame being the body's.
+template <class V>
+ingot::MassProperties to_mass(double M, const V& I_body) {
+    return {static_cast<ingot::scalar>(M), to_vector(I_body), {}, ingot::identity_matrix<ingot::scalar>()};
+}
+
+/// A body of those, at rest at the origin unless more is said.
+template <class V>
+ingot::BodyDef definition(double M, const V& I_body) {
+    ingot::BodyDef def{};
+    def.mass = to_mass(M, I_body);
+    return def;
 }
 
 }  // namespace ingot_reference

@@ -26,8 +26,9 @@ public:
 
     /// Of either sign, with a magnitude spread evenly over the binades 2^low .. 2^high.
     double of_any_size(int low, int high) {
-        const double x = std::ldexp(real(1, 2), integer(low, high));
-        return (bits_() & 1) != 0 ? x : -x;
+        const double x = real(1, 2);
+        const int binade = integer(low, high);
+        return std::ldexp((bits_() & 1) != 0 ? x : -x, binade);
     }
 
     /// Each component uniform in [-size, size).
@@ -48,7 +49,8 @@ public:
     /// Uniform over all orientations: a uniform point of the unit sphere in four dimensions, as a quaternion.
     Eigen::Matrix3d rotation() {
         for (;;) {
-            Eigen::Quaterniond q(real(-1, 1), real(-1, 1), real(-1, 1), real(-1, 1));
+            const Eigen::Vector3d v = vector(1);
+            Eigen::Quaterniond q(real(-1, 1), v.x(), v.y(), v.z());
             const double length = q.norm();
             if (length < 0.01 || length > 1) continue;
             q.coeffs() /= length;

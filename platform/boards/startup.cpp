@@ -2,10 +2,10 @@
 // From reset to main() and out again, for every Cortex-M board here. No vendor code, no libc start-up, no constructors.
 #include <stdint.h>
 
-#include "platform/console.h"
-#include "platform/cortex_m.h"
-#include "platform/fault.h"
-#include "platform/stack_watermark.h"
+#include <ingot/platform/console.h>
+#include <ingot/platform/cortex_m.h>
+#include <ingot/platform/fault.h>
+#include <ingot/platform/stack_watermark.h>
 
 // The firmware's main(). By its assembler name, because C++ forbids calling main, and because a unit compiled
 // -ffreestanding would look for a mangled one.
@@ -70,7 +70,7 @@ constexpr const char* this_file = "startup.cpp";
 /// Must come before any function that may save a floating-point register.
 inline void switch_fpu_on() {
 #ifdef __ARM_FP
-    constexpr uint32_t cpacr = 0xE000ED88;           // coprocessor access control
+    constexpr uint32_t cpacr = 0xE000ED88;  // coprocessor access control
     constexpr uint32_t full_access_cp10_cp11 = 0xF00000;
     reg(cpacr) = reg(cpacr) | full_access_cp10_cp11;
     // Round to nearest, denormals kept, NaNs propagated: the reset state, unless a boot loader left another.
@@ -123,7 +123,7 @@ extern "C" void Reset_Handler() {
 
 /// Takes the stack pointer of the fault, and moves to the other end of the stack if there is no room left for the report:
 /// an overflow is a likely cause. Nobody returns to what is overwritten there.
-extern "C" __attribute__((naked)) void HardFault_Handler() {
+extern "C" __attribute__((naked, weak)) void HardFault_Handler() {
     __asm__(
         ".syntax unified\n"
         "mrs r0, msp\n"

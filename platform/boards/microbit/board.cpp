@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // BBC micro:bit: nRF51822, Cortex-M0 at 16 MHz. The counter is TIMER0, of the three timers the only one with 32 bits.
-#include "platform/boards/board.h"
+#include <ingot/platform/boards/board.h>
 
-#include "platform/cortex_m.h"
+#include <ingot/platform/cortex_m.h>
 
 namespace ingot::platform {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Arm MPS2 board with FPGA image AN386: Cortex-M4F at 25 MHz. The counter is the one of the FPGA's system registers.
-#include "platform/boards/board.h"
+#include <ingot/platform/boards/board.h>
 
-#include "platform/cortex_m.h"
+#include <ingot/platform/cortex_m.h>
 
 namespace ingot::platform {
 namespace {

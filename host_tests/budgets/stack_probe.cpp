@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// How deep the stack goes in step(), by the paint: nothing but steps runs while the paint lies.
+//
+//     satellite stack_bytes 240
+#include "../scenes/all_scenes.h"
+#include <ingot/platform/console.h>
+#include <ingot/platform/stack_watermark.h>
+
+extern "C" ingot::StepReport step_of_scene(ingot::World<scenes::INGOT_SCENE>& world);
+
+static ingot::World<scenes::INGOT_SCENE> world;
+
+int main() {
+    using namespace ingot::platform;
+    using S = scenes::INGOT_SCENE;
+    if (set_up(world) != ingot::Status::ok) return 1;
+
+    bool clean = true;
+    const uint32_t depth = stack_depth_bytes();
+    stack_paint();
+    for (int step_i = 0; step_i < S::golden_steps; ++step_i) clean = step_of_scene(world).clean() && clean;
+    const uint32_t stack_bytes = stack_deepest_bytes() - depth;
+
+    console_write(S::name);
+    console_write(" stack_bytes ");
+    console_write_u64(stack_bytes);
+    console_write("\n");
+    return clean ? 0 : 1;
+}
