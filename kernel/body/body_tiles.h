@@ -30,10 +30,14 @@ struct alignas(tile_alignment) RotationTile {
     uint16_t bad;                  ///< bit per lane: a stage met a value that is not finite; see freeze_bad_bodies
 };
 
-/// What free flight keeps beside the primary state; only for scenes whose rotation method asks for it.
-struct alignas(tile_alignment) FlightTile {
-    scalar A_low[9][lanes];  ///< what A + A_low knows beyond the last bit of A (compensated sum)
-    scalar E_0[lanes];       ///< energy of this flight in units of (h inv_I_scale)^2 J kg m^2; 0: not known yet
+/// What A knows beyond its last bit (compensated sum); only for scenes whose rotation method compensates.
+struct alignas(tile_alignment) CompensationTile {
+    scalar A_low[9][lanes];  ///< the orientation is A + A_low
+};
+
+/// Energy at the begin of the free flight a body is in; only for scenes whose rotation method returns to it.
+struct alignas(tile_alignment) EnergyTile {
+    scalar E_0[lanes];  ///< in units of (h inv_I_scale)^2 J kg m^2; 0: not known yet
 };
 
 /// Position and velocity of `lanes` bodies; only for scenes that translate.
@@ -49,7 +53,8 @@ struct alignas(tile_alignment) TranslationTile {
 struct BodyView {
     RotationTile* rotation;
     TranslationTile* translation;
-    FlightTile* flight;
+    CompensationTile* compensation;
+    EnergyTile* energy;
     int tile_count;  ///< tiles that hold or held a body
 };
 

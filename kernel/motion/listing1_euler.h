@@ -16,7 +16,9 @@ void integrate_A_listing1(const BodyView& bodies, scalar h);
 /// Names the explicit Euler step of Listing 1 exactly as printed, for translation too: `using rotation = Listing1Euler;`.
 struct Listing1Euler {
     static constexpr bool as_printed = true;    ///< every right-hand side is of step n
-    static constexpr bool keeps_flight = false;  ///< needs no FlightTile
+    static constexpr bool compensates = false;
+    static constexpr bool returns_energy = false;
+    static constexpr int order = 1;
     static constexpr const char* name = "listing1_euler";
 };
 

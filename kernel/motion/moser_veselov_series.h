@@ -20,14 +20,16 @@ struct ModifiedInertia {
 /// Source:  Hairer and Vilmart 2006 in the symmetric functions of j: s1, s2 = j.x j.y + j.y j.z + j.z j.x, s3 = j.x j.y j.z.
 template <int order, class T>
 INGOT_INLINE ModifiedInertia<T> modified_inertia(const Vec3<T>& j, T H, T C) {
-    static_assert(order == 6 || order == 10, "orders 6 and 10 are tabulated here");
+    if constexpr (order == 2) return {T{}, T{}};
     const auto q = [](double numerator, double denominator) { return splat<T>(static_cast<scalar>(numerator / denominator)); };
     const T s1 = j.x + j.y + j.z, s2 = j.x * j.y + j.z * (j.x + j.y), s3 = j.x * j.y * j.z;
     const T P = s1 * H, Q = s2 * C, R = s2 * H, U = s3 * C;  // the products that recur
-    T S = Q * q(1, 6) - P * q(1, 3)
-        + (P * P - P * Q + Q * Q) * q(1, 30) - R * H * q(1, 60) + U * H * q(2, 15) - s1 * U * C * q(1, 10);
-    T D = R * q(1, 6) - U * q(1, 3)
-        + U * P * q(2, 15) - R * P * q(1, 60) - s3 * H * H * q(1, 10) - (R * Q + U * Q) * q(1, 60);
+    T S = Q * q(1, 6) - P * q(1, 3);
+    T D = R * q(1, 6) - U * q(1, 3);
+    if constexpr (order >= 6) {
+        S = S + (P * P - P * Q + Q * Q) * q(1, 30) - R * H * q(1, 60) + U * H * q(2, 15) - s1 * U * C * q(1, 10);
+        D = D + U * P * q(2, 15) - R * P * q(1, 60) - s3 * H * H * q(1, 10) - (R * Q + U * Q) * q(1, 60);
+    }
     if constexpr (order >= 8) {
         const T s1s1 = s1 * s1, s1s2 = s1 * s2, s1s3 = s1 * s3, s2s2 = s2 * s2, s2s3 = s2 * s3, s3s3 = s3 * s3;
         const T HH = H * H, HC = H * C, CC = C * C;

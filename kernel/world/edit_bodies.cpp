@@ -41,7 +41,7 @@ void write_checked_state(const BodyView& bodies, int slot, const BodyState& stat
     set_lane(rotation.A, at.lane, nearest_rotation(state.A));
     set_lane(rotation.L, at.lane, state.L + positive_zero);
     rotation.kicked = static_cast<uint16_t>(rotation.kicked | (1u << at.lane));
-    if (bodies.flight != nullptr) set_lane(bodies.flight[at.tile].A_low, at.lane, Matrix{});
+    if (bodies.compensation != nullptr) set_lane(bodies.compensation[at.tile].A_low, at.lane, Matrix{});
     if (bodies.translation != nullptr) {
         set_lane(bodies.translation[at.tile].r_CM, at.lane, state.r_CM + positive_zero);
         set_lane(bodies.translation[at.tile].v_CM, at.lane, state.v_CM + positive_zero);

@@ -34,7 +34,7 @@ uint64_t hash_body(const BodyView& bodies, int slot, uint64_t hash) {
     const RotationTile& rotation = bodies.rotation[at.tile];
     hash = hash_lane(hash, rotation.A, at.lane);
     hash = hash_lane(hash, rotation.L, at.lane);
-    if (bodies.flight != nullptr) hash = hash_lane(hash, bodies.flight[at.tile].A_low, at.lane);
+    if (bodies.compensation != nullptr) hash = hash_lane(hash, bodies.compensation[at.tile].A_low, at.lane);
     if (bodies.translation == nullptr) return hash;
     hash = hash_lane(hash, bodies.translation[at.tile].r_CM, at.lane);
     return hash_lane(hash, bodies.translation[at.tile].v_CM, at.lane);

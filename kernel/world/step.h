@@ -48,9 +48,8 @@ StepReport step(World<S>& world, scalar h) {
         if constexpr (S::translates) integrate_v(bodies, h, storage.gravity);
         if constexpr (collides<S>) solve_contact_forces(storage.contact_view(), bodies, h, report);
 
-        const FlightClock clock{storage.steps, h != storage.h_before};
-        storage.h_before = h;
-        report.spins_clamped = static_cast<uint16_t>(integrate_A_moser_veselov(bodies, h, clock));
+        const FlightClock clock{storage.steps, storage.h_changes_to(h)};
+        report.spins_clamped = static_cast<uint16_t>(S::rotation::integrate_A(bodies, h, clock));
         if constexpr (S::translates) integrate_r(bodies, h, storage.gravity);
     }
 

@@ -26,14 +26,30 @@ struct TranslationPart<S, false> {
 };
 
 template <class S, bool present>
-struct FlightPart {
-    FlightTile flight[tile_capacity<S>] = {};
-    scalar h_before = 0;  ///< s, of the last step
-    FlightTile* flight_tiles() { return flight; }
+struct CompensationPart {
+    CompensationTile compensation[tile_capacity<S>] = {};
+    CompensationTile* compensation_tiles() { return compensation; }
 };
 template <class S>
-struct FlightPart<S, false> {
-    FlightTile* flight_tiles() { return nullptr; }
+struct CompensationPart<S, false> {
+    CompensationTile* compensation_tiles() { return nullptr; }
+};
+
+template <class S, bool present>
+struct EnergyPart {
+    EnergyTile energy[tile_capacity<S>] = {};
+    scalar h_before = 0;  ///< s, of the last step
+    EnergyTile* energy_tiles() { return energy; }
+    bool h_changes_to(scalar h) {
+        const bool changed = h != h_before;
+        h_before = h;
+        return changed;
+    }
+};
+template <class S>
+struct EnergyPart<S, false> {
+    EnergyTile* energy_tiles() { return nullptr; }
+    bool h_changes_to(scalar) { return false; }
 };
 
 template <class S, bool present>
@@ -46,7 +62,10 @@ template <class S>
 struct ContactPart<S, false> {};
 
 template <class S>
-struct Storage : TranslationPart<S, S::translates>, FlightPart<S, S::rotation::keeps_flight>, ContactPart<S, collides<S>> {
+struct Storage : TranslationPart<S, S::translates>,
+                 CompensationPart<S, S::rotation::compensates>,
+                 EnergyPart<S, S::rotation::returns_energy>,
+                 ContactPart<S, collides<S>> {
     RotationTile rotation[tile_capacity<S>] = {};
     uint32_t generation[static_cast<unsigned>(S::max_bodies)] = {};  ///< see BodyId: odd while a body lives in the slot
     uint32_t steps = 0;         ///< taken
@@ -55,7 +74,8 @@ struct Storage : TranslationPart<S, S::translates>, FlightPart<S, S::rotation::k
     uint16_t world_tag = 0;
 
     BodyView bodies() {
-        return {rotation, this->translation_tiles(), this->flight_tiles(), (slots_used + lanes - 1) / lanes};
+        return {rotation, this->translation_tiles(), this->compensation_tiles(), this->energy_tiles(),
+                (slots_used + lanes - 1) / lanes};
     }
     /// A view for reading; whoever holds it does not write.
     BodyView bodies() const { return const_cast<Storage*>(this)->bodies(); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The preprocessed discrete Moser-Veselov step in lanes.
+// The preprocessed discrete Moser-Veselov step in lanes, compiled once for each order (moser_veselov_<order>.cpp).
 //
 //   y = h scale A^T L             body-frame angular momentum, made free of units
 //   c = tan(angle/2) axis         Rodrigues vector of the turn within the step, body frame
@@ -7,56 +7,22 @@
 //   A += A (R(c) - 1),  R(c) - 1 = 2/(1 + c.c) (tilde(c) + tilde(c) tilde(c))
 //
 // A += A (R - 1) with the increment formed directly is 10 to 100 times better in float than A = A R, whose R rounds
-// beside 1. The increments are summed with their rounding errors kept (A_low).
-#include "moser_veselov.h"
+// beside 1.
+#pragma once
 
 #include "../base/checks.h"
-#include "../base/limits.h"
-#include "../math/rotation.h"
+#include "moser_veselov.h"
 #include "moser_veselov_series.h"
+#include "turn.h"
 
 namespace ingot { inline namespace INGOT_ABI {
-
-namespace {
-
-constexpr int series_order = INGOT_DOUBLE ? 10 : 6;
-
-/// a + b = sum + error exactly. Source: Knuth, The Art of Computer Programming 2, 4.2.2, theorem B.
-INGOT_INLINE void add_exactly(lane a, lane b, lane& sum, lane& error) {
-    sum = a + b;
-    const lane b_seen = sum - a;
-    error = (a - (sum - b_seen)) + (b - b_seen);
-}
-
-/// A + A_low += increment, rounded to A, the rest in A_low.
-INGOT_INLINE void add_compensated(Mat3<lane>& A, Mat3<lane>& A_low, const Mat3<lane>& increment) {
-    const Mat3<lane> due = increment + A_low;
-    Vec3<lane>* const columns[3] = {&A.c0, &A.c1, &A.c2};
-    Vec3<lane>* const low_columns[3] = {&A_low.c0, &A_low.c1, &A_low.c2};
-    const Vec3<lane> due_columns[3] = {due.c0, due.c1, due.c2};
-    for (int column_i = 0; column_i < 3; ++column_i) {
-        Vec3<lane>& a = *columns[column_i];
-        Vec3<lane>& low = *low_columns[column_i];
-        const Vec3<lane>& d = due_columns[column_i];
-        add_exactly(a.x, d.x, a.x, low.x);
-        add_exactly(a.y, d.y, a.y, low.y);
-        add_exactly(a.z, d.z, a.z, low.z);
-    }
-}
-
-/// A (R(c) - 1): per row a of A, u = a x c gives f (u + u x c).
-INGOT_INLINE Mat3<lane> turn_increment(const Mat3<lane>& A, const Vec3<lane>& c) {
-    const lane f = splat<lane>(2) / (splat<lane>(1) + dot(c, c));
-    const Mat3<lane> rows = transposed(A);
-    const Vec3<lane> u0 = cross(rows.c0, c), u1 = cross(rows.c1, c), u2 = cross(rows.c2, c);
-    return transposed(Mat3<lane>{(u0 + cross(u0, c)) * f, (u1 + cross(u1, c)) * f, (u2 + cross(u2, c)) * f});
-}
 
 /// The Rodrigues vector of the turn of a free body with body-frame momentum y (see the top of this file).
 ///
 /// A lane leaves the loop when its c has settled, and keeps its bits while others go on.
+template <int order>
 INGOT_INLINE Vec3<lane> solve_turn(const Vec3<lane>& j, const Vec3<lane>& y, lane H, lane C) {
-    const ModifiedInertia<lane> modified = modified_inertia<series_order>(j, H, C);
+    const ModifiedInertia<lane> modified = modified_inertia<order>(j, H, C);
     const Vec3<lane> a = j + (j * modified.S_minus_1 + Vec3<lane>{modified.D, modified.D, modified.D});
     // (I2 - I3)/I1 of the modified moments, written without a difference of inverses: near-symmetric bodies lose nothing.
     const lane w = (modified.S_minus_1 + splat<lane>(1)) / (a.x * a.y * a.z);
@@ -78,46 +44,40 @@ INGOT_INLINE Vec3<lane> solve_turn(const Vec3<lane>& j, const Vec3<lane>& y, lan
 
 /// A tiny turn about y x (j y), which changes the energy and not L, that takes back a sixteenth of the energy's drift.
 /// The damping makes it vanish for steady spin, where no turn changes the energy.
-INGOT_INLINE Vec3<lane> energy_return(const Vec3<lane>& y, const Vec3<lane>& w, lane e, lane e_0) {
+INGOT_INLINE Vec3<lane> turn_of_energy_return(const Vec3<lane>& y, const Vec3<lane>& w, lane e, lane e_0) {
     const Vec3<lane> x = cross(y, w);
     const lane damping = e * e * splat<lane>(scalar(1e-3)) + splat<lane>(scalar(1e-30));
     return x * ((e - e_0) * splat<lane>(scalar(1) / 16) / (length_sq(x) + damping));
 }
 
-/// Substeps a lane needs so that none turns by more than limits::angle_per_substep: 1, 2, 4, 8 or 16.
-INGOT_INLINE lane substeps_for(lane angle_sq) {
+/// Substeps a lane needs so that none turns by more than limits::angle_per_substep: 1, 2, 4 ... substeps_max.
+INGOT_INLINE lane substeps_for(lane angle_sq, int substeps_max) {
     lane n = splat<lane>(1);
     scalar limit = limits::angle_per_substep;
     if (!any(angle_sq > splat<lane>(limit * limit))) return n;
-    for (int doubled = 2; doubled <= limits::substeps_max; doubled *= 2, limit *= 2)
+    for (int doubled = 2; doubled <= substeps_max; doubled *= 2, limit *= 2)
         n = select(angle_sq > splat<lane>(limit * limit), splat<lane>(static_cast<scalar>(doubled)), n);
     return n;
 }
 
 /// The factor that keeps the turn of a step at what all substeps together allow; 1 for bodies that are slower.
-INGOT_INLINE lane clamp_factor(lane angle_sq, mask& clamped) {
-    constexpr scalar angle_max = limits::angle_per_substep * limits::substeps_max;
+INGOT_INLINE lane clamp_factor(lane angle_sq, int substeps_max, mask& clamped) {
+    const scalar angle_max = limits::angle_per_substep * static_cast<scalar>(substeps_max);
     clamped = both(is_finite(angle_sq), angle_sq > splat<lane>(angle_max * angle_max));
     if (!any(clamped)) return splat<lane>(1);
     return select(clamped, splat<lane>(angle_max) / sqrt(select(clamped, angle_sq, splat<lane>(1))), splat<lane>(1));
 }
 
-INGOT_INLINE int count_bits(uint16_t b) {
-    int count = 0;
-    for (; b != 0; b = static_cast<uint16_t>(b & (b - 1u))) ++count;
-    return count;
-}
-
-}  // namespace
-
-int integrate_A_moser_veselov(const BodyView& bodies, scalar h, const FlightClock& clock) {
-    INGOT_ASSERT(bodies.flight != nullptr);
+template <int order, bool compensate, bool energy_return>
+int integrate_A_moser_veselov(const BodyView& bodies, scalar h, const FlightClock& clock, int substeps_max) {
+    INGOT_ASSERT(!compensate || bodies.compensation != nullptr);
+    INGOT_ASSERT(!energy_return || bodies.energy != nullptr);
     const bool polar_step = clock.steps % limits::polar_interval == 0;
     int clamped_count = 0;
     for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) {
         RotationTile& tile = bodies.rotation[tile_i];
-        FlightTile& flight = bodies.flight[tile_i];
-        Mat3<lane> A = load(tile.A), A_low = load(flight.A_low);
+        Mat3<lane> A = load(tile.A), A_low{};
+        if constexpr (compensate) A_low = load(bodies.compensation[tile_i].A_low);
         const Vec3<lane> j = load(tile.inv_I_ratio);
         const Vec3<lane> L = load(tile.L) - load(tile.tau_T) * splat<lane>(h * scalar(0.5));
 
@@ -125,14 +85,17 @@ int integrate_A_moser_veselov(const BodyView& bodies, scalar h, const FlightCloc
         Vec3<lane> y = transpose_times(A, L) * step;
         const lane angle_sq = length_sq(scaled(j, y));
         mask clamped;
-        const lane n = substeps_for(angle_sq), fraction = clamp_factor(angle_sq, clamped) / n;
+        const lane n = substeps_for(angle_sq, substeps_max), fraction = clamp_factor(angle_sq, substeps_max, clamped) / n;
         step = step * fraction;
         y = y * fraction;
 
         // The energy at the begin of this flight, in the units of a substep: n is a power of two, so the change is exact.
-        const uint16_t restarts = clock.h_changed ? all_lanes : static_cast<uint16_t>(tile.kicked | bits(clamped));
-        lane e_0 = load(flight.E_0) / (n * n);
-        if (restarts != 0) e_0 = select(mask_from_bits(restarts), lane{}, e_0);
+        lane e_0{};
+        if constexpr (energy_return) {
+            const uint16_t restarts = clock.h_changed ? all_lanes : static_cast<uint16_t>(tile.kicked | bits(clamped));
+            e_0 = load(bodies.energy[tile_i].E_0) / (n * n);
+            if (restarts != 0) e_0 = select(mask_from_bits(restarts), lane{}, e_0);
+        }
         tile.kicked = bits(clamped);
         clamped_count += count_bits(bits(clamped));
 
@@ -140,24 +103,39 @@ int integrate_A_moser_veselov(const BodyView& bodies, scalar h, const FlightCloc
         for (int substep_i = 1; any(turning); ++substep_i) {
             const Vec3<lane> w = scaled(j, y);
             const lane H = dot(y, w) * splat<lane>(scalar(0.5)), C = length_sq(y) * splat<lane>(scalar(0.5));
-            e_0 = select(e_0 > lane{}, e_0, H);
-            Vec3<lane> c = solve_turn(j, y, H, C) + energy_return(y, w, H, e_0);
+            Vec3<lane> c = solve_turn<order>(j, y, H, C);
+            if constexpr (energy_return) {
+                e_0 = select(e_0 > lane{}, e_0, H);
+                c += turn_of_energy_return(y, w, H, e_0);
+            }
             good = both(good, length_sq(c) <= splat<lane>(1));  // false for NaN too; a good turn has |c| near 1/4 or less
             c = select(both(turning, good), c, Vec3<lane>{});
-            add_compensated(A, A_low, turn_increment(A, c));
+            if constexpr (compensate)
+                add_compensated(A, A_low, body_turn(A, c));
+            else
+                A = A + body_turn(A, c);
 
             turning = both(turning, n > splat<lane>(static_cast<scalar>(substep_i)));
-            if (substep_i == limits::substeps_max || !any(turning)) break;
+            if (substep_i >= substeps_max || !any(turning)) break;
             y = transpose_times(A, L) * step;
         }
-        if (polar_step) A_low = A_low + polar_correction(A);
+        // With compensation the correction enters at the next step, with the digits it has.
+        if (polar_step && compensate) A_low = A_low + polar_correction(A);
+        if (polar_step && !compensate) A = A + polar_correction(A);
 
         store(tile.A, A);
-        store(flight.A_low, A_low);
-        store(flight.E_0, e_0 * (n * n));
+        if constexpr (compensate) store(bodies.compensation[tile_i].A_low, A_low);
+        if constexpr (energy_return) store(bodies.energy[tile_i].E_0, e_0 * (n * n));
         mark_bad(tile.bad, good);
     }
     return clamped_count;
 }
+
+/// The four stages of one order that a library holds; the linker takes the one a scene names.
+#define INGOT_MOSER_VESELOV_STAGES(order)                                                                    \
+    template int integrate_A_moser_veselov<order, false, false>(const BodyView&, scalar, const FlightClock&, int); \
+    template int integrate_A_moser_veselov<order, false, true>(const BodyView&, scalar, const FlightClock&, int);  \
+    template int integrate_A_moser_veselov<order, true, false>(const BodyView&, scalar, const FlightClock&, int);  \
+    template int integrate_A_moser_veselov<order, true, true>(const BodyView&, scalar, const FlightClock&, int)
 
 } }  // namespace ingot

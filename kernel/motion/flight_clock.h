@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "../base/config.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// What a rotation method knows of the steps before this one.
+///
+/// A method is a struct that a scene names, `using rotation = ...`, with
+///     static constexpr const char* name;
+///     static constexpr bool as_printed;      // Listing 1: every right-hand side is of step n
+///     static constexpr bool compensates;     // keeps A_low, 9 numbers a body
+///     static constexpr bool returns_energy;  // keeps E_0, 1 number a body
+///     static int integrate_A(const BodyView&, scalar h, const FlightClock&);   // bodies whose turn was clamped
+/// integrate_A turns every body as it would turn freely with the angular momentum of mid-step, L - h/2 tau_T; with
+/// integrate_L before it the driven step is kick-drift-kick, of second order. It keeps L bitwise. A body whose A would not
+/// be finite keeps it and is marked bad.
+struct FlightClock {
+    uint32_t steps;  ///< taken so far; the polar step is due every limits::polar_interval of them
+    bool h_changed;  ///< since the last step: energies kept in units of h begin anew
+};
+
+} }  // namespace ingot

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// Turns of an orientation, which every rotation method is made of. For stages only.
+#pragma once
+
+#include "../base/limits.h"
+#include "../body/body_tiles.h"
+#include "../math/rotation.h"
+#include "flight_clock.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// a + b = sum + error exactly. Source: Knuth, The Art of Computer Programming 2, 4.2.2, theorem B.
+INGOT_INLINE void add_exactly(lane a, lane b, lane& sum, lane& error) {
+    sum = a + b;
+    const lane b_seen = sum - a;
+    error = (a - (sum - b_seen)) + (b - b_seen);
+}
+
+/// A + A_low += increment, rounded to A, the rest in A_low. Cost: 63 flops.
+INGOT_INLINE void add_compensated(Mat3<lane>& A, Mat3<lane>& A_low, const Mat3<lane>& increment) {
+    const Mat3<lane> due = increment + A_low;
+    Vec3<lane>* const columns[3] = {&A.c0, &A.c1, &A.c2};
+    Vec3<lane>* const low_columns[3] = {&A_low.c0, &A_low.c1, &A_low.c2};
+    const Vec3<lane> due_columns[3] = {due.c0, due.c1, due.c2};
+    for (int column_i = 0; column_i < 3; ++column_i) {
+        Vec3<lane>& a = *columns[column_i];
+        Vec3<lane>& low = *low_columns[column_i];
+        const Vec3<lane>& d = due_columns[column_i];
+        add_exactly(a.x, d.x, a.x, low.x);
+        add_exactly(a.y, d.y, a.y, low.y);
+        add_exactly(a.z, d.z, a.z, low.z);
+    }
+}
+
+/// A (R(c) - 1) for the turn with Rodrigues vector c = tan(angle/2) axis in body axes: per row a of A, u = a x c gives
+/// 2/(1 + c.c) (u + u x c). Cost: 78 flops, 1 division.
+INGOT_INLINE Mat3<lane> body_turn(const Mat3<lane>& A, const Vec3<lane>& c) {
+    const lane f = splat<lane>(2) / (splat<lane>(1) + dot(c, c));
+    const Mat3<lane> rows = transposed(A);
+    const Vec3<lane> u0 = cross(rows.c0, c), u1 = cross(rows.c1, c), u2 = cross(rows.c2, c);
+    return transposed(Mat3<lane>{(u0 + cross(u0, c)) * f, (u1 + cross(u1, c)) * f, (u2 + cross(u2, c)) * f});
+}
+
+/// (R(c) - 1) A for a turn about an axis of the world: per column a of A, u = c x a gives 2/(1 + c.c) (u + c x u).
+INGOT_INLINE Mat3<lane> world_turn(const Mat3<lane>& A, const Vec3<lane>& c) {
+    const lane f = splat<lane>(2) / (splat<lane>(1) + dot(c, c));
+    const Vec3<lane> u0 = cross(c, A.c0), u1 = cross(c, A.c1), u2 = cross(c, A.c2);
+    return {(u0 + cross(c, u0)) * f, (u1 + cross(c, u1)) * f, (u2 + cross(c, u2)) * f};
+}
+
+/// The Rodrigues vector of the turn by |u| about u: tan(|u|/2) u/|u|, without root or trigonometry.
+///
+/// Valid for: |u| <= 2 rad to rounding (float) and 1e-15 (double), from Lambert's continued fraction of the tangent,
+///            tan x / x = 1/(1 - x^2/(3 - x^2/(5 - ...))); it stays smooth up to pi.
+/// Cost:      6 flops and 7 divisions.
+INGOT_INLINE Vec3<lane> rodrigues(const Vec3<lane>& u) {
+    const lane x_sq = length_sq(u) * splat<lane>(scalar(0.25));
+    lane tail = splat<lane>(15);
+    for (int odd = 13; odd >= 1; odd -= 2) tail = splat<lane>(static_cast<scalar>(odd)) - x_sq / tail;
+    return u * (splat<lane>(scalar(0.5)) / tail);
+}
+
+/// omega = A J A^T L, world axes.
+INGOT_INLINE Vec3<lane> spin_of(const Mat3<lane>& A, const Vec3<lane>& inv_I_body, const Vec3<lane>& L) {
+    return A * scaled(inv_I_body, transpose_times(A, L));
+}
+
+INGOT_INLINE int count_bits(uint16_t b) {
+    int count = 0;
+    for (; b != 0; b = static_cast<uint16_t>(b & (b - 1u))) ++count;
+    return count;
+}
+
+/// The frame of the methods that keep nothing but A: turned(A, inv_I_body, L of mid-step) gives the new A of a tile.
+template <class Turned>
+INGOT_INLINE void integrate_tiles(const BodyView& bodies, scalar h, const Turned& turned) {
+    for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) {
+        RotationTile& tile = bodies.rotation[tile_i];
+        const Mat3<lane> A = load(tile.A);
+        const Vec3<lane> inv_I_body = load(tile.inv_I_ratio) * load(tile.inv_I_scale);
+        const Vec3<lane> L = load(tile.L) - load(tile.tau_T) * splat<lane>(h * scalar(0.5));
+        const Mat3<lane> A_next = turned(A, inv_I_body, L);
+        const mask good = is_finite(A_next);
+        store(tile.A, select(good, A_next, A));
+        tile.kicked = 0;
+        mark_bad(tile.bad, good);
+    }
+}
+
+} }  // namespace ingot
