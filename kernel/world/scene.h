@@ -2,8 +2,11 @@
 #pragma once
 
 #include "../collide/shapes.h"
+#include "../motion/lie_midpoint.h"
 #include "../motion/listing1_euler.h"
 #include "../motion/moser_veselov.h"
+#include "../motion/rk4_polar.h"
+#include "../motion/symmetric_top.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 

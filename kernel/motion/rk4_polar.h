@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "../body/body_tiles.h"
+#include "flight_clock.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// The classical Runge-Kutta method of order 4 on the nine numbers of A (Eq. 10), then one polar step.
+///
+/// Order:      4. Keeps L; the energy drifts with h^5.
+/// Valid for:  |omega| h < 1 rad; beyond it the polar step does not reach a rotation any more.
+/// Cost:       444 flops a body, no division, no root, no trigonometry.
+/// Source:     Kutta 1901; Eq. 10 of Hecker 1997.
+struct Rk4Polar {
+    static constexpr const char* name = "rk4_polar";
+    static constexpr int order = 4;
+    static constexpr bool as_printed = false, compensates = false, returns_energy = false;
+    static int integrate_A(const BodyView& bodies, scalar h, const FlightClock& clock);
+};
+
+} }  // namespace ingot
