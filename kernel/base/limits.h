@@ -24,6 +24,11 @@ inline constexpr scalar size_max     = scalar(1e6);    ///< m; bad_shape
 inline constexpr scalar step_min     = scalar(1e-9);   ///< s; bad_step
 inline constexpr scalar step_max     = scalar(1);      ///< s; bad_step
 
+// Ranges of motion. Forces may drive a body beyond what a call accepts; past these it is taken out of the motion, frozen and
+// reported, long before a product overflows.
+inline constexpr scalar speed_runaway = scalar(1e9);   ///< m/s
+inline constexpr scalar spin_runaway  = scalar(1e9);   ///< rad/s
+
 // Tolerances of input.
 /// Largest entry of |A^T A - 1| that is taken for a rotation; it is then made orthonormal at the door.
 inline constexpr scalar orthogonality = scalar(1e-2);

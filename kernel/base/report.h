@@ -5,8 +5,13 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
+/// Counts n more; a counter that is full stays full, and never begins anew.
+constexpr void count(uint16_t& counter, int n = 1) {
+    counter = n > UINT16_MAX - counter ? uint16_t(UINT16_MAX) : static_cast<uint16_t>(counter + n);
+}
+
 /// What a step has to say. Nothing is lost silently: a full array, a body taken out of the motion, an iteration that
-/// stopped at its bound each have a count here.
+/// stopped at its bound each have a count here, which stops at 65535.
 struct [[nodiscard]] StepReport {
     Status status;               ///< bad_step: the step was refused and nothing has changed
 

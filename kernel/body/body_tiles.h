@@ -90,9 +90,11 @@ inline constexpr uint16_t all_lanes = static_cast<uint16_t>((1ul << lanes) - 1ul
 /// Marks the bodies of a tile that are not good.
 INGOT_INLINE void mark_bad(uint16_t& bad, mask good) { bad = static_cast<uint16_t>(bad | (bits(good) ^ all_lanes)); }
 
-/// Stores `next` where it is finite; where it is not, the old value stays and the body is marked bad.
-INGOT_INLINE void store_if_finite(scalar (&to)[3][lanes], const Vec3<lane>& next, uint16_t& bad) {
-    const auto good = is_finite(next);
+/// Stores `next` where no component is beyond the limit; where one is, or is NaN, the old value stays and the body is marked
+/// bad.
+INGOT_INLINE void store_if_within(scalar limit, scalar (&to)[3][lanes], const Vec3<lane>& next, uint16_t& bad) {
+    const lane most = splat<lane>(limit);
+    const mask good = both(both(abs(next.x) <= most, abs(next.y) <= most), abs(next.z) <= most);
     store(to, select(good, next, load(to)));
     mark_bad(bad, good);
 }

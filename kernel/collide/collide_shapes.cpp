@@ -2,6 +2,7 @@
 #include "collide_shapes.h"
 
 #include "../base/checks.h"
+#include "../base/report.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -12,7 +13,7 @@ void ContactSink::add(const Vector& n, const Vector& lever_A, const Vector& leve
     if (index < contacts.capacity) {
         ++*contacts.count;
     } else {
-        ++*lost;
+        count(*lost);
         index = 0;
         for (int contact_i = 1; contact_i < contacts.capacity; ++contact_i)
             if (contacts.contacts[contact_i].separation > contacts.contacts[index].separation) index = contact_i;

@@ -26,7 +26,7 @@ void collide_pair(const Placed& A, const Placed& B, ContactSink& sink, StepRepor
         if (are(ShapeKind::sphere, ShapeKind::half_space)) return collide_sphere_half_space(A, B, sink);
     if constexpr (Shapes::has(ShapeKind::box) && Shapes::has(ShapeKind::half_space))
         if (are(ShapeKind::box, ShapeKind::half_space)) return collide_box_half_space(A, B, sink);
-    ++report.pairs_untested;
+    count(report.pairs_untested);
 }
 
 /// Fills the contacts of the step, pair by pair in the order of the slots. Two bodies that cannot move do not touch.

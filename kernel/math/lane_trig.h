@@ -15,11 +15,10 @@ INGOT_INLINE lane nearest_whole(lane x) {
 
 /// sin_cos in lanes: sine and cosine of an angle in rad, |angle| <= 1000; the methods of motion/ that turn by given angles.
 ///
-/// Error: as sin_cos. Cost: about 40 flops, no division.
+/// Error: as sin_cos. Cost: about 65 flops, no division.
 INGOT_INLINE SinCosOf<lane> lane_sin_cos(lane angle) {
-    const lane q = nearest_whole(angle * splat<lane>(scalar(0.63661977236758134308)));
-    const lane r = ((angle - q * splat<lane>(half_pi_1)) - q * splat<lane>(half_pi_2)) - q * splat<lane>(half_pi_3);
-    const SinCosOf<lane> reduced = sin_cos_reduced(r);
+    const lane q = nearest_whole(angle * splat<lane>(two_over_pi));
+    const SinCosOf<lane> reduced = sin_cos_reduced(reduced_angle(angle, q));
 
     // The quadrant, q modulo 4, as -2 .. 2: odd ones swap sine and cosine.
     const lane quadrant = q - nearest_whole(q * splat<lane>(scalar(0.25))) * splat<lane>(4);

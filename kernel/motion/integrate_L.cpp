@@ -9,7 +9,7 @@ void integrate_L(const BodyView& bodies, scalar h) {
         const Vec3<lane> tau_T = load(tile.tau_T);
         const auto kicked = abs(tau_T.x) + abs(tau_T.y) + abs(tau_T.z) > lane{};
         if (!any(kicked)) continue;
-        store_if_finite(tile.L, load(tile.L) + tau_T * splat<lane>(h), tile.bad);
+        store_if_within(scalar_max, tile.L, load(tile.L) + tau_T * splat<lane>(h), tile.bad);
         tile.kicked = static_cast<uint16_t>(tile.kicked | bits(kicked));
     }
 }

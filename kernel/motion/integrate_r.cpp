@@ -8,14 +8,8 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
-/// Infinite where a coordinate is beyond limits::position_max, so that store_if_finite refuses it.
-INGOT_INLINE lane within_range(lane coordinate) {
-    const lane limit = splat<lane>(limits::position_max);
-    return select(abs(coordinate) <= limit, coordinate, splat<lane>(scalar(__builtin_huge_valf())));
-}
-
 INGOT_INLINE void store_position(TranslationTile& tile, const Vec3<lane>& r) {
-    store_if_finite(tile.r_CM, {within_range(r.x), within_range(r.y), within_range(r.z)}, tile.bad);
+    store_if_within(limits::position_max, tile.r_CM, r, tile.bad);
 }
 
 }  // namespace

@@ -9,8 +9,10 @@ void integrate_A_listing1(const BodyView& bodies, scalar h) {
     for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) {
         RotationTile& tile = bodies.rotation[tile_i];
         const Mat3<lane> A = load(tile.A);
-        const Mat3<lane> A_next = reorthogonalized(A + orientation_rate(load(tile.omega), A) * splat<lane>(h));
-        const auto good = is_finite(A_next);
+        const Mat3<lane> moved = A + orientation_rate(load(tile.omega), A) * splat<lane>(h);
+        const Mat3<lane> A_next = reorthogonalized(moved);
+        // A length that overflows would make its column zero, which is finite and no rotation.
+        const mask good = both(is_finite(A_next), is_finite(length_sq(moved.c0) + length_sq(moved.c1)));
         store(tile.A, select(good, A_next, A));
         mark_bad(tile.bad, good);
     }

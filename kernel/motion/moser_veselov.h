@@ -7,12 +7,12 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// See MoserVeselov.
+/// See DiscreteMoserVeselov.
 template <int order, bool compensate, bool energy_return>
 int integrate_A_moser_veselov(const BodyView& bodies, scalar h, const FlightClock& clock, int substeps_max);
 
-/// The default rotation method, the preprocessed discrete Moser-Veselov method: `using rotation = MoserVeselov<>;`. One path
-/// for asymmetric, symmetric, spherical and immovable bodies.
+/// The preprocessed discrete Moser-Veselov method: `using rotation = DiscreteMoserVeselov<4, false>;`. One path for
+/// asymmetric, symmetric, spherical and immovable bodies.
 ///
 /// order          2, 4, 6, 8, 10 for free bodies. In float 6 is at the floor from 15 Hz up; 10 in double.
 /// compensate     A is summed with the bits it loses: 36 bytes a body in float. Ten times less error over an hour.
@@ -30,7 +30,7 @@ int integrate_A_moser_veselov(const BodyView& bodies, scalar h, const FlightCloc
 /// Source:     McLachlan and Zanna 2005; Hairer and Vilmart 2006. The scaled form and the energy return are ours.
 template <int order_ = (INGOT_DOUBLE ? 10 : 6), bool compensate = true, bool energy_return = true,
           int substeps_max = limits::substeps_max>
-struct MoserVeselov {
+struct DiscreteMoserVeselov {
     static_assert(order_ == 2 || order_ == 4 || order_ == 6 || order_ == 8 || order_ == 10, "the orders are 2, 4, 6, 8 and 10");
     static_assert(substeps_max == 1 || substeps_max == 2 || substeps_max == 4 || substeps_max == 8 || substeps_max == 16,
                   "substeps_max is 1, 2, 4, 8 or 16");
@@ -44,5 +44,8 @@ struct MoserVeselov {
         return integrate_A_moser_veselov<order_, compensate, energy_return>(bodies, h, clock, substeps_max);
     }
 };
+
+/// The default rotation method, with all its options.
+using MoserVeselov = DiscreteMoserVeselov<>;
 
 } }  // namespace ingot

@@ -17,12 +17,33 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
+/// modified_inertia, with fewer terms for bodies whose terms drown in rounding.
+///
+/// The series is one of |omega| h, written in the energy H: where a body spins about an axis of large moment beside a small
+/// one (a needle end over end), H is far above (|omega| h)^2 and what counts is the small difference of large terms, of which
+/// rounding leaves epsilon H^(order/2 - 1). From where that passes 0.01, what the terms are worth at |omega| h = 0.5, they
+/// are left out, two orders at a time.
+template <int order>
+INGOT_INLINE ModifiedInertia<lane> trusted_modified_inertia(const Vec3<lane>& j, lane H, lane C) {
+    ModifiedInertia<lane> modified = modified_inertia<order>(j, H, C);
+    if constexpr (order > 2) {
+        constexpr scalar H_max = scalar(order == 4 ? (INGOT_DOUBLE ? 4.5e13 : 8.4e4) : order == 6 ? (INGOT_DOUBLE ? 6.7e6 : 290)
+                                      : order == 8 ? (INGOT_DOUBLE ? 3.5e4 : 43) : (INGOT_DOUBLE ? 2.6e3 : 17));
+        const mask drowned = H > splat<lane>(H_max);
+        if (any(drowned)) {
+            const ModifiedInertia<lane> shorter = trusted_modified_inertia<order - 2>(j, H, C);
+            modified = {select(drowned, shorter.S_minus_1, modified.S_minus_1), select(drowned, shorter.D, modified.D)};
+        }
+    }
+    return modified;
+}
+
 /// The Rodrigues vector of the turn of a free body with body-frame momentum y (see the top of this file).
 ///
 /// A lane leaves the loop when its c has settled, and keeps its bits while others go on.
 template <int order>
 INGOT_INLINE Vec3<lane> solve_turn(const Vec3<lane>& j, const Vec3<lane>& y, lane H, lane C) {
-    const ModifiedInertia<lane> modified = modified_inertia<order>(j, H, C);
+    const ModifiedInertia<lane> modified = trusted_modified_inertia<order>(j, H, C);
     const Vec3<lane> a = j + (j * modified.S_minus_1 + Vec3<lane>{modified.D, modified.D, modified.D});
     // (I2 - I3)/I1 of the modified moments, written without a difference of inverses: near-symmetric bodies lose nothing.
     const lane w = (modified.S_minus_1 + splat<lane>(1)) / (a.x * a.y * a.z);

@@ -27,8 +27,8 @@ void solve_contact_forces(const ContactView& contacts, const BodyView& bodies, s
         c.j = 0;
     }
     const SweepOutcome outcome = solve_active_contacts(contacts, bodies);
-    report.sweeps = static_cast<uint16_t>(report.sweeps + outcome.sweeps);
-    if (!outcome.finished) ++report.sweeps_unfinished;
+    count(report.sweeps, outcome.sweeps);
+    if (!outcome.finished) count(report.sweeps_unfinished);
 
     for (int contact_i = 0; contact_i < *contacts.count; ++contact_i) {
         Contact& c = contacts.contacts[contact_i];

@@ -29,14 +29,14 @@ void solve_impacts(const ContactView& contacts, const BodyView& bodies, scalar r
     int approaching = begin_wave(contacts, bodies, rest_speed);
     for (int wave_i = 0; approaching > 0 && wave_i < limits::impact_waves_max; ++wave_i) {
         const SweepOutcome outcome = solve_active_contacts(contacts, bodies);
-        report.sweeps = static_cast<uint16_t>(report.sweeps + outcome.sweeps);
-        if (!outcome.finished) ++report.sweeps_unfinished;
-        ++report.impact_waves;
+        count(report.sweeps, outcome.sweeps);
+        if (!outcome.finished) count(report.sweeps_unfinished);
+        count(report.impact_waves);
         for (int contact_i = 0; contact_i < *contacts.count; ++contact_i)
             contacts.contacts[contact_i].j_total += contacts.contacts[contact_i].j;
         approaching = begin_wave(contacts, bodies, rest_speed);
     }
-    report.impacts_left = static_cast<uint16_t>(approaching);
+    count(report.impacts_left, approaching);
 }
 
 } }  // namespace ingot

@@ -25,7 +25,7 @@ struct Scene {
     static constexpr bool translates   = false;
     static constexpr int  max_contacts = 0;      ///< points of contact in one step, 0 .. 65535
     using shapes   = Shapes<>;
-    using rotation = MoserVeselov<>;             ///< or another method of motion/
+    using rotation = MoserVeselov;               ///< or another method of motion/
 };
 
 template <class S>

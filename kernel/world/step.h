@@ -49,13 +49,13 @@ StepReport step(World<S>& world, scalar h) {
         if constexpr (collides<S>) solve_contact_forces(storage.contact_view(), bodies, h, report);
 
         const FlightClock clock{storage.steps, storage.h_changes_to(h)};
-        report.spins_clamped = static_cast<uint16_t>(S::rotation::integrate_A(bodies, h, clock));
+        count(report.spins_clamped, S::rotation::integrate_A(bodies, h, clock));
         if constexpr (S::translates) integrate_r(bodies, h, storage.gravity);
     }
 
     refresh_auxiliary(bodies);                                            // Eq. 20, then Eq. 18
     clear_forces(bodies);
-    report.bodies_frozen = static_cast<uint16_t>(freeze_bad_bodies(bodies));
+    count(report.bodies_frozen, freeze_bad_bodies(bodies));
     ++storage.steps;
     return report;
 }
