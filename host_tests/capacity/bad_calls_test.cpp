@@ -106,7 +106,7 @@ std::vector<Call> all_calls() {
                     [](World<Yard>& w, const Cast& c, const Args& a) { return w.apply_angular_impulse(c.heavy, a.k); });
     append(*numbers, "k", [](Args& a) -> Vector& { return a.k; });
 
-    numbers = &call("collide", [](World<Yard>& w, const Cast& c, const Args& a) { return w.collide(c.box, c.ball, a.P, a.n, a.e).status; });
+    numbers = &call("collide", [](World<Yard>& w, const Cast& c, const Args& a) { return w.collide(c.spinner, c.ball, a.P, a.n, a.e).status; });
     append(*numbers, "P", [](Args& a) -> Vector& { return a.P; });
     append(*numbers, "n", [](Args& a) -> Vector& { return a.n; });
     numbers->push_back({"e", [](Args& a) -> scalar& { return a.e; }});
