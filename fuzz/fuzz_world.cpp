@@ -329,7 +329,8 @@ private:
         const scalar h = in.step_length();
         for (; count > 0; --count) {
             memcpy(static_cast<void*>(&before_), &world_, sizeof world_);
-            const StepReport report = ingot::step(world_, h);
+            StepReport report = ingot::step(world_, h);
+            if (INGOT_FUZZ_FAULT == 3) ++report.bodies_frozen;
             refused(report.status);
             demand((report.status == Status::ok) == (h >= limits::step_min && h <= limits::step_max), "h is taken within its range");
             if (report.status != Status::ok) return;
@@ -392,6 +393,7 @@ private:
         const StepReport report = ingot::step(world_, h);
         demand(report.status == of_twin.status && report.contacts == of_twin.contacts && report.sweeps == of_twin.sweeps,
                "a copy reports the same");
+        if (INGOT_FUZZ_FAULT == 5) flip_a_bit(twin_);
         demand(same_bytes(&world_, &twin_, sizeof world_), "a copy steps to the same bytes");
         if (report.status == Status::ok) demand_report(report);
     }
@@ -415,11 +417,10 @@ private:
     // The promises.
 
     void refused(Status status) {
-        see(&status, sizeof status);
+        see_all(status);
+        if (INGOT_FUZZ_FAULT == 4) see_all(ingot::lanes);
         if (status == Status::ok) return;
-#if INGOT_FUZZ_FAULT == 1
-        reinterpret_cast<unsigned char*>(&world_)[sizeof world_ / 2] ^= 1u;
-#endif
+        if (INGOT_FUZZ_FAULT == 1) flip_a_bit(world_);
         demand(same_bytes(&world_, &before_, sizeof world_), "a refused call leaves the world bitwise unchanged");
     }
 
@@ -436,11 +437,7 @@ private:
     }
 
     void demand_all() {
-#if INGOT_FUZZ_FAULT == 2
-        corrupt(scalar(__builtin_nan("")));
-#elif INGOT_FUZZ_FAULT == 3
-        corrupt(scalar(1.5));
-#endif
+        if (INGOT_FUZZ_FAULT == 2) overwrite_A(scalar(1.5));
         int count = 0;
         for (int slot = 0; slot < S::max_bodies; ++slot) {
             const BodyId id = world_.body_at(slot);
@@ -506,21 +503,21 @@ private:
         return id;
     }
 
-#if INGOT_FUZZ_FAULT >= 2
-    /// Overwrites A of the first body where the world keeps it.
-    void corrupt(scalar with) {
-        const Result<BodyState> s = world_.state(world_.body_at(0));
-        if (!s.ok()) return;
+    // Faults.
+
+    static void flip_a_bit(World<S>& world) { reinterpret_cast<unsigned char*>(&world)[sizeof world / 2] ^= 1u; }
+
+    /// Overwrites an entry of A of the first body where the world keeps it.
+    static void overwrite_A(scalar with) {
+        const BodyId id = world_.body_at(0);
+        const Result<BodyState> s = world_.state(id);
         unsigned char* bytes = reinterpret_cast<unsigned char*>(&world_);
-        for (size_t at = 0; at + sizeof with <= sizeof world_; at += sizeof with) {
-            if (memcmp(bytes + at, &s.value.A.c0.x, sizeof with) == 0) {
-                memcpy(bytes + at, &with, sizeof with);
-                const BodyState now = world_.state(world_.body_at(0)).value;
-                if (memcmp(&now.A.c0.x, &with, sizeof with) == 0) return;
-            }
+        for (size_t at = 0; s.ok() && at + sizeof with <= sizeof world_; at += sizeof with) {
+            if (memcmp(bytes + at, &s.value.A.c0.x, sizeof with) != 0) continue;
+            memcpy(bytes + at, &with, sizeof with);
+            if (world_.state(id).value.A.c0.x == with) return;
         }
     }
-#endif
 
     static World<S> world_, before_, twin_;
     BodyId known_[known_max] = {};

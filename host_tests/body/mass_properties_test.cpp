@@ -128,6 +128,46 @@ TEST(Primitives, agree_with_the_table_within_4_ulps) {
     RecordProperty("worst_ulps", std::to_string(static_cast<double>(worst)));
 }
 
+/// The formulas of reference/README.md in long double: mass, height of the centre of mass, moments.
+struct Exact {
+    Real M, z, I_x, I_y, I_z;
+};
+
+void expect_exact(const MassDistribution& solid, const Exact& exact, const char* shape) {
+    // The capsule's I_x takes the most roundings: 6 for the mass of its ends, 4 for the squares, 3 to join them.
+    const auto expect_close = [&](scalar computed, Real value) { EXPECT_LE(std::abs(computed - value), gamma(13) * value) << shape; };
+    expect_close(solid.M, exact.M);
+    expect_close(solid.r_CM.z, exact.z);
+    expect_close(solid.I.xx, exact.I_x);
+    expect_close(solid.I.yy, exact.I_y);
+    expect_close(solid.I.zz, exact.I_z);
+}
+
+TEST(Primitives, of_any_size_are_their_formulas_within_13_roundings) {
+    constexpr Real pi = 3.14159265358979323846264338327950288L;
+    RandomInput random(21);
+    for (int i = 0; i < many; ++i) {
+        const scalar density = cast(random.real(0.1, 10000)), p = cast(std::abs(random.of_any_size(-10, 10))),
+                     q = cast(std::abs(random.of_any_size(-10, 10))), s = cast(std::abs(random.of_any_size(-10, 10)));
+        const Real d = density, r = p, h = q, c = s;
+        const Real ball = d * 4 * pi * r * r * r / 3, tube = d * pi * r * r * 2 * h, cone = tube / 6;
+        const Real brick = d * 8 * r * h * c, egg = d * 4 * pi * r * h * c / 3;
+        const Real tube_x = tube * (r * r / 4 + h * h / 3), cone_x = 3 * cone * (r * r / 20 + h * h / 80);
+        const Real capsule_x = tube_x + ball * (2 * r * r / 5 + h * h + 3 * h * r / 4);
+        expect_exact(ingot::solid_sphere(density, p), {ball, 0, 0.4L * ball * r * r, 0.4L * ball * r * r, 0.4L * ball * r * r}, "sphere");
+        expect_exact(ingot::solid_box(density, {p, q, s}),
+                     {brick, 0, brick * (h * h + c * c) / 3, brick * (r * r + c * c) / 3, brick * (r * r + h * h) / 3}, "box");
+        expect_exact(ingot::solid_cylinder(density, p, q), {tube, 0, tube_x, tube_x, tube * r * r / 2}, "cylinder");
+        expect_exact(ingot::solid_capsule(density, p, q),
+                     {tube + ball, 0, capsule_x, capsule_x, tube * r * r / 2 + 0.4L * ball * r * r}, "capsule");
+        expect_exact(ingot::solid_cone(density, p, q), {cone, h / 4, cone_x, cone_x, 0.3L * cone * r * r}, "cone");
+        expect_exact(ingot::solid_ellipsoid(density, {p, q, s}),
+                     {egg, 0, egg * (h * h + c * c) / 5, egg * (r * r + c * c) / 5, egg * (r * r + h * h) / 5}, "ellipsoid");
+        expect_exact(ingot::solid_hemisphere(density, p),
+                     {ball / 2, 3 * r / 8, 83 * ball * r * r / 640, 83 * ball * r * r / 640, 0.2L * ball * r * r}, "hemisphere");
+    }
+}
+
 TEST(Primitives, scale_with_density_and_size_to_the_bit_by_powers_of_two) {
     const CsvTable table("inertia_primitives.csv");
     for (std::size_t row = 0; row < table.row_count(); ++row) {

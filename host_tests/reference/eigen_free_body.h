@@ -10,7 +10,6 @@
 
 #include <Eigen/Dense>
 
-#include <array>
 #include <cmath>
 
 namespace ingot_reference {
@@ -45,7 +44,7 @@ private:
 
     void step(Real h) {
         // x[k] is the k-th Taylor coefficient: w, I w, and the rows of A.
-        std::array<Vector3, terms + 1> w, y, row[3];
+        Vector3 w[terms + 1], y[terms + 1], row[3][terms + 1];
         w[0] = w_;
         y[0] = I_.cwiseProduct(w_);
         for (int r = 0; r < 3; ++r) row[r][0] = A_.row(r).transpose();

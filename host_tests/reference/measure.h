@@ -52,6 +52,12 @@ long double worst_relative_error(const Computed& computed, const Exact& exact, c
     return worst;
 }
 
+/// Euclidean (or Frobenius) length, in double.
+template <class V>
+double length_of(const V& v) {
+    return static_cast<double>(v.norm());
+}
+
 /// Largest entry of |A - B|.
 template <class A, class B>
 double largest_difference(const A& a, const B& b) {

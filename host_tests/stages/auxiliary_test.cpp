@@ -32,8 +32,8 @@ TEST(RefreshAuxiliary, is_the_similarity_transform_and_its_product_with_L) {
             def.state.L = to_vector(random.vector(5));
             tiles.write(slot, def);
             defs.push_back(def);
-            set_lane(tiles.rotation(slot).inv_I_world, slot % ingot::lanes, ingot::SymmetricMatrix{});
-            set_lane(tiles.rotation(slot).omega, slot % ingot::lanes, ingot::Vector{});
+            ingot::set_lane(tiles.rotation(slot).inv_I_world, slot % ingot::lanes, ingot::SymmetricMatrix{});
+            ingot::set_lane(tiles.rotation(slot).omega, slot % ingot::lanes, ingot::Vector{});
         }
         ingot::refresh_auxiliary(tiles.view());
         for (int slot = 0; slot < slots; ++slot) {
@@ -41,13 +41,13 @@ TEST(RefreshAuxiliary, is_the_similarity_transform_and_its_product_with_L) {
             const Square A = to_eigen<long double>(s.A);
             const Column J = to_eigen<long double>(defs[static_cast<std::size_t>(slot)].mass.I_body).cwiseInverse();
             const Square inv_I = A * J.asDiagonal() * A.transpose();
-            const Square computed = to_eigen<long double>(lane_of(tiles.rotation(slot).inv_I_world, slot % ingot::lanes));
+            const Square computed = to_eigen<long double>(ingot::lane_of(tiles.rotation(slot).inv_I_world, slot % ingot::lanes));
             // 1 / I and its scaling: 2 roundings; a product and three products summed: 4
             ASSERT_LE(worst_relative_error(computed, inv_I, Square(A.cwiseAbs() * J.asDiagonal() * A.cwiseAbs().transpose())),
                       gamma<scalar>(6));
             const Column L = to_eigen<long double>(s.L);
             const Column omega = computed * L;
-            ASSERT_LE(worst_relative_error(to_eigen<long double>(lane_of(tiles.rotation(slot).omega, slot % ingot::lanes)), omega,
+            ASSERT_LE(worst_relative_error(to_eigen<long double>(ingot::lane_of(tiles.rotation(slot).omega, slot % ingot::lanes)), omega,
                                            Column(computed.cwiseAbs() * L.cwiseAbs())),
                       gamma<scalar>(3));
         }
@@ -68,11 +68,11 @@ TEST(RefreshAuxiliary, of_one_slot_has_the_bits_of_all) {
     ingot::refresh_auxiliary(all.view());
     for (int slot = 0; slot < slots; ++slot) {
         const int lane_i = slot % ingot::lanes;
-        set_lane(one.rotation(slot).omega, lane_i, ingot::Vector{});
-        set_lane(one.rotation(slot).inv_I_world, lane_i, ingot::SymmetricMatrix{});
+        ingot::set_lane(one.rotation(slot).omega, lane_i, ingot::Vector{});
+        ingot::set_lane(one.rotation(slot).inv_I_world, lane_i, ingot::SymmetricMatrix{});
         ingot::refresh_auxiliary_of(one.view(), slot);
-        EXPECT_EQ(to_eigen(lane_of(one.rotation(slot).omega, lane_i)), to_eigen(lane_of(all.rotation(slot).omega, lane_i)));
-        EXPECT_EQ(to_eigen(lane_of(one.rotation(slot).inv_I_world, lane_i)), to_eigen(lane_of(all.rotation(slot).inv_I_world, lane_i)));
+        EXPECT_EQ(to_eigen(ingot::lane_of(one.rotation(slot).omega, lane_i)), to_eigen(ingot::lane_of(all.rotation(slot).omega, lane_i)));
+        EXPECT_EQ(to_eigen(ingot::lane_of(one.rotation(slot).inv_I_world, lane_i)), to_eigen(ingot::lane_of(all.rotation(slot).inv_I_world, lane_i)));
     }
 }
 
@@ -82,8 +82,8 @@ TEST(RefreshAuxiliary, immovable_bodies_have_neither) {
     wall.immovable = true;
     tiles.write(0, wall);
     ingot::refresh_auxiliary(tiles.view());
-    EXPECT_EQ(to_eigen(lane_of(tiles.rotation(0).inv_I_world, 0)), Eigen::Matrix3d(Eigen::Matrix3d::Zero()));
-    EXPECT_EQ(to_eigen(lane_of(tiles.rotation(0).omega, 0)), Eigen::Vector3d(0, 0, 0));
+    EXPECT_EQ(to_eigen(ingot::lane_of(tiles.rotation(0).inv_I_world, 0)), Eigen::Matrix3d(Eigen::Matrix3d::Zero()));
+    EXPECT_EQ(to_eigen(ingot::lane_of(tiles.rotation(0).omega, 0)), Eigen::Vector3d(0, 0, 0));
 }
 
 /// Eq. 17 and Eq. 18 are inverses of each other.

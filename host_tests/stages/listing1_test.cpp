@@ -96,15 +96,15 @@ TEST(Listing1, every_step_is_the_printed_one) {
             const Reference before = expected[i];
             double sum_of_forces = 0, sum_of_moments = 0;  // of magnitudes
             for (const Push& push : all[i]) {
-                sum_of_forces += to_eigen(push.F).norm();
-                sum_of_moments += to_eigen(push.F).norm() * (to_eigen(push.P).norm() + before.r.norm());
+                sum_of_forces += length_of(to_eigen(push.F));
+                sum_of_moments += length_of(to_eigen(push.F)) * (length_of(to_eigen(push.P)) + length_of(before.r));
             }
             expected[i].step(static_cast<long double>(h), forces(bodies[i], before, all[i]));
             const ingot::BodyState after = world.state(bodies[i].id).value;
-            const double v_size = before.v.norm(), L_size = before.L.norm(), inv_I = 1 / bodies[i].I.minCoeff();
+            const double v_size = length_of(before.v), L_size = length_of(before.L), inv_I = 1 / bodies[i].I.minCoeff();
 
             // r + h v: a product and a sum
-            ASSERT_LE(largest_difference(to_eigen(after.r_CM), expected[i].r), 2 * u * (before.r.norm() + h * v_size));
+            ASSERT_LE(largest_difference(to_eigen(after.r_CM), expected[i].r), 2 * u * (length_of(before.r) + h * v_size));
             // two forces summed, times an inverse mass, plus g, times h, added to v: 6 roundings
             ASSERT_LE(largest_difference(to_eigen(after.v_CM), expected[i].v),
                       6 * u * (v_size + h * (sum_of_forces / bodies[i].M + gravity.norm())));
@@ -116,16 +116,16 @@ TEST(Listing1, every_step_is_the_printed_one) {
             // The error of A counts twice in I^-1, which is smaller than inv_I, and once more in sums of three.
             const double inv_I_error = 3 * (6 + 2 * (40 + 27 * h * inv_I * L_size)) * u * inv_I;
             ASSERT_LE(largest_difference(to_eigen(world.omega(bodies[i].id).value), expected[i].omega),
-                      (inv_I_error + 3 * u * inv_I) * 1.8 * expected[i].L.norm());
+                      (inv_I_error + 3 * u * inv_I) * 1.8 * length_of(expected[i].L));
         }
     }
 }
 
 /// Distance of two states in A, and in the rest relative to scales of the motion.
 double distance(const Reference& a, const Reference& b) {
-    return std::max({largest_difference(a.A, b.A), largest_difference(a.L, b.L) / static_cast<double>(1 + b.L.norm()),
-                     largest_difference(a.v, b.v) / static_cast<double>(1 + b.v.norm()),
-                     largest_difference(a.r, b.r) / static_cast<double>(1 + b.r.norm())});
+    return std::max({largest_difference(a.A, b.A), largest_difference(a.L, b.L) / (1 + length_of(b.L)),
+                     largest_difference(a.v, b.v) / (1 + length_of(b.v)),
+                     largest_difference(a.r, b.r) / (1 + length_of(b.r))});
 }
 
 /// Left alone, kernel and reference part as fast as roundings grow. How fast that is the reference itself tells: its twin,

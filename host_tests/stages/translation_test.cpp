@@ -68,7 +68,7 @@ TEST(Translation, constant_force_gives_the_parabola_to_rounding) {
         const Column a = to_eigen<long double>(F) / M_used + to_eigen<long double>(g);
         const Column r_0 = to_eigen<long double>(def.state.r_CM), v_0 = to_eigen<long double>(def.state.v_CM);
         const ingot::BodyState s = world.state(id).value;
-        const double v_max = static_cast<double>(v_0.norm() + a.norm() * t), r_max = static_cast<double>(r_0.norm()) + v_max * static_cast<double>(t);
+        const double v_max = static_cast<double>(v_0.norm() + a.norm() * t), r_max = length_of(r_0) + v_max * static_cast<double>(t);
         const double v_bound = 3 * u * steps * v_max;
         ASSERT_LE(largest_difference(to_eigen(s.v_CM), Column(v_0 + a * t)), v_bound);
         ASSERT_LE(largest_difference(to_eigen(s.r_CM), Column(r_0 + v_0 * t + a * t * t / 2)),
@@ -110,7 +110,7 @@ TEST(Translation, r_follows_the_mean_of_the_velocities) {
         def.state.v_CM = to_vector(random.vector(3));
         tiles.write(slot, def);
         const ingot::Vector push = to_vector(random.vector(5));
-        set_lane(tiles.translation(slot).F_T, slot % ingot::lanes, push);
+        ingot::set_lane(tiles.translation(slot).F_T, slot % ingot::lanes, push);
         r.push_back(to_eigen<long double>(def.state.r_CM));
         v.push_back(to_eigen<long double>(def.state.v_CM));
         F.push_back(to_eigen<long double>(push));
@@ -123,7 +123,7 @@ TEST(Translation, r_follows_the_mean_of_the_velocities) {
         const double v_size = static_cast<double>(v[i].norm() + dv.norm());
         EXPECT_LE(largest_difference(to_eigen(tiles.state(slot).v_CM), Column(v[i] + dv)), 3 * u * v_size);
         EXPECT_LE(largest_difference(to_eigen(tiles.state(slot).r_CM), Column(r[i] + (v[i] + dv / 2) * static_cast<long double>(h))),
-                  u * (static_cast<double>(r[i].norm()) + 8 * h * v_size));  // the last sum, and the roundings of v_mid
+                  u * (length_of(r[i]) + 8 * h * v_size));  // the last sum, and the roundings of v_mid
     }
 }
 
@@ -164,14 +164,14 @@ TEST(IntegrateL, adds_the_impulse_of_the_torque_and_tells_free_flight_that_it_en
         tiles.rotation(slot).kicked = 0;
     }
     const int last = ingot::lanes;
-    set_lane(tiles.rotation(last).tau_T, 0, ingot::Vector{4, -8, 0});
+    ingot::set_lane(tiles.rotation(last).tau_T, 0, ingot::Vector{4, -8, 0});
     ingot::integrate_L(tiles.view(), scalar(0.25));
     EXPECT_EQ(to_eigen(tiles.state(last).L), Eigen::Vector3d(2, 0, 3));
     EXPECT_EQ(tiles.rotation(last).kicked, 1u);
     EXPECT_EQ(to_eigen(tiles.state(0).L), Eigen::Vector3d(1, 2, 3));
     EXPECT_EQ(tiles.rotation(0).kicked, 0u) << "a torque of zero does not end the flight";
     ingot::clear_forces(tiles.view());
-    EXPECT_EQ(to_eigen(lane_of(tiles.rotation(last).tau_T, 0)), Eigen::Vector3d(0, 0, 0));
+    EXPECT_EQ(to_eigen(ingot::lane_of(tiles.rotation(last).tau_T, 0)), Eigen::Vector3d(0, 0, 0));
 }
 
 }  // namespace

@@ -7,7 +7,8 @@ namespace ingot { inline namespace INGOT_ABI {
 
 /// Counts n more; a counter that is full stays full, and never begins anew.
 constexpr void count(uint16_t& counter, int n = 1) {
-    counter = n > UINT16_MAX - counter ? uint16_t(UINT16_MAX) : static_cast<uint16_t>(counter + n);
+    constexpr int full = 65535;
+    counter = static_cast<uint16_t>(n > full - counter ? full : counter + n);
 }
 
 /// What a step has to say. Nothing is lost silently: a full array, a body taken out of the motion, an iteration that

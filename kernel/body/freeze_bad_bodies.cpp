@@ -15,6 +15,7 @@ void make_immovable(const BodyView& bodies, Place at) {
     set_lane(rotation.L, at.lane, Vector{});
     set_lane(rotation.omega, at.lane, Vector{});
     set_lane(rotation.tau_T, at.lane, Vector{});
+    if (bodies.compensation != nullptr) set_lane(bodies.compensation[at.tile].A_low, at.lane, Matrix{});
     if (bodies.energy != nullptr) bodies.energy[at.tile].E_0[at.lane] = 0;
     if (bodies.translation != nullptr) {
         TranslationTile& translation = bodies.translation[at.tile];
@@ -55,7 +56,6 @@ void set_identity_body(const BodyView& bodies, int slot) {
     set_lane(rotation.A, at.lane, identity_matrix<scalar>());
     rotation.bad = static_cast<uint16_t>(rotation.bad & others);
     rotation.kicked = static_cast<uint16_t>(rotation.kicked & others);
-    if (bodies.compensation != nullptr) set_lane(bodies.compensation[at.tile].A_low, at.lane, Matrix{});
     if (bodies.translation != nullptr) {
         TranslationTile& translation = bodies.translation[at.tile];
         set_lane(translation.r_CM, at.lane, Vector{});

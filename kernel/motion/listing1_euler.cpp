@@ -13,7 +13,8 @@ void integrate_A_listing1(const BodyView& bodies, scalar h) {
         const Mat3<lane> A_next = reorthogonalized(moved);
         // A length that overflows would make its column zero, which is finite and no rotation.
         const mask good = both(is_finite(A_next), is_finite(length_sq(moved.c0) + length_sq(moved.c1)));
-        store(tile.A, select(good, A_next, A));
+        const mask movable = load(tile.inv_I_scale) > lane{};  // an immovable body keeps its A to the bit
+        store(tile.A, select(both(good, movable), A_next, A));
         mark_bad(tile.bad, good);
     }
 }

@@ -140,9 +140,15 @@ int integrate_A_moser_veselov(const BodyView& bodies, scalar h, const FlightCloc
             if (substep_i >= substeps_max || !any(turning)) break;
             y = transpose_times(A, L) * step;
         }
-        // With compensation the correction enters at the next step, with the digits it has.
-        if (polar_step && compensate) A_low = A_low + polar_correction(A);
-        if (polar_step && !compensate) A = A + polar_correction(A);
+        if (polar_step) {
+            // An immovable body keeps its A to the bit. With compensation the correction enters at the next step, with the
+            // digits it has.
+            const Mat3<lane> correction = select(load(tile.inv_I_scale) > lane{}, polar_correction(A), Mat3<lane>{});
+            if constexpr (compensate)
+                A_low = A_low + correction;
+            else
+                A = A + correction;
+        }
 
         store(tile.A, A);
         if constexpr (compensate) store(bodies.compensation[tile_i].A_low, A_low);

@@ -81,7 +81,8 @@ INGOT_INLINE void integrate_tiles(const BodyView& bodies, scalar h, const Turned
         const Vec3<lane> L = load(tile.L) - load(tile.tau_T) * splat<lane>(h * scalar(0.5));
         const Mat3<lane> A_next = turned(A, inv_I_body, L);
         const mask good = is_finite(A_next);
-        store(tile.A, select(good, A_next, A));
+        const mask movable = load(tile.inv_I_scale) > lane{};  // an immovable body keeps its A to the bit
+        store(tile.A, select(both(good, movable), A_next, A));
         tile.kicked = 0;
         mark_bad(tile.bad, good);
     }

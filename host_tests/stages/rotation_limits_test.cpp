@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+// Where the default rotation method ends: substeps, the clamp, changing steps, spins of nothing and of everything.
+#include <gtest/gtest.h>
+#include <ingot/ingot.h>
+
+#include <limits>
+
+#include "flown_case.h"
+#include "reference/eigen_free_body.h"
+#include "reference/random_input.h"
+
+namespace {
+
+using namespace ingot_reference;
+using ingot::scalar;
+using ingot_stages::twice_energy;
+using Column = Eigen::Matrix<long double, 3, 1>;
+using Square = Eigen::Matrix<long double, 3, 3>;
+using World = ingot::World<ingot_stages::Flyer>;
+
+constexpr bool is_double = INGOT_DOUBLE != 0;
+constexpr double u = static_cast<double>(roundoff<scalar>);
+
+struct Spinner {
+    World world{};
+    ingot::BodyId id;
+    Column I;
+
+    Spinner(const Eigen::Vector3d& moments, const Eigen::Matrix3d& A, const Eigen::Vector3d& L) : I(to_eigen<long double>(to_vector(moments))) {
+        ingot::BodyDef def = definition(1, moments);
+        def.state.A = to_matrix(A);
+        def.state.L = to_vector(L);
+        id = world.add(def).value;
+    }
+    ingot::BodyState state() const { return world.state(id).value; }
+    FreeBody exact() const { return {I, rotation_of(state()), to_eigen<long double>(state().L)}; }
+    static Square rotation_of(const ingot::BodyState& s) {
+        Square A = to_eigen<long double>(s.A);
+        A += A * (Square::Identity() - A.transpose() * A) / 2;  // what it is but for its own rounding
+        return A;
+    }
+};
+
+/// Spins of up to 8 rad a step, in substeps of at most 1/2 rad: the error of a substep is that of the order test, 5e-12 (double)
+/// or 1.3e-5 (float) at the most, 16 of them a step; the motion of a body of ratio 3 carries it on at most 10 times.
+TEST(Substeps, spins_up_to_8_rad_a_step_are_followed) {
+    RandomInput random(131);
+    for (const double angle : {0.3, 0.49, 0.51, 0.99, 1.01, 1.99, 2.01, 3.99, 4.01, 6.0, 7.5}) {
+        for (int i = 0; i < 4; ++i) {
+            const Eigen::Matrix3d A = random.rotation();
+            const Eigen::Vector3d moments(1, 2, 2.5), w = random.direction();
+            const double h = 1.0 / 64;
+            // The spin of a free body grows by at most sqrt(2 E / I_min) / |w|: stay below the clamp all along.
+            const double peak = std::sqrt(w.dot(moments.cwiseProduct(w)) / moments.minCoeff());
+            const Eigen::Vector3d spin = w * (angle / h) / (angle > 4 ? peak : 1);
+            Spinner body(moments, A, A * moments.cwiseProduct(spin));
+            FreeBody exact = body.exact();
+            const long double energy = twice_energy(body.state(), body.I);
+            for (int step_i = 0; step_i < 16; ++step_i) {
+                ASSERT_TRUE(ingot::step(body.world, static_cast<scalar>(h)).clean()) << angle;
+                exact.advance(static_cast<long double>(h));
+            }
+            EXPECT_LE(attitude_error(to_eigen<long double>(body.state().A), exact.A()), 16 * 16 * 10 * (is_double ? 5e-12 : 1.3e-5)) << angle;
+            EXPECT_LE(static_cast<double>(std::abs(twice_energy(body.state(), body.I) / energy - 1)), 16 * u) << angle;
+        }
+    }
+}
+
+/// Beyond 8 rad a step the turn is 8 rad about the same axis, and the report says so.
+TEST(Substeps, spins_beyond_8_rad_a_step_are_clamped_and_reported) {
+    RandomInput random(132);
+    for (const double angle : {8.1, 20.0, 1000.0}) {
+        const Eigen::Matrix3d A = random.rotation();
+        const Eigen::Vector3d axis = random.direction();
+        Spinner body(Eigen::Vector3d(1, 1, 1), A, axis * angle * 64);
+        const ingot::BodyState begin = body.state();
+        const ingot::StepReport report = ingot::step(body.world, scalar(1) / 64);
+        EXPECT_EQ(report.spins_clamped, 1) << angle;
+        EXPECT_FALSE(report.clean());
+        EXPECT_EQ(report.bodies_frozen, 0);
+        const Square expected = Eigen::AngleAxis<long double>(8, axis.cast<long double>()).toRotationMatrix() * Spinner::rotation_of(begin);
+        // A sphere, 16 turns of 1/2 rad: each lacks angle^(order + 1) / (order + 1)!, and rounds like any.
+        const double lacking = 16 * (is_double ? std::pow(0.5, 11) / 39916800 : std::pow(0.5, 7) / 5040);
+        EXPECT_LE(attitude_error(to_eigen<long double>(body.state().A), expected), 1.3 * lacking + 64 * u) << angle;
+        EXPECT_TRUE(ingot_stages::same_L(body.state(), begin));
+        EXPECT_EQ(ingot::step(body.world, scalar(1) / 1024).spins_clamped, angle / 16 > 8 ? 1 : 0) << "a smaller step ends it";
+    }
+}
+
+/// R12.
+TEST(Substeps, huge_spin_stays_a_rotation) {
+    RandomInput random(133);
+    const Eigen::Vector3d moments(1, 2, 2.5);
+    Spinner body(moments, random.rotation(), Eigen::Vector3d(6e5, -5e5, 3e5));
+    const ingot::BodyState begin = body.state();
+    for (int step_i = 0; step_i < 600; ++step_i) {
+        const ingot::StepReport report = ingot::step(body.world, scalar(1) / 60);
+        ASSERT_EQ(report.spins_clamped, 1);
+        ASSERT_EQ(report.bodies_frozen, 0);
+        ASSERT_LE(orthogonality_defect(to_eigen(body.state().A)), 1e-6);
+    }
+    EXPECT_TRUE(ingot_stages::same_L(body.state(), begin));
+}
+
+/// R11, and spins down to where the energy underflows: nothing moves, nothing is lost, nothing is NaN.
+TEST(Substeps, vanishing_spin_leaves_the_attitude_alone) {
+    const double tiny = is_double ? 1e-310 : 1e-40;
+    for (const double spin : {tiny, std::sqrt(static_cast<double>(std::numeric_limits<scalar>::min())), 1e-3 * u}) {
+        Spinner body(Eigen::Vector3d(1, 2, 2.5), Eigen::Matrix3d::Identity(), Eigen::Vector3d(spin, -spin, spin));
+        const ingot::BodyState begin = body.state();
+        for (int step_i = 0; step_i < 1000; ++step_i) ASSERT_TRUE(ingot::step(body.world, scalar(1) / 64).clean());
+        EXPECT_LE(largest_difference(to_eigen(body.state().A), to_eigen(begin.A)), 1000.0 / 64 * spin + 2 * u) << spin;
+        EXPECT_TRUE(ingot_stages::same_L(body.state(), begin));
+    }
+}
+
+TEST(Substeps, a_body_at_rest_rests) {
+    RandomInput random(134);
+    Spinner body(Eigen::Vector3d(1, 2, 2.5), random.rotation(), Eigen::Vector3d::Zero());
+    // The polar step takes off what rounding left in A at the begin.
+    for (int step_i = 0; step_i < 16; ++step_i) ASSERT_TRUE(ingot::step(body.world, scalar(1) / 60).clean());
+    const ingot::BodyState begin = body.state();
+    for (int step_i = 0; step_i < 1000; ++step_i) ASSERT_TRUE(ingot::step(body.world, scalar(1) / 60).clean());
+    EXPECT_LE(largest_difference(to_eigen(body.state().A), to_eigen(begin.A)), 2 * u);
+}
+
+/// A4: the smallest step and the largest.
+TEST(Steps, from_a_nanosecond_to_a_second) {
+    Spinner body(Eigen::Vector3d(1, 2, 2.5), Eigen::Matrix3d::Identity(), Eigen::Vector3d(0.5, 1, 2));
+    FreeBody exact = body.exact();
+    for (const scalar h : {ingot::limits::step_min, ingot::limits::step_max}) {
+        for (int step_i = 0; step_i < 100; ++step_i) ASSERT_TRUE(ingot::step(body.world, h).clean());
+        exact.advance(100 * static_cast<long double>(h));
+        // at a second |omega| h <= 1, in substeps of at most 1/2 rad: 200 of them, 5e-12 or 1.3e-5 each (see above)
+        ASSERT_LE(attitude_error(to_eigen<long double>(body.state().A), exact.A()), h < 1 ? 8 * u : 200 * 10 * (is_double ? 5e-12 : 1.3e-5));
+    }
+    for (const scalar h : {scalar(0), scalar(-1), std::numeric_limits<scalar>::quiet_NaN(), scalar(1.01)})
+        EXPECT_EQ(ingot::step(body.world, h).status, ingot::Status::bad_step);
+}
+
+/// A changed h is a new begin for what is kept in units of h, and for nothing else.
+TEST(Steps, may_change_at_any_time) {
+    RandomInput random(135);
+    Spinner body(Eigen::Vector3d(1, 2, 3), Eigen::Matrix3d::Identity(), Eigen::Vector3d(0.5, 2, 2.25));
+    FreeBody exact = body.exact();
+    const long double energy = twice_energy(body.state(), body.I);
+    double turned = 0;
+    for (int step_i = 0; step_i < 3600; ++step_i) {
+        const scalar h = static_cast<scalar>(std::ldexp(random.integer(8, 24), -10));  // 1/128 .. 3/128 s, exact
+        ASSERT_TRUE(ingot::step(body.world, h).clean());
+        exact.advance(static_cast<long double>(h));
+        turned += 1.5 * static_cast<double>(h);
+        // the bar of the book case, by the radian: 1e-9 (double) or 1e-5 (float) for 81 rad
+        if (step_i % 60 == 0) {
+            ASSERT_LE(attitude_error(to_eigen<long double>(body.state().A), exact.A()), (1 + turned / 81) * (is_double ? 1e-12 : 1e-5));
+        }
+    }
+    // With h changing the energy cannot be held to one value: each step adds a rounding or two, of random sign.
+    EXPECT_LE(static_cast<double>(std::abs(twice_energy(body.state(), body.I) / energy - 1)), 4 * std::sqrt(3600.0) * u);
+}
+
+}  // namespace
