@@ -44,7 +44,9 @@ SymmetricMatrix tensor_of(const Eigen::Matrix3d& S) {
     return {s(S(0, 0)), s(S(1, 1)), s(S(2, 2)), s(S(0, 1)), s(S(0, 2)), s(S(1, 2))};
 }
 
-SymmetricMatrix turned(const Eigen::Vector3d& moments, const Eigen::Matrix3d& A) {
+/// The tensor of these moments, turned at will.
+SymmetricMatrix turned(const Eigen::Vector3d& moments, RandomInput& random) {
+    const Eigen::Matrix3d A = random.rotation();
     return tensor_of(A * moments.asDiagonal() * A.transpose());
 }
 
@@ -124,7 +126,8 @@ constexpr int many = 5000;
 TEST(PrincipalAxes, of_random_solids_are_eigen_s) {
     RandomInput random(1);
     Worst worst("random", moments_bound);
-    for (int i = 0; i < many; ++i) worst.check(turned(random.moments(std::ldexp(1.0, random.integer(-20, 20))), random.rotation()));
+    for (int i = 0; i < many; ++i)
+        worst.check(turned(random.moments(std::ldexp(1.0, random.integer(-20, 20))), random));
 }
 
 TEST(PrincipalAxes, of_random_symmetric_matrices_are_eigen_s) {
@@ -145,7 +148,7 @@ TEST(PrincipalAxes, of_two_or_three_equal_moments_are_eigen_s) {
         const double I = random.real(0.5, 2);
         Eigen::Vector3d moments(I, I, i % 3 == 0 ? I : random.real(0.1, 1.9) * I);
         if (i % 2 == 0) std::swap(moments(random.integer(0, 2)), moments(2));
-        worst.check(turned(moments, random.rotation()));
+        worst.check(turned(moments, random));
     }
 }
 
@@ -155,7 +158,7 @@ TEST(PrincipalAxes, of_nearly_equal_moments_are_eigen_s) {
     for (int i = 0; i < many; ++i) {
         const double I = random.real(0.5, 2);
         const auto near_I = [&] { return I * (1 + random.of_any_size(-56, -4)); };
-        worst.check(turned({near_I(), near_I(), i % 2 == 0 ? near_I() : I * random.real(0.5, 1.5)}, random.rotation()));
+        worst.check(turned({near_I(), near_I(), i % 2 == 0 ? near_I() : I * random.real(0.5, 1.5)}, random));
     }
 }
 
@@ -163,8 +166,9 @@ TEST(PrincipalAxes, of_rods_and_plates_1000_to_1_are_eigen_s) {
     RandomInput random(5);
     Worst worst("sliver", equal_moments_bound);
     for (int i = 0; i < many; ++i) {
-        const double a = random.real(900, 1100), b = i % 2 == 0 ? random.real(900, 1100) : random.real(0.9, 1.1), c = random.real(0.9, 1.1);
-        worst.check(turned({b * b + c * c, a * a + c * c, a * a + b * b}, random.rotation()));
+        const double a = random.real(900, 1100), b = i % 2 == 0 ? random.real(900, 1100) : random.real(0.9, 1.1),
+                     c = random.real(0.9, 1.1);
+        worst.check(turned({b * b + c * c, a * a + c * c, a * a + b * b}, random));
     }
 }
 
@@ -193,7 +197,7 @@ TEST(PrincipalAxes, of_singular_and_structured_matrices_are_eigen_s) {
 TEST(PrincipalAxes, scale_with_the_tensor_by_powers_of_two_to_the_bit) {
     RandomInput random(7);
     for (int i = 0; i < many; ++i) {
-        const SymmetricMatrix S = turned(random.moments(1), random.rotation());
+        const SymmetricMatrix S = turned(random.moments(1), random);
         const scalar factor = static_cast<scalar>(std::ldexp(1.0, random.integer(-55, 55)));
         const ingot::PrincipalAxes a = ingot::principal_axes(S).value, b = ingot::principal_axes(S * factor).value;
         EXPECT_EQ(to_eigen(a.A), to_eigen(b.A));
@@ -218,7 +222,8 @@ TEST(PrincipalAxes, of_a_ball_or_cube_turned_at_will_stay_the_user_s) {
     RandomInput random(9);
     for (int i = 0; i < many; ++i) {
         const ingot::Matrix A = ingot_reference::to_matrix(random.rotation());
-        const ingot::MassDistribution cube = ingot::placed(ingot::solid_box(3, {scalar(0.7), scalar(0.7), scalar(0.7)}), A, {1, 2, 3});
+        const ingot::MassDistribution cube =
+            ingot::placed(ingot::solid_box(3, {scalar(0.7), scalar(0.7), scalar(0.7)}), A, {1, 2, 3});
         const ingot::Result<ingot::MassProperties> mass = ingot::principal(cube);
         ASSERT_EQ(mass.status, Status::ok);
         EXPECT_EQ(to_eigen(mass.value.A_principal), Eigen::Matrix3d::Identity());
@@ -231,13 +236,15 @@ TEST(PrincipalAxes, of_a_turn_below_45_degrees_about_an_axis_are_that_turn) {
     const ingot::MassDistribution box = ingot::solid_box(1, {1, 2, 3});
     for (int i = 0; i < many; ++i) {
         const double angle = random.real(-0.78, 0.78);
-        const ingot::Vector n = {i % 3 == 0 ? scalar(1) : scalar(0), i % 3 == 1 ? scalar(1) : scalar(0), i % 3 == 2 ? scalar(1) : scalar(0)};
+        const ingot::Vector n = {i % 3 == 0 ? scalar(1) : scalar(0), i % 3 == 1 ? scalar(1) : scalar(0),
+                                 i % 3 == 2 ? scalar(1) : scalar(0)};
         const ingot::Matrix A = ingot::axis_angle(n, static_cast<scalar>(angle));
         const ingot::Result<ingot::MassProperties> mass = ingot::principal(ingot::placed(box, A, {}));
         ASSERT_EQ(mass.status, Status::ok);
-        // The axes turn by the error of the tensor, which is below 9 epsilon of the largest moment (208), over the smallest gap (48).
+        // The axes turn by the error of the tensor, below 9 epsilon of the largest moment (208), over the smallest gap (48).
         EXPECT_LE(ingot_reference::largest_difference(to_eigen(mass.value.A_principal), to_eigen(A)), moments_bound * 208 / 48);
-        EXPECT_LE(ingot_reference::largest_difference(to_eigen(mass.value.I_body), Eigen::Vector3d(208, 160, 80)), moments_bound * 208);
+        EXPECT_LE(ingot_reference::largest_difference(to_eigen(mass.value.I_body), Eigen::Vector3d(208, 160, 80)),
+                  moments_bound * 208);
     }
 }
 

@@ -57,7 +57,9 @@ struct Case {
 Case random_case(RandomInput& random) {
     const auto size = [&] { return static_cast<scalar>(random.real(0.5, 2)); };
     Case c{};
-    c.solid = ingot::placed(ingot::solid_box(size(), {size(), size(), size()}), to_matrix(random.rotation()), to_vector(random.vector(4)));
+    const Vector half_extents = {size(), size(), size()};
+    const ingot::Matrix A = to_matrix(random.rotation());
+    c.solid = ingot::placed(ingot::solid_box(size(), half_extents), A, to_vector(random.vector(4)));
     c.mass = ingot::principal(c.solid).value;
     c.pose = {to_vector(random.vector(10)), to_matrix(random.rotation())};
     c.motion = {to_vector(random.vector(10)), to_vector(random.vector(10))};
@@ -103,10 +105,12 @@ TEST(UserFrame, points_of_the_model_are_points_of_the_body) {
         const Vector by_user = ingot::point_position(c.pose.r, c.pose.A, p);
         const Vector by_body = ingot::point_position(c.state.r_CM, c.state.A, p_body);
         const Real reach = norm(c.pose.r) + norm(p) + norm(c.mass.r_CM);
-        EXPECT_LE(difference(by_user, by_body), gamma(5 * 4 + 8) * std::sqrt(3.0L) * 2 * reach) << "five turns of four roundings";
+        EXPECT_LE(difference(by_user, by_body), gamma(5 * 4 + 8) * std::sqrt(3.0L) * 2 * reach)
+            << "five turns of four roundings";
         const Vector v_user = ingot::point_velocity(c.motion.v, c.motion.omega, by_user - c.pose.r);
         const Vector v_body = ingot::point_velocity(c.state.v_CM, c.motion.omega, by_body - c.state.r_CM);
-        EXPECT_LE(difference(v_user, v_body), gamma(5 * 4 + 8 + 8) * std::sqrt(3.0L) * 4 * (norm(c.motion.v) + norm(c.motion.omega) * reach));
+        EXPECT_LE(difference(v_user, v_body),
+                  gamma(5 * 4 + 8 + 8) * std::sqrt(3.0L) * 4 * (norm(c.motion.v) + norm(c.motion.omega) * reach));
     }
 }
 
@@ -117,7 +121,8 @@ TEST(UserFrame, angular_momentum_is_that_of_the_tensor_in_the_user_s_axes) {
         const Matrix3 A = to_eigen<Real>(c.pose.A), I = to_eigen<Real>(c.solid.I);
         const Vector3 L = A * I * A.transpose() * to_eigen<Real>(c.motion.omega);
         // The tensor is off by 50 u of its largest moment (principal_axes); two turns follow.
-        EXPECT_LE((to_eigen<Real>(c.state.L) - L).norm(), 3 * gamma(50 + 2 * 14 + 7) * to_eigen<Real>(c.mass.I_body).maxCoeff() * norm(c.motion.omega));
+        EXPECT_LE((to_eigen<Real>(c.state.L) - L).norm(),
+                  3 * gamma(50 + 2 * 14 + 7) * to_eigen<Real>(c.mass.I_body).maxCoeff() * norm(c.motion.omega));
     }
 }
 
@@ -175,8 +180,10 @@ TEST(UserFrame, of_a_body_in_a_world_flies_as_its_points_do) {
         // omega itself changes, by I^-1 (L x omega): both below twice the spread of the moments times omega^2 |r_CM|.
         const Vector3 I = to_eigen<Real>(c.mass.I_body);
         const Real omega = norm(c.motion.omega), a = (1 + I.maxCoeff() / I.minCoeff()) * omega * omega * norm(c.mass.r_CM);
-        const Vector3 moved = to_eigen<Real>(at_end.r) - to_eigen<Real>(at_start.r) - to_eigen<Real>(c.motion.v) * static_cast<Real>(h);
-        EXPECT_LE(moved.norm(), a * static_cast<Real>(h) * static_cast<Real>(h) + gamma(100) * (norm(c.pose.r) + norm(c.mass.r_CM)));
+        const Vector3 moved =
+            to_eigen<Real>(at_end.r) - to_eigen<Real>(at_start.r) - to_eigen<Real>(c.motion.v) * static_cast<Real>(h);
+        EXPECT_LE(moved.norm(),
+                  a * static_cast<Real>(h) * static_cast<Real>(h) + gamma(100) * (norm(c.pose.r) + norm(c.mass.r_CM)));
     }
 }
 

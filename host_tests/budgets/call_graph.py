@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: MIT
 """Worst-case stack of a function of a linked firmware, and proof that there is one.
 
-    call_graph.py --objdump arm-none-eabi-objdump --root step_of_scene firmware.elf kernel.cpp.ci scene.cpp.ci ...
+    call_graph.py --root step_of_scene firmware.elf --objects moser_veselov.cpp.obj step_of_scene.cpp.obj ...
 
-Frames come from the compiler (-fcallgraph-info=su) for all that it compiled, and from the disassembly for what came
-compiled: the soft-float helpers of libgcc, and memcpy and memset. Calls come from both. The compiler's graph knows a call
+Frames come from the compiler for all that it compiled (-fcallgraph-info=su leaves them beside the objects), and from the
+disassembly for what came compiled: the soft-float helpers of libgcc, memcpy and memset. Calls come from both. The compiler's graph knows a call
 through a pointer for what it is; the disassembly knows the helpers that the assembler writes in by itself.
 
 Fails on what has no bound: recursion, a frame of no fixed size, a call through a pointer, a stack pointer moved by an
@@ -13,6 +13,7 @@ instruction not known here.
 """
 import argparse
 import bisect
+import os
 import re
 import subprocess
 import sys
@@ -55,14 +56,16 @@ def push_bytes(mnemonic, operands):
         return WORD_BYTES * registers_in(operands)
     if base == "vpush" or (base == "vstmdb" and operands.startswith("sp!")):
         return registers_in(operands) * (DOUBLE_WORD_BYTES if "{d" in operands else WORD_BYTES)
-    if base in ("sub", "subs", "subw") and re.match(r"sp, (sp, )?#", operands):
-        return int(re.search(r"#(\d+)", operands)[1])
-    pre_indexed = re.search(r"\[sp, #-(\d+)\]!", operands)
+    by_number = re.match(r"sp, (?:sp, )?#(\d+)$", operands)
+    if by_number and base in ("sub", "subs", "subw", "add", "adds", "addw"):
+        return int(by_number[1]) if base.startswith("sub") else 0
+    pre_indexed = re.search(r"\[sp, #-(\d+)\]!$", operands)
     if base.startswith("str") and pre_indexed:
         return int(pre_indexed[1])
-    raises = base in ("pop", "vpop", "ldmia", "vldmia", "add") or re.search(r"\[sp\], #\d", operands)
-    writes_sp = operands.startswith("sp,") or operands.startswith("sp!") or operands.endswith("]!") and "[sp" in operands
-    return None if writes_sp and not raises else 0
+    if base in ("ldmia", "vldmia") and operands.startswith("sp!"):
+        return 0
+    writes_sp = re.match(r"sp[,!]", operands) or re.search(r"\[sp.*\]!$", operands)
+    return None if writes_sp else 0
 
 
 def read_disassembly(objdump, elf):
@@ -109,12 +112,12 @@ def read_disassembly(objdump, elf):
     return functions
 
 
-def read_compiler_graphs(paths):
+def read_compiler_graphs(objects):
     """Frames and calls that the compiler reports, by name. A name that two files use has the larger frame."""
     frames, faults, calls = {}, {}, {}
     plain = lambda title: title.rsplit(":", 1)[-1]  # local functions are called file:name
-    for path in paths:
-        with open(path, encoding="utf-8") as graph:
+    for path in objects:
+        with open(os.path.splitext(path)[0] + ".ci", encoding="utf-8") as graph:
             for line in graph:
                 node = re.match(r'node: \{ title: "([^"]+)" label: "[^"]*\\n(\d+) bytes \(([^)]*)\)', line)
                 if node:
@@ -131,10 +134,10 @@ def read_compiler_graphs(paths):
     return frames, faults, calls
 
 
-def read_firmware(objdump, elf, graph_paths):
+def read_firmware(objdump, elf, objects):
     """All functions by address, the compiler's word going before the disassembly's."""
     functions = read_disassembly(objdump, elf)
-    frames, faults, calls = read_compiler_graphs(graph_paths)
+    frames, faults, calls = read_compiler_graphs(objects)
     addresses = sorted(functions)
     by_name = {}
     for address in addresses:
@@ -171,9 +174,9 @@ def deepest(functions, address, path=(), known=None):
     return known[address]
 
 
-def worst_stack(objdump, elf, graph_paths, root):
+def worst_stack(objdump, elf, objects, root):
     """Bytes that a call of `root` needs, its own frame included, and the deepest way as (frame, name, compiled)."""
-    functions = read_firmware(objdump, elf, graph_paths)
+    functions = read_firmware(objdump, elf, objects)
     roots = [address for address, function in functions.items() if function.name == root]
     if len(roots) != 1:
         raise Unbounded("%d functions called %s in %s" % (len(roots), root, elf))
@@ -186,10 +189,10 @@ def main():
     parser.add_argument("--objdump", default="arm-none-eabi-objdump")
     parser.add_argument("--root", required=True, help="symbol of the function")
     parser.add_argument("elf")
-    parser.add_argument("graphs", nargs="*", help="files of -fcallgraph-info=su")
+    parser.add_argument("--objects", nargs="*", default=[], help="objects compiled with -fcallgraph-info=su")
     arguments = parser.parse_args()
     try:
-        total, way = worst_stack(arguments.objdump, arguments.elf, arguments.graphs, arguments.root)
+        total, way = worst_stack(arguments.objdump, arguments.elf, arguments.objects, arguments.root)
     except Unbounded as why:
         sys.exit("stack without bound: %s" % why)
     for frame, name, compiled in way:

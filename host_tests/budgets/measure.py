@@ -41,6 +41,7 @@ SHRINKAGE_MAX = 0.10
 EXACT = ("world_ram",)
 
 EXIT_SKIPPED = 77  # what ctest takes for "not run", see SKIP_RETURN_CODE
+RUN_SECONDS_MAX = 120  # of a firmware in the emulator; the longest takes 2
 
 
 class Failure(Exception):
@@ -74,10 +75,11 @@ def flash_of(elf):
 
 
 def run(emulator, elf):
-    """What a firmware prints, as {"label": number}. Run twice: a figure that differs between two runs is not a figure."""
+    """What a firmware prints, as {"label": number}. Run twice: what differs between two runs is not a figure."""
     printed = []
     for _ in range(2):
-        done = subprocess.run(emulator + [elf], stdout=subprocess.PIPE, universal_newlines=True, timeout=120)
+        done = subprocess.run(emulator + [elf], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                              universal_newlines=True, timeout=RUN_SECONDS_MAX)
         if done.returncode != 0:
             raise Failure("%s ended with %d:\n%s" % (elf, done.returncode, done.stdout))
         printed.append(done.stdout)
@@ -86,13 +88,14 @@ def run(emulator, elf):
     return {label: int(number) for label, number in re.findall(r"(\w+) (\d+)\b", printed[0])}
 
 
-def measure(build, scene, empty_flash, empty_printed):
+def measure(build, scene, nothing_flash, nothing_printed):
     """The row of a scene."""
     programs = build["scenes"][scene]
     flash = flash_of(programs["firmware"])
     printed = run(build["emulator"], programs["firmware"])
     try:
-        stack_computed, _ = call_graph.worst_stack(build["objdump"], programs["probe"], programs["graphs"], build["root"])
+        objects = build["kernel_objects"].split(";") + programs["objects"].split(";")
+        stack_computed, _ = call_graph.worst_stack(build["objdump"], programs["probe"], objects, build["root"])
     except call_graph.Unbounded as why:
         raise Failure("%s: stack without bound: %s" % (scene, why))
     stack_measured = run(build["emulator"], programs["probe"])["stack_bytes"]
@@ -102,14 +105,14 @@ def measure(build, scene, empty_flash, empty_printed):
     return {
         "scene": scene,
         "core": build["core"],
-        "flash": flash["all"] - empty_flash["all"],
+        "flash": flash["all"] - nothing_flash["all"],
         "kernel_flash": flash["kernel"],
-        "helpers_flash": flash["helpers"] - empty_flash["helpers"],
+        "helpers_flash": flash["helpers"] - nothing_flash["helpers"],
         "world_ram": printed["world_bytes"],
         "stack_computed": stack_computed,
         "stack_measured": stack_measured,
-        "instructions_mean": printed["instructions_per_step"] - empty_printed["instructions_per_step"],
-        "instructions_worst": printed["worst_step"] - empty_printed["worst_step"],
+        "instructions_mean": printed["instructions_per_step"] - nothing_printed["instructions_per_step"],
+        "instructions_worst": printed["worst_step"] - nothing_printed["worst_step"],
     }
 
 
@@ -177,6 +180,7 @@ def main():
     arguments = parser.parse_args()
 
     build = json.loads((arguments.build / "host_tests/budgets/budgets.json").read_text(encoding="utf-8"))
+    build["emulator"] = build["emulator"].split(";")
     if build["compiler"] != TABLE_COMPILER and (arguments.check or arguments.update):
         print("budgets.csv is of gcc %s, this build of gcc %s: not compared" % (TABLE_COMPILER, build["compiler"]))
         return EXIT_SKIPPED
@@ -184,8 +188,8 @@ def main():
     table = read_table(arguments.table) if arguments.table.exists() else {}
     scenes = arguments.scenes.split(",") if arguments.scenes else list(build["scenes"])
     try:
-        empty_flash, empty_printed = flash_of(build["empty"]), run(build["emulator"], build["empty"])
-        rows = [measure(build, scene, empty_flash, empty_printed) for scene in scenes]
+        nothing_flash, nothing_printed = flash_of(build["nothing"]), run(build["emulator"], build["nothing"])
+        rows = [measure(build, scene, nothing_flash, nothing_printed) for scene in scenes]
     except Failure as why:
         print("budgets: %s" % why)
         return 1

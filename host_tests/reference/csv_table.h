@@ -32,7 +32,8 @@ public:
         while (std::getline(file, line)) {
             std::vector<std::string> cells = cells_of(line);
             if (cells.size() == 1 && cells[0].empty()) continue;
-            if (cells.size() != columns_.size()) throw std::runtime_error(place(rows_.size()) + ": not as many cells as columns");
+            if (cells.size() != columns_.size())
+                throw std::runtime_error(place(rows_.size()) + ": not as many cells as columns");
             rows_.push_back(cells);
         }
     }

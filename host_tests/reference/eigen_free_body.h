@@ -40,29 +40,41 @@ private:
     static constexpr int terms = 24;
     static constexpr Real turn_per_step = 0.125L;
 
+    static void add_cross(const Real (&a)[3], const Real (&b)[3], Real (&sum)[3]) {
+        sum[0] += a[1] * b[2] - a[2] * b[1];
+        sum[1] += a[2] * b[0] - a[0] * b[2];
+        sum[2] += a[0] * b[1] - a[1] * b[0];
+    }
+
     void refresh_w() { w_ = (A_.transpose() * L_).cwiseQuotient(I_); }
 
+    /// One step of the series, in plain numbers: Eigen without optimisation would take ten times as long.
     void step(Real h) {
-        // x[k] is the k-th Taylor coefficient: w, I w, and the rows of A.
-        Vector3 w[terms + 1], y[terms + 1], row[3][terms + 1];
-        w[0] = w_;
-        y[0] = I_.cwiseProduct(w_);
-        for (int r = 0; r < 3; ++r) row[r][0] = A_.row(r).transpose();
+        // x[k] holds the k-th Taylor coefficients of w, I w and the rows of A, three numbers each.
+        Real w[terms + 1][3], y[terms + 1][3], row[3][terms + 1][3];
+        for (int i = 0; i < 3; ++i) {
+            w[0][i] = w_(i);
+            y[0][i] = I_(i) * w_(i);
+            for (int r = 0; r < 3; ++r) row[r][0][i] = A_(r, i);
+        }
         for (int k = 0; k < terms; ++k) {
-            Vector3 y_sum = Vector3::Zero(), row_sum[3] = {Vector3::Zero(), Vector3::Zero(), Vector3::Zero()};
+            Real y_sum[3] = {}, row_sum[3][3] = {};
             for (int i = 0; i <= k; ++i) {
-                y_sum += y[i].cross(w[k - i]);
-                for (int r = 0; r < 3; ++r) row_sum[r] += row[r][i].cross(w[k - i]);
+                add_cross(y[i], w[k - i], y_sum);
+                for (int r = 0; r < 3; ++r) add_cross(row[r][i], w[k - i], row_sum[r]);
             }
-            const Real next = k + 1;
-            y[k + 1] = y_sum / next;
-            w[k + 1] = y[k + 1].cwiseQuotient(I_);
-            for (int r = 0; r < 3; ++r) row[r][k + 1] = row_sum[r] / next;
+            for (int i = 0; i < 3; ++i) {
+                y[k + 1][i] = y_sum[i] / (k + 1);
+                w[k + 1][i] = y[k + 1][i] / I_(i);
+                for (int r = 0; r < 3; ++r) row[r][k + 1][i] = row_sum[r][i] / (k + 1);
+            }
         }
         for (int r = 0; r < 3; ++r) {
-            Vector3 sum = Vector3::Zero();
-            for (int k = terms; k >= 0; --k) sum = sum * h + row[r][k];
-            A_.row(r) = sum.transpose();
+            for (int i = 0; i < 3; ++i) {
+                Real sum = 0;
+                for (int k = terms; k >= 0; --k) sum = sum * h + row[r][k][i];
+                A_(r, i) = sum;
+            }
         }
         A_ += A_ * (Matrix3::Identity() - A_.transpose() * A_) / 2;  // keeps A A^T = 1; what it takes off is rounding
         refresh_w();

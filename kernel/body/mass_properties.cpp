@@ -15,7 +15,8 @@ static_assert(mesh.ok() && mesh.value.M == 36 && tetrahedron.M == 36, "base time
 static_assert(solid_mesh(1, corners, 4, faces, 3).status == Status::bad_shape, "a mesh of 4 faces is open without one");
 
 constexpr MassDistribution cube = solid_box(1, {1, 1, 1});
-constexpr MassDistribution two_cubes = combined(placed(cube, identity_matrix<scalar>(), {1, 0, 0}), placed(cube, identity_matrix<scalar>(), {-1, 0, 0}));
+constexpr MassDistribution two_cubes =
+    combined(placed(cube, identity_matrix<scalar>(), {1, 0, 0}), placed(cube, identity_matrix<scalar>(), {-1, 0, 0}));
 static_assert(two_cubes.M == solid_box(1, {2, 1, 1}).M, "two cubes are a box");
 static_assert(without(two_cubes, cube).M == cube.M, "and less a cube a cube again");
 static_assert(inertia_about(cube, {0, 0, 3}).zz == cube.I.zz, "a shift along an axis leaves its moment");

@@ -101,8 +101,8 @@ constexpr MassDistribution solid_cylinder(scalar density, scalar radius, scalar 
     return solids::along_axes(M, 0, I_x, I_x, M * r2 / 2);
 }
 
-/// A cylinder with two half balls on its ends, about the origin, its axis along z; half_length is that of the straight part, and
-/// may be 0. With the masses M_c of the cylinder and M_s of the ball the ends make: I_z = M_c r^2 / 2 + 2/5 M_s r^2,
+/// A cylinder with two half balls on its ends, about the origin, its axis along z; half_length is that of the straight part,
+/// and may be 0. With the masses M_c of the cylinder and M_s of the ball the ends make: I_z = M_c r^2 / 2 + 2/5 M_s r^2,
 /// I_x = M_c (r^2 / 4 + h^2 / 3) + M_s (2/5 r^2 + h^2 + 3/4 h r): a half ball has its centre of mass 3/8 r above its flat side.
 constexpr MassDistribution solid_capsule(scalar density, scalar radius, scalar half_length) {
     if (!(density > 0 && radius > 0 && half_length >= 0)) return solids::no_solid();
@@ -121,8 +121,8 @@ constexpr MassDistribution solid_cone(scalar density, scalar radius, scalar heig
     return solids::along_axes(M, height / 4, I_x, I_x, M * (3 * r2) / 10);
 }
 
-/// An ellipsoid about the origin. M = 4/3 pi a b c density, I_x = M (b^2 + c^2) / 5 with semi-axes a, b, c along x, y, z: a ball
-/// stretched along each axis.
+/// An ellipsoid about the origin. M = 4/3 pi a b c density, I_x = M (b^2 + c^2) / 5 with semi-axes a, b, c along x, y, z: a
+/// ball stretched along each axis.
 constexpr MassDistribution solid_ellipsoid(scalar density, const Vector& semi_axes) {
     const scalar a = semi_axes.x, b = semi_axes.y, c = semi_axes.z;
     if (!(density > 0 && a > 0 && b > 0 && c > 0)) return solids::no_solid();
@@ -142,11 +142,13 @@ constexpr MassDistribution solid_hemisphere(scalar density, scalar radius) {
 ///
 /// M = density |(b - a) . ((c - a) x (d - a))| / 6; the second moments are M / 20 sum e e^T with the corners e seen from the
 /// centre of mass, since the products of barycentric coordinates i and j have the mean (1 + delta_ij) / 20.
-constexpr MassDistribution solid_tetrahedron(scalar density, const Vector& a, const Vector& b, const Vector& c, const Vector& d) {
+constexpr MassDistribution solid_tetrahedron(scalar density, const Vector& a, const Vector& b, const Vector& c,
+                                             const Vector& d) {
     if (!(density > 0)) return solids::no_solid();
     const Vector ab = b - a, ac = c - a, ad = d - a;
     const Vector a_to_CM = (ab + ac + ad) * scalar(0.25);
-    const SymmetricMatrix sum = solids::outer(a_to_CM) + solids::outer(ab - a_to_CM) + solids::outer(ac - a_to_CM) + solids::outer(ad - a_to_CM);
+    const Vector e_b = ab - a_to_CM, e_c = ac - a_to_CM, e_d = ad - a_to_CM;
+    const SymmetricMatrix sum = solids::outer(a_to_CM) + solids::outer(e_b) + solids::outer(e_c) + solids::outer(e_d);
     const scalar M = density * abs(dot(ab, cross(ac, ad))) / 6;
     return {M, a + a_to_CM, solids::inertia_from(sum * (M / 20))};
 }
@@ -171,8 +173,8 @@ constexpr MassDistribution placed(const MassDistribution& part, const Matrix& A,
 
 /// Two parts as one body, in their common frame.
 ///
-/// Both are moved to the common centre of mass at once: M_a r_a^2 + M_b r_b^2 = M_a M_b / M |r_b - r_a|^2. So parts far from the
-/// origin lose nothing. A distribution of zeros is an empty part: what is combined with it stays.
+/// Both are moved to the common centre of mass at once: M_a r_a^2 + M_b r_b^2 = M_a M_b / M |r_b - r_a|^2. So parts far from
+/// the origin lose nothing. A distribution of zeros is an empty part: what is combined with it stays.
 constexpr MassDistribution combined(const MassDistribution& a, const MassDistribution& b) {
     const scalar M = a.M + b.M, share = b.M / M;
     const Vector a_to_b = b.r_CM - a.r_CM;
@@ -258,13 +260,13 @@ constexpr Status check_mesh(const Vector* vertices, int vertex_count, const Mesh
 /// The solid inside a closed mesh of triangles, which share their vertices by index. Several shells are one solid; a shell
 /// inside another, turned inside out, is a cavity.
 ///
-/// The solid is the sum of the pyramids from a point to all triangles: first from a vertex, which gives the centre of mass, then
-/// from there, so that neither a place far from the origin nor a lopsided shape costs digits.
+/// The solid is the sum of the pyramids from a point to all triangles: first from a vertex, which gives the centre of mass,
+/// then from there, so that neither a place far from the origin nor a lopsided shape costs digits.
 /// Errors:  not_finite (density or a vertex), bad_mass (density not positive), out_of_range (a vertex beyond
 ///          limits::position_max, an index that names no vertex, a tensor too large to hold), bad_shape (fewer than 4 vertices
 ///          or triangles, null pointers, an edge without its opposite, inside out, a volume of zero to rounding).
-/// Error:   epsilon times length over thickness, of the largest entry, for some dozens of triangles; the sums of more add half an
-///          epsilon a triangle at worst, and its square root as a rule.
+/// Error:   epsilon times length over thickness, of the largest entry; the sums add half an epsilon a triangle at worst, and
+///          that times the square root of their number as a rule.
 /// Cost:    three passes, about 300 flops and 60 integer operations a triangle, one division; no memory.
 /// Source:  Blow and Binstock, "How to find the inertia tensor (or other mass properties) of a 3D solid body represented by a
 ///          triangle mesh", 2004: a pyramid has the second moments V / 20 (a a^T + b b^T + c c^T + s s^T), s = a + b + c.

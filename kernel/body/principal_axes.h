@@ -93,7 +93,8 @@ struct Naming {
 
 /// The best right-handed choice of signs for one order of the axes, which come from a rotation.
 constexpr Naming best_signs(const Matrix& axes, const int (&order)[3], bool odd_order) {
-    const scalar entry[3][3] = {{axes.c0.x, axes.c0.y, axes.c0.z}, {axes.c1.x, axes.c1.y, axes.c1.z}, {axes.c2.x, axes.c2.y, axes.c2.z}};
+    const Vector &x = axes.c0, &y = axes.c1, &z = axes.c2;
+    const scalar entry[3][3] = {{x.x, x.y, x.z}, {y.x, y.y, y.z}, {z.x, z.y, z.z}};
     Naming naming{{order[0], order[1], order[2]}, {1, 1, 1}, 0};
     bool left_handed = odd_order;
     int weakest = 0;
@@ -137,8 +138,8 @@ constexpr Naming nearest_naming(const Matrix& axes) {
 ///          long bodies along the axes.
 /// Errors:  not_finite, bad_inertia (an entry beyond limits::inertia_max; no entry of a tensor exceeds its largest moment),
 ///          not_converged (after limits::jacobi_sweeps_max sweeps).
-/// Cost:    about 150 flops and 15 divisions a rotation, at most 3 a sweep, rarely more than 4 sweeps; for set-up. Diagonal tensors
-///          cost one look.
+/// Cost:    about 150 flops and 15 divisions a rotation, at most 3 a sweep, rarely more than 4 sweeps; for set-up. A diagonal
+///          tensor costs one look.
 /// Source:  Jacobi 1846, cyclic; Golub and Van Loan, "Matrix Computations", 8.5.
 constexpr Result<PrincipalAxes> principal_axes(const SymmetricMatrix& S) {
     if (!is_finite(S)) return {Status::not_finite, {}};

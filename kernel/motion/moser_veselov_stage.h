@@ -140,10 +140,12 @@ int integrate_A_moser_veselov(const BodyView& bodies, scalar h, const FlightCloc
             if (substep_i >= substeps_max || !any(turning)) break;
             y = transpose_times(A, L) * step;
         }
-        if (polar_step) {
-            // An immovable body keeps its A to the bit. With compensation the correction enters at the next step, with the
-            // digits it has.
-            const Mat3<lane> correction = select(load(tile.inv_I_scale) > lane{}, polar_correction(A), Mat3<lane>{});
+        // Every polar_interval steps; every step where it has substeps. An immovable body keeps its A to the bit.
+        const lane one = splat<lane>(1);
+        const mask polar_due = both(load(tile.inv_I_scale) > lane{}, polar_step ? one > lane{} : n > one);
+        if (any(polar_due)) {
+            // With compensation the correction enters at the next step, with the digits it has.
+            const Mat3<lane> correction = select(polar_due, polar_correction(A), Mat3<lane>{});
             if constexpr (compensate)
                 A_low = A_low + correction;
             else

@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: MIT
+# Installs ingot from BUILD where HOW asks for it, then configures, builds and runs the consumer in SCRATCH.
+function(run)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(NOT result EQUAL 0)
+    message(FATAL_ERROR "${ARGN}\nended with ${result}:\n${output}")
+  endif()
+  set(output "${output}" PARENT_SCOPE)
+endfunction()
+
+file(REMOVE_RECURSE ${SCRATCH})
+set(how -DHOW=${HOW})
+if(HOW STREQUAL "find_package")
+  run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${SCRATCH}/prefix)
+  list(APPEND how -DCMAKE_PREFIX_PATH=${SCRATCH}/prefix)
+  file(GLOB_RECURSE installed RELATIVE ${SCRATCH}/prefix ${SCRATCH}/prefix/*)
+  foreach(path IN LISTS installed)
+    if(NOT path MATCHES "^(include/ingot/|lib[^/]*/(.*/)?(libingot_(kernel|platform)\\.a|cmake/ingot/))")
+      message(FATAL_ERROR "the install holds ${path}")
+    endif()
+  endforeach()
+else()
+  list(APPEND how -DINGOT_SOURCE=${SOURCE} -DINGOT_SCALAR=${SCALAR} -DINGOT_LANES=${LANES})
+endif()
+
+run(${CMAKE_COMMAND} -G ${GENERATOR} -S ${PROJECT} -B ${SCRATCH}/build -DCMAKE_CXX_COMPILER=${COMPILER} ${how})
+run(${CMAKE_COMMAND} --build ${SCRATCH}/build --target consumer)
+run(${SCRATCH}/build/consumer)
+message("${output}")
+
+execute_process(COMMAND ${CMAKE_COMMAND} --build ${SCRATCH}/build --target mismatch
+  RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+if(result EQUAL 0 OR NOT output MATCHES "undefined reference")
+  message(FATAL_ERROR "a program compiled for 2 lanes linked with a library of ${LANES}:\n${output}")
+endif()
