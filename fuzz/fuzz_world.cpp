@@ -44,8 +44,10 @@ struct Yard : ingot::Scene {
     static constexpr int max_contacts = 10;
     using shapes = ingot::Shapes<ingot::Sphere, ingot::Box, ingot::HalfSpace>;
 };
-struct PrintedYard : Yard {
-    using rotation = ingot::Listing1Euler;
+/// The same with another rotation method.
+template <class Method>
+struct YardWith : Yard {
+    using rotation = Method;
 };
 struct Tops : ingot::Scene {
     static constexpr int max_bodies = 3;
@@ -61,12 +63,16 @@ bool same_bytes(const void* a, const void* b, size_t size) { return memcmp(a, b,
 
 scalar magnitude(scalar x) { return x < 0 ? -x : x; }
 
-/// How far A may be from orthonormal.
+/// How far A may be from orthonormal: |A^T A - 1| by entries.
 ///
-/// At the door: limits of nearest_rotation, 4 epsilon. In flight: a substep adds A (R - 1), |R - 1| <= 2, in at most 12
+/// Whatever the method, A is one that the door takes for a rotation: a state that was read can be set.
+/// The default method is held to its rounding: 4 epsilon from the door. A substep adds A (R - 1), |R - 1| <= 2, in at most 12
 /// roundings an entry, a step has up to substeps_max of them, and the defect is taken back every polar_interval steps, up to
 /// the rounding of A itself. A defect of an entry counts twice in A^T A.
-constexpr scalar defect_max = scalar(2 * 12 * 2) * ingot::epsilon * limits::substeps_max * limits::polar_interval;
+template <class Method>
+constexpr scalar defect_max = limits::orthogonality;
+template <>
+constexpr scalar defect_max<ingot::MoserVeselov> = scalar(2 * 12 * 2) * ingot::epsilon * limits::substeps_max * limits::polar_interval;
 
 /// Reads the input; past its end everything is zero.
 class Bytes {
@@ -466,7 +472,7 @@ private:
         demand(ingot::is_finite(s.v_CM), "v_CM is finite");
         demand(ingot::is_finite(s.L), "L is finite");
         demand(ingot::is_finite(omega), "omega is finite");
-        demand(ingot::orthogonality_error(s.A) <= defect_max, "A is orthonormal");
+        demand(ingot::orthogonality_error(s.A) <= defect_max<typename S::rotation>, "A is orthonormal");
         demand(ingot::determinant(s.A) > 0, "A is a rotation");
     }
 
@@ -537,9 +543,14 @@ World<S> Machine<S>::twin_;
 
 uint64_t INGOT_FUZZ_RUN(const uint8_t* data, size_t size) {
     Bytes in(data, size);
-    switch (in.byte() % 4u) {
-        case 0: case 1: return Machine<Yard>().run(in);
-        case 2: return Machine<PrintedYard>().run(in);
-        default: return Machine<Tops>().run(in);
+    switch (in.byte() % 12u) {
+        case 0: case 1: case 2: case 3: return Machine<Yard>().run(in);
+        case 4: case 5: return Machine<Tops>().run(in);
+        case 6: return Machine<YardWith<ingot::Listing1Euler>>().run(in);
+        case 7: return Machine<YardWith<ingot::LieMidpoint>>().run(in);
+        case 8: return Machine<YardWith<ingot::Rk4Polar>>().run(in);
+        case 9: return Machine<YardWith<ingot::SymmetricTop>>().run(in);
+        case 10: return Machine<YardWith<ingot::SymmetricTopSplitting<6>>>().run(in);
+        default: return Machine<YardWith<ingot::DiscreteMoserVeselov<4, false, false, 2>>>().run(in);
     }
 }

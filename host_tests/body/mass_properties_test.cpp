@@ -549,12 +549,13 @@ TEST(Meshes, that_are_inside_out_or_flat_are_refused) {
             EXPECT_EQ(solid.status, Status::bad_shape);
         }
     }
-    // Corners on a grid lie in a plane exactly, and its volume is then zero, whatever the roundings say.
+    // Corners on a grid lie in a plane exactly, and the volume is then zero, whatever the roundings of its products say.
+    constexpr int bits = sizeof(scalar) == sizeof(float) ? 20 : 30;
     for (int i = 0; i < many; ++i) {
         Mesh flat = polyhedron("tetra_unit");
         for (Vector& corner : flat.vertices) {
-            const int x = random.integer(-50, 50), y = random.integer(-50, 50);
-            corner = {static_cast<scalar>(x), static_cast<scalar>(y), static_cast<scalar>(3 * x - 7 * y)};
+            const double x = random.integer(-(1 << bits), 1 << bits), y = random.integer(-(1 << bits), 1 << bits);
+            corner = Vector{cast(x), cast(y), cast(3 * x - 7 * y)} * cast(std::ldexp(1.0, -bits));
         }
         EXPECT_EQ(flat.solid().status, Status::bad_shape);
     }

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -225,6 +227,43 @@ TYPED_TEST(Frozen, never_is_a_body_whose_motion_stays_in_range) {
             int frozen = 0;
             for (int step_i = 0; step_i < 60; ++step_i) frozen += ingot::step(world, h).bodies_frozen;
             EXPECT_EQ(frozen, 0) << "moments 1 : " << ratio << ", " << angle << " rad a step";
+        }
+    }
+}
+
+/// Lanes are advanced together, and a fast body takes more substeps than a slow one: none of them may notice.
+TYPED_TEST(Frozen, or_not_a_body_moves_beside_others_as_it_moves_alone) {
+    static World<Crowd<TypeParam>> world, alone;
+    std::mt19937_64 random(1997);
+    std::uniform_real_distribution<scalar> share(0, 1), unit(-1, 1);
+    const auto direction = [&] { return Vector{unit(random), unit(random), unit(random)}; };
+    const auto power = [&](scalar least, scalar most) { return std::pow(scalar(10), least + (most - least) * share(random)); };
+    for (int round_i = 0; round_i < 200; ++round_i) {
+        // From balls to needles, from rest to spins that are clamped, from a breath to a blow.
+        BodyDef defs[crowd];
+        Vector blows[crowd];
+        for (int body_i = 0; body_i < crowd; ++body_i) {
+            const scalar ratio = std::pow(limits::inertia_ratio_max / 2, share(random));
+            defs[body_i] = plain_body({});
+            defs[body_i].mass.I_body = {ratio, 1, ratio};
+            defs[body_i].state.L = ingot::scaled(defs[body_i].mass.I_body, direction() * (body_i % 2 == 0 ? 0 : power(-1, 5)));
+            blows[body_i] = direction() * (ratio * power(-2, 2));
+        }
+        const auto play = [&](World<Crowd<TypeParam>>& stage, int first, int last, BodyId* ids) {
+            clear(stage);
+            for (int body_i = first; body_i <= last; ++body_i) {
+                ids[body_i] = stage.add(defs[body_i]).value;
+                (void)stage.add_torque(ids[body_i], blows[body_i]);
+            }
+            for (int step_i = 0; step_i < 20; ++step_i) (void)ingot::step(stage, h);
+        };
+        BodyId ids[crowd], lone_ids[crowd];
+        play(world, 0, crowd - 1, ids);
+        for (int body_i = 0; body_i < crowd; ++body_i) {
+            play(alone, body_i, body_i, lone_ids);
+            SCOPED_TRACE("round " + std::to_string(round_i) + ", body " + std::to_string(body_i));
+            ASSERT_EQ(world.is_frozen(ids[body_i]), alone.is_frozen(lone_ids[body_i]));
+            ASSERT_TRUE(same_bits(world.state(ids[body_i]).value, alone.state(lone_ids[body_i]).value));
         }
     }
 }

@@ -129,8 +129,9 @@ int integrate_A_moser_veselov(const BodyView& bodies, scalar h, const FlightCloc
                 e_0 = select(e_0 > lane{}, e_0, H);
                 c += turn_of_energy_return(y, w, H, e_0);
             }
+            c = select(turning, c, Vec3<lane>{});
             good = both(good, length_sq(c) <= splat<lane>(1));  // false for NaN too; a good turn has |c| near 1/4 or less
-            c = select(both(turning, good), c, Vec3<lane>{});
+            c = select(good, c, Vec3<lane>{});
             if constexpr (compensate)
                 add_compensated(A, A_low, body_turn(A, c));
             else

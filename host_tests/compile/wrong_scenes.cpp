@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// Compiles as it is, and with none of the macros that CMakeLists.txt defines one by one.
+#include <ingot/ingot.h>
+
+#ifdef STATUS_IGNORED
+#pragma GCC diagnostic error "-Wunused-result"
+#endif
+
+struct Wrong : ingot::Scene {
+#ifdef NO_BODIES
+    static constexpr int max_bodies = 0;
+#endif
+#ifdef TOO_MANY_BODIES
+    static constexpr int max_bodies = 65537;
+#endif
+#ifdef TOO_MANY_CONTACTS
+    static constexpr bool translates = true;
+    static constexpr int max_contacts = 65536;
+#endif
+#ifdef COLLIDES_BUT_DOES_NOT_TRANSLATE
+    static constexpr int max_contacts = 4;
+#endif
+#ifdef ORDER_OF_METHOD
+    using rotation = ingot::DiscreteMoserVeselov<5>;
+#endif
+};
+
+static ingot::World<Wrong> world;
+
+int main() {
+    const ingot::BodyId id = world.add({}).value;
+#ifdef FORCE_WITHOUT_TRANSLATION
+    (void)world.add_force(id, {}, {});
+#endif
+#ifdef GRAVITY_WITHOUT_TRANSLATION
+    (void)world.set_gravity({});
+#endif
+#ifdef CONTACTS_WITHOUT_CONTACTS
+    (void)world.contact_count();
+#endif
+#ifdef STATUS_IGNORED
+    world.remove(id);
+#endif
+    (void)id;
+    return ingot::step(world, 1).clean() ? 0 : 1;
+}
