@@ -35,9 +35,9 @@ constexpr Real moments_bound = 9 * epsilon;
 // Moments that count as equal leave products of inertia of at most 4 epsilon of their sum, 8 of the largest moment; a matrix
 // with three such off the diagonal has no eigenvalue beyond 16.
 constexpr Real equal_moments_bound = moments_bound + 16 * epsilon;
-// A^T A of unit columns that are themselves rounded: three products and two sums, all of them below one, and the polar step's
-// last addition twice.
-constexpr Real orthogonality_bound = 4 * epsilon;
+// The polar step ends in a sum that rounds each entry of A by u = epsilon / 2 of itself, which A^T A shows twice, and it takes
+// away half of a defect that three roundings of dot products of unit columns have hidden: 2 u and 3 u.
+constexpr Real orthogonality_bound = 2.5L * epsilon;
 
 SymmetricMatrix tensor_of(const Eigen::Matrix3d& S) {
     const auto s = [](double x) { return static_cast<scalar>(x); };

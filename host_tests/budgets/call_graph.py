@@ -5,8 +5,8 @@
     call_graph.py --root step_of_scene firmware.elf --objects moser_veselov.cpp.obj step_of_scene.cpp.obj ...
 
 Frames come from the compiler for all that it compiled (-fcallgraph-info=su leaves them beside the objects), and from the
-disassembly for what came compiled: the soft-float helpers of libgcc, memcpy and memset. Calls come from both. The compiler's graph knows a call
-through a pointer for what it is; the disassembly knows the helpers that the assembler writes in by itself.
+disassembly for what came compiled: the soft-float helpers of libgcc, memcpy and memset. Calls come from both. The compiler's
+graph knows a call through a pointer for what it is; the disassembly knows the helpers that the assembler writes in by itself.
 
 Fails on what has no bound: recursion, a frame of no fixed size, a call through a pointer, a stack pointer moved by an
 instruction not known here.

@@ -17,7 +17,8 @@ import re
 import subprocess
 import sys
 
-import call_graph
+sys.dont_write_bytecode = True  # the source tree stays as it is
+import call_graph  # noqa: E402
 
 HERE = pathlib.Path(__file__).resolve().parent
 TABLE = HERE / "budgets.csv"
@@ -48,28 +49,29 @@ class Failure(Exception):
     """A figure that cannot be taken, or that contradicts another."""
 
 
-def flash_of(elf):
-    """Bytes in flash by who brought them, from the linker's map: {"all": ..., "kernel": ..., "helpers": ...}.
+def flash_of(objdump, elf):
+    """Bytes in flash by who brought them: {"all": ..., "kernel": ..., "helpers": ...}.
 
-    Output sections .text, which takes .rodata in, and .data. What the linker put between two pieces to align them counts
-    in "all" only.
+    All is what the sections hold that are loaded; the shares are the pieces that the linker's map gives to the archives.
+    What lies between two pieces to align them is in "all" only.
     """
-    flash = {"all": 0, "kernel": 0, "helpers": 0}
-    text = pathlib.Path(str(elf) + ".map").read_text(encoding="utf-8").split("Linker script and memory map", 1)[1]
-    text = re.sub(r"^( ?\.\S+)\n\s+", r"\1 ", text, flags=re.M)  # long names have a line of their own
-    output_section = ""
+    headers = subprocess.run([objdump, "-h", elf], check=True, stdout=subprocess.PIPE, universal_newlines=True).stdout
+    sections = re.findall(r"^ *\d+ (\S+) +([0-9a-f]+) .*\n +(CONTENTS, ALLOC, LOAD.*)$", headers, re.M)
+    flash = {"all": sum(int(size, 16) for _, size, _ in sections), "kernel": 0, "helpers": 0}
+    loaded = {name for name, _, _ in sections}
+
+    text = pathlib.Path(elf + ".map").read_text(encoding="utf-8").split("Linker script and memory map", 1)[1]
+    text = re.sub(r"^( \.\S+)\n\s+", r"\1 ", text, flags=re.M)  # long names have a line of their own
+    section = ""
     for line in text.splitlines():
-        if re.match(r"\S", line):
-            output_section = line.split()[0]
-        if output_section not in (".text", ".data"):
-            continue
-        whole = re.match(r"\.\S+\s+0x[0-9a-f]+\s+0x([0-9a-f]+)", line)
+        if re.match(r"\.", line):
+            section = line.split()[0]
         piece = re.match(r" \.\S+\s+0x[0-9a-f]+\s+0x([0-9a-f]+)\s+(\S+)", line)
-        if whole:
-            flash["all"] += int(whole[1], 16)
-        elif piece and "libingot_kernel.a(" in piece[2]:
+        if section not in loaded or not piece:
+            continue
+        if "libingot_kernel.a(" in piece[2]:
             flash["kernel"] += int(piece[1], 16)
-        elif piece and re.search(r"lib(gcc|c|c_nano|m)\.a\(", piece[2]):
+        elif re.search(r"/lib(gcc|c|c_nano|m)\.a\(", piece[2]):
             flash["helpers"] += int(piece[1], 16)
     return flash
 
@@ -91,7 +93,7 @@ def run(emulator, elf):
 def measure(build, scene, nothing_flash, nothing_printed):
     """The row of a scene."""
     programs = build["scenes"][scene]
-    flash = flash_of(programs["firmware"])
+    flash = flash_of(build["objdump"], programs["firmware"])
     printed = run(build["emulator"], programs["firmware"])
     try:
         objects = build["kernel_objects"].split(";") + programs["objects"].split(";")
@@ -188,7 +190,8 @@ def main():
     table = read_table(arguments.table) if arguments.table.exists() else {}
     scenes = arguments.scenes.split(",") if arguments.scenes else list(build["scenes"])
     try:
-        nothing_flash, nothing_printed = flash_of(build["nothing"]), run(build["emulator"], build["nothing"])
+        nothing_flash = flash_of(build["objdump"], build["nothing"])
+        nothing_printed = run(build["emulator"], build["nothing"])
         rows = [measure(build, scene, nothing_flash, nothing_printed) for scene in scenes]
     except Failure as why:
         print("budgets: %s" % why)
@@ -196,9 +199,10 @@ def main():
     print_rows(rows, table)
 
     if arguments.update:
-        others = [row for key, row in table.items() if key not in {(row["scene"], row["core"]) for row in rows}]
-        order = list(build["scenes"])
-        write_table(arguments.table, sorted(others + rows, key=lambda row: (row["core"], order.index(row["scene"]))))
+        gone = {key for key in table if key[1] == build["core"] and key[0] not in build["scenes"]}
+        table = {key: row for key, row in table.items() if key not in gone}
+        table.update({(row["scene"], row["core"]): row for row in rows})
+        write_table(arguments.table, sorted(table.values(), key=lambda row: row["core"]))
         print("written to %s" % arguments.table)
     if not arguments.check:
         return 0

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 namespace {
@@ -122,6 +123,19 @@ TEST(FullContacts, a_contact_as_deep_as_the_last_kept_does_not_replace_it) {
     ASSERT_EQ(world.contact_count(), 2);
     EXPECT_EQ(world.contact(0).value.A.slot, 1) << "first come, first served";
     EXPECT_EQ(world.contact(1).value.A.slot, 2);
+}
+
+/// A contact that is kept is a contact: squares of such distances vanish, or have no digits left.
+TEST(FullContacts, have_unit_normals_however_near_the_centres_are) {
+    static World<Pit<2>> world;
+    for (scalar distance = 1; distance > std::numeric_limits<scalar>::min(); distance /= 7) {
+        clear(world);
+        (void)world.add(plain_body({}, ingot::Sphere{1}));
+        (void)world.add(plain_body(Vector{3, -1, 2} * (distance / 4), ingot::Sphere{1}));
+        (void)ingot::step(world, h);
+        ASSERT_EQ(world.contact_count(), 1) << distance;
+        EXPECT_NEAR(ingot::length_sq(world.contact(0).value.n), 1, 8 * ingot::epsilon) << distance;
+    }
 }
 
 // 65536 lost contacts are not none.

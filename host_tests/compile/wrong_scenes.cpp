@@ -1,5 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Compiles as it is, and with none of the macros that CMakeLists.txt defines one by one.
+#ifdef LANES_OF_LIBRARY
+#undef INGOT_LANES
+#define INGOT_LANES 3
+#endif
+#ifdef FAST_MATH
+#define __FAST_MATH__ 1
+#endif
 #include <ingot/ingot.h>
 
 #ifdef STATUS_IGNORED
@@ -19,6 +26,12 @@ struct Wrong : ingot::Scene {
 #endif
 #ifdef COLLIDES_BUT_DOES_NOT_TRANSLATE
     static constexpr int max_contacts = 4;
+#endif
+#ifdef SUBSTEPS_OF_METHOD
+    using rotation = ingot::DiscreteMoserVeselov<6, true, true, 3>;
+#endif
+#ifdef ORDER_OF_SPLITTING
+    using rotation = ingot::SymmetricTopSplitting<4>;
 #endif
 #ifdef ORDER_OF_METHOD
     using rotation = ingot::DiscreteMoserVeselov<5>;

@@ -23,13 +23,37 @@ else()
   list(APPEND how -DINGOT_SOURCE=${SOURCE} -DINGOT_SCALAR=${SCALAR} -DINGOT_LANES=${LANES})
 endif()
 
-run(${CMAKE_COMMAND} -G ${GENERATOR} -S ${PROJECT} -B ${SCRATCH}/build -DCMAKE_CXX_COMPILER=${COMPILER} ${how})
-run(${CMAKE_COMMAND} --build ${SCRATCH}/build --target consumer)
+# The user is careless: the whole project is compiled with -ffast-math, which ingot must undo for itself and for who links it.
+if(DOUBLE)
+  set(other_double 0)
+else()
+  set(other_double 1)
+endif()
+run(${CMAKE_COMMAND} -G ${GENERATOR} -S ${PROJECT} -B ${SCRATCH}/build -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_BUILD_TYPE=Release
+  -DCMAKE_CXX_FLAGS=-ffast-math -DOTHER_DOUBLE=${other_double} ${how})
+run(${CMAKE_COMMAND} --build ${SCRATCH}/build)
 run(${SCRATCH}/build/consumer)
 message("${output}")
 
-execute_process(COMMAND ${CMAKE_COMMAND} --build ${SCRATCH}/build --target mismatch
+foreach(mismatch ingot_lanes ingot_double)
+  execute_process(COMMAND ${CMAKE_COMMAND} --build ${SCRATCH}/build --target mismatch_${mismatch}
+    RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(result EQUAL 0 OR NOT output MATCHES "undefined reference to .*ingot::f(32|64)x")
+    message(FATAL_ERROR "a program with another ${mismatch} than the library's linked with it:\n${output}")
+  endif()
+endforeach()
+
+# Contraction is off in the user's unit, and would be on without ingot.
+execute_process(COMMAND ${CMAKE_COMMAND} --build ${SCRATCH}/build --target sums_with_ingot sums_without_ingot
   RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
-if(result EQUAL 0 OR NOT output MATCHES "undefined reference")
-  message(FATAL_ERROR "a program compiled for 2 lanes linked with a library of ${LANES}:\n${output}")
+if(result EQUAL 0)
+  foreach(user with without)
+    run(${OBJDUMP} -d ${SCRATCH}/build/libsums_${user}_ingot.a)
+    string(REGEX MATCH "fn?madd[0-9a-z]*" contracted_${user} "${output}")
+  endforeach()
+  if(contracted_with OR NOT contracted_without)
+    message(FATAL_ERROR "contraction: '${contracted_with}' with ingot, '${contracted_without}' without")
+  endif()
+elseif(NOT output MATCHES "unknown target|No rule")
+  message(FATAL_ERROR "${output}")
 endif()

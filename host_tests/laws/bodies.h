@@ -2,6 +2,7 @@
 // Solids with shapes, and what the laws are stated in: momentum and energy counted from the primary state in long double.
 #pragma once
 
+#include <gtest/gtest.h>
 #include <ingot/ingot.h>
 
 #include <vector>
@@ -35,7 +36,8 @@ inline ingot::BodyDef ball(double M, double R, const Eigen::Vector3d& r, const E
 /// A solid box of half extents `half` and mass M, at r with velocity v.
 inline ingot::BodyDef box(double M, const Eigen::Vector3d& half, const Eigen::Vector3d& r, const Eigen::Vector3d& v, double e) {
     const Eigen::Vector3d sq = half.cwiseProduct(half);
-    ingot::BodyDef def = ingot_reference::definition(M, Eigen::Vector3d(M / 3 * Eigen::Vector3d(sq(1) + sq(2), sq(2) + sq(0), sq(0) + sq(1))));
+    ingot::BodyDef def =
+        ingot_reference::definition(M, Eigen::Vector3d(M / 3 * Eigen::Vector3d(sq(1) + sq(2), sq(2) + sq(0), sq(0) + sq(1))));
     def.state.r_CM = ingot_reference::to_vector(r);
     def.state.v_CM = ingot_reference::to_vector(v);
     def.shape = ingot::Box{ingot_reference::to_vector(half)};
@@ -109,8 +111,8 @@ Column angular_momentum(const World& world, const std::vector<Known>& bodies) {
     Column sum = Column::Zero();
     for (const Known& body : bodies) {
         const ingot::BodyState s = world.state(body.id).value;
-        sum += ingot_reference::to_eigen<long double>(s.L) +
-               ingot_reference::to_eigen<long double>(s.r_CM).cross(Column(body.M * ingot_reference::to_eigen<long double>(s.v_CM)));
+        sum += ingot_reference::to_eigen<long double>(s.L) + ingot_reference::to_eigen<long double>(s.r_CM).cross(Column(
+                                                                 body.M * ingot_reference::to_eigen<long double>(s.v_CM)));
     }
     return sum;
 }

@@ -60,8 +60,8 @@ TEST(FreeFlight, torque_free_body_keeps_L) {
     }
 }
 
-/// What is left over 10^4 steps is the rounding of A, in which y = A^T L is counted: 3 roundings of each of its terms, twice in y^2,
-/// times the ratio of moments (20) that a small error of direction may cost.
+/// What is left over 10^4 steps is the rounding of A, in which y = A^T L is counted: 3 roundings of each of its terms, twice in
+/// y^2, times the ratio of moments (20) that a small error of direction may cost.
 TEST(FreeFlight, energy_of_a_free_body_stays) {
     RandomInput random(202);
     World world{};
@@ -71,7 +71,8 @@ TEST(FreeFlight, energy_of_a_free_body_stays) {
         ASSERT_TRUE(ingot::step(world, h).clean());
         if (step_i % 100 != 99) continue;
         for (std::size_t i = 0; i < bodies.size(); ++i) {
-            const long double ratio = rotation_energy(world.state(bodies[i].id).value, bodies[i].I) / rotation_energy(begin[i], bodies[i].I);
+            const long double ratio =
+                rotation_energy(world.state(bodies[i].id).value, bodies[i].I) / rotation_energy(begin[i], bodies[i].I);
             ASSERT_LE(static_cast<double>(std::abs(ratio - 1)), 6 * 20 * u) << "body " << i << ", step " << step_i;
         }
     }
@@ -120,6 +121,29 @@ TEST(FreeFlight, rotation_does_not_move_the_centre_of_mass) {
     }
 }
 
+/// Neither force nor time moves it, nor does a polar step round its A.
+TEST(FreeFlight, immovable_body_keeps_its_pose_bitwise) {
+    RandomInput random(207);
+    World world{};
+    std::vector<ingot::BodyId> walls;
+    for (int i = 0; i < count; ++i) {
+        ingot::BodyDef wall{};
+        wall.immovable = true;
+        wall.state.r_CM = to_vector(random.vector(10));
+        wall.state.A = to_matrix(random.rotation());
+        walls.push_back(world.add(wall).value);
+    }
+    ASSERT_EQ(world.set_gravity({0, 0, -10}), ingot::Status::ok);
+    std::vector<ingot::BodyState> begin;
+    for (const ingot::BodyId id : walls) begin.push_back(world.state(id).value);
+    for (int step_i = 0; step_i < 100; ++step_i) ASSERT_TRUE(ingot::step(world, h).clean());
+    for (std::size_t i = 0; i < walls.size(); ++i) {
+        EXPECT_EQ(world.add_central_force(walls[i], {1, 0, 0}), ingot::Status::immovable);
+        const ingot::BodyState end = world.state(walls[i]).value;
+        EXPECT_EQ(std::memcmp(&end, &begin[i], sizeof end), 0) << "wall " << i;
+    }
+}
+
 /// An impulse at a point is v += j / M, L += r x j, at once; and what it did it undoes.
 TEST(FreeFlight, impulse_and_its_opposite_cancel) {
     RandomInput random(205);
@@ -131,14 +155,18 @@ TEST(FreeFlight, impulse_and_its_opposite_cancel) {
         ASSERT_EQ(world.apply_impulse(bodies[i].id, j, P), ingot::Status::ok);
         const ingot::BodyState s = world.state(bodies[i].id).value;
         const Column lever = to_eigen<long double>(P) - to_eigen<long double>(s.r_CM), impulse = to_eigen<long double>(j);
-        const Column v = to_eigen<long double>(begin[i].v_CM) + impulse / bodies[i].M, L = to_eigen<long double>(begin[i].L) + lever.cross(impulse);
+        const Column v = to_eigen<long double>(begin[i].v_CM) + impulse / bodies[i].M,
+                     L = to_eigen<long double>(begin[i].L) + lever.cross(impulse);
         // 1 / M, j / M, and the sum; P - r, two products, their difference, and the sum
-        EXPECT_LE(largest_difference(to_eigen(s.v_CM), v), 3 * u * (length_of(v) + length_of(impulse) / static_cast<double>(bodies[i].M)));
+        EXPECT_LE(largest_difference(to_eigen(s.v_CM), v),
+                  3 * u * (length_of(v) + length_of(impulse) / static_cast<double>(bodies[i].M)));
         EXPECT_LE(largest_difference(to_eigen(s.L), L), 5 * u * (length_of(L) + 2 * length_of(lever) * length_of(impulse)));
         ASSERT_EQ(world.apply_impulse(bodies[i].id, -j, P), ingot::Status::ok);
         const ingot::BodyState back = world.state(bodies[i].id).value;
-        EXPECT_LE(largest_difference(to_eigen(back.v_CM), to_eigen(begin[i].v_CM)), 2 * u * length_of(v) + u * length_of(to_eigen(begin[i].v_CM)));
-        EXPECT_LE(largest_difference(to_eigen(back.L), to_eigen(begin[i].L)), 2 * u * length_of(L) + u * length_of(to_eigen(begin[i].L)));
+        EXPECT_LE(largest_difference(to_eigen(back.v_CM), to_eigen(begin[i].v_CM)),
+                  2 * u * length_of(v) + u * length_of(to_eigen(begin[i].v_CM)));
+        EXPECT_LE(largest_difference(to_eigen(back.L), to_eigen(begin[i].L)),
+                  2 * u * length_of(L) + u * length_of(to_eigen(begin[i].L)));
     }
 }
 

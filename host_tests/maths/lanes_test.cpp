@@ -25,8 +25,14 @@ using Numbers = std::array<scalar, lanes>;
 /// Lanes full of numbers of all kinds: of any size, denormal, zero of both signs, infinite, NaN.
 Numbers random_numbers(RandomInput& random) {
     using limit = std::numeric_limits<scalar>;
-    const scalar special[] = {0,           scalar(-0.0),        limit::infinity(), -limit::infinity(),
-                              limit::max(), limit::denorm_min(), limit::min(),      limit::quiet_NaN()};
+    const scalar special[] = {0,
+                              scalar(-0.0),
+                              limit::infinity(),
+                              -limit::infinity(),
+                              limit::max(),
+                              limit::denorm_min(),
+                              limit::min(),
+                              limit::quiet_NaN()};
     Numbers numbers;
     for (scalar& x : numbers)
         x = random.integer(0, 3) == 0 ? special[random.integer(0, 7)] : static_cast<scalar>(random.of_any_size(-30, 30));
@@ -103,7 +109,8 @@ TEST(Lanes, bits_name_the_lanes_of_a_mask) {
         const mask less = lanes_of(a) < lanes_of(b);
         ASSERT_EQ(ingot::bits(less), expected_bits([&](size_t k) { return a[k] < b[k]; }));
         ASSERT_EQ(ingot::any(less), ingot::bits(less) != 0);
-        ASSERT_EQ(ingot::bits(both(less, lanes_of(b) < lane{})), expected_bits([&](size_t k) { return a[k] < b[k] && b[k] < 0; }));
+        ASSERT_EQ(ingot::bits(both(less, lanes_of(b) < lane{})),
+                  expected_bits([&](size_t k) { return a[k] < b[k] && b[k] < 0; }));
         ASSERT_EQ(ingot::bits(ingot::is_finite(lanes_of(a))), expected_bits([&](size_t k) { return std::isfinite(a[k]); }));
     }
 }
@@ -162,11 +169,17 @@ public:
     void put(scalar x) { text_ += std::to_string(x) + " ", numbers_.push_back(x); }
     void put(lane x) { put(numbers_of(x)[static_cast<size_t>(lane_i_)]); }
     template <class T>
-    void put(const ingot::Vec3<T>& v) { put(v.x), put(v.y), put(v.z); }
+    void put(const ingot::Vec3<T>& v) {
+        put(v.x), put(v.y), put(v.z);
+    }
     template <class T>
-    void put(const ingot::Mat3<T>& m) { put(m.c0), put(m.c1), put(m.c2); }
+    void put(const ingot::Mat3<T>& m) {
+        put(m.c0), put(m.c1), put(m.c2);
+    }
     template <class T>
-    void put(const ingot::Sym3<T>& s) { put(s.xx), put(s.yy), put(s.zz), put(s.xy), put(s.xz), put(s.yz); }
+    void put(const ingot::Sym3<T>& s) {
+        put(s.xx), put(s.yy), put(s.zz), put(s.xy), put(s.xz), put(s.yz);
+    }
     bool operator==(const Flat& other) const {
         return numbers_.size() == other.numbers_.size() &&
                std::memcmp(numbers_.data(), other.numbers_.data(), numbers_.size() * sizeof(scalar)) == 0;

@@ -56,7 +56,8 @@ TEST(Vec3, sums_and_multiples_are_rounded_once) {
         const ingot::Vector a = random_vector(random), b = random_vector(random);
         const scalar s = static_cast<scalar>(random.of_any_size(-8, 8));
         const long double once = gamma<scalar>(1);
-        const Column sum = exact(a) + exact(b), difference = exact(a) - exact(b), multiple = exact(a) * static_cast<long double>(s);
+        const Column sum = exact(a) + exact(b), difference = exact(a) - exact(b),
+                     multiple = exact(a) * static_cast<long double>(s);
         ASSERT_LE(worst_relative_error(exact(a + b), sum, sum.cwiseAbs()), once);
         ASSERT_LE(worst_relative_error(exact(a - b), difference, difference.cwiseAbs()), once);
         ASSERT_LE(worst_relative_error(exact(a * s), multiple, multiple.cwiseAbs()), once);
@@ -154,9 +155,10 @@ TEST(Sym3, similarity_transform_agrees_with_eigen) {
         const ingot::Vector d = random_vector(random);
         const ingot::SymmetricMatrix b = random_symmetric(random);
         // A diag(d) A^T: a product, then three products summed
-        ASSERT_LE(worst_relative_error(exact(rotated_diagonal(a, d)), Square(exact(a) * exact(d).asDiagonal() * exact(a).transpose()),
-                                       Square(abs_of(a) * abs_of(d).asDiagonal() * abs_of(a).transpose())),
-                  gamma<scalar>(4));
+        ASSERT_LE(
+            worst_relative_error(exact(rotated_diagonal(a, d)), Square(exact(a) * exact(d).asDiagonal() * exact(a).transpose()),
+                                 Square(abs_of(a) * abs_of(d).asDiagonal() * abs_of(a).transpose())),
+            gamma<scalar>(4));
         // A B A^T: three products summed, twice
         ASSERT_LE(worst_relative_error(exact(rotated(a, b)), Square(exact(a) * exact(b) * exact(a).transpose()),
                                        Square(abs_of(a) * abs_of(b) * abs_of(a).transpose())),
@@ -171,12 +173,14 @@ TEST(Mat3, is_finite_sees_every_entry) {
     const scalar max = std::numeric_limits<scalar>::max();
     EXPECT_TRUE(is_finite(ingot::Vector{max, max, max})) << "the sum of the components is infinite, they are not";
     EXPECT_TRUE(is_finite(ingot::Matrix{{max, max, max}, {max, max, max}, {max, max, max}}));
+    EXPECT_TRUE(is_finite(ingot::SymmetricMatrix{max, max, max, max, max, max}));
     for (const scalar bad : bad_numbers) {
         for (int entry_i = 0; entry_i < 9; ++entry_i) {
             scalar e[9] = {1, 2, 3, 4, 5, 6, 7, 8, 9};
             e[entry_i] = bad;
             EXPECT_FALSE(is_finite(ingot::Matrix{{e[0], e[1], e[2]}, {e[3], e[4], e[5]}, {e[6], e[7], e[8]}}));
             EXPECT_EQ(is_finite(ingot::Vector{e[0], e[1], e[2]}), entry_i >= 3);
+            EXPECT_EQ(is_finite(ingot::SymmetricMatrix{e[0], e[1], e[2], e[3], e[4], e[5]}), entry_i >= 6);
         }
     }
 }

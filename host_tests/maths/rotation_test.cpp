@@ -53,7 +53,8 @@ TEST(AxisAngle, agrees_with_eigen) {
     for (int i = 0; i < samples; ++i) {
         const ingot::Vector n = to_vector(random.direction());
         const scalar angle = static_cast<scalar>(random.real(-10, 10));
-        const Square exact = Eigen::AngleAxis<long double>(static_cast<long double>(angle), to_eigen<long double>(n)).toRotationMatrix();
+        const Square exact =
+            Eigen::AngleAxis<long double>(static_cast<long double>(angle), to_eigen<long double>(n)).toRotationMatrix();
         // 2 u for a sine or cosine of 1 ulp, 4 roundings of numbers below 2, and n of unit length to 1.5 u: 2 + 8 + 2.
         ASSERT_LE(largest_difference(to_eigen(ingot::axis_angle(n, angle)), exact), 12 * u);
     }
@@ -88,7 +89,8 @@ TEST(AxisAngle, turns_compose) {
         // 12 u an entry in each of the three matrices, times |row|_1 <= 1.74 in two of them, and 3 roundings of the product.
         ASSERT_LE(largest_difference(to_eigen(product), to_eigen(ingot::axis_angle(n, a + b))), (12 + 2 * 1.74 * 12 + 6) * u);
         const ingot::Matrix back = ingot::axis_angle(n, -a);
-        // Sine and cosine are the same bits; a product of three numbers below 2 is rounded twice in either order, and a sum once.
+        // Sine and cosine are the same bits; a product of three numbers below 2 is rounded twice in either order, and a sum
+        // once.
         ASSERT_LE(largest_difference(to_eigen(back), to_eigen(transposed(ingot::axis_angle(n, a)))), 8 * u);
     }
 }

@@ -73,7 +73,8 @@ TEST(SinCos, within_promise_near_the_zeros) {
             up = std::nextafter(up, scalar(2000));
             down = std::nextafter(down, scalar(-2000));
         }
-        for (int i = 0; i < 200; ++i) worst.check(static_cast<scalar>(q * half_pi + static_cast<long double>(random.of_any_size(-40, -1))));
+        for (int i = 0; i < 200; ++i)
+            worst.check(static_cast<scalar>(q * half_pi + static_cast<long double>(random.of_any_size(-40, -1))));
     }
     worst.expect_promise("next to multiples of pi/2");
 }
@@ -94,11 +95,10 @@ TEST(SinCos, within_promise_between_quadrants) {
 
 /// The worst that a search over 2.4e8 doubles, and over every float, has found.
 TEST(SinCos, within_promise_at_the_worst_angles_known) {
-    const double angles[] = {
-        977.01969021008017,  -703.73237968021249, -920.42414059812393, -141.36776315882287, -639.34535615329469,
-        -692.75243137365328, -878.05952144267519, 925.23028888038016,  603.185791015625,    838.80523681640625,
-        731.9910888671875,   709.99993896484375,  774.402587890625,    667.58843994140625,  645.5972900390625,
-        881.21673583984375};
+    const double angles[] = {977.01969021008017,  -703.73237968021249, -920.42414059812393, -141.36776315882287,
+                             -639.34535615329469, -692.75243137365328, -878.05952144267519, 925.23028888038016,
+                             603.185791015625,    838.80523681640625,  731.9910888671875,   709.99993896484375,
+                             774.402587890625,    667.58843994140625,  645.5972900390625,   881.21673583984375};
     Worst worst;
     for (const double angle : angles) worst.check(static_cast<scalar>(angle));
     worst.expect_promise("worst angles known");

@@ -71,11 +71,13 @@ TEST(SqrtByDigits, special_values) {
     EXPECT_EQ(bits_of(ingot::sqrt_by_digits(scalar(0))), bits_of(scalar(0)));
     EXPECT_EQ(bits_of(ingot::sqrt_by_digits(scalar(-0.0))), bits_of(scalar(-0.0)));
     EXPECT_EQ(ingot::sqrt_by_digits(inf), inf);
-    for (const scalar x : {-inf, scalar(-1), -std::numeric_limits<scalar>::denorm_min(), std::numeric_limits<scalar>::quiet_NaN(),
-                           -std::numeric_limits<scalar>::quiet_NaN(), std::numeric_limits<scalar>::signaling_NaN()})
+    for (const scalar x :
+         {-inf, scalar(-1), -std::numeric_limits<scalar>::denorm_min(), std::numeric_limits<scalar>::quiet_NaN(),
+          -std::numeric_limits<scalar>::quiet_NaN(), std::numeric_limits<scalar>::signaling_NaN()})
         EXPECT_TRUE(std::isnan(ingot::sqrt_by_digits(x))) << x;
-    for (const scalar x : {scalar(1), scalar(2), scalar(3), scalar(4), std::numeric_limits<scalar>::max(),
-                           std::numeric_limits<scalar>::min(), std::nextafter(scalar(1), scalar(0)), std::nextafter(scalar(1), scalar(2))})
+    for (const scalar x :
+         {scalar(1), scalar(2), scalar(3), scalar(4), std::numeric_limits<scalar>::max(), std::numeric_limits<scalar>::min(),
+          std::nextafter(scalar(1), scalar(0)), std::nextafter(scalar(1), scalar(2))})
         EXPECT_TRUE(agrees(x)) << x;
 }
 

@@ -9,7 +9,6 @@
 #pragma once
 
 #include <Eigen/Dense>
-
 #include <cmath>
 
 namespace ingot_reference {

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <Eigen/Dense>
-
 #include <vector>
 
 namespace ingot_reference {
@@ -73,8 +72,8 @@ struct Listing1Body {
     void step(Real h, const std::vector<ForceAtPoint<Real>>& forces) {
         Vector3 F = Vector3::Zero(), tau = Vector3::Zero();
         for (const ForceAtPoint<Real>& force : forces) {
-            F += force.F;                     // Eq. 14
-            tau += force.r.cross(force.F);    // Eq. 16
+            F += force.F;                   // Eq. 14
+            tau += force.r.cross(force.F);  // Eq. 16
         }
         const Vector3 r_n = r, v_n = v, L_n = L, omega_n = omega;
         const Matrix3 A_n = A;

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <Eigen/Dense>
-
 #include <string>
 #include <vector>
 
@@ -15,9 +14,9 @@ namespace ingot_reference {
 inline Eigen::Matrix<long double, 3, 3> rotation_of_quaternion(const std::vector<long double>& q) {
     const long double a = q[0], b = q[1], c = q[2], d = q[3];
     Eigen::Matrix<long double, 3, 3> A;
-    A << a * a + b * b - c * c - d * d, 2 * (b * c - a * d), 2 * (b * d + a * c),
-         2 * (b * c + a * d), a * a - b * b + c * c - d * d, 2 * (c * d - a * b),
-         2 * (b * d - a * c), 2 * (c * d + a * b), a * a - b * b - c * c + d * d;
+    A << a * a + b * b - c * c - d * d, 2 * (b * c - a * d), 2 * (b * d + a * c), 2 * (b * c + a * d),
+        a * a - b * b + c * c - d * d, 2 * (c * d - a * b), 2 * (b * d - a * c), 2 * (c * d + a * b),
+        a * a - b * b - c * c + d * d;
     return A / (a * a + b * b + c * c + d * d);
 }
 
@@ -47,8 +46,8 @@ struct FreeBodyCase {
         A_0 = rotation_of_quaternion(params.numbers<long double>(row, {"q0", "q1", "q2", "q3"}));
         L = A_0 * I.cwiseProduct(w_body_0);
         for (const std::size_t sample_row : rows.rows_with("case", name)) {
-            const std::vector<long double> a = rows.numbers<long double>(
-                sample_row, {"A11", "A12", "A13", "A21", "A22", "A23", "A31", "A32", "A33"});
+            const std::vector<long double> a =
+                rows.numbers<long double>(sample_row, {"A11", "A12", "A13", "A21", "A22", "A23", "A31", "A32", "A33"});
             Sample sample;
             sample.t = rows.number<long double>(sample_row, "t");
             sample.A << a[0], a[1], a[2], a[3], a[4], a[5], a[6], a[7], a[8];

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <Eigen/Dense>
-
 #include <cmath>
 #include <cstdint>
 #include <random>
@@ -20,9 +19,7 @@ public:
     double real(double low, double high) { return low + (high - low) * std::ldexp(static_cast<double>(bits_() >> 11), -53); }
 
     /// Uniform in {low, ..., high}.
-    int integer(int low, int high) {
-        return low + static_cast<int>(bits_() % static_cast<std::uint64_t>(high - low + 1));
-    }
+    int integer(int low, int high) { return low + static_cast<int>(bits_() % static_cast<std::uint64_t>(high - low + 1)); }
 
     /// Of either sign, with a magnitude spread evenly over the binades 2^low .. 2^high.
     double of_any_size(int low, int high) {

@@ -27,7 +27,8 @@ TEST(RefreshAuxiliary, is_the_similarity_transform_and_its_product_with_L) {
         Tiles tiles(slots);
         std::vector<ingot::BodyDef> defs;
         for (int slot = 0; slot < slots; ++slot) {
-            ingot::BodyDef def = definition(1, Eigen::Vector3d(random.moments(1) * random.of_any_size(-10, 10)).cwiseAbs().eval());
+            ingot::BodyDef def =
+                definition(1, Eigen::Vector3d(random.moments(1) * random.of_any_size(-10, 10)).cwiseAbs().eval());
             def.state.A = to_matrix(random.rotation());
             def.state.L = to_vector(random.vector(5));
             tiles.write(slot, def);
@@ -41,15 +42,17 @@ TEST(RefreshAuxiliary, is_the_similarity_transform_and_its_product_with_L) {
             const Square A = to_eigen<long double>(s.A);
             const Column J = to_eigen<long double>(defs[static_cast<std::size_t>(slot)].mass.I_body).cwiseInverse();
             const Square inv_I = A * J.asDiagonal() * A.transpose();
-            const Square computed = to_eigen<long double>(ingot::lane_of(tiles.rotation(slot).inv_I_world, slot % ingot::lanes));
+            const Square computed =
+                to_eigen<long double>(ingot::lane_of(tiles.rotation(slot).inv_I_world, slot % ingot::lanes));
             // 1 / I and its scaling: 2 roundings; a product and three products summed: 4
             ASSERT_LE(worst_relative_error(computed, inv_I, Square(A.cwiseAbs() * J.asDiagonal() * A.cwiseAbs().transpose())),
                       gamma<scalar>(6));
             const Column L = to_eigen<long double>(s.L);
             const Column omega = computed * L;
-            ASSERT_LE(worst_relative_error(to_eigen<long double>(ingot::lane_of(tiles.rotation(slot).omega, slot % ingot::lanes)), omega,
-                                           Column(computed.cwiseAbs() * L.cwiseAbs())),
-                      gamma<scalar>(3));
+            ASSERT_LE(
+                worst_relative_error(to_eigen<long double>(ingot::lane_of(tiles.rotation(slot).omega, slot % ingot::lanes)),
+                                     omega, Column(computed.cwiseAbs() * L.cwiseAbs())),
+                gamma<scalar>(3));
         }
     }
 }
@@ -71,8 +74,10 @@ TEST(RefreshAuxiliary, of_one_slot_has_the_bits_of_all) {
         ingot::set_lane(one.rotation(slot).omega, lane_i, ingot::Vector{});
         ingot::set_lane(one.rotation(slot).inv_I_world, lane_i, ingot::SymmetricMatrix{});
         ingot::refresh_auxiliary_of(one.view(), slot);
-        EXPECT_EQ(to_eigen(ingot::lane_of(one.rotation(slot).omega, lane_i)), to_eigen(ingot::lane_of(all.rotation(slot).omega, lane_i)));
-        EXPECT_EQ(to_eigen(ingot::lane_of(one.rotation(slot).inv_I_world, lane_i)), to_eigen(ingot::lane_of(all.rotation(slot).inv_I_world, lane_i)));
+        EXPECT_EQ(to_eigen(ingot::lane_of(one.rotation(slot).omega, lane_i)),
+                  to_eigen(ingot::lane_of(all.rotation(slot).omega, lane_i)));
+        EXPECT_EQ(to_eigen(ingot::lane_of(one.rotation(slot).inv_I_world, lane_i)),
+                  to_eigen(ingot::lane_of(all.rotation(slot).inv_I_world, lane_i)));
     }
 }
 
@@ -101,7 +106,9 @@ TEST(Kinematics, L_of_a_spin_gives_the_spin_back) {
 
 using WideColumn = ingot::Vec3<long double>;
 WideColumn wide(const Column& v) { return {v(0), v(1), v(2)}; }
-ingot::Mat3<long double> wide(const Square& m) { return {wide(Column(m.col(0))), wide(Column(m.col(1))), wide(Column(m.col(2)))}; }
+ingot::Mat3<long double> wide(const Square& m) {
+    return {wide(Column(m.col(0))), wide(Column(m.col(1))), wide(Column(m.col(2)))};
+}
 
 /// Where a point of a freely flying body is: o = r_0 + v t + a t^2 / 2, and the body turns as it does.
 struct Flight {
@@ -125,7 +132,8 @@ struct Flight {
     }
     /// Eq. 11.
     Column point_at(long double t) const {
-        const WideColumn b = ingot::point_position(wide(Column(r_0 + v_0 * t + a * t * t / 2)), wide(body_at(t).A()), wide(r_body));
+        const WideColumn b =
+            ingot::point_position(wide(Column(r_0 + v_0 * t + a * t * t / 2)), wide(body_at(t).A()), wide(r_body));
         return to_eigen<long double>(b);
     }
 };
@@ -140,7 +148,9 @@ Column first_derivative(const Flight& f) {
     return (4 * difference(d) - difference(2 * d)) / 3;
 }
 Column second_derivative(const Flight& f) {
-    const auto difference = [&](long double s) -> Column { return (f.point_at(s) - 2 * f.point_at(0) + f.point_at(-s)) / (s * s); };
+    const auto difference = [&](long double s) -> Column {
+        return (f.point_at(s) - 2 * f.point_at(0) + f.point_at(-s)) / (s * s);
+    };
     return (4 * difference(d) - difference(2 * d)) / 3;
 }
 

@@ -29,7 +29,8 @@ struct FlightErrors {
 
 /// 2 E from the primary state, in long double: nothing of what the kernel keeps of the energy goes in.
 inline long double twice_energy(const ingot::BodyState& s, const Eigen::Matrix<long double, 3, 1>& I) {
-    const Eigen::Matrix<long double, 3, 1> y = ingot_reference::to_eigen<long double>(s.A).transpose() * ingot_reference::to_eigen<long double>(s.L);
+    const Eigen::Matrix<long double, 3, 1> y =
+        ingot_reference::to_eigen<long double>(s.A).transpose() * ingot_reference::to_eigen<long double>(s.L);
     return y.dot(y.cwiseQuotient(I));
 }
 
@@ -58,7 +59,8 @@ inline FlightErrors flown(const std::string& table, const std::string& name, int
         for (; steps < static_cast<long>(due); ++steps) {
             errors.clean = ingot::step(world, h).clean() && errors.clean;
             if (steps % 16 == 0)
-                errors.energy = std::max(errors.energy, static_cast<double>(std::abs(twice_energy(world.state(id).value, body.I) / energy - 1)));
+                errors.energy = std::max(
+                    errors.energy, static_cast<double>(std::abs(twice_energy(world.state(id).value, body.I) / energy - 1)));
         }
         const ingot::BodyState s = world.state(id).value;
         errors.attitude = std::max(errors.attitude, attitude_error(to_eigen<long double>(s.A), sample.A));

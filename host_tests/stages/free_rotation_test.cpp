@@ -12,8 +12,8 @@ namespace {
 
 using namespace ingot_reference;
 using ingot::scalar;
-using ingot_stages::flown;
 using ingot_stages::FlightErrors;
+using ingot_stages::flown;
 using ingot_stages::Tiles;
 using ingot_stages::twice_energy;
 

@@ -8,7 +8,10 @@
 #include <ingot/motion/moser_veselov.h>
 #include <ingot/world/state_hash.h>
 
+#include <cmath>
 #include <limits>
+#include <string>
+#include <tuple>
 
 #include "reference/kernel_types.h"
 #include "reference/random_input.h"
@@ -29,7 +32,8 @@ Tiles random_tiles() {
     Tiles tiles(slots);
     for (int slot = 0; slot < slots; ++slot) {
         ingot::BodyDef def = definition(1, random.moments(1));
-        def.state = {to_vector(random.vector(3)), to_vector(random.vector(3)), to_matrix(random.rotation()), to_vector(random.vector(1))};
+        def.state = {to_vector(random.vector(3)), to_vector(random.vector(3)), to_matrix(random.rotation()),
+                     to_vector(random.vector(1))};
         tiles.write(slot, def);
     }
     return tiles;
@@ -96,7 +100,14 @@ INSTANTIATE_TEST_SUITE_P(Blows, Freeze,
                          ::testing::Values(std::tuple(Blow::torque, nan), std::tuple(Blow::torque, infinity),
                                            std::tuple(Blow::force, nan), std::tuple(Blow::force, -infinity),
                                            std::tuple(Blow::position, scalar(0)), std::tuple(Blow::momentum, nan),
-                                           std::tuple(Blow::momentum, -infinity)));
+                                           std::tuple(Blow::momentum, -infinity)),
+                         [](const ::testing::TestParamInfo<std::tuple<Blow, scalar>>& blow) {
+                             constexpr const char* names[] = {"torque", "force", "position", "momentum"};
+                             const auto [what, number] = blow.param;
+                             return std::string(names[static_cast<int>(what)]) + (std::isnan(number) ? "_nan"
+                                                                                  : number > 0       ? "_inf"
+                                                                                                     : "_minus_inf_or_max");
+                         });
 
 TEST(FreezeListing1, marks_the_body_and_keeps_its_attitude) {
     Tiles tiles = random_tiles();

@@ -63,7 +63,10 @@ struct Collision {
     ingot::Vector P, n;
     explicit Collision(const ImpulseCase& c) : P(to_vector(c.A.r_P)), n(to_vector(c.n)) {
         ingot::BodyDef a = definition(static_cast<double>(c.M_A), c.I_A);
-        a.state = {{}, to_vector(c.A.v), to_matrix(c.A_A), to_vector(Column(c.A_A * c.I_A.cwiseProduct(c.A_A.transpose() * c.A.omega)))};
+        a.state = {{},
+                   to_vector(c.A.v),
+                   to_matrix(c.A_A),
+                   to_vector(Column(c.A_A * c.I_A.cwiseProduct(c.A_A.transpose() * c.A.omega)))};
         A = world.add(a).value;
         ingot::BodyDef b{};
         b.immovable = c.B_is_fixed();
@@ -84,7 +87,8 @@ TEST(Collide, I1_agrees_with_the_table) {
         }
         Collision collision(c);
         World& world = collision.world;
-        const ingot::Result<scalar> j = world.collide(collision.A, collision.B, collision.P, collision.n, static_cast<scalar>(c.e));
+        const ingot::Result<scalar> j =
+            world.collide(collision.A, collision.B, collision.P, collision.n, static_cast<scalar>(c.e));
         ASSERT_EQ(j.status, ingot::Status::ok) << "row " << c.row + 1;
         const double off_j = relative(static_cast<long double>(j.value), c.j);
         const double off_v = std::max(relative(world.state(collision.A).value.v_CM, c.v_A_after, c.A.v),
@@ -146,7 +150,9 @@ struct RandomPair {
         if (approach() > 0) n = -n;
     }
     /// n.(v_AP - v_BP) from the primary state.
-    double approach() const { return static_cast<double>(to_eigen<long double>(n).dot(velocity_at_P(A, 0) - velocity_at_P(B, 1))); }
+    double approach() const {
+        return static_cast<double>(to_eigen<long double>(n).dot(velocity_at_P(A, 0) - velocity_at_P(B, 1)));
+    }
     Column omega(ingot::BodyId id, int k) const {
         const ingot::BodyState s = world.state(id).value;
         const Square rotation = to_eigen<long double>(s.A);
@@ -159,7 +165,9 @@ struct RandomPair {
     long double energy() const {
         const auto of = [&](ingot::BodyId id, int k) {
             const ingot::BodyState s = world.state(id).value;
-            return (static_cast<long double>(M[k]) * to_eigen<long double>(s.v_CM).squaredNorm() + to_eigen<long double>(s.L).dot(omega(id, k))) / 2;
+            return (static_cast<long double>(M[k]) * to_eigen<long double>(s.v_CM).squaredNorm() +
+                    to_eigen<long double>(s.L).dot(omega(id, k))) /
+                   2;
         };
         return of(A, 0) + of(B, 1);
     }
@@ -167,7 +175,8 @@ struct RandomPair {
     Column angular_momentum() const {
         const auto of = [&](ingot::BodyId id, int k) -> Column {
             const ingot::BodyState s = world.state(id).value;
-            return to_eigen<long double>(s.r_CM).cross(static_cast<long double>(M[k]) * to_eigen<long double>(s.v_CM)) + to_eigen<long double>(s.L);
+            return to_eigen<long double>(s.r_CM).cross(static_cast<long double>(M[k]) * to_eigen<long double>(s.v_CM)) +
+                   to_eigen<long double>(s.L);
         };
         return of(A, 0) + of(B, 1);
     }
@@ -197,7 +206,8 @@ TEST(Collide, impact_takes_the_energy_that_restitution_says) {
         const double j = static_cast<double>(pair.world.collide(pair.A, pair.B, pair.P, pair.n, e).value);
         const double taken = static_cast<double>(before - pair.energy());
         // j is off by up to 20 roundings of its terms (a speed is a difference), and so is the energy, as in I4
-        ASSERT_NEAR(taken, (1 - static_cast<double>(e)) * j * -v_n / 2, (is_double ? 1e-13 : 1e-6) * static_cast<double>(before));
+        ASSERT_NEAR(taken, (1 - static_cast<double>(e)) * j * -v_n / 2,
+                    (is_double ? 1e-13 : 1e-6) * static_cast<double>(before));
     }
 }
 
@@ -210,7 +220,8 @@ TEST(Collide, points_part_with_restitution_times_their_speed) {
         const double terms = static_cast<double>(pair.velocity_at_P(pair.A, 0).norm() + pair.velocity_at_P(pair.B, 1).norm()) +
                              4 * static_cast<double>(pair.omega(pair.A, 0).norm() + pair.omega(pair.B, 1).norm());
         ASSERT_TRUE(pair.world.collide(pair.A, pair.B, pair.P, pair.n, e).ok());
-        // v_n: 10 roundings of v and omega x r; K and j: 20 of |v_n|; omega after: 20 of itself. Speeds after are below 20 terms.
+        // v_n: 10 roundings of v and omega x r; K and j: 20 of |v_n|; omega after: 20 of itself. Speeds after are below 20
+        // terms.
         ASSERT_NEAR(pair.approach(), -static_cast<double>(e) * before, 50 * 20 * u * terms);
     }
 }
@@ -265,7 +276,8 @@ TEST(Collide, I3_grazing_impact) {
             const ingot::Vector P = {scalar(0.5), scalar(-0.25), scalar(-1)};
             const scalar j = world.collide(A, B, P, {0, 0, 1}, e).value;
             // K = 1/M + ((r x n)_x^2 / 1 + (r x n)_y^2 / 2) with r x n = (-1/4, -1/2, 0)
-            const double K = 0.5 + 0.0625 + 0.125, exact = -(1 + static_cast<double>(e)) * static_cast<double>(static_cast<scalar>(v_n)) / K;
+            const double K = 0.5 + 0.0625 + 0.125,
+                         exact = -(1 + static_cast<double>(e)) * static_cast<double>(static_cast<scalar>(v_n)) / K;
             EXPECT_NEAR(static_cast<double>(j) / exact, 1, 10 * u) << v_n;
             EXPECT_GT(j, 0);
             const ingot::BodyState s = world.state(A).value;
@@ -292,7 +304,10 @@ TEST(Collide, immovable_side_does_not_move) {
         Eigen::Vector3d n = random.direction();
         if (n.dot(to_eigen(v)) > 0) n = -n;
         const bool swapped = i % 2 == 1;
-        const scalar j = world.collide(swapped ? B : A, swapped ? A : B, to_vector(random.vector(1)), to_vector(swapped ? Eigen::Vector3d(-n) : n), 1).value;
+        const scalar j = world
+                             .collide(swapped ? B : A, swapped ? A : B, to_vector(random.vector(1)),
+                                      to_vector(swapped ? Eigen::Vector3d(-n) : n), 1)
+                             .value;
         ASSERT_GT(j, 0);
         const ingot::BodyState after = world.state(B).value;
         ASSERT_EQ(to_eigen(after.r_CM), to_eigen(before.r_CM));

@@ -110,8 +110,8 @@ TEST(Listing1, every_step_is_the_printed_one) {
                       6 * u * (v_size + h * (sum_of_forces / bodies[i].M + gravity.norm())));
             // P - r, cross product, two summed, times h, added to L: 6 roundings
             ASSERT_LE(largest_difference(to_eigen(after.L), expected[i].L), 6 * u * (L_size + h * 2 * sum_of_moments));
-            // Gram-Schmidt: below 40 (see maths/rotation_test.cpp). omega of step n, which the kernel has from I^-1 = A I_body^-1 A^T
-            // with 6 roundings an entry and 3 of the product, in sums of three: 27, times h.
+            // Gram-Schmidt: below 40 (see maths/rotation_test.cpp). omega of step n, which the kernel has from I^-1 = A
+            // I_body^-1 A^T with 6 roundings an entry and 3 of the product, in sums of three: 27, times h.
             ASSERT_LE(largest_difference(to_eigen(after.A), expected[i].A), (40 + 27 * h * inv_I * L_size) * u);
             // The error of A counts twice in I^-1, which is smaller than inv_I, and once more in sums of three.
             const double inv_I_error = 3 * (6 + 2 * (40 + 27 * h * inv_I * L_size)) * u * inv_I;
@@ -124,8 +124,7 @@ TEST(Listing1, every_step_is_the_printed_one) {
 /// Distance of two states in A, and in the rest relative to scales of the motion.
 double distance(const Reference& a, const Reference& b) {
     return std::max({largest_difference(a.A, b.A), largest_difference(a.L, b.L) / (1 + length_of(b.L)),
-                     largest_difference(a.v, b.v) / (1 + length_of(b.v)),
-                     largest_difference(a.r, b.r) / (1 + length_of(b.r))});
+                     largest_difference(a.v, b.v) / (1 + length_of(b.v)), largest_difference(a.r, b.r) / (1 + length_of(b.r))});
 }
 
 /// Left alone, kernel and reference part as fast as roundings grow. How fast that is the reference itself tells: its twin,

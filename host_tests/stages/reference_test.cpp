@@ -82,8 +82,9 @@ TEST(Listing1Reference, converges_to_the_free_body_with_order_1) {
     const FreeBodyCase body("free_asymmetric", "book");
     double error[2];
     for (int halving = 0; halving < 2; ++halving) {
-        auto listing1 = Listing1Body<double>::initialised(1, body.I.cast<double>(), Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(),
-                                                          body.A_0.cast<double>(), body.L.cast<double>());
+        auto listing1 =
+            Listing1Body<double>::initialised(1, body.I.cast<double>(), Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(),
+                                              body.A_0.cast<double>(), body.L.cast<double>());
         const int steps = 2048 << halving;
         for (int step_i = 0; step_i < steps; ++step_i) listing1.step(2.0 / steps, {});
         FreeBody exact(body.I, body.A_0, body.L);
@@ -97,11 +98,12 @@ TEST(Listing1Reference, converges_to_the_free_body_with_order_1) {
 
 TEST(Listing1Reference, right_hand_sides_are_of_step_n) {
     using V = Eigen::Vector3d;
-    auto body = Listing1Body<double>::initialised(2, V(1, 1, 1), V(1, 2, 3), V(4, 5, 6), Eigen::Matrix3d::Identity(), V(0, 0, 0));
+    auto body =
+        Listing1Body<double>::initialised(2, V(1, 1, 1), V(1, 2, 3), V(4, 5, 6), Eigen::Matrix3d::Identity(), V(0, 0, 0));
     body.step(0.5, {{V(8, 0, 0), V(0, 0, 0)}, {V(0, 4, 0), V(1, 0, 0)}});
-    EXPECT_EQ(body.r, V(3, 4.5, 6));   // with v of step n
-    EXPECT_EQ(body.v, V(6, 6, 6));     // F = (8, 4, 0), M = 2
-    EXPECT_EQ(body.L, V(0, 0, 2));     // tau = (1,0,0) x (0,4,0)
+    EXPECT_EQ(body.r, V(3, 4.5, 6));                 // with v of step n
+    EXPECT_EQ(body.v, V(6, 6, 6));                   // F = (8, 4, 0), M = 2
+    EXPECT_EQ(body.L, V(0, 0, 2));                   // tau = (1,0,0) x (0,4,0)
     EXPECT_EQ(body.A, Eigen::Matrix3d::Identity());  // omega of step n was zero
     EXPECT_EQ(body.omega, V(0, 0, 2));
 }
@@ -118,8 +120,10 @@ TEST(Figure4Reference, agrees_with_the_table) {
         B.receive(-j * row.n);
         ASSERT_LE(largest_difference(A.v, row.v_A_after), 1e-15 * (1 + length_of(row.A.v) + length_of(row.v_A_after)));
         ASSERT_LE(largest_difference(B.v, row.v_B_after), 1e-15 * (1 + length_of(row.B.v) + length_of(row.v_B_after)));
-        ASSERT_LE(largest_difference(A.omega, row.omega_A_after), 1e-15 * (1 + length_of(row.A.omega) + length_of(row.omega_A_after)));
-        ASSERT_LE(largest_difference(B.omega, row.omega_B_after), 1e-15 * (1 + length_of(row.B.omega) + length_of(row.omega_B_after)));
+        ASSERT_LE(largest_difference(A.omega, row.omega_A_after),
+                  1e-15 * (1 + length_of(row.A.omega) + length_of(row.omega_A_after)));
+        ASSERT_LE(largest_difference(B.omega, row.omega_B_after),
+                  1e-15 * (1 + length_of(row.B.omega) + length_of(row.omega_B_after)));
     }
 }
 

@@ -26,7 +26,8 @@ struct Spinner {
     ingot::BodyId id;
     Column I;
 
-    Spinner(const Eigen::Vector3d& moments, const Eigen::Matrix3d& A, const Eigen::Vector3d& L) : I(to_eigen<long double>(to_vector(moments))) {
+    Spinner(const Eigen::Vector3d& moments, const Eigen::Matrix3d& A, const Eigen::Vector3d& L)
+        : I(to_eigen<long double>(to_vector(moments))) {
         ingot::BodyDef def = definition(1, moments);
         def.state.A = to_matrix(A);
         def.state.L = to_vector(L);
@@ -41,8 +42,8 @@ struct Spinner {
     }
 };
 
-/// Spins of up to 8 rad a step, in substeps of at most 1/2 rad: the error of a substep is that of the order test, 5e-12 (double)
-/// or 1.3e-5 (float) at the most, 16 of them a step; the motion of a body of ratio 3 carries it on at most 10 times.
+/// Spins of up to 8 rad a step, in substeps of at most 1/2 rad: the error of a substep is that of the order test, 5e-12
+/// (double) or 1.3e-5 (float) at the most, 16 of them a step; the motion of a body of ratio 3 carries it on at most 10 times.
 TEST(Substeps, spins_up_to_8_rad_a_step_are_followed) {
     RandomInput random(131);
     for (const double angle : {0.3, 0.49, 0.51, 0.99, 1.01, 1.99, 2.01, 3.99, 4.01, 6.0, 7.5}) {
@@ -60,7 +61,9 @@ TEST(Substeps, spins_up_to_8_rad_a_step_are_followed) {
                 ASSERT_TRUE(ingot::step(body.world, static_cast<scalar>(h)).clean()) << angle;
                 exact.advance(static_cast<long double>(h));
             }
-            EXPECT_LE(attitude_error(to_eigen<long double>(body.state().A), exact.A()), 16 * 16 * 10 * (is_double ? 5e-12 : 1.3e-5)) << angle;
+            EXPECT_LE(attitude_error(to_eigen<long double>(body.state().A), exact.A()),
+                      16 * 16 * 10 * (is_double ? 5e-12 : 1.3e-5))
+                << angle;
             EXPECT_LE(static_cast<double>(std::abs(twice_energy(body.state(), body.I) / energy - 1)), 16 * u) << angle;
         }
     }
@@ -78,7 +81,8 @@ TEST(Substeps, spins_beyond_8_rad_a_step_are_clamped_and_reported) {
         EXPECT_EQ(report.spins_clamped, 1) << angle;
         EXPECT_FALSE(report.clean());
         EXPECT_EQ(report.bodies_frozen, 0);
-        const Square expected = Eigen::AngleAxis<long double>(8, axis.cast<long double>()).toRotationMatrix() * Spinner::rotation_of(begin);
+        const Square expected =
+            Eigen::AngleAxis<long double>(8, axis.cast<long double>()).toRotationMatrix() * Spinner::rotation_of(begin);
         // A sphere, 16 turns of 1/2 rad: each lacks angle^(order + 1) / (order + 1)!, and rounds like any.
         const double lacking = 16 * (is_double ? std::pow(0.5, 11) / 39916800 : std::pow(0.5, 7) / 5040);
         EXPECT_LE(attitude_error(to_eigen<long double>(body.state().A), expected), 1.3 * lacking + 64 * u) << angle;
@@ -114,6 +118,21 @@ TEST(Substeps, vanishing_spin_leaves_the_attitude_alone) {
     }
 }
 
+/// R15: an A that is off by 1e-3 becomes the rotation next to it at the door, and stays one.
+TEST(Door, an_attitude_that_is_not_orthonormal_becomes_its_polar_factor) {
+    RandomInput random(136);
+    for (int i = 0; i < 50; ++i) {
+        Eigen::Matrix3d A = random.rotation();
+        for (int column = 0; column < 3; ++column) A.col(column) += random.vector(1e-3);
+        Spinner body(Eigen::Vector3d(1, 2, 2.5), A, Eigen::Vector3d(1, 1, 1));
+        const Eigen::JacobiSVD<Square> svd(to_eigen<long double>(to_matrix(A)), Eigen::ComputeFullU | Eigen::ComputeFullV);
+        ASSERT_LE(largest_difference(to_eigen(body.state().A), Square(svd.matrixU() * svd.matrixV().transpose())), 8 * u);
+        for (int step_i = 0; step_i < 3; ++step_i) ASSERT_TRUE(ingot::step(body.world, scalar(1) / 60).clean());
+        ASSERT_LE(orthogonality_defect(to_eigen(body.state().A)), 8 * u);  // 4 eps
+        ASSERT_NEAR(to_eigen(body.state().A).determinant(), 1, 12 * u);
+    }
+}
+
 TEST(Substeps, a_body_at_rest_rests) {
     RandomInput random(134);
     Spinner body(Eigen::Vector3d(1, 2, 2.5), random.rotation(), Eigen::Vector3d::Zero());
@@ -132,7 +151,8 @@ TEST(Steps, from_a_nanosecond_to_a_second) {
         for (int step_i = 0; step_i < 100; ++step_i) ASSERT_TRUE(ingot::step(body.world, h).clean());
         exact.advance(100 * static_cast<long double>(h));
         // at a second |omega| h <= 1, in substeps of at most 1/2 rad: 200 of them, 5e-12 or 1.3e-5 each (see above)
-        ASSERT_LE(attitude_error(to_eigen<long double>(body.state().A), exact.A()), h < 1 ? 8 * u : 200 * 10 * (is_double ? 5e-12 : 1.3e-5));
+        ASSERT_LE(attitude_error(to_eigen<long double>(body.state().A), exact.A()),
+                  h < 1 ? 8 * u : 200 * 10 * (is_double ? 5e-12 : 1.3e-5));
     }
     for (const scalar h : {scalar(0), scalar(-1), std::numeric_limits<scalar>::quiet_NaN(), scalar(1.01)})
         EXPECT_EQ(ingot::step(body.world, h).status, ingot::Status::bad_step);
@@ -152,7 +172,8 @@ TEST(Steps, may_change_at_any_time) {
         turned += 1.5 * static_cast<double>(h);
         // the bar of the book case, by the radian: 1e-9 (double) or 1e-5 (float) for 81 rad
         if (step_i % 60 == 0) {
-            ASSERT_LE(attitude_error(to_eigen<long double>(body.state().A), exact.A()), (1 + turned / 81) * (is_double ? 1e-12 : 1e-5));
+            ASSERT_LE(attitude_error(to_eigen<long double>(body.state().A), exact.A()),
+                      (1 + turned / 81) * (is_double ? 1e-12 : 1e-5));
         }
     }
     // With h changing the energy cannot be held to one value: each step adds a rounding or two, of random sign.

@@ -35,7 +35,8 @@ double free_error(const Column& moments, const Column& L, long double t, long do
     ingot::BodyDef def = definition(1, moments);
     def.state.L = to_vector(L);
     const ingot::BodyId id = world.add(def).value;
-    for (long step_i = 0; step_i < std::lround(t / h); ++step_i) EXPECT_TRUE(ingot::step(world, static_cast<scalar>(h)).clean());
+    for (long step_i = 0; step_i < std::lround(t / h); ++step_i)
+        EXPECT_TRUE(ingot::step(world, static_cast<scalar>(h)).clean());
     FreeBody exact(moments, Square::Identity(), L);
     exact.advance(t);
     return attitude_error(to_eigen<long double>(world.state(id).value.A), exact.A());
@@ -48,8 +49,9 @@ class RotationOrder : public ::testing::Test {};
 using Methods = ::testing::Types<ingot::LieMidpoint, ingot::SymmetricTopSplitting<2>, ingot::DiscreteMoserVeselov<2>,
                                  ingot::DiscreteMoserVeselov<4>
 #if INGOT_DOUBLE
-                                 , ingot::Rk4Polar, ingot::SymmetricTopSplitting<6>, ingot::DiscreteMoserVeselov<6>, ingot::DiscreteMoserVeselov<8>,
-                                 ingot::DiscreteMoserVeselov<10>
+                                 ,
+                                 ingot::Rk4Polar, ingot::SymmetricTopSplitting<6>, ingot::DiscreteMoserVeselov<6>,
+                                 ingot::DiscreteMoserVeselov<8>, ingot::DiscreteMoserVeselov<10>
 #endif
                                  >;
 struct MethodName {
@@ -63,18 +65,22 @@ struct MethodName {
 TYPED_TEST_SUITE(RotationOrder, Methods, MethodName);
 
 /// R17: half the step, 2^-order of the error, from steps so short that the next term is below a tenth (the spin goes up to
-/// 1.92 rad/s, and no substeps are taken below 1/2 rad a step) and so long that the error is far above rounding: |omega| h between 0.36
-/// and 0.18 for order 10, shorter for lower orders.
+/// 1.92 rad/s, and no substeps are taken below 1/2 rad a step) and so long that the error is far above rounding: |omega| h
+/// between 0.36 and 0.18 for order 10, shorter for lower orders.
 TYPED_TEST(RotationOrder, free_bodies) {
     const Column L(0.5L, 3, 3);  // w = (0.5, 1.5, 1) at the begin
     // The polar step takes away most of the fifth-order term of Runge-Kutta, the part of it that is no rotation: above 1/100 s
     // the sixth order shows, and the slope is 5 and more.
     const bool runge_kutta = std::is_same<TypeParam, ingot::Rk4Polar>::value;
-    const long double h = runge_kutta ? 3.0L / 512 : TypeParam::order >= 8 ? 3.0L / 16 : TypeParam::order >= 4 ? 3.0L / 32 : 3.0L / 64;
+    const long double h = runge_kutta             ? 3.0L / 512
+                          : TypeParam::order >= 8 ? 3.0L / 16
+                          : TypeParam::order >= 4 ? 3.0L / 32
+                                                  : 3.0L / 64;
     using Scene = FlyerWith<TypeParam>;
     const long double t = TypeParam::order <= 2 ? 3 : 12;
     const double coarse = free_error<Scene>(I, L, t, h), fine = free_error<Scene>(I, L, t, h / 2);
-    std::printf("    error %.1e at h = %.3f s, %.1e at half of it: order %.2f\n", coarse, static_cast<double>(h), fine, std::log2(coarse / fine));
+    std::printf("    error %.1e at h = %.3f s, %.1e at half of it: order %.2f\n", coarse, static_cast<double>(h), fine,
+                std::log2(coarse / fine));
     EXPECT_NEAR(std::log2(coarse / fine), TypeParam::order, 0.3);
 }
 
@@ -95,14 +101,17 @@ TEST(SymmetricTop, is_exact_at_any_step) {
         for (const long double h : {1.0L / 64, 0.25L, 1.0L}) {
             const Column L(1, -0.5L, 2);
             const double turned = 16 * static_cast<double>((L.norm() / moments.minCoeff()));
-            EXPECT_LE(free_error<FlyerWith<ingot::SymmetricTop>>(moments, L, 16, h), 4 * u * (turned + 16 / static_cast<double>(h)))
+            EXPECT_LE(free_error<FlyerWith<ingot::SymmetricTop>>(moments, L, 16, h),
+                      4 * u * (turned + 16 / static_cast<double>(h)))
                 << "h = " << static_cast<double>(h);
         }
     }
 }
 
 /// Torque that changes with time, tau(t) = c cos(nu t) + s sin(nu t), given at the middle of each step: kick, drift, kick.
-Column torque_at(long double t) { return Column(0.5L, -0.25L, 1) * std::cos(2 * t) + Column(0.25L, 0.75L, -0.5L) * std::sin(2 * t); }
+Column torque_at(long double t) {
+    return Column(0.5L, -0.25L, 1) * std::cos(2 * t) + Column(0.25L, 0.75L, -0.5L) * std::sin(2 * t);
+}
 
 double driven_error(int steps, const Square& A_exact) {
     const long double t = 4;
@@ -120,7 +129,8 @@ double driven_error(int steps, const Square& A_exact) {
 TEST(DefaultRotation, driven_bodies_are_met_with_order_2) {
     DrivenBody exact(I, Square::Identity(), Column(0.5L, 2, 2.25L));
     exact.advance(4, 4096, [](long double t, const Square&) { return torque_at(t); });
-    const double coarse = driven_error(64, exact.A()), fine = driven_error(128, exact.A()), finest = driven_error(256, exact.A());
+    const double coarse = driven_error(64, exact.A()), fine = driven_error(128, exact.A()),
+                 finest = driven_error(256, exact.A());
     std::printf("    error %.1e, %.1e, %.1e: orders %.2f and %.2f\n", coarse, fine, finest, std::log2(coarse / fine),
                 std::log2(fine / finest));
     EXPECT_NEAR(std::log2(coarse / fine), 2, 0.3);

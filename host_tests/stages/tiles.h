@@ -14,12 +14,16 @@ namespace ingot_stages {
 class Tiles {
 public:
     explicit Tiles(int slots)
-        : rotation_(tiles_for(slots)), translation_(tiles_for(slots)), compensation_(tiles_for(slots)), energy_(tiles_for(slots)) {
+        : rotation_(tiles_for(slots)),
+          translation_(tiles_for(slots)),
+          compensation_(tiles_for(slots)),
+          energy_(tiles_for(slots)) {
         for (int slot = 0; slot < view().tile_count * ingot::lanes; ++slot) ingot::set_identity_body(view(), slot);
     }
 
     ingot::BodyView view() {
-        return {rotation_.data(), translation_.data(), compensation_.data(), energy_.data(), static_cast<int>(rotation_.size())};
+        return {rotation_.data(), translation_.data(), compensation_.data(), energy_.data(),
+                static_cast<int>(rotation_.size())};
     }
 
     /// Without the checks of World::add: stages take any numbers.

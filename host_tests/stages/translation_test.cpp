@@ -68,7 +68,8 @@ TEST(Translation, constant_force_gives_the_parabola_to_rounding) {
         const Column a = to_eigen<long double>(F) / M_used + to_eigen<long double>(g);
         const Column r_0 = to_eigen<long double>(def.state.r_CM), v_0 = to_eigen<long double>(def.state.v_CM);
         const ingot::BodyState s = world.state(id).value;
-        const double v_max = static_cast<double>(v_0.norm() + a.norm() * t), r_max = length_of(r_0) + v_max * static_cast<double>(t);
+        const double v_max = static_cast<double>(v_0.norm() + a.norm() * t),
+                     r_max = length_of(r_0) + v_max * static_cast<double>(t);
         const double v_bound = 3 * u * steps * v_max;
         ASSERT_LE(largest_difference(to_eigen(s.v_CM), Column(v_0 + a * t)), v_bound);
         ASSERT_LE(largest_difference(to_eigen(s.r_CM), Column(r_0 + v_0 * t + a * t * t / 2)),
@@ -122,8 +123,9 @@ TEST(Translation, r_follows_the_mean_of_the_velocities) {
         const Column a = F[i] / 2 + to_eigen<long double>(g), dv = a * static_cast<long double>(h);
         const double v_size = static_cast<double>(v[i].norm() + dv.norm());
         EXPECT_LE(largest_difference(to_eigen(tiles.state(slot).v_CM), Column(v[i] + dv)), 3 * u * v_size);
-        EXPECT_LE(largest_difference(to_eigen(tiles.state(slot).r_CM), Column(r[i] + (v[i] + dv / 2) * static_cast<long double>(h))),
-                  u * (length_of(r[i]) + 8 * h * v_size));  // the last sum, and the roundings of v_mid
+        EXPECT_LE(
+            largest_difference(to_eigen(tiles.state(slot).r_CM), Column(r[i] + (v[i] + dv / 2) * static_cast<long double>(h))),
+            u * (length_of(r[i]) + 8 * h * v_size));  // the last sum, and the roundings of v_mid
     }
 }
 

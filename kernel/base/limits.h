@@ -46,13 +46,14 @@ inline constexpr int sweeps_max = INGOT_DOUBLE ? 32 : 16; ///< of the fixed poin
 inline constexpr int polar_interval = 16;                 ///< steps from one polar step to the next
 
 // Contacts (collide/, solve/).
-/// A corner this fraction of the bounding radius above a face touches it: a box that lands flat but for rounding lands on
-/// all its corners at once.
+/// Shapes that are apart by this fraction of the bounding radius touch: a box that lands flat but for rounding lands on all its
+/// corners at once, and what is put down touching does not fall for one step.
 inline constexpr scalar flatness = scalar(1e-4);
-inline constexpr int impact_waves_max = 64;     ///< impacts that impacts cause, within one step; the rest is reported
+inline constexpr int impact_waves_max = 128;    ///< impacts that impacts cause, within one step; the rest is reported
 inline constexpr int contact_sweeps_max = 128;  ///< over the contacts solved together; the rest is reported
 /// A contact counts as approaching, and a sweep as unfinished, beyond this many roundings of the speeds it is made of.
 inline constexpr scalar contact_roundings = 8;
+inline constexpr scalar contact_slack = 8;      ///< times that, once a quarter of the sweeps are done
 /// Impacts slower than this many times |gravity| h are contacts at rest: restitution does not apply to them.
 inline constexpr scalar rest_speed_factor = 2;
 

@@ -94,7 +94,7 @@ struct Naming {
 /// 1 + 2 cos(angle). Of equals it is the first, and the user's own order is first.
 ///
 /// The largest sum of magnitudes will do: it belongs to a right-handed one. Those come within 62.8 degrees of any orientation
-/// (Handscomb 1958), a trace of 1.91 or more, and a left-handed one, a mirror image with a turn, has 1 at most.
+/// (Handscomb 1958), a trace of 1.91 or more; that of a left-handed one, a turn and a mirror, is 1 at most.
 constexpr Naming nearest_naming(const Matrix& axes) {
     constexpr int orders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
     const Vector &x = axes.c0, &y = axes.c1, &z = axes.c2;
@@ -125,7 +125,7 @@ constexpr Naming nearest_naming(const Matrix& axes) {
 /// A tensor that is diagonal to rounding gives A = 1 exactly and its own diagonal, bit for bit; of a body with equal moments
 /// (a ball, a cube, a cylinder) only those axes turn that must.
 /// Units:   moments in the unit of the tensor, kg m^2.
-/// Error:   the moments within 9 epsilon of the largest, those that count as equal within 25; |A^T A - 1| within 4 epsilon. In
+/// Error:   the moments within 9 epsilon of the largest, those that count as equal within 25; |A^T A - 1| within 2.5 epsilon. In
 ///          float that leaves the smallest moment of a rod 1000:1 that lies askew in its frame no more than a digit: describe
 ///          long bodies along the axes.
 /// Errors:  not_finite, bad_inertia (an entry beyond limits::inertia_max; no entry of a tensor exceeds its largest moment),

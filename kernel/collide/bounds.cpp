@@ -33,7 +33,7 @@ bool may_touch(const BodyView& bodies, const SurfaceView& surfaces, int slot_A, 
     if (B.shape.kind == ShapeKind::half_space) return sphere_meets_half_space(bodies, surfaces, slot_A, slot_B);
 
     const Vector r_A = r_CM_of(bodies, slot_A), r_B = r_CM_of(bodies, slot_B);
-    const scalar reach = A.bounding_radius + B.bounding_radius;
+    const scalar reach = (A.bounding_radius + B.bounding_radius) * (1 + limits::flatness);
     const scalar dx = r_A.x - r_B.x;
     if (abs(dx) > reach) return false;
     const scalar dy = r_A.y - r_B.y, dz = r_A.z - r_B.z;

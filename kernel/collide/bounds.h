@@ -20,7 +20,7 @@ struct SurfaceView {
 };
 
 /// False for two bodies that cannot touch: neither moves, one has no shape, or the spheres that hold the shapes (the sphere
-/// and the half space) are apart. Most pairs are told apart by their first coordinate.
+/// and the half space) are apart by more than limits::flatness. Most pairs are told apart by their first coordinate.
 bool may_touch(const BodyView& bodies, const SurfaceView& surfaces, int slot_A, int slot_B);
 
 } }  // namespace ingot

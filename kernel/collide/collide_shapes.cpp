@@ -48,7 +48,7 @@ WorldFace face_of(const Placed& half_space) {
 void collide_sphere_sphere(const Placed& A, const Placed& B, ContactSink& sink) {
     const Vector d = A.r_CM - B.r_CM;
     const scalar distance = sqrt(length_sq(d)), reach = A.shape.size.x + B.shape.size.x;
-    if (distance > reach) return;
+    if (distance > reach * (1 + limits::flatness)) return;
     const Vector n = distance > 0 ? d * (1 / distance) : Vector{1, 0, 0};
     sink.add(n, {}, {}, distance - reach);
 }
@@ -56,7 +56,7 @@ void collide_sphere_sphere(const Placed& A, const Placed& B, ContactSink& sink) 
 void collide_sphere_half_space(const Placed& A, const Placed& B, ContactSink& sink) {
     const WorldFace face = face_of(B);
     const scalar separation = dot(face.n, A.r_CM) - face.d - A.shape.size.x;
-    if (separation <= 0) sink.add(face.n, {}, {}, separation);
+    if (separation <= limits::flatness * A.shape.size.x) sink.add(face.n, {}, {}, separation);
 }
 
 void collide_box_half_space(const Placed& A, const Placed& B, ContactSink& sink) {
@@ -64,14 +64,23 @@ void collide_box_half_space(const Placed& A, const Placed& B, ContactSink& sink)
     const Vector half = A.shape.size;
     const Vector edge_x = A.A.c0 * half.x, edge_y = A.A.c1 * half.y, edge_z = A.A.c2 * half.z;
     const scalar height = dot(face.n, A.r_CM) - face.d, margin = limits::flatness * bounding_radius(A.shape);
-    for (int corner_i = 0; corner_i < 8; ++corner_i) {
+    const auto corner = [&](int corner_i) {
         const Vector x = (corner_i & 1) != 0 ? edge_x : -edge_x;
         const Vector y = (corner_i & 2) != 0 ? edge_y : -edge_y;
         const Vector z = (corner_i & 4) != 0 ? edge_z : -edge_z;
-        const Vector r_AP = x + y + z;
-        const scalar separation = height + dot(face.n, r_AP);
-        if (separation <= margin) sink.add(face.n, cross(r_AP, face.n), {}, separation);
+        return x + y + z;
+    };
+    scalar separations[8], deepest = scalar_max;
+    for (int corner_i = 0; corner_i < 8; ++corner_i) {
+        separations[corner_i] = height + dot(face.n, corner(corner_i));
+        deepest = separations[corner_i] < deepest ? separations[corner_i] : deepest;
     }
+    if (deepest > margin) return;
+
+    // All corners as deep as the deepest but for the margin come together, so no rounding parts them.
+    const scalar least = deepest > 0 ? deepest + margin : margin;
+    for (int corner_i = 0; corner_i < 8; ++corner_i)
+        if (separations[corner_i] <= least) sink.add(face.n, cross(corner(corner_i), face.n), {}, separations[corner_i]);
 }
 
 } }  // namespace ingot

@@ -22,6 +22,8 @@ struct Contact {
     scalar target;       ///< m/s; the solve at hand makes n.(v_AP - v_BP) at least this
     scalar tolerance;    ///< m/s; the rounding of n.(v_AP - v_BP)
     scalar j;            ///< N s; of the solve at hand
+    scalar change;       ///< N s; of j in the sweep at hand
+    scalar direction;    ///< N s; conjugate direction of the solve at hand
     scalar j_total;      ///< N s; given in this step
 };
 

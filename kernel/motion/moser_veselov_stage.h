@@ -117,7 +117,11 @@ int integrate_A_moser_veselov(const BodyView& bodies, scalar h, const FlightCloc
             e_0 = load(bodies.energy[tile_i].E_0) / (n * n);
             if (restarts != 0) e_0 = select(mask_from_bits(restarts), lane{}, e_0);
         }
+        // A torque leaves L half a kick beyond the L of this drift: the energy of the flight after it is not known yet.
+        const Vec3<lane> tau_T = load(tile.tau_T);
         tile.kicked = bits(clamped);
+        if (any(abs(tau_T.x) + abs(tau_T.y) + abs(tau_T.z) > lane{}))
+            tile.kicked = static_cast<uint16_t>(tile.kicked | bits(abs(tau_T.x) + abs(tau_T.y) + abs(tau_T.z) > lane{}));
         clamped_count += count_bits(bits(clamped));
 
         mask good = is_finite(angle_sq), turning = good;

@@ -57,14 +57,26 @@ void prepare_contact_rows(const ContactView& contacts, const BodyView& bodies) {
         c.inv_K = 1 / (length_sq(c.n) * (inv_M_A + inv_M_B) + dot(c.k_A, c.lever_A) + dot(c.k_B, c.lever_B));
         INGOT_ASSERT(c.inv_K > 0);  // at least one of the two moves
         c.active = false;
-        c.j = 0;
+        c.tolerance = c.j = 0;
     }
+}
+
+int manifold_end(const ContactView& contacts, int first) {
+    const Contact& c = contacts.contacts[first];
+    int end = first + 1;
+    while (end < *contacts.count && contacts.contacts[end].body_A == c.body_A && contacts.contacts[end].body_B == c.body_B) ++end;
+    return end;
 }
 
 NormalSpeed normal_speed(const Contact& c, const BodyView& bodies) {
     const Motion A = motion_of(bodies, c.body_A), B = motion_of(bodies, c.body_B);
     const scalar u = dot(c.n, A.v_CM - B.v_CM) + dot(A.L, c.k_A) - dot(B.L, c.k_B);
     return {u, magnitude_of(c.n, A.v_CM) + magnitude_of(c.n, B.v_CM) + magnitude_of(A.L, c.k_A) + magnitude_of(B.L, c.k_B)};
+}
+
+scalar tolerance_of(const Contact& c, const NormalSpeed& speed) {
+    const scalar rounding = limits::contact_roundings * epsilon * speed.magnitude;
+    return rounding > c.tolerance ? rounding : c.tolerance;
 }
 
 bool apply_impulse(const Contact& c, scalar j, const BodyView& bodies) {
@@ -82,24 +94,69 @@ bool apply_impulse(const Contact& c, scalar j, const BodyView& bodies) {
     return true;
 }
 
-SweepOutcome solve_active_contacts(const ContactView& contacts, const BodyView& bodies) {
-    for (int sweep_i = 0; sweep_i < limits::contact_sweeps_max; ++sweep_i) {
+namespace {
+
+/// One Gauss-Seidel visit: j becomes what makes n.(v_AP - v_BP) the target, or 0 where that would pull. Returns: true if the row
+/// was off by more than slack times its tolerance.
+bool visit(Contact& c, scalar slack, const BodyView& bodies) {
+    c.change = 0;
+    const scalar missing = c.target - normal_speed(c, bodies).u;
+    if (abs(missing) <= c.tolerance * slack && c.j >= 0) return false;
+    const scalar wanted = c.j + missing * c.inv_K;
+    const scalar j = wanted > 0 ? wanted : 0;
+    if (j == c.j) return false;
+    if (!apply_impulse(c, j - c.j, bodies)) {
+        c.active = false;
+        return false;
+    }
+    INGOT_ASSERT(j >= 0);
+    c.change = j - c.j;
+    c.j = j;
+    return true;
+}
+
+/// Goes on by beta in the direction of the sweeps before; the next visit takes back what went too far.
+void extrapolate(Contact& c, scalar beta, const BodyView& bodies) {
+    c.direction = c.change + beta * c.direction;
+    const scalar further = beta * c.direction;
+    if (further != 0 && apply_impulse(c, further, bodies)) c.j += further;
+}
+
+/// Sweeps over the contacts of one pair, joined by conjugate gradients, until they agree. Returns: the sweeps it took; 1 when
+/// they agreed already.
+int settle_manifold(Contact* first, int count, scalar slack, const BodyView& bodies) {
+    for (int contact_i = 0; contact_i < count; ++contact_i) first[contact_i].direction = 0;
+    scalar size_before = 0;
+    for (int sweep_i = 1; sweep_i <= limits::contact_sweeps_max; ++sweep_i) {
+        if (sweep_i > limits::contact_sweeps_max / 4) slack = limits::contact_slack;
         bool settled = true;
-        for (int contact_i = 0; contact_i < *contacts.count; ++contact_i) {
-            Contact& c = contacts.contacts[contact_i];
-            if (!c.active) continue;
-            const scalar missing = c.target - normal_speed(c, bodies).u;
-            if (abs(missing) <= c.tolerance) continue;
-            const scalar wanted = c.j + missing * c.inv_K;
-            const scalar j = wanted > 0 ? wanted : 0;
-            if (j == c.j) continue;
-            if (!apply_impulse(c, j - c.j, bodies)) {
-                c.active = false;
-                continue;
-            }
-            INGOT_ASSERT(j >= 0);
-            settled = false;
-            c.j = j;
+        scalar size = 0;  // of the sweep, in units of energy
+        for (int contact_i = 0; contact_i < count; ++contact_i) {
+            if (!first[contact_i].active) continue;
+            if (visit(first[contact_i], slack, bodies)) settled = false;
+            size += first[contact_i].change * first[contact_i].change / first[contact_i].inv_K;
+        }
+        if (settled) return sweep_i;
+        const scalar beta = sweep_i > 1 && size <= size_before ? size / size_before : 0;
+        size_before = size;
+        if (count == 1) continue;  // one contact is exact after one visit
+        for (int contact_i = 0; contact_i < count; ++contact_i)
+            if (first[contact_i].active) extrapolate(first[contact_i], beta, bodies);
+    }
+    return limits::contact_sweeps_max + 1;
+}
+
+}  // namespace
+
+SweepOutcome solve_active_contacts(const ContactView& contacts, const BodyView& bodies) {
+    for (int contact_i = 0; contact_i < *contacts.count; ++contact_i) contacts.contacts[contact_i].j = 0;
+    for (int sweep_i = 0; sweep_i < limits::contact_sweeps_max; ++sweep_i) {
+        // Rows that rounding keeps from the last digit are taken as they are.
+        const scalar slack = sweep_i < limits::contact_sweeps_max / 4 ? 1 : limits::contact_slack;
+        bool settled = true;
+        for (int first = 0, end = 0; first < *contacts.count; first = end) {
+            end = manifold_end(contacts, first);
+            if (settle_manifold(&contacts.contacts[first], end - first, slack, bodies) > 1) settled = false;
         }
         if (settled) return {sweep_i + 1, true};
     }

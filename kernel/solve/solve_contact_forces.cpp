@@ -21,7 +21,7 @@ void add_force(const BodyView& bodies, int slot, const Vector& F, const Vector& 
 void solve_contact_forces(const ContactView& contacts, const BodyView& bodies, scalar h, StepReport& report) {
     for (int contact_i = 0; contact_i < *contacts.count; ++contact_i) {
         Contact& c = contacts.contacts[contact_i];
-        c.tolerance = limits::contact_roundings * epsilon * normal_speed(c, bodies).magnitude;
+        c.tolerance = tolerance_of(c, normal_speed(c, bodies));
         c.active = true;
         c.target = 0;
         c.j = 0;

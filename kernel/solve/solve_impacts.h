@@ -14,7 +14,7 @@ namespace ingot { inline namespace INGOT_ABI {
 /// passes the impact on, ball by ball. Without friction, j > 0 only where the speed is reversed to -e times itself, so the
 /// energy of a wave changes by -(1 - e) j |u| / 2 summed: it never grows, and stays for e = 1.
 ///
-/// Contacts slower than rest_speed are at rest: they take e = 0.
+/// Contacts slower than rest_speed are at rest: they take e = 0; so do all in the second half of the waves.
 /// Bound: limits::impact_waves_max waves; contacts that then still approach count in impacts_left.
 void solve_impacts(const ContactView& contacts, const BodyView& bodies, scalar rest_speed, StepReport& report);
 

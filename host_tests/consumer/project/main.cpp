@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The program of the README, and a look at how a user's own unit is compiled.
+// The program of the README.
 #include <ingot/ingot.h>
 #include <ingot/platform/clock.h>
 #include <ingot/platform/console.h>
@@ -12,14 +12,6 @@ struct Crates : ingot::Scene {
     using shapes = ingot::Shapes<ingot::Box, ingot::HalfSpace>;
 };
 static ingot::World<Crates> world;
-
-/// a * b + c rounds twice under the contract: (1 + e)(1 - e) - 1 is then 0, and -e^2 when it is contracted.
-static bool contracts() {
-    volatile ingot::scalar a = 1 + ingot::epsilon, b = 1 - ingot::epsilon / 2, c = -1;
-    const ingot::scalar x = a, y = b, z = c;
-    const ingot::scalar product = x * y;
-    return x * y + z != product + z;
-}
 
 int main() {
     ingot::BodyDef ground;
@@ -39,7 +31,7 @@ int main() {
     const ingot::Result<ingot::BodyId> id = world.add(crate);
     good = good && id.ok();
     for (int step_i = 0; good && step_i < 600; ++step_i) good = ingot::step(world, ingot::scalar(1) / 60).clean();
-    good = good && world.state(id.value).value.r_CM.z > ingot::scalar(0.4) && !contracts();
+    good = good && world.state(id.value).value.r_CM.z > ingot::scalar(0.4);
     ingot::platform::console_write(good ? "the crate has landed\n" : "something is wrong\n");
     return good ? 0 : 1;
 }

@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: MIT
+# Each static_assert of HOUSE's interface (world/ and the methods a scene names) has a case in CASES, the CMakeLists.txt that
+# lists what must not compile: a sentence that no test has seen may never be printed.
+cmake_minimum_required(VERSION 3.25)
+file(GLOB headers ${HOUSE}/kernel/world/*.h ${HOUSE}/kernel/motion/*.h ${HOUSE}/kernel/collide/*.h ${HOUSE}/kernel/solve/*.h)
+file(READ ${CASES} cases)
+set(count 0)
+set(unseen "")
+foreach(header IN LISTS headers)
+  file(READ ${header} text)
+  string(REPLACE ";" "," text "${text}")  # a list is about to be made of it
+  string(REGEX REPLACE "\n *" " " text "${text}")
+  string(REGEX MATCHALL "static_assert\\([^\"]*\"[^\"]+\"\\)" asserts "${text}")
+  foreach(assert IN LISTS asserts)
+    string(REGEX REPLACE ".*\"([^\"]+)\"\\)$" "\\1" sentence "${assert}")
+    math(EXPR count "${count} + 1")
+    string(FIND "${cases}" "\"${sentence}\"" found)
+    if(found EQUAL -1)
+      list(APPEND unseen "${sentence}")
+    endif()
+  endforeach()
+endforeach()
+if(count EQUAL 0 OR unseen)
+  string(REPLACE ";" "\n  " unseen "${unseen}")
+  message(FATAL_ERROR "sentences: ${count} found; without a scene that provokes them:\n  ${unseen}")
+endif()
