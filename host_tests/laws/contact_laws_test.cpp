@@ -170,7 +170,8 @@ TEST_P(Incline, slides_with_g_sin_alpha) {
 }
 INSTANTIATE_TEST_SUITE_P(Slopes, Incline, ::testing::Combine(::testing::Values(5.0, 30.0, 45.0, 80.0), ::testing::Bool()),
                          [](const ::testing::TestParamInfo<std::tuple<double, bool>>& slope) {
-                             const auto [degrees, is_ball] = slope.param;
+                             const auto degrees = std::get<0>(slope.param);
+                             const auto is_ball = std::get<1>(slope.param);
                              return std::string(is_ball ? "ball_" : "box_") + std::to_string(static_cast<int>(degrees)) +
                                     "_degrees";
                          });

@@ -103,7 +103,8 @@ INSTANTIATE_TEST_SUITE_P(Blows, Freeze,
                                            std::tuple(Blow::momentum, -infinity)),
                          [](const ::testing::TestParamInfo<std::tuple<Blow, scalar>>& blow) {
                              constexpr const char* names[] = {"torque", "force", "position", "momentum"};
-                             const auto [what, number] = blow.param;
+                             const auto what = std::get<0>(blow.param);
+                             const auto number = std::get<1>(blow.param);
                              return std::string(names[static_cast<int>(what)]) + (std::isnan(number) ? "_nan"
                                                                                   : number > 0       ? "_inf"
                                                                                                      : "_minus_inf_or_max");
