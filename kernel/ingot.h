@@ -22,5 +22,6 @@
 #include "base/version.h"
 #include "body/kinematics.h"
 #include "body/mass_properties.h"
+#include "body/user_frame.h"
 #include "world/step.h"
 #include "world/world.h"

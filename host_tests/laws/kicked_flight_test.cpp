@@ -80,13 +80,24 @@ TEST_P(KickedFlight, is_the_free_flight_of_the_new_momentum) {
     EXPECT_LE(worst_energy, 6 * 3 * u);
     EXPECT_LE(worst_attitude, bar(1e-12, 1e-5));
 }
-INSTANTIATE_TEST_SUITE_P(
-    Kicks, KickedFlight,
-    ::testing::Values(Kick::impulse_at_a_point, Kick::angular_impulse, Kick::torque, Kick::force_at_a_point, Kick::new_state),
-    [](const ::testing::TestParamInfo<Kick>& kick) {
-        constexpr const char* names[] = {"impulse_at_a_point", "angular_impulse", "torque", "force_at_a_point", "new_state"};
-        return std::string(names[static_cast<int>(kick.param)]);
-    });
+std::string name_of(const ::testing::TestParamInfo<Kick>& kick) {
+    switch (kick.param) {
+        case Kick::impulse_at_a_point:
+            return "impulse_at_a_point";
+        case Kick::angular_impulse:
+            return "angular_impulse";
+        case Kick::torque:
+            return "torque";
+        case Kick::force_at_a_point:
+            return "force_at_a_point";
+        default:
+            return "new_state";
+    }
+}
+INSTANTIATE_TEST_SUITE_P(Kicks, KickedFlight,
+                         ::testing::Values(Kick::impulse_at_a_point, Kick::angular_impulse, Kick::torque,
+                                           Kick::force_at_a_point, Kick::new_state),
+                         name_of);
 
 /// A torque far above the momentum there is, again and again: a body at rest or nearly so is set in motion, not frozen.
 TEST(KickedBody, slow_bodies_survive_strong_torques) {

@@ -96,19 +96,26 @@ TEST_P(Freeze, stops_the_body_at_its_last_good_pose_and_no_other) {
 
 constexpr scalar infinity = std::numeric_limits<scalar>::infinity();
 constexpr scalar nan = std::numeric_limits<scalar>::quiet_NaN();
+std::string name_of(const ::testing::TestParamInfo<std::tuple<Blow, scalar>>& blow) {
+    const scalar number = std::get<1>(blow.param);
+    const std::string size = std::isnan(number) ? "nan" : number > 0 ? "infinite" : number < 0 ? "minus_infinite" : "too_far";
+    switch (std::get<0>(blow.param)) {
+        case Blow::torque:
+            return "torque_" + size;
+        case Blow::force:
+            return "force_" + size;
+        case Blow::position:
+            return "position_" + size;
+        default:
+            return "momentum_" + size;
+    }
+}
 INSTANTIATE_TEST_SUITE_P(Blows, Freeze,
                          ::testing::Values(std::tuple(Blow::torque, nan), std::tuple(Blow::torque, infinity),
                                            std::tuple(Blow::force, nan), std::tuple(Blow::force, -infinity),
                                            std::tuple(Blow::position, scalar(0)), std::tuple(Blow::momentum, nan),
                                            std::tuple(Blow::momentum, -infinity)),
-                         [](const ::testing::TestParamInfo<std::tuple<Blow, scalar>>& blow) {
-                             constexpr const char* names[] = {"torque", "force", "position", "momentum"};
-                             const auto what = std::get<0>(blow.param);
-                             const auto number = std::get<1>(blow.param);
-                             return std::string(names[static_cast<int>(what)]) + (std::isnan(number) ? "_nan"
-                                                                                  : number > 0       ? "_inf"
-                                                                                                     : "_minus_inf_or_max");
-                         });
+                         name_of);
 
 TEST(FreezeListing1, marks_the_body_and_keeps_its_attitude) {
     Tiles tiles = random_tiles();
