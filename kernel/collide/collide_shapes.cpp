@@ -49,7 +49,7 @@ void collide_sphere_sphere(const Placed& A, const Placed& B, ContactSink& sink) 
     const Vector d = A.r_CM - B.r_CM;
     const scalar distance = sqrt(length_sq(d)), reach = A.shape.size.x + B.shape.size.x;
     if (distance > reach * (1 + limits::flatness)) return;
-    const Vector n = distance > 0 ? d * (1 / distance) : Vector{1, 0, 0};
+    const Vector n = distance > epsilon * reach ? d * (1 / distance) : Vector{1, 0, 0};
     sink.add(n, {}, {}, distance - reach);
 }
 

@@ -24,7 +24,7 @@ struct ContactSink {
     void add(const Vector& n, const Vector& lever_A, const Vector& lever_B, scalar separation);
 };
 
-/// Centres at one place have no normal: the x axis of the world is taken.
+/// Centres at one place, to the rounding of the radii, have no normal: the x axis of the world is taken.
 void collide_sphere_sphere(const Placed& A, const Placed& B, ContactSink& sink);
 void collide_sphere_half_space(const Placed& A, const Placed& B, ContactSink& sink);
 /// Up to eight points: the corners of A that are not above the face of B by more than limits::flatness.
