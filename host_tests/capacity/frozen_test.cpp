@@ -275,4 +275,25 @@ TYPED_TEST(Frozen, or_not_a_body_moves_beside_others_as_it_moves_alone) {
     }
 }
 
+#if !INGOT_DOUBLE
+/// The digits of A that wait in A_low for the next step enter with that step's turn, or not at all: in no lane count does a
+/// neighbour carry them in.
+TEST(FrozenInFlight, body_keeps_the_pose_of_the_step_before) {
+    static World<Crowd<ingot::MoserVeselov>> world;
+    for (int steps = 1; steps <= 40; ++steps) {
+        clear(world);
+        BodyDef speck = plain_body({});
+        speck.mass.I_body = Vector{1, 1, 1} * (2 * limits::inertia_min);
+        speck.state.L = Vector{1, scalar(0.25), scalar(-0.5)} * (limits::inertia_min * 1000);
+        const BodyId id = world.add(speck).value;
+        for (int step_i = 0; step_i < steps; ++step_i) (void)ingot::step(world, h);
+        const BodyState before = world.state(id).value;
+        ASSERT_EQ(world.add_torque(id, {0, limits::torque_max, 0}), Status::ok);
+        EXPECT_EQ(ingot::step(world, h).bodies_frozen, 1);
+        const BodyState after = world.state(id).value;
+        ASSERT_EQ(memcmp(&before.A, &after.A, sizeof after.A), 0) << "after " << steps << " steps";
+    }
+}
+#endif
+
 }  // namespace

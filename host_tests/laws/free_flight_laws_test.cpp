@@ -30,8 +30,10 @@ std::vector<Known> add_random_bodies(World& world, RandomInput& random, double s
         const Eigen::Vector3d I = random.moments(M);
         const Eigen::Matrix3d A = random.rotation();
         ingot::BodyDef def = definition(M, I);
+        const Eigen::Vector3d axis = random.direction();
+        const Eigen::Vector3d w_body = axis * random.real(0.1, spin);
         def.state = {to_vector(random.vector(10)), to_vector(random.vector(3)), to_matrix(A),
-                     to_vector(A * I.cwiseProduct(random.direction() * random.real(0.1, spin)))};
+                     to_vector(A * I.cwiseProduct(w_body))};
         bodies.push_back(add(world, def));
     }
     return bodies;

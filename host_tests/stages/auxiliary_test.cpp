@@ -27,8 +27,8 @@ TEST(RefreshAuxiliary, is_the_similarity_transform_and_its_product_with_L) {
         Tiles tiles(slots);
         std::vector<ingot::BodyDef> defs;
         for (int slot = 0; slot < slots; ++slot) {
-            ingot::BodyDef def =
-                definition(1, Eigen::Vector3d(random.moments(1) * random.of_any_size(-10, 10)).cwiseAbs().eval());
+            const Eigen::Vector3d moments = random.moments(1);
+            ingot::BodyDef def = definition(1, Eigen::Vector3d(moments * std::abs(random.of_any_size(-10, 10))));
             def.state.A = to_matrix(random.rotation());
             def.state.L = to_vector(random.vector(5));
             tiles.write(slot, def);
