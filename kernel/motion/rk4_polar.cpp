@@ -16,10 +16,10 @@ int Rk4Polar::integrate_A(const BodyView& bodies, scalar h, const FlightClock&) 
         const Mat3<lane> k4 = rate(A + k3 * step);
         const Mat3<lane> A_next = A + ((k1 + k4) + (k2 + k3) * splat<lane>(2)) * sixth;
         const Mat3<lane> polar = A_next + polar_correction(A_next);
-        // Beyond the valid range one polar step does not reach a rotation: Gram-Schmidt does, so that A stays one.
+        // Beyond the valid range one polar step does not reach a rotation: A then stays what it was.
         const Sym3<lane> off = gram(polar) - identity_sym3<lane>();
         const lane defect = abs(off.xx) + abs(off.yy) + abs(off.zz) + abs(off.xy) + abs(off.xz) + abs(off.yz);
-        return select(defect <= splat<lane>(64 * epsilon), polar, reorthogonalized(A_next));
+        return select(defect <= splat<lane>(16 * epsilon), polar, A);
     });
     return 0;
 }
