@@ -23,5 +23,6 @@
 #include "body/kinematics.h"
 #include "body/mass_properties.h"
 #include "body/user_frame.h"
+#include "motion/force_fields.h"
 #include "world/step.h"
 #include "world/world.h"

@@ -8,6 +8,14 @@ struct Everything : ingot::Scene {
     static constexpr bool translates = true;
     using shapes = ingot::Shapes<ingot::Sphere, ingot::Box, ingot::HalfSpace>;
     using rotation = Method;
+    using force_field = ingot::BothFields<ingot::SpringDamper, ingot::PointMassGravity>;
+};
+
+template <class Field, class Flight>
+struct Flying : ingot::Scene {
+    static constexpr bool translates = true;
+    using force_field = Field;
+    using flight = Flight;
 };
 
 template <class Scene>
@@ -33,3 +41,10 @@ INGOT_ALL_OF(ingot::LieMidpoint);
 INGOT_ALL_OF(ingot::Rk4Polar);
 INGOT_ALL_OF(ingot::SymmetricTop);
 INGOT_ALL_OF(ingot::SymmetricTopSplitting<6>);
+
+#define INGOT_FLIGHT_OF(...) template ingot::StepReport ingot::step(ingot::World<Flying<__VA_ARGS__>>&, ingot::scalar)
+INGOT_FLIGHT_OF(ingot::GravityGradient, ingot::KickDriftKick);
+INGOT_FLIGHT_OF(ingot::Spring, ingot::BlanesMoan4);
+INGOT_FLIGHT_OF(ingot::BothFields<ingot::QuadraticDrag, ingot::ThrusterTable<2>>, ingot::CommutatorFree4);
+INGOT_FLIGHT_OF(ingot::BothFields<ingot::LinearDrag, ingot::MagneticDipole>, ingot::KickDriftKick);
+INGOT_FLIGHT_OF(ingot::WeightAboutPoint, ingot::CommutatorFree4);

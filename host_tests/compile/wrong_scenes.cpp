@@ -33,6 +33,20 @@ struct Wrong : ingot::Scene {
 #ifdef ORDER_OF_SPLITTING
     using rotation = ingot::SymmetricTopSplitting<4>;
 #endif
+#ifdef FLIGHT_WITHOUT_FIELD
+    using flight = ingot::CommutatorFree4;
+#endif
+#ifdef FLIGHT_AGAINST_VELOCITY
+    using force_field = ingot::LinearDrag;
+    using flight = ingot::BlanesMoan4;
+#endif
+#ifdef FIELD_OF_MORE_THAN_NUMBERS
+    struct Owner : ingot::MagneticDipole {
+        Owner() = default;
+        Owner(const Owner&) {}
+    };
+    using force_field = Owner;
+#endif
 #ifdef ORDER_OF_METHOD
     using rotation = ingot::DiscreteMoserVeselov<5>;
 #endif
@@ -50,6 +64,9 @@ int main() {
 #endif
 #ifdef CONTACTS_WITHOUT_CONTACTS
     (void)world.contact_count();
+#endif
+#ifdef FIELD_WITHOUT_FIELD
+    (void)world.force_field();
 #endif
 #ifdef STATUS_IGNORED
     world.remove(id);

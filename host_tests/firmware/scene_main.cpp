@@ -4,7 +4,8 @@
 //     satellite float steps 1000 hash 0x0123456789abcdef
 //     satellite world_bytes 180 stack_bytes 96 instructions_per_step 640 worst_step 700      (where the clock counts them)
 //
-// With INGOT_SCENE defined the program holds that scene and no other: its size is the scene's size.
+// With INGOT_SCENE defined the program holds that scene and no other: its size is the scene's size. With INGOT_METHODS it holds the
+// rotation methods and the flights, each on the same bodies.
 #include "../scenes/all_scenes.h"
 #include <ingot/platform/clock.h>
 #include <ingot/platform/console.h>
@@ -24,7 +25,7 @@ void write_number(const char* label, uint64_t value) {
 
 /// Returns: true when the scene could be set up and every step was clean.
 template <class S>
-bool run() {
+bool run(const char* name) {
     if (set_up(world<S>) != ingot::Status::ok) return false;
 
     uint64_t ticks_sum = 0, ticks_worst = 0;
@@ -42,32 +43,60 @@ bool run() {
     }
     if (stack_size_bytes() > 0) stack_bytes = stack_deepest_bytes() - depth;
 
-    console_write(S::name);
+    console_write(name);
     console_write(sizeof(ingot::scalar) == 4 ? " float" : " double");
     write_number(" steps ", S::golden_steps);
     console_write(" hash ");
     console_write_hex(world<S>.state_hash(), 16);
     console_write("\n");
     if (clock_counts_instructions()) {
-        console_write(S::name);
+        console_write(name);
         write_number(" world_bytes ", sizeof(ingot::World<S>));
         write_number(" stack_bytes ", stack_bytes);
         write_number(" instructions_per_step ", clock_ticks_to_instructions(ticks_sum) / S::golden_steps);
         write_number(" worst_step ", clock_ticks_to_instructions(ticks_worst));
         console_write("\n");
     }
-    if (!clean) console_write("a step was not clean\n");
+    if (!clean) console_write("    a step was not clean\n");
     return clean;
 }
+
+#ifndef INGOT_SCENE
+/// Methods of a limited range clamp or lose the fast bodies among the nine, which is part of what is compared.
+void run_methods() {
+    using namespace ingot;
+    using namespace scenes;
+    (void)run<Spinning<Listing1Euler>>("method_listing1_euler");
+    (void)run<Spinning<LieMidpoint>>("method_lie_midpoint");
+    (void)run<Spinning<Rk4Polar>>("method_rk4_polar");
+    (void)run<Spinning<DiscreteMoserVeselov<2, false, false>>>("method_moser_veselov_2");
+    (void)run<Spinning<DiscreteMoserVeselov<4, true, false>>>("method_moser_veselov_4");
+    (void)run<Spinning<DiscreteMoserVeselov<6, false, true>>>("method_moser_veselov_6");
+    (void)run<Spinning<DiscreteMoserVeselov<8, true, true, 2>>>("method_moser_veselov_8");
+    (void)run<Spinning<DiscreteMoserVeselov<10, true, true, 4>>>("method_moser_veselov_10");
+    (void)run<Spinning<MoserVeselov>>("method_default");
+    (void)run<Spinning<SymmetricTop>>("method_symmetric_top");
+    (void)run<Spinning<SymmetricTopSplitting<2>>>("method_symmetric_top_splitting_2");
+    (void)run<Spinning<SymmetricTopSplitting<6>>>("method_symmetric_top_splitting_6");
+    (void)run<InTide<KickDriftKick, TideAndDrag>>("method_kick_drift_kick");
+    (void)run<InTide<BlanesMoan4, Tide>>("method_blanes_moan_4");
+    (void)run<InTide<CommutatorFree4, TideAndDrag>>("method_commutator_free_4");
+}
+#endif
 
 }  // namespace
 
 int main() {
     clock_start();
-#ifdef INGOT_SCENE
-    return run<scenes::INGOT_SCENE>() ? 0 : 1;
+#if defined(INGOT_SCENE)
+    return run<scenes::INGOT_SCENE>(scenes::INGOT_SCENE::name) ? 0 : 1;
+#elif defined(INGOT_METHODS)
+    run_methods();
+    return 0;
 #else
-    const bool results[] = {run<scenes::Satellite>(), run<scenes::THandle>(), run<scenes::Tumblers>(), run<scenes::Drop>()};
+    run_methods();
+    const bool results[] = {run<scenes::Satellite>("satellite"), run<scenes::THandle>("t_handle"), run<scenes::Tumblers>("tumblers"),
+                            run<scenes::Drop>("drop")};
     for (bool result : results)
         if (!result) return 1;
     return 0;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "drop.h"
+#include "methods.h"
 #include "satellite.h"
 #include "t_handle.h"
 #include "tumblers.h"

@@ -135,7 +135,7 @@ TEST(Translation, listing1_moves_with_the_velocity_of_step_n) {
     def.state.r_CM = {1, 2, 3};
     def.state.v_CM = {4, 8, -2};
     tiles.write(0, def);
-    ingot::integrate_r_listing1(tiles.view(), scalar(0.25));
+    ingot::drift_r(tiles.view(), scalar(0.25));
     EXPECT_EQ(to_eigen(tiles.state(0).r_CM), Eigen::Vector3d(2, 4, 2.5));
     EXPECT_EQ(to_eigen(tiles.state(0).v_CM), Eigen::Vector3d(4, 8, -2));
 }

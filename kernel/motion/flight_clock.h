@@ -13,12 +13,14 @@ namespace ingot { inline namespace INGOT_ABI {
 ///     static constexpr bool compensates;     // keeps A_low, 9 numbers a body
 ///     static constexpr bool returns_energy;  // keeps E_0, 1 number a body
 ///     static int integrate_A(const BodyView&, scalar h, const FlightClock&);   // bodies whose turn was clamped
-/// integrate_A turns every body as it would turn freely with the angular momentum of mid-step, L - h/2 tau_T; with
-/// integrate_L before it the driven step is kick-drift-kick, of second order. It keeps L bitwise. A body whose A would not
-/// be finite keeps it and is marked bad.
+/// integrate_A turns every body as it would turn freely, for h seconds, with the angular momentum L - kick_ahead tau_T. After
+/// an integrate_L of the whole step, kick_ahead = h/2 makes that the L of mid-step, and the driven step kick-drift-kick, of
+/// second order. It keeps L bitwise. h may be negative: compositions go back and forth. A body whose A would not be finite
+/// keeps it and is marked bad.
 struct FlightClock {
-    uint32_t steps;  ///< taken so far; the polar step is due every limits::polar_interval of them
-    bool h_changed;  ///< since the last step: energies kept in units of h begin anew
+    uint32_t steps;         ///< taken so far; the polar step is due every limits::polar_interval of them
+    bool h_changed;         ///< since the last step: energies kept in units of h begin anew
+    scalar kick_ahead = 0;  ///< s
 };
 
 } }  // namespace ingot

@@ -23,7 +23,7 @@ void integrate_r(const BodyView& bodies, scalar h, const Vector& gravity) {
     }
 }
 
-void integrate_r_listing1(const BodyView& bodies, scalar h) {
+void drift_r(const BodyView& bodies, scalar h) {
     for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) {
         TranslationTile& tile = bodies.translation[tile_i];
         store_position(tile, load(tile.r_CM) + load(tile.v_CM) * splat<lane>(h));

@@ -12,7 +12,8 @@ namespace ingot { inline namespace INGOT_ABI {
 /// Units:   h in s, gravity in m s^-2. Cost: 18 flops a body.
 void integrate_r(const BodyView& bodies, scalar h, const Vector& gravity);
 
-/// r_CM += h v_CM, with v_CM of the begin of the step: first order, as printed in Hecker 1997, Listing 1.
-void integrate_r_listing1(const BodyView& bodies, scalar h);
+/// r_CM += h v_CM: between two kicks; with the v_CM of the begin of the step, as printed in Hecker 1997, Listing 1. h may be
+/// negative. A body whose r_CM would pass limits::position_max keeps it and is marked bad.
+void drift_r(const BodyView& bodies, scalar h);
 
 } }  // namespace ingot

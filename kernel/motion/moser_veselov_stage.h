@@ -100,7 +100,7 @@ int integrate_A_moser_veselov(const BodyView& bodies, scalar h, const FlightCloc
         Mat3<lane> A = load(tile.A), A_low{};
         if constexpr (compensate) A_low = load(bodies.compensation[tile_i].A_low);
         const Vec3<lane> j = load(tile.inv_I_ratio);
-        const Vec3<lane> L = load(tile.L) - load(tile.tau_T) * splat<lane>(h * scalar(0.5));
+        const Vec3<lane> L = load(tile.L) - load(tile.tau_T) * splat<lane>(clock.kick_ahead);
 
         lane step = load(tile.inv_I_scale) * splat<lane>(h);  // h scale: takes A^T L to y
         Vec3<lane> y = transpose_times(A, L) * step;

@@ -6,9 +6,9 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-int Rk4Polar::integrate_A(const BodyView& bodies, scalar h, const FlightClock&) {
+int Rk4Polar::integrate_A(const BodyView& bodies, scalar h, const FlightClock& clock) {
     const lane step = splat<lane>(h), half_step = splat<lane>(h * scalar(0.5)), sixth = splat<lane>(h / 6);
-    integrate_tiles(bodies, h, [&](const Mat3<lane>& A, const Vec3<lane>& inv_I_body, const Vec3<lane>& L) {
+    integrate_tiles(bodies, clock, [&](const Mat3<lane>& A, const Vec3<lane>& inv_I_body, const Vec3<lane>& L) {
         const auto rate = [&](const Mat3<lane>& at) { return orientation_rate(spin_of(at, inv_I_body, L), at); };
         const Mat3<lane> k1 = rate(A);
         const Mat3<lane> k2 = rate(A + k1 * half_step);

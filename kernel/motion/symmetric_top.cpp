@@ -96,7 +96,7 @@ INGOT_INLINE void strang(NearlySymmetric& body, lane h) {
 
 int SymmetricTop::integrate_A(const BodyView& bodies, scalar h, const FlightClock& clock) {
     const lane step = splat<lane>(h);
-    integrate_tiles(bodies, h, [&](const Mat3<lane>& A, const Vec3<lane>& inv_I_body, const Vec3<lane>& L) {
+    integrate_tiles(bodies, clock, [&](const Mat3<lane>& A, const Vec3<lane>& inv_I_body, const Vec3<lane>& L) {
         NearlySymmetric body(A, inv_I_body, L);
         const lane J_t = (body.J.x + body.J.y) * splat<lane>(scalar(0.5));
         body.turn_z(angle_of(step * (body.J.z - J_t) * body.y.z));
@@ -111,7 +111,7 @@ int SymmetricTopSplitting<order_>::integrate_A(const BodyView& bodies, scalar h,
     // Yoshida 1990, table 1, solution A: weights of the seven Strang steps, symmetric about the middle.
     constexpr double w1 = -1.17767998417887100695, w2 = 0.23557321335935813368, w3 = 0.78451361047755726382;
     constexpr double order_6[7] = {w3, w2, w1, 1 - 2 * (w1 + w2 + w3), w1, w2, w3};
-    integrate_tiles(bodies, h, [&](const Mat3<lane>& A, const Vec3<lane>& inv_I_body, const Vec3<lane>& L) {
+    integrate_tiles(bodies, clock, [&](const Mat3<lane>& A, const Vec3<lane>& inv_I_body, const Vec3<lane>& L) {
         NearlySymmetric body(A, inv_I_body, L);
         if constexpr (order_ == 2) {
             strang(body, splat<lane>(h));

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Turns of an orientation, which every rotation method is made of. For stages only.
+// Turns of an orientation, which every rotation method is made of.
 #pragma once
 
 #include "../base/limits.h"
 #include "../body/body_tiles.h"
 #include "../math/rotation.h"
 #include "flight_clock.h"
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpsabi"  // see lanes.h
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -73,12 +76,12 @@ INGOT_INLINE int count_bits(uint16_t b) {
 
 /// The frame of the methods that keep nothing but A: turned(A, inv_I_body, L of mid-step) gives the new A of a tile.
 template <class Turned>
-INGOT_INLINE void integrate_tiles(const BodyView& bodies, scalar h, const Turned& turned) {
+INGOT_INLINE void integrate_tiles(const BodyView& bodies, const FlightClock& clock, const Turned& turned) {
     for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) {
         RotationTile& tile = bodies.rotation[tile_i];
         const Mat3<lane> A = load(tile.A);
         const Vec3<lane> inv_I_body = load(tile.inv_I_ratio) * load(tile.inv_I_scale);
-        const Vec3<lane> L = load(tile.L) - load(tile.tau_T) * splat<lane>(h * scalar(0.5));
+        const Vec3<lane> L = load(tile.L) - load(tile.tau_T) * splat<lane>(clock.kick_ahead);
         const Mat3<lane> A_next = turned(A, inv_I_body, L);
         const mask good = is_finite(A_next);
         const mask movable = load(tile.inv_I_scale) > lane{};  // an immovable body keeps its A to the bit
@@ -89,3 +92,5 @@ INGOT_INLINE void integrate_tiles(const BodyView& bodies, scalar h, const Turned
 }
 
 } }  // namespace ingot
+
+#pragma GCC diagnostic pop

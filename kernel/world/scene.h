@@ -2,6 +2,7 @@
 #pragma once
 
 #include "../collide/shapes.h"
+#include "../motion/driven_flight.h"
 #include "../motion/lie_midpoint.h"
 #include "../motion/listing1_euler.h"
 #include "../motion/moser_veselov.h"
@@ -26,10 +27,20 @@ struct Scene {
     static constexpr int  max_contacts = 0;      ///< points of contact in one step, 0 .. 65535
     using shapes   = Shapes<>;
     using rotation = MoserVeselov;               ///< or another method of motion/
+    using force_field = NoForceField;            ///< or one of motion/force_fields.h, or your own
+    using flight   = KickDriftKick;              ///< or another scheme of motion/driven_flight.h, for scenes with a field
 };
 
 template <class S>
 inline constexpr bool collides = S::max_contacts > 0;
+
+template <class S>
+inline constexpr bool has_field = is_field<typename S::force_field>;
+
+/// Scenes whose steps are made of kicks by the field and free flights. Contacts, and Listing 1, take the field as a force that is
+/// constant over the step.
+template <class S>
+inline constexpr bool flies_in_field = has_field<S> && !collides<S> && !S::rotation::as_printed;
 
 /// Turns a scene that contradicts itself into a sentence.
 template <class S>
@@ -37,6 +48,11 @@ constexpr bool check_scene() {
     static_assert(S::max_bodies >= 1 && S::max_bodies <= 65536, "a scene holds 1 to 65536 bodies: set max_bodies");
     static_assert(S::max_contacts >= 0 && S::max_contacts <= 65535, "a scene holds 0 to 65535 contacts: set max_contacts");
     static_assert(!collides<S> || S::translates, "bodies that collide move: set translates = true, or max_contacts = 0");
+    static_assert(flies_in_field<S> || S::flight::order == 2,
+                  "a flight of order 4 is for scenes with a force_field, without contacts, and not for Listing 1: leave it out");
+    static_assert(S::flight::takes_velocities || !S::force_field::depends_on_velocity,
+                  "this flight takes no field that depends on velocity: name CommutatorFree4 or KickDriftKick");
+    static_assert(__is_trivially_copyable(typename S::force_field), "a force_field is made of plain numbers: memcpy keeps it");
     return true;
 }
 

@@ -36,19 +36,26 @@ StepReport step(World<S>& world, scalar h) {
         if constexpr (S::rotation::as_printed) refresh_auxiliary(bodies);
     }
 
+    if constexpr (has_field<S> && !flies_in_field<S>)
+        add_field_forces(bodies, storage.drivers(storage.gravity_or_none()), S::rotation::as_printed ? 0 : h / 2);
+
     if constexpr (S::rotation::as_printed) {                              // Listing 1: every right-hand side is of step n
         if constexpr (S::translates) {
-            integrate_r_listing1(bodies, h);
+            drift_r(bodies, h);
             integrate_v(bodies, h, storage.gravity);                      // Eq. 14
         }
         integrate_A_listing1(bodies, h);                                  // Eq. 10, then Eq. 1
         integrate_L(bodies, h);                                           // Eq. 16
+    } else if constexpr (flies_in_field<S>) {                             // kicks and free flights
+        const FlightClock clock{storage.steps, storage.h_changes_to(h)};
+        const auto drivers = storage.drivers(storage.gravity_or_none());
+        count(report.spins_clamped, S::flight::template fly<typename S::rotation>(bodies, drivers, h, clock));
     } else {
         integrate_L(bodies, h);
         if constexpr (S::translates) integrate_v(bodies, h, storage.gravity);
         if constexpr (collides<S>) solve_contact_forces(storage.contact_view(), bodies, h, report);
 
-        const FlightClock clock{storage.steps, storage.h_changes_to(h)};
+        const FlightClock clock{storage.steps, storage.h_changes_to(h), h / 2};
         count(report.spins_clamped, S::rotation::integrate_A(bodies, h, clock));
         if constexpr (S::translates) integrate_r(bodies, h, storage.gravity);
     }
@@ -56,6 +63,7 @@ StepReport step(World<S>& world, scalar h) {
     refresh_auxiliary(bodies);                                            // Eq. 20, then Eq. 18
     clear_forces(bodies);
     count(report.bodies_frozen, freeze_bad_bodies(bodies));
+    if constexpr (has_field<S>) storage.advance_time(h);
     ++storage.steps;
     return report;
 }

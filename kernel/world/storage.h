@@ -19,10 +19,12 @@ struct TranslationPart {
     TranslationTile translation[tile_capacity<S>] = {};
     Vector gravity = {};  ///< m s^-2
     TranslationTile* translation_tiles() { return translation; }
+    Vector gravity_or_none() const { return gravity; }
 };
 template <class S>
 struct TranslationPart<S, false> {
     TranslationTile* translation_tiles() { return nullptr; }
+    Vector gravity_or_none() const { return {}; }
 };
 
 template <class S, bool present>
@@ -53,6 +55,21 @@ struct EnergyPart<S, false> {
 };
 
 template <class S, bool present>
+struct FieldPart {
+    typename S::force_field field = {};
+    scalar t = 0, t_low = 0;  ///< s; t + t_low is the time
+
+    Drivers<typename S::force_field> drivers(const Vector& gravity) const { return {field, gravity, t}; }
+    void advance_time(scalar h) {  // Kahan: rounding does not add up over the steps
+        const scalar due = h + t_low, t_next = t + due;
+        t_low = due - (t_next - t);
+        t = t_next;
+    }
+};
+template <class S>
+struct FieldPart<S, false> {};
+
+template <class S, bool present>
 struct ContactPart {
     Surface surfaces[static_cast<unsigned>(S::max_bodies)] = {};
     Contact contacts[static_cast<unsigned>(S::max_contacts)] = {};
@@ -65,6 +82,7 @@ template <class S>
 struct Storage : TranslationPart<S, S::translates>,
                  CompensationPart<S, S::rotation::compensates>,
                  EnergyPart<S, S::rotation::returns_energy>,
+                 FieldPart<S, has_field<S>>,
                  ContactPart<S, collides<S>> {
     RotationTile rotation[tile_capacity<S>] = {};
     uint32_t generation[static_cast<unsigned>(S::max_bodies)] = {};  ///< see BodyId: odd while a body lives in the slot

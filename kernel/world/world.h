@@ -195,6 +195,21 @@ public:
         return storage_.gravity;
     }
 
+    /// The field of the scene, to read its numbers and to set them; they are taken as they are.
+    typename S::force_field& force_field() {
+        field_only();
+        return storage_.field;
+    }
+    const typename S::force_field& force_field() const {
+        field_only();
+        return storage_.field;
+    }
+    /// Sum of all h, s, of a world with a field: its BodyMotion::t at the begin of the next step.
+    scalar time() const {
+        field_only();
+        return storage_.t;
+    }
+
     // Sums over all bodies. Immovable bodies count nothing. Cost: O(max_bodies).
 
     scalar kinetic_energy() const { return kinetic_energy_of_all(storage_.bodies()); }             ///< J
@@ -259,6 +274,9 @@ private:
 
     static constexpr void translation_only() {
         static_assert(S::translates, "this scene names no translation: set translates = true");
+    }
+    static constexpr void field_only() {
+        static_assert(has_field<S>, "this scene names no field: set force_field");
     }
     static constexpr void contacts_only() {
         static_assert(collides<S>, "this scene names no contacts: set max_contacts");
