@@ -16,8 +16,9 @@
 
 namespace ingot_driven {
 
-template <class Field, class Flight, class Rotation = ingot::MoserVeselov>
+template <class Field, class Flight, class Rotation = ingot::MoserVeselov, int bodies = 1>
 struct Flyer : ingot::Scene {
+    static constexpr int max_bodies = bodies;
     using force_field = Field;
     using flight = Flight;
     using rotation = Rotation;

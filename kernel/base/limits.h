@@ -44,6 +44,7 @@ inline constexpr scalar angle_per_substep = scalar(0.5);  ///< rad; the series a
 inline constexpr int substeps_max = 16;                   ///< beyond 16 * 0.5 rad the turn of a step is clamped and reported
 inline constexpr int sweeps_max = INGOT_DOUBLE ? 32 : 16; ///< of the fixed point; at 0.5 rad 15 and 7 are needed
 inline constexpr int polar_interval = 16;                 ///< steps from one polar step to the next
+inline constexpr int polar_steps_max = 5;                 ///< of Rk4Polar, from one step's slopes back to a rotation; then A stays
 
 // Contacts (collide/, solve/).
 /// Shapes that are apart by this fraction of the bounding radius touch: a box that lands flat but for rounding lands on all its

@@ -88,7 +88,10 @@ INGOT_INLINE void set_lane(scalar (&rows)[6][lanes], int lane_i, const Symmetric
 inline constexpr uint16_t all_lanes = static_cast<uint16_t>((1ul << lanes) - 1ul);
 
 /// Marks the bodies of a tile that are not good.
-INGOT_INLINE void mark_bad(uint16_t& bad, mask good) { bad = static_cast<uint16_t>(bad | (bits(good) ^ all_lanes)); }
+INGOT_INLINE void mark_bad(uint16_t& bad, mask good) {
+    const mask lost = opposite(good);
+    if (any(lost)) bad = static_cast<uint16_t>(bad | bits(lost));
+}
 
 /// Stores `next` where no component is beyond the limit; where one is, or is NaN, the old value stays and the body is marked
 /// bad.

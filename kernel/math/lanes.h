@@ -53,6 +53,7 @@ INGOT_INLINE bool any(mask m) {
 }
 INGOT_INLINE uint16_t bits(mask m) {
     uint16_t b = 0;
+    if (!any(m)) return b;  // by far the most frequent answer, and lanes are looked at one by one
     for (int lane_i = 0; lane_i < lanes; ++lane_i) b = static_cast<uint16_t>(b | (m[lane_i] != 0 ? 1u << lane_i : 0u));
     return b;
 }
@@ -70,10 +71,12 @@ INGOT_INLINE constexpr T splat(scalar value) {
     return T{} + value;
 }
 
-/// True where both are true. (The operators && and & do not both fit: one is for bool, the other for vectors.)
+/// True where both are true; where it is not. (Operators do not fit: && and ! are for bool, & and ~ for vectors.)
 INGOT_INLINE constexpr bool both(bool a, bool b) { return a && b; }
+INGOT_INLINE constexpr bool opposite(bool a) { return !a; }
 #if INGOT_LANES > 1
 INGOT_INLINE mask both(mask a, mask b) { return a & b; }
+INGOT_INLINE mask opposite(mask a) { return ~a; }
 #endif
 
 #if INGOT_DOUBLE

@@ -158,7 +158,7 @@ int integrate_A_moser_veselov(const BodyView& bodies, scalar h, const FlightCloc
         }
 
         // A body that left the range keeps the pose it had, in every digit: none that waited in A_low enters.
-        if (bits(good) != all_lanes) A = select(good, A, load(tile.A));
+        if (any(opposite(good))) A = select(good, A, load(tile.A));
         store(tile.A, A);
         if constexpr (compensate) store(bodies.compensation[tile_i].A_low, A_low);
         if constexpr (energy_return) store(bodies.energy[tile_i].E_0, e_0 * (n * n));
