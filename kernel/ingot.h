@@ -24,5 +24,6 @@
 #include "body/mass_properties.h"
 #include "body/user_frame.h"
 #include "motion/force_fields.h"
+#include "solve/impulse.h"
 #include "world/step.h"
 #include "world/world.h"

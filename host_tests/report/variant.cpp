@@ -234,6 +234,7 @@ Variant INGOT_JOIN(variant_, INGOT_ABI, )() {
         method<DiscreteMoserVeselov<10>>("moser_veselov_10", 10, 8),
         method<SymmetricTopSplitting<2>>("symmetric_top_splitting_2", 2, 8),
         method<SymmetricTopSplitting<6>>("symmetric_top_splitting_6", 6, 8),
+        method<ExactElliptic>("exact_elliptic", 0, 16),
         method<SymmetricTop>("symmetric_top", 0, 100, true),
     };
     variant.flights = {flight<KickDriftKick>(), flight<BlanesMoan4>(), flight<CommutatorFree4>()};
