@@ -24,7 +24,7 @@ std::string color_of(const std::string& method) {
     static const std::map<std::string, std::string> colors = {
         {"default", "#d1495b"},           {"listing1_euler", "#8d99ae"},           {"lie_midpoint", "#6c757d"},
         {"rk4_polar", "#3a86ff"},         {"moser_veselov_2", "#b5a642"},          {"moser_veselov_4", "#e09f3e"},
-        {"moser_veselov_6", "#9e2a2b"},   {"moser_veselov_6_plain", "#f28482"},    {"moser_veselov_8", "#7b2cbf"},
+        {"moser_veselov_4_plain", "#ffb703"}, {"moser_veselov_6", "#9e2a2b"},   {"moser_veselov_6_plain", "#f28482"},    {"moser_veselov_8", "#7b2cbf"},
         {"moser_veselov_10", "#240046"},  {"symmetric_top_splitting_2", "#52b788"}, {"symmetric_top_splitting_6", "#1b4332"},
         {"symmetric_top", "#00b4d8"},     {"exact_elliptic", "#000000"},           {"kick_drift_kick", "#d1495b"},
         {"blanes_moan_4", "#1b4332"},     {"commutator_free_4", "#3a86ff"}};

@@ -228,6 +228,7 @@ Variant INGOT_JOIN(variant_, INGOT_ABI, )() {
         method<Rk4Polar>("rk4_polar", 4, 1.5),
         method<DiscreteMoserVeselov<2>>("moser_veselov_2", 2, 8),
         method<DiscreteMoserVeselov<4>>("moser_veselov_4", 4, 8),
+        method<DiscreteMoserVeselov<4, false, false, 1>>("moser_veselov_4_plain", 4, 0.5),
         method<DiscreteMoserVeselov<6>>("moser_veselov_6", 6, 8),
         method<DiscreteMoserVeselov<6, false, false>>("moser_veselov_6_plain", 6, 8),
         method<DiscreteMoserVeselov<8>>("moser_veselov_8", 8, 8),

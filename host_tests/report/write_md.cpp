@@ -146,7 +146,7 @@ Table cores_table(const Rows& rows) {
 }
 
 Table method_cores_table(const Rows& rows) {
-    Table table{"Methods on microcontrollers", "Instructions per body and step of the whole step, nine bodies of every kind; code of the method's stage in bytes.",
+    Table table{"Methods on microcontrollers", "One body that turns, at 60 Hz: instructions of the whole public step, and the code of the method's stage in bytes.",
                 {{"method", "core", "instructions", "code"}}};
     for (const Row& row : rows.all()) {
         if (row.suite != "mcu" || row.case_name != "one_body" || row.metric != "instructions_per_body_step") continue;
