@@ -20,12 +20,7 @@ void refresh_auxiliary(const BodyView& bodies) {
 }
 
 void refresh_auxiliary_of(const BodyView& bodies, int slot) {
-    const Place at = place_of(slot);
-    RotationTile& tile = bodies.rotation[at.tile];
-    const Vector inv_I_body = lane_of(tile.inv_I_ratio, at.lane) * tile.inv_I_scale[at.lane];
-    const SymmetricMatrix inv_I_world = inverse_inertia_world(lane_of(tile.A, at.lane), inv_I_body);
-    set_lane(tile.inv_I_world, at.lane, inv_I_world);
-    set_lane(tile.omega, at.lane, inv_I_world * lane_of(tile.L, at.lane));
+    refresh_auxiliary({bodies.rotation + place_of(slot).tile, nullptr, nullptr, nullptr, 1});
 }
 
 } }  // namespace ingot

@@ -72,25 +72,25 @@ INGOT_INLINE Vec3<lane> turn_of_energy_return(const Vec3<lane>& y, const Vec3<la
 }
 
 /// Substeps a lane needs so that none turns by more than limits::angle_per_substep: 1, 2, 4 ... substeps_max.
-INGOT_INLINE lane substeps_for(lane angle_sq, int substeps_max) {
+INGOT_INLINE lane substeps_for(lane angle_sq, scalar substeps_max) {
     lane n = splat<lane>(1);
     scalar limit = limits::angle_per_substep;
     if (!any(angle_sq > splat<lane>(limit * limit))) return n;
-    for (int doubled = 2; doubled <= substeps_max; doubled *= 2, limit *= 2)
-        n = select(angle_sq > splat<lane>(limit * limit), splat<lane>(static_cast<scalar>(doubled)), n);
+    for (scalar doubled = 2; doubled <= substeps_max; doubled *= 2, limit *= 2)
+        n = select(angle_sq > splat<lane>(limit * limit), splat<lane>(doubled), n);
     return n;
 }
 
 /// The factor that keeps the turn of a step at what all substeps together allow; 1 for bodies that are slower.
-INGOT_INLINE lane clamp_factor(lane angle_sq, int substeps_max, mask& clamped) {
-    const scalar angle_max = limits::angle_per_substep * static_cast<scalar>(substeps_max);
+INGOT_INLINE lane clamp_factor(lane angle_sq, scalar substeps_max, mask& clamped) {
+    const scalar angle_max = limits::angle_per_substep * substeps_max;
     clamped = both(is_finite(angle_sq), angle_sq > splat<lane>(angle_max * angle_max));
     if (!any(clamped)) return splat<lane>(1);
     return select(clamped, splat<lane>(angle_max) / sqrt(select(clamped, angle_sq, splat<lane>(1))), splat<lane>(1));
 }
 
 template <int order, bool compensate, bool energy_return>
-int integrate_A_moser_veselov(const BodyView& bodies, scalar h, const FlightClock& clock, int substeps_max) {
+int integrate_A_moser_veselov(const BodyView& bodies, scalar h, const FlightClock& clock, scalar substeps_max) {
     INGOT_ASSERT(!compensate || bodies.compensation != nullptr);
     INGOT_ASSERT(!energy_return || bodies.energy != nullptr);
     const bool polar_step = clock.steps % limits::polar_interval == 0;
@@ -125,7 +125,7 @@ int integrate_A_moser_veselov(const BodyView& bodies, scalar h, const FlightCloc
         clamped_count += count_bits(bits(clamped));
 
         mask good = is_finite(angle_sq), turning = good;
-        for (int substep_i = 1; any(turning); ++substep_i) {
+        for (scalar substep = 1; any(turning); substep += 1) {
             const Vec3<lane> w = scaled(j, y);
             const lane H = dot(y, w) * splat<lane>(scalar(0.5)), C = length_sq(y) * splat<lane>(scalar(0.5));
             Vec3<lane> c = solve_turn<order>(j, y, H, C);
@@ -141,8 +141,8 @@ int integrate_A_moser_veselov(const BodyView& bodies, scalar h, const FlightCloc
             else
                 A = A + body_turn(A, c);
 
-            turning = both(turning, n > splat<lane>(static_cast<scalar>(substep_i)));
-            if (substep_i >= substeps_max || !any(turning)) break;
+            turning = both(turning, n > splat<lane>(substep));
+            if (substep >= substeps_max || !any(turning)) break;
             y = transpose_times(A, L) * step;
         }
         // Every polar_interval steps; every step where it has substeps. An immovable body keeps its A to the bit.
@@ -169,9 +169,9 @@ int integrate_A_moser_veselov(const BodyView& bodies, scalar h, const FlightCloc
 
 /// The four stages of one order that a library holds; the linker takes the one a scene names.
 #define INGOT_MOSER_VESELOV_STAGES(order)                                                                    \
-    template int integrate_A_moser_veselov<order, false, false>(const BodyView&, scalar, const FlightClock&, int); \
-    template int integrate_A_moser_veselov<order, false, true>(const BodyView&, scalar, const FlightClock&, int);  \
-    template int integrate_A_moser_veselov<order, true, false>(const BodyView&, scalar, const FlightClock&, int);  \
-    template int integrate_A_moser_veselov<order, true, true>(const BodyView&, scalar, const FlightClock&, int)
+    template int integrate_A_moser_veselov<order, false, false>(const BodyView&, scalar, const FlightClock&, scalar); \
+    template int integrate_A_moser_veselov<order, false, true>(const BodyView&, scalar, const FlightClock&, scalar);  \
+    template int integrate_A_moser_veselov<order, true, false>(const BodyView&, scalar, const FlightClock&, scalar);  \
+    template int integrate_A_moser_veselov<order, true, true>(const BodyView&, scalar, const FlightClock&, scalar)
 
 } }  // namespace ingot

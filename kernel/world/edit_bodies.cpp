@@ -94,11 +94,14 @@ Status check_definition(const BodyDef& def, bool scene_translates, bool scene_ha
         inv_I_body = {1 / def.mass.I_body.x, 1 / def.mass.I_body.y, 1 / def.mass.I_body.z};
     }
     Status status = check_state(def.state, inv_I_body);
-    if (status == Status::ok) status = check_shape(def.shape);
-    if (status == Status::ok) status = check_restitution(def.restitution);
     if (status != Status::ok) return status;
     if (!scene_translates && !(is_zero(def.state.r_CM) && is_zero(def.state.v_CM))) return Status::not_in_scene;
     return def.shape.kind == ShapeKind::none || scene_has_shape ? Status::ok : Status::not_in_scene;
+}
+
+Status check_surface(const BodyDef& def) {
+    const Status status = check_shape(def.shape);
+    return status == Status::ok ? check_restitution(def.restitution) : status;
 }
 
 void write_body(const BodyView& bodies, int slot, const BodyDef& def) {
