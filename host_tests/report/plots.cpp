@@ -87,11 +87,26 @@ Plot draw(const Sheet& sheet, const std::string& dir) {
 bool plottable(double x, double y) { return x > 0 && y > 0 && std::isfinite(x) && std::isfinite(y); }
 
 /// Error of the book case after a minute against what a simulated second costs.
-Sheet work_precision(const Rows& rows, const std::string& scalar, bool instructions) {
+enum class Cost { time, flops, instructions };
+
+/// What a step costs by the measure; flops are counted in float, and the default of double is the method of order 10.
+double cost_of_step(const Rows& rows, const std::string& method, const std::string& scalar, Cost cost) {
+    if (cost == Cost::time) return rows.value("rotation", "bodies_1024", method, scalar, 4, 0, "ns_per_body_step", 0);
+    if (cost == Cost::instructions) return rows.value("mcu", "one_body", method, "float", 0, 0, "instructions_per_body_step", 0);
+    const std::string counted = method == "default" && scalar == "double" ? "moser_veselov_10" : method;
+    double sum = 0;
+    for (const char* metric : {"additions_and_multiplications", "divisions", "square_roots"})
+        sum += rows.value("rotation", "book", counted, "float", 0, 0, metric, 0);
+    return sum;
+}
+
+Sheet work_precision(const Rows& rows, const std::string& scalar, Cost measure) {
     Sheet sheet;
-    sheet.name = "work_precision_" + scalar + (instructions ? "_instructions" : "_ns");
-    sheet.title = "Error against cost, " + scalar + (instructions ? " (instructions of a Cortex-M4F)" : " (time)");
-    sheet.x_label = instructions ? "instructions for a simulated second, one body" : "ns for a simulated second, one body, 4 lanes";
+    sheet.name = "work_precision_" + scalar + (measure == Cost::time ? "_ns" : measure == Cost::flops ? "_flops" : "_instructions");
+    sheet.title = "Error against cost, " + scalar + (measure == Cost::time ? " (time)" : measure == Cost::flops ? " (flops)" : " (instructions of a Cortex-M4F)");
+    sheet.x_label = measure == Cost::time    ? "ns for a simulated second, one body, 4 lanes"
+                    : measure == Cost::flops ? "additions, multiplications, divisions and roots for a simulated second, one body"
+                                             : "instructions for a simulated second, one body";
     sheet.y_label = "attitude error after 60 s, rad";
     sheet.how_to_read = "Each line is a method, each point a step length from 15 Hz (left) to 960 Hz (right): lower is more accurate, left is cheaper. A line that is "
                         "flat has reached the rounding of the numbers: smaller steps buy nothing.";
@@ -99,8 +114,7 @@ Sheet work_precision(const Rows& rows, const std::string& scalar, bool instructi
     std::vector<std::string> order;
     for (const Row& row : rows.all()) {
         if (row.suite != "rotation" || row.case_name != "book" || row.scalar != scalar || row.metric != "attitude_error" || !(row.h > 0)) continue;
-        const double cost = instructions ? rows.value("mcu", "one_body", row.method, "float", 0, 0, "instructions_per_body_step", 0)
-                                         : rows.value("rotation", "bodies_1024", row.method, scalar, 4, 0, "ns_per_body_step", 0);
+        const double cost = cost_of_step(rows, row.method, scalar, measure);
         if (!plottable(cost / row.h, row.value)) continue;
         if (lines.find(row.method) == lines.end()) order.push_back(row.method);
         Series& line = lines[row.method];
@@ -198,7 +212,8 @@ Sheet throughput(const Rows& rows) {
 
 std::vector<Plot> draw_plots(const Rows& rows, const std::string& dir) {
     std::vector<Plot> plots;
-    for (const Sheet& sheet : {work_precision(rows, "double", false), work_precision(rows, "float", false), work_precision(rows, "float", true), float_floor(rows),
+    for (const Sheet& sheet : {work_precision(rows, "double", Cost::time), work_precision(rows, "double", Cost::flops), work_precision(rows, "float", Cost::time),
+                               work_precision(rows, "float", Cost::flops), work_precision(rows, "float", Cost::instructions), float_floor(rows),
                                driven(rows), drift(rows, "energy_error"), drift(rows, "orthogonality"), throughput(rows)})
         if (!sheet.series.empty()) plots.push_back(draw(sheet, dir));
     return plots;

@@ -14,6 +14,13 @@ using ingot_reference::TopCase;
 
 namespace {
 
+std::vector<std::string> cells_of(const std::string& line) {
+    std::vector<std::string> cells;
+    std::stringstream stream(line);
+    for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
+    return cells;
+}
+
 struct CaseName {
     const char *table, *name;
     bool symmetric;
@@ -116,6 +123,15 @@ void run_rotation(const Settings& settings, const std::vector<Variant>& variants
             rows.add({"rotation", "bodies_1024", method.name, variant.scalar, variant.lanes, "host", 1.0 / 60, "ns_per_body_step",
                       method.ns_per_body_step(settings.quick ? 20 : 200), "ns"});
     }
+    std::ifstream file(INGOT_REPORT_DIR "/flops.csv");
+    std::string line;
+    std::getline(file, line);
+    while (std::getline(file, line)) {
+        const std::vector<std::string> cells = cells_of(line);
+        const char* const metrics[] = {"", "additions_and_multiplications", "divisions", "square_roots"};
+        for (std::size_t column = 1; column < 4 && column < cells.size(); ++column)
+            rows.add({"rotation", "book", cells[0], "float", 1, "host", 1.0 / 60, metrics[column], std::stod(cells[column]), "1"});
+    }
     progress.begin("rotation order");
     const FreeBodyCase book("free_asymmetric", "book");
     for (const Variant* variant : chosen) {
@@ -205,13 +221,6 @@ void run_throughput(const Settings& settings, const std::vector<Variant>& varian
 }
 
 namespace {
-
-std::vector<std::string> cells_of(const std::string& line) {
-    std::vector<std::string> cells;
-    std::stringstream stream(line);
-    for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
-    return cells;
-}
 
 /// Rows of a committed table whose first two columns are a name and a core; each other column becomes a metric.
 void add_table(const char* path, const char* method, Rows& rows) {
