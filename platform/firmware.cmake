@@ -27,7 +27,12 @@ function(ingot_add_firmware target)
     message(FATAL_ERROR "ingot_add_firmware(${target}): set INGOT_BOARD or INGOT_BOARD_DIR, or use a toolchain file of ingot")
   endif()
 
-  target_sources(${target} PRIVATE "${boards_dir}/startup.cpp" "${board_dir}/board.cpp")
+  if(CMAKE_SYSTEM_PROCESSOR MATCHES "^riscv")
+    set(startup startup_riscv.cpp)
+  else()
+    set(startup startup_cortex_m.cpp)
+  endif()
+  target_sources(${target} PRIVATE "${boards_dir}/${startup}" "${board_dir}/board.cpp")
   target_compile_options(${target} PRIVATE
     "$<$<COMPILE_LANGUAGE:CXX>:-fno-exceptions;-fno-rtti;-fno-threadsafe-statics;-fno-use-cxa-atexit>"
     -ffunction-sections

@@ -9,6 +9,7 @@
 #include <ingot/platform/console.h>
 #include <ingot/platform/cortex_m.h>
 #include <ingot/platform/fault.h>
+#include <ingot/platform/semihosting.h>
 
 extern "C" const uint32_t undefined_instruction[];
 
@@ -28,7 +29,7 @@ void console_write(const char* text) {
 void console_exit(int code) {
     constexpr uint32_t sys_exit_extended = 0x20, application_exit = 0x20026;
     const uint32_t reason_and_status[2] = {application_exit, static_cast<uint32_t>(code)};
-    for (;;) (void)cortex_m::semihosting(sys_exit_extended, reason_and_status);
+    for (;;) (void)semihosting(sys_exit_extended, reason_and_status);
 }
 
 }  // namespace ingot::platform

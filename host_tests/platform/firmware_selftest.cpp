@@ -102,7 +102,7 @@ void check_clock_is_monotone() {
 }
 
 /// Lets the clock run for a time and compares it with the board's counter, which has 32 bits and does not wrap meanwhile.
-/// All boards here clock both alike. Returns how far the clock is ahead, in ticks.
+/// Returns how far the clock is ahead, in ticks.
 int64_t clock_error_over(uint32_t rounds, int readings) {
     const uint32_t counter_before = board_counter();
     const uint64_t before = clock_ticks();
@@ -111,7 +111,8 @@ int64_t clock_error_over(uint32_t rounds, int readings) {
         (void)clock_ticks();
     }
     const uint64_t ticks = clock_ticks() - before;
-    return static_cast<int64_t>(ticks) - static_cast<int64_t>(board_counter() - counter_before);
+    const uint64_t counted = board_counter() - counter_before;
+    return static_cast<int64_t>(ticks) - static_cast<int64_t>(counted * clock_frequency_hz() / board_counter_hz());
 }
 
 constexpr uint32_t instructions_per_second = 1'000'000'000 >> 6;  // of -icount shift=6
@@ -146,7 +147,6 @@ void check_readings_around_wraps() {
 }
 
 void check_wrap_extension() {
-    check(board_cpu_hz() == board_counter_hz(), "both counters run alike", board_cpu_hz());
     board_counter_start();
 
     // 4 rounds of a 24-bit counter with interrupts on and the clock not read: the interrupt alone must see the wraps.
