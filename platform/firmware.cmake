@@ -3,7 +3,7 @@
 #
 # On a board: an ELF file with start-up code, vector table and linker script of the board, no libc start-up, unused sections
 # dropped, and a map file beside it. With an operating system: an ordinary program from the same sources, so that a scene's
-# firmware also runs on the host. Both link ingot::platform and start at `int main()`.
+# firmware also runs on the host. As WebAssembly: a module that imports text output, the end and a clock (boards/wasm/run.mjs). All link ingot::platform and start at `int main()`.
 #
 # Under the toolchain files of ingot the target runs in the emulator: add_test(NAME x COMMAND <target>).
 #
@@ -15,6 +15,15 @@ function(ingot_add_firmware target)
   add_executable(${target} ${arg_UNPARSED_ARGUMENTS})
   target_link_libraries(${target} PRIVATE ingot::platform)
   if(NOT CMAKE_SYSTEM_NAME STREQUAL "Generic")
+    return()
+  endif()
+
+  if(CMAKE_SYSTEM_PROCESSOR STREQUAL "wasm32")
+    # The stack lies below the data: an overflow leaves memory and traps.
+    target_link_options(${target} PRIVATE -Wl,--no-entry -Wl,--export=__main_void -Wl,--stack-first)
+    if(arg_STACK_BYTES)
+      target_link_options(${target} PRIVATE "-Wl,-z,stack-size=${arg_STACK_BYTES}")
+    endif()
     return()
   endif()
 

@@ -29,7 +29,7 @@ __(mul|div|udiv|mod|umod|divmod|udivmod)[sd]i[34]|__(ash|lsh)[lr][sd]i3|__ashr[s
 __(fix|fixuns)[sd]f[sd]i|__(float|floatun|floatuns|floatunsi)[sd]i?[sd]f|__extendsfdf2|__truncdfsf2")
 # Also libgcc: saved registers of PowerPC, copies, shifts and divisions of SH-4.
 set(helpers "_(save|rest)[gf]pr_[0-9]+(_x)?|__movmem[0-9A-Za-z_]+|__[us]divsi3_i4i?|__(ashr|ashl|lshr)si3_r0")
-set(linker "_GLOBAL_OFFSET_TABLE_|_gp_disp")
+set(linker "_GLOBAL_OFFSET_TABLE_|_gp_disp|__linear_memory|__stack_pointer|__indirect_function_table")
 
 set(forbidden "")
 foreach(line IN LISTS lines)
