@@ -9,7 +9,7 @@ namespace ingot { inline namespace INGOT_ABI {
 
 /// See DiscreteMoserVeselov.
 template <int order, bool compensate, bool energy_return>
-int integrate_A_moser_veselov(const BodyView& bodies, scalar h, const FlightClock& clock, scalar substeps_max);
+int integrate_A_moser_veselov(const BodyView& bodies, scalar h, const FlightClock& clock, int substeps_max);
 
 /// The preprocessed discrete Moser-Veselov method: `using rotation = DiscreteMoserVeselov<4, false>;`. One path for
 /// asymmetric, symmetric, spherical and immovable bodies.
