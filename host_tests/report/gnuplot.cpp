@@ -55,7 +55,7 @@ void write_script(const Sheet& sheet, const std::string& script, const std::stri
     std::ofstream file(script);
     file << "set terminal svg size 690,480 font 'DejaVu Sans,14' background 'white'\n"
          << "set output '" << svg << "'\n"
-         << "set rmargin 24\n"
+         << "set rmargin 26\n"
          << "set key at graph 1.03, graph 1.0 left top Left reverse noenhanced samplen 1.6 spacing 1.15 font ',12'\n"
          << "set grid lc rgb '#e3e8ef' lt 1 lw 1\nset border 3 lc rgb '#566273'\nset tics nomirror\n"
          << "set logscale xy\nset format x '10^{%L}'\nset format y '10^{%L}'\nset mxtics 1\nset mytics 1\n"
