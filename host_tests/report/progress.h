@@ -17,7 +17,8 @@ public:
         if (live_) {
             const int filled = tasks_ > 0 ? 30 * done_ / tasks_ : 0;
             std::fprintf(stderr, "\r[%s%s] %3d %%  %-44.44s", std::string(static_cast<std::size_t>(filled), '#').c_str(),
-                         std::string(static_cast<std::size_t>(30 - filled), '.').c_str(), tasks_ > 0 ? 100 * done_ / tasks_ : 0, what.c_str());
+                         std::string(static_cast<std::size_t>(30 - filled), '.').c_str(), tasks_ > 0 ? 100 * done_ / tasks_ : 0,
+                         what.c_str());
         } else if (what.substr(0, what.find(' ')) != suite_) {
             suite_ = what.substr(0, what.find(' '));
             std::fprintf(stderr, "%s\n", suite_.c_str());

@@ -15,7 +15,8 @@ namespace {
 bool refuse(const std::string& why) {
     std::string names;
     for (const std::string& suite : known_suites()) names += (names.empty() ? "" : ", ") + suite;
-    std::fprintf(stderr, "ingot_report: %s\nusage: ingot_report [--out DIR] [--quick] [--suite NAME]...\nsuites: %s\n", why.c_str(), names.c_str());
+    std::fprintf(stderr, "ingot_report: %s\nusage: ingot_report [--out DIR] [--quick] [--suite NAME]...\nsuites: %s\n",
+                 why.c_str(), names.c_str());
     return false;
 }
 

@@ -8,8 +8,8 @@ namespace report {
 
 struct Settings {
     std::string out = ".";
-    bool quick = false;                ///< fewer cases and steps, every page and plot all the same
-    std::vector<std::string> suites;   ///< empty: all
+    bool quick = false;               ///< fewer cases and steps, every page and plot all the same
+    std::vector<std::string> suites;  ///< empty: all
     bool wants(const std::string& suite) const;
 };
 

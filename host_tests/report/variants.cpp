@@ -25,7 +25,7 @@ std::vector<Variant> variants() {
     const auto add = [&](Variant (*make)(), int bytes) {
         if (can_run(bytes)) all.push_back(make());
     };
-#define INGOT_VARIANT(abi, lane_count) add(variant_##abi, lane_count * (#abi[1] == '3' ? 4 : 8));
+#define INGOT_VARIANT(abi, lane_count) add(variant_##abi, lane_count*(#abi[1] == '3' ? 4 : 8));
 #include "variant_list.inc"
 #undef INGOT_VARIANT
     return all;

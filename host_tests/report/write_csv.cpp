@@ -27,8 +27,9 @@ void write_csv(const Rows& rows, const std::string& dir) {
     std::ofstream file(dir + "/report.csv");
     file << "suite,case,method,scalar,lanes,target,h,metric,value,unit\n";
     for (const Row& row : rows.all())
-        file << csv_cell(row.suite) << ',' << csv_cell(row.case_name) << ',' << csv_cell(row.method) << ',' << row.scalar << ',' << row.lanes << ','
-             << row.target << ',' << number(row.h) << ',' << row.metric << ',' << number(row.value) << ',' << row.unit << '\n';
+        file << csv_cell(row.suite) << ',' << csv_cell(row.case_name) << ',' << csv_cell(row.method) << ',' << row.scalar << ','
+             << row.lanes << ',' << row.target << ',' << number(row.h) << ',' << row.metric << ',' << number(row.value) << ','
+             << row.unit << '\n';
 }
 
 }  // namespace report
