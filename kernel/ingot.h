@@ -19,6 +19,7 @@
 // recurses, prints or reads a clock.
 #pragma once
 
+#include "base/floating_point.h"
 #include "base/version.h"
 #include "body/kinematics.h"
 #include "body/mass_properties.h"
