@@ -12,7 +12,6 @@ void make_immovable(const BodyView& bodies, Place at) {
     set_lane(rotation.inv_I_ratio, at.lane, Vector{third, third, third});
     rotation.inv_I_scale[at.lane] = 0;
     set_lane(rotation.L, at.lane, Vector{});
-    set_lane(rotation.omega, at.lane, Vector{});
     set_lane(rotation.tau_T, at.lane, Vector{});
     if (bodies.compensation != nullptr) set_lane(bodies.compensation[at.tile].A_low, at.lane, Matrix{});
     if (bodies.energy != nullptr) bodies.energy[at.tile].E_0[at.lane] = 0;

@@ -4,7 +4,7 @@
 
 #include "../base/limits.h"
 #include "../body/body_tiles.h"
-#include "../math/rotation.h"
+#include "../body/kinematics.h"
 #include "flight_clock.h"
 
 #pragma GCC diagnostic push
@@ -63,11 +63,6 @@ INGOT_INLINE Vec3<lane> rodrigues(const Vec3<lane>& u) {
     return u * (splat<lane>(scalar(0.5)) / tail);
 }
 
-/// omega = A J A^T L, world axes.
-INGOT_INLINE Vec3<lane> spin_of(const Mat3<lane>& A, const Vec3<lane>& inv_I_body, const Vec3<lane>& L) {
-    return A * scaled(inv_I_body, transpose_times(A, L));
-}
-
 INGOT_INLINE int count_bits(uint16_t b) {
     int count = 0;
     for (; b != 0; b = static_cast<uint16_t>(b & (b - 1u))) ++count;
@@ -83,7 +78,7 @@ INGOT_INLINE void integrate_tiles(const BodyView& bodies, const FlightClock& clo
         const Vec3<lane> inv_I_body = load(tile.inv_I_ratio) * load(tile.inv_I_scale);
         const Vec3<lane> L = load(tile.L) - load(tile.tau_T) * splat<lane>(clock.kick_ahead);
         const Mat3<lane> A_next = turned(A, inv_I_body, L);
-        const mask good = is_finite(A_next);
+        const mask good = both(is_finite(A_next), is_within_runaway(spin_of(A, inv_I_body, L)));
         const mask movable = load(tile.inv_I_scale) > lane{};  // an immovable body keeps its A to the bit
         store(tile.A, select(both(good, movable), A_next, A));
         tile.kicked = 0;
