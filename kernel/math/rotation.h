@@ -42,10 +42,13 @@ constexpr Result<Matrix> rotation_about(const Vector& n, scalar angle) {
 
 /// Largest entry of |A^T A - 1|: how far the columns are from orthonormal.
 constexpr scalar orthogonality_error(const Matrix& A) {
-    const SymmetricMatrix g = gram(A) - identity_sym3<scalar>();
-    const scalar entries[6] = {abs(g.xx), abs(g.yy), abs(g.zz), abs(g.xy), abs(g.xz), abs(g.yz)};
+    const Vector columns[3] = {A.c0, A.c1, A.c2};
     scalar worst = 0;
-    for (scalar entry : entries) worst = entry > worst ? entry : worst;
+    for (int i = 0; i < 3; ++i)
+        for (int k = 0; k <= i; ++k) {
+            const scalar entry = abs(dot(columns[i], columns[k]) - (i == k ? 1 : 0));
+            worst = entry > worst ? entry : worst;
+        }
     return worst;
 }
 
@@ -56,7 +59,16 @@ constexpr scalar orthogonality_error(const Matrix& A) {
 /// Source:  Higham, "Computing the polar decomposition", 1986 (Newton-Schulz form).
 template <class T>
 INGOT_INLINE constexpr Mat3<T> polar_correction(const Mat3<T>& A) {
-    return A * ((identity_sym3<T>() - gram(A)) * splat<T>(scalar(0.5)));
+    // Column by column, in a loop: a core that keeps its code small has one of them.
+    const Vec3<T> columns[3] = {A.c0, A.c1, A.c2};
+    Vec3<T> correction[3] = {};
+    for (int i = 0; i < 3; ++i) {
+        T half_defect[3] = {};
+        for (int k = 0; k < 3; ++k)
+            half_defect[k] = (splat<T>(i == k ? 1 : 0) - dot(columns[k], columns[i])) * splat<T>(scalar(0.5));
+        correction[i] = A.c0 * half_defect[0] + A.c1 * half_defect[1] + A.c2 * half_defect[2];
+    }
+    return {correction[0], correction[1], correction[2]};
 }
 
 /// Gram-Schmidt on the columns: the first keeps its direction, the third is the cross product of the two.

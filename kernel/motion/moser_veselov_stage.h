@@ -150,6 +150,7 @@ int integrate_A_moser_veselov(const BodyView& bodies, scalar h, const FlightCloc
         }
 
         mask turning = good;
+        scalar taken = 0;
         for (int substep_i = 1;; ++substep_i) {
             const lane H = dot(y, w) * splat<lane>(scalar(0.5)), C = length_sq(y) * splat<lane>(scalar(0.5));
             Vec3<lane> c = solve_turn<order>(j, y, H, C);
@@ -174,7 +175,8 @@ int integrate_A_moser_veselov(const BodyView& bodies, scalar h, const FlightCloc
             store(tile.A, A);
 
             if (substep_i == substeps) break;
-            turning = n > splat<lane>(static_cast<scalar>(substep_i));
+            taken += 1;
+            turning = n > splat<lane>(taken);
             y = y_of(step);
             w = scaled(j, y);
         }
