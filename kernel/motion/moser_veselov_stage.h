@@ -163,16 +163,10 @@ int integrate_A_moser_veselov(const BodyView& bodies, scalar h, const FlightCloc
             if (!any(good)) break;
             c = select(good, c, Vec3<lane>{});
             // A body that left the range keeps its last good pose in every digit: none that waited in A_low enters.
-            Mat3<lane> A = load(tile.A);
-            if constexpr (compensate) {
-                Mat3<lane> A_low = load(bodies.compensation[tile_i].A_low);
-                add_compensated(A, A_low, body_turn(A, c));
-                store(bodies.compensation[tile_i].A_low, A_low);
-            } else {
-                A = A + body_turn(A, c);
-            }
-            if (any(opposite(good))) A = select(good, A, load(tile.A));
-            store(tile.A, A);
+            if constexpr (compensate)
+                turn_body<true>(tile.A, bodies.compensation[tile_i].A_low, c, good);
+            else
+                turn_body<false>(tile.A, nullptr, c, good);
 
             if (substep_i == substeps) break;
             taken += 1;
