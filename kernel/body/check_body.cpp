@@ -45,10 +45,6 @@ Status check_state(const BodyState& state, const Vector& inv_I_body) {
     return is_finite(omega_body) ? check_vector(omega_body, limits::spin_max) : Status::out_of_range;
 }
 
-Status check_step(scalar h) {
-    return h >= limits::step_min && h <= limits::step_max ? Status::ok : Status::bad_step;
-}
-
 Matrix nearest_rotation(const Matrix& A) {
     Matrix R = A;
     // From limits::orthogonality three steps reach rounding: 1e-2, 7.5e-5, 4e-9, 1e-17.
