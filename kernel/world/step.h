@@ -61,7 +61,7 @@ StepReport step(World<S>& world, scalar h) {
 
     if constexpr (S::rotation::as_printed || flies_in_field<S>) mark_runaway_spins(bodies);
     clear_forces(bodies);
-    count(report.bodies_frozen, freeze_bad_bodies(bodies));
+    if (any_bad_bodies(bodies)) count(report.bodies_frozen, freeze_bad_bodies(bodies));
     if constexpr (has_field<S>) storage.advance_time(h);
     ++storage.steps;
     return report;
