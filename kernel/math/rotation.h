@@ -59,15 +59,11 @@ constexpr scalar orthogonality_error(const Matrix& A) {
 /// Source:  Higham, "Computing the polar decomposition", 1986 (Newton-Schulz form).
 template <class T>
 INGOT_INLINE constexpr Mat3<T> polar_correction(const Mat3<T>& A) {
-    // Column by column, in a loop: a core that keeps its code small has one of them.
-    const Vec3<T> columns[3] = {A.c0, A.c1, A.c2};
+    // In a loop, so that a core that keeps its code small has the code of one column.
+    const T zero{}, one = splat<T>(1);
+    const Vec3<T> columns[3] = {A.c0, A.c1, A.c2}, axes[3] = {{one, zero, zero}, {zero, one, zero}, {zero, zero, one}};
     Vec3<T> correction[3] = {};
-    for (int i = 0; i < 3; ++i) {
-        T half_defect[3] = {};
-        for (int k = 0; k < 3; ++k)
-            half_defect[k] = (splat<T>(i == k ? 1 : 0) - dot(columns[k], columns[i])) * splat<T>(scalar(0.5));
-        correction[i] = A.c0 * half_defect[0] + A.c1 * half_defect[1] + A.c2 * half_defect[2];
-    }
+    for (int i = 0; i < 3; ++i) correction[i] = A * ((axes[i] - transpose_times(A, columns[i])) * splat<T>(scalar(0.5)));
     return {correction[0], correction[1], correction[2]};
 }
 

@@ -90,7 +90,8 @@ Status check_definition(const BodyDef& def, bool scene_translates, bool scene_ha
         const Status status = check_mass_properties(def.mass);
         if (status != Status::ok) return status;
         if (def.shape.kind == ShapeKind::half_space) return Status::bad_shape;
-        inv_I_body = {1 / def.mass.I_body.x, 1 / def.mass.I_body.y, 1 / def.mass.I_body.z};
+        const ScaledInverseInertia inverse = scaled_inverse_inertia(def.mass.I_body);
+        inv_I_body = inverse.ratio * inverse.scale;
     }
     Status status = check_state(def.state, inv_I_body);
     if (status != Status::ok) return status;
