@@ -14,7 +14,7 @@ Vector omega_of(const BodyView& bodies, int slot);
 void refresh_inv_I_world(const BodyView& bodies);
 
 /// Marks bodies bad whose spin passes limits::spin_runaway. A method that turns bodies sees that before it turns them; this is
-/// for steps that change L after the turn. Cost: 24 flops a body.
+/// for steps that change L after the turn. Cost: 41 flops a body.
 void mark_runaway_spins(const BodyView& bodies);
 
 } }  // namespace ingot

@@ -14,12 +14,11 @@ int freeze_bad_bodies(const BodyView& bodies);
 
 /// True when a body is marked: freeze_bad_bodies may have something to do.
 inline bool any_bad_bodies(const BodyView& bodies) {
-    unsigned marks = 0;
     for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) {
-        marks |= bodies.rotation[tile_i].bad;
-        if (bodies.translation != nullptr) marks |= bodies.translation[tile_i].bad;
+        if (bodies.rotation[tile_i].bad != 0) return true;
+        if (bodies.translation != nullptr && bodies.translation[tile_i].bad != 0) return true;
     }
-    return marks != 0;
+    return false;
 }
 
 /// True while the body of the slot is frozen.

@@ -37,7 +37,7 @@ INGOT_INLINE void add_compensated(Mat3<lane>& A, Mat3<lane>& A_low, const Mat3<l
 
 /// A += A (R(c) - 1) where good, for the turn with Rodrigues vector c = tan(angle/2) axis in body axes: per row a of A, u = a x c
 /// gives 2/(1 + c.c) (u + u x c). With A_low the sum is compensated: A + A_low += the same, rounded to A, the rest in A_low.
-/// Cost: 87 flops, 1 division; compensated 63 more.
+/// Cost: 87 flops, 1 division; compensated 54 more.
 template <bool compensate>
 INGOT_INLINE void turn_body(scalar (&A)[9][lanes], [[maybe_unused]] scalar (*A_low)[lanes], const Vec3<lane>& c, mask good) {
     const lane f = splat<lane>(2) / (splat<lane>(1) + dot(c, c));
