@@ -68,7 +68,7 @@ INGOT_INLINE mask mask_from_bits(uint16_t b) {
 /// The same value in every lane.
 template <class T>
 INGOT_INLINE constexpr T splat(scalar value) {
-    return T{} + value;
+    return value - T{};  // 0 + value would be an addition at run time, which turns -0 into +0; this is value
 }
 
 /// True where both are true; where it is not. (Operators do not fit: && and ! are for bool, & and ~ for vectors.)

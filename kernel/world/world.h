@@ -3,6 +3,7 @@
 
 #include "../base/ids.h"
 #include "../base/limits.h"
+#include "../body/auxiliary.h"
 #include "../body/energy_momentum.h"
 #include "../body/freeze_bad_bodies.h"
 #include "edit_bodies.h"
@@ -118,8 +119,7 @@ public:
     Result<Vector> omega(BodyId id) const {
         const Result<int> slot = find(id);
         if (!slot.ok()) return {slot.status, {}};
-        const Place at = place_of(slot.value);
-        return {Status::ok, lane_of(storage_.rotation[at.tile].omega, at.lane)};
+        return {Status::ok, omega_of(storage_.bodies(), slot.value)};
     }
 
     // Forces of the next step; they are summed, act over the whole of it, and are gone after it.
