@@ -25,6 +25,9 @@ enum class [[nodiscard]] Status : uint8_t {
     bad_step,           ///< h outside limits::step_min .. step_max
     not_empty,          ///< the call is for a world to which no body was ever added
     not_converged,      ///< an iteration stopped at its bound
+    bad_snapshot,       ///< not a snapshot, not whole, damaged, or of a state that no world has
+    other_version,      ///< a snapshot of another version of the kernel
+    other_scene,        ///< a snapshot of a world of another scalar or scene
 };
 
 /// A value, or the reason why there is none (the value is then all zero).

@@ -9,6 +9,8 @@
 #include "state_hash.h"
 #include "storage.h"
 
+#include <stddef.h>
+
 namespace ingot { inline namespace INGOT_ABI {
 
 /// One contact of the last step, as World::contact tells it.
@@ -273,6 +275,10 @@ public:
 private:
     template <class Any>
     friend StepReport step(World<Any>& world, scalar h);
+    template <class Any>
+    friend Result<size_t> save_snapshot(const World<Any>& world, uint8_t* bytes, size_t room);
+    template <class Any>
+    friend Status load_snapshot(World<Any>& world, const uint8_t* bytes, size_t size);
 
     static constexpr void translation_only() {
         static_assert(S::translates, "this scene names no translation: set translates = true");
