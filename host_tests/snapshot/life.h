@@ -11,8 +11,7 @@ namespace life {
 
 using namespace yard;
 
-struct Yard : yard::Yard {};
-struct PrintedYard : yard::Yard {
+struct PrintedYard : Yard {
     using rotation = ingot::Listing1Euler;
 };
 struct Tops : ingot::Scene {

@@ -10,7 +10,7 @@ using namespace life;
 
 template <class S>
 class Portable : public ::testing::Test {};
-using Scenes = ::testing::Types<life::Yard, PrintedYard, Tops, Tide>;
+using Scenes = ::testing::Types<Yard, PrintedYard, Tops, Tide>;
 TYPED_TEST_SUITE(Portable, Scenes);
 
 TYPED_TEST(Portable, random_lives_go_on_from_every_moment_as_if_never_left) {
