@@ -42,8 +42,8 @@ void seal(Bytes& bytes) { put(bytes, bytes.size() - 8, ingot::snapshot_checksum(
 
 /// The format, written down a second time: offsets in bytes.
 constexpr size_t s = sizeof(scalar);
-constexpr size_t at_format = 8, at_determinism = 10, at_signature = 12, at_length = 20;
-constexpr size_t at_steps = 26, at_slots_used = 30, at_free_hint = 34, at_gravity = 38, at_h_before = at_gravity + 3 * s;
+constexpr size_t at_format = 8, at_determinism = 10, at_signature = 12, at_length = 20, at_parts = 24, at_field_size = 26;
+constexpr size_t at_tag = 30, at_steps = 32, at_slots_used = 36, at_free_hint = 40, at_gravity = 44, at_h_before = at_gravity + 3 * s;
 constexpr size_t first_slot = at_h_before + s;
 // From the begin of a slot of a living body.
 constexpr size_t to_flags = 4, to_A = 5, to_L = to_A + 9 * s, to_tau_T = to_L + 3 * s, to_ratio = to_tau_T + 3 * s;
@@ -126,7 +126,7 @@ TEST_F(Damage, of_its_length) {
     for (size_t size = 0; size < sound_.size(); ++size) {
         const Bytes cut(sound_.begin(), sound_.begin() + static_cast<std::ptrdiff_t>(size));
         refuses(Status::bad_snapshot, cut, "cut to " + std::to_string(size));
-        if (size < at_length + 4 + 8) continue;
+        if (size < at_parts + 8) continue;
         Bytes pretending = cut;  // its length and checksum made right
         put(pretending, at_length, static_cast<uint32_t>(size));
         seal(pretending);
@@ -138,6 +138,7 @@ TEST_F(Damage, of_its_length) {
     put(longer, at_length, static_cast<uint32_t>(longer.size()));
     seal(longer);
     refuses(Status::bad_snapshot, longer, "a byte more that is counted");
+    refuses(Status::bad_snapshot, with(at_length, static_cast<uint32_t>(sound_.size() + 1)), "a length that is not the file's");
     EXPECT_EQ(ingot::load_snapshot(other_, nullptr, 0), Status::bad_snapshot);
     EXPECT_TRUE(same_bytes(other_, before_));
 }
@@ -147,6 +148,8 @@ TEST_F(Damage, of_another_kind_or_version_or_scene) {
     refuses(Status::other_version, with(at_format, uint16_t(ingot::snapshot_format + 1)), "a later format");
     refuses(Status::other_version, with(at_determinism, uint16_t(INGOT_DETERMINISM_VERSION + 1)), "another kernel");
     refuses(Status::other_scene, with(at_signature, uint64_t(1)), "another scene");
+    refuses(Status::other_scene, with(at_parts, uint16_t(0)), "other parts");
+    refuses(Status::other_scene, with(at_field_size, uint32_t(4)), "a field");
 }
 
 /// Everything that makes snapshots of two scenes differ.
@@ -200,6 +203,13 @@ TEST_F(Damage, of_the_order_of_slots) {
     refuses(Status::bad_snapshot, with(at_slots_used, used - 1), "fewer slots than follow");
     refuses(Status::bad_snapshot, with(at_slots_used, uint32_t(0)), "no slot");
     refuses(Status::bad_snapshot, with(at_slots_used, UINT32_MAX), "slots beyond counting");
+    Bytes slot_more(sound_.begin(), sound_.end() - 8);  // an empty one, beyond the arrays
+    slot_more.insert(slot_more.end(), {2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0});
+    put(slot_more, at_slots_used, used + 1);
+    put(slot_more, at_length, static_cast<uint32_t>(slot_more.size()));
+    seal(slot_more);
+    refuses(Status::bad_snapshot, slot_more, "a slot more than there are");
+    refuses(Status::bad_snapshot, with(at(cast_.removed), uint32_t(0)), "an empty slot that never was used");
     refuses(Status::bad_snapshot, with(at_free_hint, used), "a free slot below the hint");
     refuses(Status::bad_snapshot, with(at_free_hint, used + 1), "a hint beyond the slots");
     refuses(Status::bad_snapshot, with(at_free_hint, UINT32_MAX), "a hint beyond counting");
@@ -215,6 +225,45 @@ TEST_F(Damage, of_the_order_of_slots) {
     put(used_up, at_free_hint, used);
     seal(used_up);
     accepts(used_up, "a slot that is used up below the hint");
+    put(used_up, at_free_hint, used + 1);
+    seal(used_up);
+    refuses(Status::bad_snapshot, used_up, "a hint beyond the slots of a full world");
+}
+
+TEST_F(Damage, of_the_time_of_a_field) {
+    static World<Tide> tide, before;
+    clear(tide);
+    Life life(2);
+    for (int call_i = 0; call_i < 40; ++call_i) life.live(tide);
+    copy(before, tide);
+    const Bytes sound = saved(tide);
+    const size_t at_t = at_h_before + s, at_t_low = at_t + s;
+    EXPECT_EQ(scalar_at(sound, at_t), tide.time());
+    const auto load_with = [&](size_t offset, scalar number) {
+        Bytes bytes = sound;
+        put(bytes, offset, number);
+        seal(bytes);
+        return ingot::load_snapshot(tide, bytes.data(), bytes.size());
+    };
+    for (const scalar bad : {nan_value, infinity, -infinity, scalar(-1)}) EXPECT_EQ(load_with(at_t, bad), Status::bad_snapshot);
+    for (const scalar bad : {nan_value, infinity, -infinity}) EXPECT_EQ(load_with(at_t_low, bad), Status::bad_snapshot);
+    EXPECT_TRUE(same_bytes(tide, before));
+    EXPECT_EQ(load_with(at_t, scalar(77)), Status::ok);
+    EXPECT_EQ(tide.time(), 77);
+}
+
+TEST_F(Damage, of_a_shape_that_the_scene_does_not_name) {
+    static World<NoBoxes> world;
+    clear(world);
+    ASSERT_TRUE(world.add(plain_body({}, ingot::Sphere{1})).ok());
+    Bytes bytes = saved(world);
+    const uint8_t kinds[] = {static_cast<uint8_t>(ingot::ShapeKind::sphere), static_cast<uint8_t>(ingot::ShapeKind::box)};
+    for (const size_t offset : {to_size + s, to_size + 2 * s}) put(bytes, first_slot + offset, scalar(1));
+    for (const uint8_t kind : kinds) {
+        put(bytes, first_slot + to_kind, kind);
+        seal(bytes);
+        EXPECT_EQ(ingot::load_snapshot(world, bytes.data(), bytes.size()), kind == kinds[0] ? Status::ok : Status::bad_snapshot);
+    }
 }
 
 struct Lie {
@@ -239,7 +288,7 @@ TEST_F(Damage, of_what_a_body_cannot_be) {
         {"a scale that is no power of two", cast_.ball, to_scale, 3},
         {"a scale below zero", cast_.ball, to_scale, -4},
         {"moments beyond the limit", cast_.ball, to_scale, scalar(0x1p-70)},
-        {"moments below the limit", cast_.ball, to_scale, scalar(0x1p70)},
+        {"moments below the limit", cast_.heavy, to_scale, scalar(0x1p70)},
         {"a body that moves and does not turn", cast_.ball, to_scale, 0},
         {"a ratio of zero", cast_.ball, to_ratio, 0},
         {"a ratio below zero", cast_.ball, to_ratio + s, scalar(-0.1)},
@@ -269,12 +318,28 @@ TEST_F(Damage, of_what_a_body_cannot_be) {
     refuses(Status::bad_snapshot, with(at(cast_.ball) + to_flags, uint8_t(2)), "a frozen body that can move");
     refuses(Status::bad_snapshot, with(at(cast_.ball) + to_kind, uint8_t(4)), "a shape that is none");
     refuses(Status::bad_snapshot, with(at(cast_.box) + to_kind, uint8_t(255)), "a shape that is none");
-    Bytes needle = sound_;  // a plate thinner than a solid: I1 + I2 < I3
-    put(needle, at(cast_.ball) + to_ratio, scalar(0.125));
-    put(needle, at(cast_.ball) + to_ratio + s, scalar(0.375));
-    put(needle, at(cast_.ball) + to_ratio + 2 * s, scalar(0.375));
-    seal(needle);
-    refuses(Status::bad_snapshot, needle, "moments of no solid");
+    const auto with_moments = [&](const Vector& ratio, scalar times_scale) {
+        Bytes bytes = sound_;
+        put(bytes, at(cast_.ball) + to_ratio, ratio.x);
+        put(bytes, at(cast_.ball) + to_ratio + s, ratio.y);
+        put(bytes, at(cast_.ball) + to_ratio + 2 * s, ratio.z);
+        put(bytes, at(cast_.ball) + to_scale, scalar_at(bytes, at(cast_.ball) + to_scale) * times_scale);
+        seal(bytes);
+        return bytes;
+    };
+    const Vector ratio = {scalar_at(sound_, at(cast_.ball) + to_ratio), scalar_at(sound_, at(cast_.ball) + to_ratio + s),
+                          scalar_at(sound_, at(cast_.ball) + to_ratio + 2 * s)};
+    accepts(with_moments(ratio, 1), "the same moments");
+    refuses(Status::bad_snapshot, with_moments(ratio * scalar(0.5), 2), "the same moments under a larger scale");
+    refuses(Status::bad_snapshot, with_moments(ratio * scalar(2), scalar(0.5)), "the same moments under a smaller scale");
+    const scalar little = ingot::epsilon / 20;
+    refuses(Status::bad_snapshot, with_moments({1 - ingot::epsilon, little, little}, 1), "a needle thinner than the limit");
+    Bytes plate = sound_;  // a plate wider than a solid: I1 + I2 < I3
+    put(plate, at(cast_.ball) + to_ratio, scalar(0.125));
+    put(plate, at(cast_.ball) + to_ratio + s, scalar(0.375));
+    put(plate, at(cast_.ball) + to_ratio + 2 * s, scalar(0.375));
+    seal(plate);
+    refuses(Status::bad_snapshot, plate, "moments of no solid");
     Bytes falling_ground = sound_;  // sound but for its shape
     for (size_t offset = 0; offset < 3; ++offset)
         put(falling_ground, at(cast_.ball) + to_size + offset * s, scalar(offset == 2 ? 1 : 0));
@@ -325,7 +390,7 @@ TEST_F(Damage, at_random_with_a_right_checksum_is_refused_or_makes_a_world) {
     for (int trial = 0; trial < 100000; ++trial) {
         Bytes bytes = sound_;
         for (size_t change = 0; change <= below(2); ++change) {
-            const size_t from = at_length + 4, byte_i = from + below(bytes.size() - 8 - from);
+            const size_t from = at_tag, byte_i = from + below(bytes.size() - 8 - from);
             bytes[byte_i] = static_cast<uint8_t>(bytes[byte_i] ^ (1u << below(8)));
         }
         seal(bytes);

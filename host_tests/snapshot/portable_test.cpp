@@ -120,12 +120,12 @@ TEST(Portable, numbers_go_from_the_lowest_byte_up) {
     for (int step_i = 0; step_i < 0x102; ++step_i) (void)ingot::step(world, h);
     const std::vector<uint8_t> bytes = saved(world);
     const uint8_t magic[] = {0x89, 'i', 'n', 'g', 'o', 't', 0x0d, 0x0a};
-    ASSERT_GT(bytes.size(), 32u);
+    ASSERT_GT(bytes.size(), 36u);
     EXPECT_EQ(memcmp(bytes.data(), magic, sizeof magic), 0);
     EXPECT_EQ(bytes[20], bytes.size() & 0xff);
     EXPECT_EQ(bytes[21], bytes.size() >> 8);
     const uint8_t tag_and_steps[] = {0x34, 0x12, 0x02, 0x01, 0x00, 0x00};
-    EXPECT_EQ(memcmp(bytes.data() + 24, tag_and_steps, sizeof tag_and_steps), 0);
+    EXPECT_EQ(memcmp(bytes.data() + 30, tag_and_steps, sizeof tag_and_steps), 0);
 }
 
 }  // namespace

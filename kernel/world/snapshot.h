@@ -83,6 +83,18 @@ constexpr size_t snapshot_size() {
     return snapshot_size_of<S>(static_cast<size_t>(S::max_bodies), static_cast<size_t>(S::max_bodies));
 }
 
+template <class S>
+constexpr uint16_t snapshot_parts() {
+    int parts = 0;
+    if (sizeof(scalar) == sizeof(double)) parts |= SnapshotPart::doubles;
+    if (S::translates) parts |= SnapshotPart::translation;
+    if (S::rotation::compensates) parts |= SnapshotPart::compensation;
+    if (S::rotation::returns_energy) parts |= SnapshotPart::energy;
+    if (has_field<S>) parts |= SnapshotPart::field;
+    if (collides<S>) parts |= SnapshotPart::surfaces;
+    return static_cast<uint16_t>(parts);
+}
+
 /// A number for all that makes snapshots of two scenes differ in their bytes or in the steps that follow: the scalar, capacities,
 /// shapes, and the names of the methods.
 template <class S>
@@ -95,16 +107,22 @@ constexpr uint64_t scene_signature() {
         for (; *name != 0; ++name) hash = (hash ^ static_cast<uint8_t>(*name)) * 0x100000001b3u;
         hash *= 0x100000001b3u;
     };
-    add(sizeof(scalar));
+    add(snapshot_parts<S>());
     add(static_cast<uint64_t>(S::max_bodies));
     add(static_cast<uint64_t>(S::max_contacts));
-    add((S::translates ? 1u : 0u) | (S::rotation::compensates ? 2u : 0u) | (S::rotation::returns_energy ? 4u : 0u) | (has_field<S> ? 8u : 0u));
     for (int kind = 0; kind <= static_cast<int>(ShapeKind::half_space); ++kind) add(S::shapes::has(static_cast<ShapeKind>(kind)) ? 1 : 0);
     add_name(S::rotation::name);
     add_name(S::flight::name);
     add(saved_field_size<S>());
-    add(saved_body_size<S>());
     return hash;
+}
+
+/// The header of the scene's snapshots, but for the length.
+template <class S>
+constexpr SnapshotHeader expected_header() {
+    constexpr uint64_t signature = scene_signature<S>();
+    return {snapshot_magic, snapshot_format,     INGOT_DETERMINISM_VERSION, signature,
+            0,              snapshot_parts<S>(), static_cast<uint32_t>(saved_field_size<S>())};
 }
 
 /// Writes the world, ready to be kept in a file or sent to another machine.
@@ -120,8 +138,8 @@ Result<size_t> save_snapshot(const World<S>& world, uint8_t* bytes, size_t room)
     if (bytes == nullptr || room < size) return {Status::no_room, 0};
 
     ByteWriter writer(bytes);
-    constexpr uint64_t signature = scene_signature<S>();
-    SnapshotHeader header{snapshot_magic, snapshot_format, INGOT_DETERMINISM_VERSION, signature, static_cast<uint32_t>(size)};
+    SnapshotHeader header = expected_header<S>();
+    header.length = static_cast<uint32_t>(size);
     header.numbers(writer);
 
     SavedWorld<S> whole{};
@@ -233,8 +251,7 @@ Status read_snapshot_contents(ByteReader reader, Storage<S>* to) {
 /// Cost:    two readings of the bytes and one checksum.
 template <class S>
 Status load_snapshot(World<S>& world, const uint8_t* bytes, size_t size) {
-    constexpr uint64_t signature = scene_signature<S>();
-    Status status = check_snapshot_envelope(bytes, size, signature);
+    Status status = check_snapshot_envelope(bytes, size, expected_header<S>());
     if (status != Status::ok) return status;
     const ByteReader contents(bytes + snapshot_header_size(), size - snapshot_header_size() - snapshot_checksum_size);
     status = read_snapshot_contents<S>(contents, nullptr);

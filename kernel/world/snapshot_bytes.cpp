@@ -2,7 +2,6 @@
 #include "snapshot_bytes.h"
 
 #include "../base/limits.h"
-#include "../base/version.h"
 #include "../body/freeze_bad_bodies.h"
 #include "../body/kinematics.h"
 #include "../body/refresh_auxiliary.h"
@@ -55,7 +54,7 @@ bool are_moments_of_a_solid(const Vector& ratio, scalar scale) {
     return largest <= limits::inertia_ratio_max * (1 + 8 * epsilon) * smallest;
 }
 
-/// omega of refresh_omega, within what it lets pass.
+/// omega of refresh_omega, within what it lets pass; NaN is not, so an L that is not finite is not sound.
 bool turns_within_range(const SavedBody& body) {
     const Vector inv_I_body = body.inv_I_ratio * body.inv_I_scale;
     const Vector omega = body.A * scaled(inv_I_body, transpose_times(body.A, body.L));
@@ -72,20 +71,22 @@ uint64_t snapshot_checksum(const uint8_t* bytes, size_t size) {
     return hash;
 }
 
-Status check_snapshot_envelope(const uint8_t* bytes, size_t size, uint64_t signature) {
+Status check_snapshot_envelope(const uint8_t* bytes, size_t size, const SnapshotHeader& expected) {
     if (bytes == nullptr || size < snapshot_header_size() + snapshot_checksum_size) return Status::bad_snapshot;
     ByteReader reader(bytes, size);
     SnapshotHeader header{};
     header.numbers(reader);
-    if (header.magic != snapshot_magic || header.length != size) return Status::bad_snapshot;
+    if (header.magic != expected.magic || header.length != size) return Status::bad_snapshot;
 
     const size_t checked_size = size - snapshot_checksum_size;
     uint64_t checksum = 0;
     ByteReader(bytes + checked_size, snapshot_checksum_size)(checksum);
     if (checksum != snapshot_checksum(bytes, checked_size)) return Status::bad_snapshot;
     // What a sound snapshot says of itself is true, so the reason is told: last, for damage has no reason.
-    if (header.format != snapshot_format || header.determinism != INGOT_DETERMINISM_VERSION) return Status::other_version;
-    return header.signature == signature ? Status::ok : Status::other_scene;
+    if (header.format != expected.format || header.determinism != expected.determinism) return Status::other_version;
+    const bool same_scene =
+        header.signature == expected.signature && header.parts == expected.parts && header.field_size == expected.field_size;
+    return same_scene ? Status::ok : Status::other_scene;
 }
 
 SavedBody saved_body(const BodyView& bodies, int slot) {
@@ -136,7 +137,7 @@ void write_saved_body(const BodyView& bodies, int slot, const SavedBody& body) {
 bool is_sound(const SavedBody& body, bool translates) {
     if (body.flags > (SavedBody::kicked | SavedBody::frozen)) return false;
     if (check_rotation(body.A) != Status::ok || !is_within(body.A_low, limits::orthogonality)) return false;
-    if (!is_finite(body.L) || !is_within(body.tau_T, limits::torque_max)) return false;
+    if (!is_within(body.tau_T, limits::torque_max)) return false;
     if (!(body.E_0 >= 0) || !is_finite(body.E_0)) return false;
     if (translates) {
         if (!is_within(body.r_CM, limits::position_max) || !is_within(body.v_CM, speed_max_seen)) return false;
@@ -149,7 +150,6 @@ bool is_sound(const SavedBody& body, bool translates) {
 }
 
 bool is_sound(const SavedSurface& surface, bool can_move) {
-    if (surface.kind > static_cast<uint8_t>(ShapeKind::half_space)) return false;
     const Shape shape{static_cast<ShapeKind>(surface.kind), surface.size, surface.offset};
     if (shape.kind == ShapeKind::half_space && can_move) return false;
     return check_shape(shape) == Status::ok && surface.e >= 0 && surface.e <= 1;

@@ -115,6 +115,11 @@ private:
     bool overrun_ = false;
 };
 
+/// Bits of SnapshotHeader::parts.
+struct SnapshotPart {
+    static constexpr uint16_t doubles = 1, translation = 2, compensation = 4, energy = 8, field = 16, surfaces = 32;
+};
+
 /// What comes first in a snapshot, whatever its scene.
 struct SnapshotHeader {
     uint64_t magic;
@@ -122,6 +127,8 @@ struct SnapshotHeader {
     uint16_t determinism;  ///< INGOT_DETERMINISM_VERSION: what A_low and E_0 mean belongs to it
     uint64_t signature;    ///< of the scene: see scene_signature
     uint32_t length;       ///< bytes in all, checksum included
+    uint16_t parts;        ///< which numbers follow: for tools that do not know the scene; see SnapshotPart
+    uint32_t field_size;   ///< bytes of the numbers of the force field
 
     template <class Stream>
     constexpr void numbers(Stream& each) {
@@ -130,6 +137,8 @@ struct SnapshotHeader {
         each(determinism);
         each(signature);
         each(length);
+        each(parts);
+        each(field_size);
     }
 };
 
@@ -193,7 +202,7 @@ uint64_t snapshot_checksum(const uint8_t* bytes, size_t size);
 
 /// Everything that can be told without the scene's storage.
 /// Errors: bad_snapshot (magic, length, checksum), other_version, other_scene.
-Status check_snapshot_envelope(const uint8_t* bytes, size_t size, uint64_t signature);
+Status check_snapshot_envelope(const uint8_t* bytes, size_t size, const SnapshotHeader& expected);
 
 SavedBody saved_body(const BodyView& bodies, int slot);
 void write_saved_body(const BodyView& bodies, int slot, const SavedBody& body);
