@@ -12,6 +12,19 @@ namespace {
 
 bool is_within(const Vector& v, scalar limit) { return check_vector(v, limit) == Status::ok; }
 
+/// Eight bytes, the lowest first; zeros past the end.
+uint64_t word_at(const uint8_t* bytes, size_t left) {
+    uint64_t word = 0;
+#if __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
+    if (left >= 8) {  // the same in one load, four times as fast
+        __builtin_memcpy(&word, bytes, 8);
+        return word;
+    }
+#endif
+    for (size_t byte_i = 0; byte_i < 8 && byte_i < left; ++byte_i) word |= static_cast<uint64_t>(bytes[byte_i]) << (8 * byte_i);
+    return word;
+}
+
 /// integrate_v lets speed_runaway pass, and the contact forces of the same step may add to it. The energy is still far from overflow.
 constexpr scalar speed_max_seen = 1000 * limits::speed_runaway;
 
@@ -66,9 +79,13 @@ bool is_within(const Matrix& m, scalar limit) { return is_within(m.c0, limit) &&
 }  // namespace
 
 uint64_t snapshot_checksum(const uint8_t* bytes, size_t size) {
-    uint64_t hash = 0xcbf29ce484222325u;
-    for (size_t byte_i = 0; byte_i < size; ++byte_i) hash = (hash ^ bytes[byte_i]) * 0x100000001b3u;
-    return hash;
+    uint64_t sum = size;
+    for (size_t byte_i = 0; byte_i < size; byte_i += 8) {
+        const uint64_t word = word_at(bytes + byte_i, size - byte_i);
+        sum = (sum ^ word) * 0x9e3779b97f4a7c15u;  // odd: one to one
+        sum ^= sum >> 32;                          // what multiplication moved up comes down
+    }
+    return sum;
 }
 
 Status check_snapshot_envelope(const uint8_t* bytes, size_t size, const SnapshotHeader& expected) {

@@ -82,9 +82,11 @@ public:
 
     template <class T>
     void integer(T& number) {
-        uint64_t sum = 0;
-        for (unsigned byte_i = 0; byte_i < sizeof(T); ++byte_i) sum |= static_cast<uint64_t>(byte()) << (8 * byte_i);
-        number = static_cast<T>(sum);
+        const uint8_t* const from = next_;
+        skip(sizeof(T));
+        number = 0;
+        if (overrun_) return;
+        for (unsigned byte_i = 0; byte_i < sizeof(T); ++byte_i) number = static_cast<T>(number | static_cast<uint64_t>(from[byte_i]) << (8 * byte_i));
     }
     void real(scalar& number) {
         ScalarBits bits;
@@ -101,15 +103,6 @@ public:
     bool at_end() const { return left_ == 0 && !overrun_; }
 
 private:
-    uint8_t byte() {
-        if (left_ == 0) {
-            overrun_ = true;
-            return 0;
-        }
-        --left_;
-        return *next_++;
-    }
-
     const uint8_t* next_;
     size_t left_;
     bool overrun_ = false;
@@ -197,7 +190,8 @@ struct SavedSurface {
     }
 };
 
-/// FNV-1a, 64 bits. A change of one byte, whichever, always changes it.
+/// 64 bits. A change within eight bytes that lie together as they are taken, so of any one byte, always changes it: each round maps both
+/// what came before and the eight bytes one to one. Cost: a multiplication for eight bytes.
 uint64_t snapshot_checksum(const uint8_t* bytes, size_t size);
 
 /// Everything that can be told without the scene's storage.
