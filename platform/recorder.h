@@ -6,7 +6,7 @@
 //   if (recorder.compare(step_of_peer, hash_of_peer) == Agreement::different)
 //       recorder.write([](uint8_t byte) { put_into_file(byte); });                    // on both machines
 //
-// host_tests/replay/ingot_replay reads two such files, and names the step; and the body and the number too if the recorder kept states:
+// host_tests/replay/ingot_replay reads two such files, and names the step; the body and the number too, if states were kept:
 //
 //   static Recorder<600, 16, 60, ingot::snapshot_size<Scene>()> recorder;             // the states of the last 60 steps
 //   recorder.keep_state(bytes, save_snapshot(world, bytes, sizeof bytes).value);      // after record()
@@ -49,13 +49,13 @@ struct Divergence {
 template <int steps_max, int input_bytes_max, int states_max = 0, size_t state_bytes_max = 0>
 class Recorder {
     static_assert(steps_max > 0 && input_bytes_max > 0, "a Recorder needs room for a step and its input");
-    static_assert(states_max == 0 || state_bytes_max > 0, "a Recorder of states needs their size: ingot::snapshot_size<Scene>()");
+    static_assert(states_max == 0 || state_bytes_max > 0, "a Recorder of states needs their size: snapshot_size<Scene>()");
 
 public:
     /// Adds a step: its number, what was told to the world before it, and the hash after it.
     ///
-    /// Steps follow one another. One that was recorded already (a rollback) takes the place of the old one, and of all that followed
-    /// it; one that leaves a gap begins the recording anew.
+    /// Steps follow one another. One that was recorded already (a rollback) takes the place of the old one, and of all that
+    /// followed it; one that leaves a gap begins the recording anew.
     /// Returns: false if the input does not fit; nothing is recorded then.
     bool record(uint32_t step, const uint8_t* input, size_t input_size, uint64_t hash) {
         if (input_size > static_cast<size_t>(input_bytes_max)) return false;
@@ -108,8 +108,8 @@ public:
 
     /// Hands out the recording byte by byte, the same bytes on every machine: no buffer is needed, and any line will do.
     ///
-    /// magic 8, format 4, steps 4, first step 4, states 4; of each step: size of input 4, input, hash 8; of each state: step 4, size 4,
-    /// state; FNV-1a of all that 8. Numbers go from the lowest byte up.
+    /// magic 8, format 4, steps 4, first step 4, states 4; of each step: size of input 4, input, hash 8; of each state: step 4,
+    /// size 4, state; FNV-1a of all that 8. Numbers go from the lowest byte up.
     template <class Put>
     void write(Put&& put) const {
         Writer<Put> out{put};
@@ -166,7 +166,9 @@ private:
     };
 
     static constexpr int next(int place, int size) { return place + 1 == size ? 0 : place + 1; }
-    static constexpr int place(int begin, int index, int size) { return begin + index < size ? begin + index : begin + index - size; }
+    static constexpr int place(int begin, int index, int size) {
+        return begin + index < size ? begin + index : begin + index - size;
+    }
 
     const Step& at(uint32_t step) const { return steps_[place(begin_, static_cast<int>(step - first_step_), steps_max)]; }
     const State& state_at(int index) const { return states_[place(state_begin_, index, states_max)]; }
@@ -197,7 +199,8 @@ Divergence first_divergence(const A& a, const B& b) {
         if (!b.has(step)) continue;
         const size_t size = a.input_size(step);
         bool same_input = size == b.input_size(step);
-        for (size_t byte_i = 0; byte_i < size && same_input; ++byte_i) same_input = a.input(step)[byte_i] == b.input(step)[byte_i];
+        for (size_t byte_i = 0; byte_i < size && same_input; ++byte_i)
+            same_input = a.input(step)[byte_i] == b.input(step)[byte_i];
         if (!same_input) return {Divergence::Kind::input, step, same_before};
         if (a.hash(step) != b.hash(step)) return {Divergence::Kind::hash, step, same_before};
         same_before = true;

@@ -159,6 +159,7 @@ struct NoBoxes : Yard { using shapes = ingot::Shapes<ingot::Sphere, ingot::HalfS
 struct Flying : Yard { static constexpr int max_contacts = 0; };
 struct Midpoint : Yard { using rotation = ingot::LieMidpoint; };
 struct Plain : Yard { using rotation = ingot::DiscreteMoserVeselov<6, true, false>; };
+struct Lower : Yard { using rotation = ingot::DiscreteMoserVeselov<4>; };
 struct Pulled : Yard { using force_field = ingot::PointMassGravity; };
 struct Seven : ingot::Scene { static constexpr int max_bodies = 7; };
 
@@ -180,6 +181,7 @@ TEST_F(Damage, of_none_but_for_another_scene) {
     refuses_the_yard<Flying>(sound_);
     refuses_the_yard<Midpoint>(sound_);
     refuses_the_yard<Plain>(sound_);
+    refuses_the_yard<Lower>(sound_);
     refuses_the_yard<Pulled>(sound_);
     refuses_the_yard<Seven>(sound_);
     refuses_the_yard<PrintedYard>(sound_);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Two ways to keep a world, and to go on from there as if it had never been left, to the bit.
 //
-// memcpy of the whole object, for the same program on the same machine: a world holds no pointer. The fastest, and what rollback
-// within one process wants. It checks nothing.
+// memcpy of the whole object, for the same program on the same machine: a world holds no pointer. The fastest, and what
+// rollback within one process wants. It checks nothing.
 //
 // save_snapshot and load_snapshot, for files and for other machines: the same bytes for every lane count, compiler and order of
 // bytes in memory, checked by a checksum and then number by number. For worlds of one scalar and one scene.
@@ -95,8 +95,14 @@ constexpr uint16_t snapshot_parts() {
     return static_cast<uint16_t>(parts);
 }
 
-/// A number for all that makes snapshots of two scenes differ in their bytes or in the steps that follow: the scalar, capacities,
-/// shapes, and the names of the methods.
+/// The order that a method tells of itself; 0 if it tells none.
+template <class Method, class = void>
+inline constexpr int order_of = 0;
+template <class Method>
+inline constexpr int order_of<Method, decltype(static_cast<void>(Method::order))> = Method::order;
+
+/// A number for all that makes snapshots of two scenes differ in their bytes or in the steps that follow: the scalar,
+/// capacities, shapes, names and orders of the methods. (Two limits of substeps are one number.)
 template <class S>
 constexpr uint64_t scene_signature() {
     uint64_t hash = state_hash_seed;
@@ -110,9 +116,11 @@ constexpr uint64_t scene_signature() {
     add(snapshot_parts<S>());
     add(static_cast<uint64_t>(S::max_bodies));
     add(static_cast<uint64_t>(S::max_contacts));
-    for (int kind = 0; kind <= static_cast<int>(ShapeKind::half_space); ++kind) add(S::shapes::has(static_cast<ShapeKind>(kind)) ? 1 : 0);
+    for (int kind = 0; kind <= static_cast<int>(ShapeKind::half_space); ++kind)
+        add(S::shapes::has(static_cast<ShapeKind>(kind)) ? 1 : 0);
     add_name(S::rotation::name);
     add_name(S::flight::name);
+    add(static_cast<uint64_t>(order_of<typename S::rotation>));
     add(saved_field_size<S>());
     return hash;
 }
@@ -242,12 +250,12 @@ Status read_snapshot_contents(ByteReader reader, Storage<S>* to) {
     return reader.at_end() ? Status::ok : Status::bad_snapshot;
 }
 
-/// Makes the world what it was when the snapshot was saved. All is checked before anything is written, so a refused snapshot leaves
-/// the world bitwise unchanged.
+/// Makes the world what it was when the snapshot was saved. All is checked before anything is written, so a refused snapshot
+/// leaves the world bitwise unchanged.
 ///
-/// Numbers of a force field are taken as they are, as World::force_field takes them. world.contact_count() is 0 until the next step.
-/// Errors:  bad_snapshot (not a snapshot, not whole, damaged, or of a state that no world has); other_version; other_scene (of another
-///          scalar, or of a scene with other capacities, shapes or methods).
+/// Numbers of a force field are taken as they are, as World::force_field takes them. contact_count() is 0 until the next step.
+/// Errors:  bad_snapshot (not a snapshot, not whole, damaged, or of a state that no world has); other_version; other_scene (of
+///          another scalar, or of a scene with other capacities, shapes or methods).
 /// Cost:    two readings of the bytes and one checksum.
 template <class S>
 Status load_snapshot(World<S>& world, const uint8_t* bytes, size_t size) {

@@ -25,7 +25,8 @@ uint64_t word_at(const uint8_t* bytes, size_t left) {
     return word;
 }
 
-/// integrate_v lets speed_runaway pass, and the contact forces of the same step may add to it. The energy is still far from overflow.
+/// integrate_v lets speed_runaway pass, and the contact forces of the same step may add to it. The energy is still far from
+/// overflow.
 constexpr scalar speed_max_seen = 1000 * limits::speed_runaway;
 
 bool is_zero_vector(const Vector& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
@@ -46,8 +47,8 @@ bool is_without_motion(const SavedBody& body, bool translates) {
     return !translates || (body.inv_M == 0 && is_zero_vector(body.v_CM) && is_zero_vector(body.F_T));
 }
 
-/// The moments as scaled_inverse_inertia makes them of a solid's. 1/I keeps the order of the limits, so their bounds are exact; ratios
-/// of moments are seen through two roundings more.
+/// The moments as scaled_inverse_inertia makes them of a solid's. 1/I keeps the order of the limits, so their bounds are exact;
+/// ratios of moments are seen through two roundings more.
 bool are_moments_of_a_solid(const Vector& ratio, scalar scale) {
     if (!is_finite(ratio) || !is_finite(scale) || !(scale > 0) || !is_power_of_two(scale)) return false;
     const scalar sum = ratio.x + ratio.y + ratio.z;
@@ -74,7 +75,9 @@ bool turns_within_range(const SavedBody& body) {
     return length_sq(omega) <= limits::spin_runaway * limits::spin_runaway;
 }
 
-bool is_within(const Matrix& m, scalar limit) { return is_within(m.c0, limit) && is_within(m.c1, limit) && is_within(m.c2, limit); }
+bool is_within(const Matrix& m, scalar limit) {
+    return is_within(m.c0, limit) && is_within(m.c1, limit) && is_within(m.c2, limit);
+}
 
 }  // namespace
 

@@ -86,7 +86,8 @@ public:
         skip(sizeof(T));
         number = 0;
         if (overrun_) return;
-        for (unsigned byte_i = 0; byte_i < sizeof(T); ++byte_i) number = static_cast<T>(number | static_cast<uint64_t>(from[byte_i]) << (8 * byte_i));
+        for (unsigned byte_i = 0; byte_i < sizeof(T); ++byte_i)
+            number = static_cast<T>(number | static_cast<uint64_t>(from[byte_i]) << (8 * byte_i));
     }
     void real(scalar& number) {
         ScalarBits bits;
@@ -190,8 +191,8 @@ struct SavedSurface {
     }
 };
 
-/// 64 bits. A change within eight bytes that lie together as they are taken, so of any one byte, always changes it: each round maps both
-/// what came before and the eight bytes one to one. Cost: a multiplication for eight bytes.
+/// 64 bits. A change within the eight bytes of one round, so of any one byte, always changes it: each round maps both what came
+/// before and its eight bytes one to one. Cost: a multiplication for eight bytes.
 uint64_t snapshot_checksum(const uint8_t* bytes, size_t size);
 
 /// Everything that can be told without the scene's storage.
@@ -201,8 +202,8 @@ Status check_snapshot_envelope(const uint8_t* bytes, size_t size, const Snapshot
 SavedBody saved_body(const BodyView& bodies, int slot);
 void write_saved_body(const BodyView& bodies, int slot, const SavedBody& body);
 
-/// True for what the body of a world can have become: numbers finite and within their ranges, A a rotation, the moments those of a
-/// solid; an immovable or frozen body without motion and forces.
+/// True for what the body of a world can have become: numbers finite and within their ranges, A a rotation, the moments those
+/// of a solid; an immovable or frozen body without motion and forces.
 bool is_sound(const SavedBody& body, bool translates);
 /// True for what World::add takes. can_move: a half space cannot.
 bool is_sound(const SavedSurface& surface, bool can_move);
