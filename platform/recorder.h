@@ -192,7 +192,6 @@ private:
 /// Cost: O(steps that both have).
 template <class A, class B>
 Divergence first_divergence(const A& a, const B& b) {
-    if (a.step_count() == 0 || b.step_count() == 0) return {Divergence::Kind::none, 0, false};
     bool same_before = false;
     for (int step_i = 0; step_i < a.step_count(); ++step_i) {
         const uint32_t step = a.first_step() + static_cast<uint32_t>(step_i);

@@ -24,7 +24,7 @@ struct ContactInfo {
 /// All there is of a simulated world: one object of a size known at compile time, which holds no pointer.
 ///
 /// A world of zero bytes is a valid empty world. memcpy makes a snapshot, and copying it back restores it: the steps that
-/// follow are the same to the bit.
+/// follow are the same to the bit. For files and other machines: snapshot.h.
 ///
 /// Every call that can be refused answers with a Status, in every build, and has then left the world bitwise unchanged.
 /// Calls that take a BodyId answer stale_id (removed, null, never given out) or foreign_id (of a world with another tag).
