@@ -14,7 +14,12 @@ extern "C" [[noreturn]] void ingot_fault(const char* expression, const char* fil
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
-    if (run_with_1_lane(data, size) != run_with_4_lanes(data, size)) {
+    const uint64_t answers = run_with_1_lane(data, size);
+    bool same = answers == run_with_4_lanes(data, size);
+#if INGOT_FUZZ_8_LANES
+    same = same && answers == run_with_8_lanes(data, size);
+#endif
+    if (!same) {
         fprintf(stderr, "broken promise: every lane count gives the same answers\n");
         abort();
     }

@@ -4,7 +4,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-// The same calls on worlds of 1 and of 4 lanes. Ends the program at a broken promise.
+// The same calls on worlds of 1, of 4 and of 8 lanes. Ends the program at a broken promise.
 // Returns: a hash of every answer, report, state and contact on the way; it does not depend on the lane count.
 uint64_t run_with_1_lane(const uint8_t* data, size_t size);
 uint64_t run_with_4_lanes(const uint8_t* data, size_t size);
+uint64_t run_with_8_lanes(const uint8_t* data, size_t size);

@@ -26,5 +26,6 @@
 #include "body/user_frame.h"
 #include "motion/force_fields.h"
 #include "solve/impulse.h"
+#include "world/snapshot.h"
 #include "world/step.h"
 #include "world/world.h"

@@ -31,10 +31,20 @@ int use(ingot::World<Scene>& world) {
     return world.add(def).ok() && ingot::step(world, 1).clean() ? 0 : 1;
 }
 
+template <class Scene>
+int keep(ingot::World<Scene>& world);
+template <class Scene>
+int keep(ingot::World<Scene>& world) {
+    static uint8_t bytes[ingot::snapshot_size<Scene>()];
+    const ingot::Result<size_t> size = ingot::save_snapshot(world, bytes, sizeof bytes);
+    return ingot::load_snapshot(world, bytes, size.value) == ingot::Status::ok ? 0 : 1;
+}
+
 // Explicit instantiation takes in every member, called or not.
 #define INGOT_ALL_OF(Method)                         \
     template class ingot::World<Everything<Method>>; \
-    template int use(ingot::World<Everything<Method>>&)
+    template int use(ingot::World<Everything<Method>>&); \
+    template int keep(ingot::World<Everything<Method>>&)
 INGOT_ALL_OF(ingot::MoserVeselov);
 INGOT_ALL_OF(ingot::Listing1Euler);
 INGOT_ALL_OF(ingot::LieMidpoint);

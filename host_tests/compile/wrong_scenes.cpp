@@ -67,6 +67,13 @@ struct Wrong : ingot::Scene {
     };
     using force_field = Owner;
 #endif
+#ifdef FIELD_WITHOUT_NUMBERS
+    struct Secret : ingot::ForceField {
+        ingot::scalar k;
+        ingot::Wrench operator()(const ingot::BodyMotion& body) const { return ingot::Wrench::force(body.r_CM * ingot::splat<ingot::lane>(k)); }
+    };
+    using force_field = Secret;
+#endif
 #ifdef ORDER_OF_METHOD
     using rotation = ingot::DiscreteMoserVeselov<5>;
 #endif
@@ -87,6 +94,10 @@ int main() {
 #endif
 #ifdef FIELD_WITHOUT_FIELD
     (void)world.force_field();
+#endif
+#ifdef FIELD_WITHOUT_NUMBERS
+    uint8_t bytes[1];
+    (void)ingot::save_snapshot(world, bytes, sizeof bytes);
 #endif
 #ifdef STATUS_IGNORED
     world.remove(id);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Arithmetic, cases A1 to A4.
+// Arithmetic, cases A1 to A5.
 #include "hard_cases/flown_by.h"
 
 #include <gtest/gtest.h>
@@ -75,6 +75,37 @@ TEST(HardCases, A4_steps_of_every_length) {
         flight.fly(100, h);
         EXPECT_TRUE(flight.is_rotation() && flight.keeps_L());
         EXPECT_LE(flight.energy_error(), bound(1e-9, 1e-5));
+    }
+}
+
+struct Feather : ingot::Scene {
+    static constexpr int max_bodies = 2, max_contacts = 8;
+    static constexpr bool translates = true;
+    using shapes = ingot::Shapes<ingot::Box, ingot::HalfSpace>;
+};
+
+/// A feather of the least mass sinks onto the ground, slower and slower, down to denormals: squares of its impulses underflow, and it
+/// comes to no harm. (0/0 of two of them froze it.)
+TEST(HardCases, A5_impulses_whose_squares_vanish) {
+    for (double v = 1; v > std::numeric_limits<scalar>::denorm_min(); v /= 7) {
+        for (const double tilt : {0.0, 0.3, 0.7}) {
+            ingot::World<Feather> world{};
+            ingot::BodyDef ground;
+            ground.immovable = true;
+            ground.shape = ingot::HalfSpace{{0, 0, 1}, 0};
+            ASSERT_TRUE(world.add(ground).ok());
+            ingot::BodyDef def = definition(1e-9, Vector3(1, 1.5, 2) * 1e-9);
+            def.shape = ingot::Box{{1, scalar(0.5), scalar(0.5)}};
+            def.state.r_CM = {0, 0, scalar(0.5)};
+            def.state.v_CM = {0, 0, static_cast<scalar>(-v)};
+            def.state.L = {static_cast<scalar>(1e-9 * tilt * v), static_cast<scalar>(0.7e-9 * v), 0};
+            def.restitution = scalar(0.5);
+            def.mass.M = ingot::limits::mass_min;
+            const ingot::Result<ingot::BodyId> id = world.add(def);
+            ASSERT_TRUE(id.ok());
+            for (int step_i = 0; step_i < 20; ++step_i) ASSERT_EQ(ingot::step(world, scalar(1) / 60).bodies_frozen, 0) << "v " << v;
+            EXPECT_LE(std::abs(static_cast<double>(world.state(id.value).value.v_CM.z)), 2 * v) << "v " << v;
+        }
     }
 }
 

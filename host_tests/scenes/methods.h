@@ -65,6 +65,8 @@ struct InTide : ingot::Scene {
     using flight = Flight;
 };
 
+using TideOfMethods = InTide<ingot::BlanesMoan4, Tide>;
+
 template <class Flight, class Field>
 ingot::Status set_up(ingot::World<InTide<Flight, Field>>& world) {
     set_numbers(world.force_field());

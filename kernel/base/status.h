@@ -27,6 +27,9 @@ enum class [[nodiscard]] Status : uint8_t {
     not_converged,      ///< an iteration stopped at its bound
     wrong_rounding,     ///< check_floating_point: not to nearest, or products not rounded before they are added
     flushes_denormals,  ///< check_floating_point: the unit takes small numbers for zero
+    bad_snapshot,       ///< not a snapshot, not whole, damaged, or of a state that no world has
+    other_version,      ///< a snapshot of another version of the kernel
+    other_scene,        ///< a snapshot of a world of another scalar or scene
 };
 
 /// A value, or the reason why there is none (the value is then all zero).

@@ -29,6 +29,12 @@ struct PointMassGravity : ForceField {
     scalar mu;      ///< m^3 s^-2, gravitational constant times the mass
     Vector centre;  ///< m, world
 
+    template <class Each>
+    constexpr void numbers(Each& each) {
+        each(mu);
+        each(centre);
+    }
+
     INGOT_INLINE Wrench operator()(const BodyMotion& body) const {
         const Vec3<lane> d = body.r_CM - splat(centre);
         return Wrench::force(d * (inverse_powers(d).cubed * mass_of(body) * splat<lane>(-mu)));
@@ -41,6 +47,12 @@ struct GravityGradient : ForceField {
     static constexpr bool depends_on_velocity = false;
     scalar mu;      ///< m^3 s^-2
     Vector centre;  ///< m, world
+
+    template <class Each>
+    constexpr void numbers(Each& each) {
+        each(mu);
+        each(centre);
+    }
 
     INGOT_INLINE Wrench operator()(const BodyMotion& body) const {
         const Vec3<lane> d = body.r_CM - splat(centre);
@@ -55,6 +67,12 @@ struct LinearDrag : ForceField {
     scalar c;       ///< N s/m
     scalar c_turn;  ///< N m s/rad
 
+    template <class Each>
+    constexpr void numbers(Each& each) {
+        each(c);
+        each(c_turn);
+    }
+
     INGOT_INLINE Wrench operator()(const BodyMotion& body) const {
         return {body.v_CM * splat<lane>(-c), body.omega * splat<lane>(-c_turn)};
     }
@@ -64,6 +82,12 @@ struct LinearDrag : ForceField {
 struct QuadraticDrag : ForceField {
     scalar c;       ///< N s^2/m^2, half of density, area and drag coefficient
     scalar c_turn;  ///< N m s^2/rad^2
+
+    template <class Each>
+    constexpr void numbers(Each& each) {
+        each(c);
+        each(c_turn);
+    }
 
     INGOT_INLINE Wrench operator()(const BodyMotion& body) const {
         return {body.v_CM * (sqrt(length_sq(body.v_CM)) * splat<lane>(-c)), body.omega * (sqrt(length_sq(body.omega)) * splat<lane>(-c_turn))};
@@ -76,6 +100,13 @@ struct Spring : ForceField {
     scalar k;       ///< N/m
     Vector r_body;  ///< m, body axes, from the centre of mass
     Vector anchor;  ///< m, world
+
+    template <class Each>
+    constexpr void numbers(Each& each) {
+        each(k);
+        each(r_body);
+        each(anchor);
+    }
 
     INGOT_INLINE Wrench operator()(const BodyMotion& body) const {
         const Vec3<lane> r_P = body.A * splat(r_body);
@@ -91,6 +122,14 @@ struct SpringDamper : ForceField {
     Vector r_body;  ///< m, body axes, from the centre of mass
     Vector anchor;  ///< m, world
 
+    template <class Each>
+    constexpr void numbers(Each& each) {
+        each(k);
+        each(c);
+        each(r_body);
+        each(anchor);
+    }
+
     INGOT_INLINE Wrench operator()(const BodyMotion& body) const {
         const Vec3<lane> r_P = body.A * splat(r_body);
         const Vec3<lane> v_P = body.v_CM + cross(body.omega, r_P);
@@ -105,6 +144,12 @@ struct MagneticDipole : ForceField {
     Vector m_body;  ///< A m^2, body axes
     Vector B;       ///< T, world
 
+    template <class Each>
+    constexpr void numbers(Each& each) {
+        each(m_body);
+        each(B);
+    }
+
     INGOT_INLINE Wrench operator()(const BodyMotion& body) const { return Wrench::torque(cross(body.A * splat(m_body), splat(B))); }
 };
 
@@ -114,6 +159,12 @@ struct WeightAboutPoint : ForceField {
     static constexpr bool depends_on_velocity = false;
     Vector r_body;  ///< m, body axes, from the fixed point to the centre of mass
     Vector weight;  ///< N, world: {0, 0, -M g}
+
+    template <class Each>
+    constexpr void numbers(Each& each) {
+        each(r_body);
+        each(weight);
+    }
 
     INGOT_INLINE Wrench operator()(const BodyMotion& body) const { return Wrench::torque(cross(body.A * splat(r_body), splat(weight))); }
 };
@@ -129,6 +180,15 @@ struct ThrusterTable : ForceField {
         scalar throttle[static_cast<unsigned>((bodies + lanes - 1) / lanes * lanes)];  ///< by slot of the body, 0 .. 1
     };
     Thruster thruster[static_cast<unsigned>(thrusters)];
+
+    template <class Each>
+    constexpr void numbers(Each& each) {
+        for (Thruster& one : thruster) {
+            each(one.r_body);
+            each(one.F_body);
+            for (int body_i = 0; body_i < bodies; ++body_i) each(one.throttle[body_i]);  // not of spare lanes
+        }
+    }
 
     INGOT_INLINE Wrench operator()(const BodyMotion& body) const {
         Wrench sum{};
@@ -146,6 +206,12 @@ struct BothFields : ForceField {
     static constexpr bool depends_on_velocity = First::depends_on_velocity || Second::depends_on_velocity;
     First first;
     Second second;
+
+    template <class Each>
+    constexpr void numbers(Each& each) {
+        first.numbers(each);
+        second.numbers(each);
+    }
 
     INGOT_INLINE Wrench operator()(const BodyMotion& body) const { return first(body) + second(body); }
 };

@@ -137,7 +137,7 @@ int settle_manifold(Contact* first, int count, scalar slack, const BodyView& bod
             size += first[contact_i].change * first[contact_i].change / first[contact_i].inv_K;
         }
         if (settled) return sweep_i;
-        const scalar beta = sweep_i > 1 && size <= size_before ? size / size_before : 0;
+        const scalar beta = size_before > 0 && size <= size_before ? size / size_before : 0;  // 0 too when squares underflow
         size_before = size;
         if (count == 1) continue;  // one contact is exact after one visit
         for (int contact_i = 0; contact_i < count; ++contact_i)

@@ -10,6 +10,8 @@
 #include "state_hash.h"
 #include "storage.h"
 
+#include <stddef.h>
+
 namespace ingot { inline namespace INGOT_ABI {
 
 /// One contact of the last step, as World::contact tells it.
@@ -23,7 +25,7 @@ struct ContactInfo {
 /// All there is of a simulated world: one object of a size known at compile time, which holds no pointer.
 ///
 /// A world of zero bytes is a valid empty world. memcpy makes a snapshot, and copying it back restores it: the steps that
-/// follow are the same to the bit.
+/// follow are the same to the bit. For files and other machines: snapshot.h.
 ///
 /// Every call that can be refused answers with a Status, in every build, and has then left the world bitwise unchanged.
 /// Calls that take a BodyId answer stale_id (removed, null, never given out) or foreign_id (of a world with another tag).
@@ -273,6 +275,10 @@ public:
 private:
     template <class Any>
     friend StepReport step(World<Any>& world, scalar h);
+    template <class Any>
+    friend Result<size_t> save_snapshot(const World<Any>& world, uint8_t* bytes, size_t room);
+    template <class Any>
+    friend Status load_snapshot(World<Any>& world, const uint8_t* bytes, size_t size);
 
     static constexpr void translation_only() {
         static_assert(S::translates, "this scene names no translation: set translates = true");

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include "replay/snapshot_fields.h"
+
+#include <ingot/world/snapshot_bytes.h>
+
+#include <cstring>
+
+namespace replay {
+
+namespace {
+
+/// Takes the fields off the bytes one by one, under the name of what they belong to.
+class Reader {
+public:
+    Reader(const std::vector<uint8_t>& bytes, size_t from, size_t to, SnapshotFields& into)
+        : next_(bytes.data() + from), end_(bytes.data() + to), into_(into) {}
+
+    void at_slot(int slot) { slot_ = slot; }
+
+    uint64_t integer(const char* name, unsigned size) { return add(name, size, false); }
+    void real(const std::string& name) { (void)add(name, into_.doubles ? 8 : 4, true); }
+    void vector(const std::string& name) {
+        for (const char* axis : {".x", ".y", ".z"}) real(name + axis);
+    }
+    void matrix(const std::string& name) {
+        for (const char* column : {".c0", ".c1", ".c2"}) vector(name + column);
+    }
+    bool at_end() const { return next_ == end_ && !overrun_; }
+    bool overrun() const { return overrun_; }
+
+private:
+    uint64_t add(const std::string& name, unsigned size, bool is_real) {
+        overrun_ = overrun_ || static_cast<size_t>(end_ - next_) < size;
+        uint64_t bits = 0;
+        for (unsigned byte_i = 0; byte_i < size && !overrun_; ++byte_i) bits |= static_cast<uint64_t>(*next_++) << (8 * byte_i);
+        SnapshotField field;
+        field.slot = slot_;
+        field.name = name;
+        field.is_real = is_real;
+        field.bits = bits;
+        into_.fields.push_back(field);
+        return bits;
+    }
+
+    const uint8_t* next_;
+    const uint8_t* end_;
+    SnapshotFields& into_;
+    int slot_ = -1;
+    bool overrun_ = false;
+};
+
+using Part = ingot::SnapshotPart;
+
+void read_body(Reader& in, unsigned parts) {
+    (void)in.integer("flags", 1);
+    in.matrix("A");
+    in.vector("L");
+    in.vector("tau_T");
+    in.vector("inv_I_ratio");
+    in.real("inv_I_scale");
+    if ((parts & Part::compensation) != 0) in.matrix("A_low");
+    if ((parts & Part::energy) != 0) in.real("E_0");
+    if ((parts & Part::translation) != 0) {
+        in.vector("r_CM");
+        in.vector("v_CM");
+        in.vector("F_T");
+        in.real("inv_M");
+    }
+    if ((parts & Part::surfaces) != 0) {
+        (void)in.integer("shape.kind", 1);
+        in.vector("shape.size");
+        in.real("shape.offset");
+        in.real("restitution");
+    }
+}
+
+}  // namespace
+
+double SnapshotField::value(bool doubles) const {
+    if (!is_real) return static_cast<double>(bits);
+    if (doubles) {
+        double number;
+        std::memcpy(&number, &bits, sizeof number);
+        return number;
+    }
+    const auto low = static_cast<uint32_t>(bits);
+    float number;
+    std::memcpy(&number, &low, sizeof number);
+    return number;
+}
+
+std::string read_fields(const std::vector<uint8_t>& bytes, SnapshotFields& snapshot) {
+    const size_t header_size = ingot::snapshot_header_size(), checksum_size = ingot::snapshot_checksum_size;
+    if (bytes.size() < header_size + checksum_size) return "too short for a snapshot";
+    ingot::SnapshotHeader header{};
+    ingot::ByteReader of_header(bytes.data(), bytes.size());
+    header.numbers(of_header);
+    if (header.magic != ingot::snapshot_magic || header.length != bytes.size()) return "not a snapshot";
+    if (header.format != ingot::snapshot_format) return "a snapshot of another format";
+
+    snapshot = {};
+    snapshot.doubles = (header.parts & Part::doubles) != 0;
+    snapshot.signature = header.signature;
+    Reader in(bytes, header_size, bytes.size() - checksum_size, snapshot);
+    (void)in.integer("world_tag", 2);
+    (void)in.integer("steps", 4);
+    const uint64_t slots_used = in.integer("slots_used", 4);
+    (void)in.integer("free_hint", 4);
+    if ((header.parts & Part::translation) != 0) in.vector("gravity");
+    if ((header.parts & Part::energy) != 0) in.real("h_before");
+    if ((header.parts & Part::field) != 0) {
+        in.real("t");
+        in.real("t_low");
+        for (uint32_t byte_i = 0; byte_i < header.field_size && !in.overrun(); ++byte_i) (void)in.integer("force_field", 1);
+    }
+    for (uint64_t slot = 0; slot < slots_used && !in.overrun(); ++slot) {
+        in.at_slot(static_cast<int>(slot));
+        if (in.integer("generation", 4) % 2 == 1) read_body(in, header.parts);
+    }
+    return in.at_end() ? "" : "a snapshot whose counts do not fit its length";
+}
+
+}  // namespace replay

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// A snapshot knows nothing of lanes: saved by one kernel, loaded by another, it goes on with the same hashes.
+#include "snapshot/lanes.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace lanes_test;
+
+TEST(SnapshotLanes, a_world_of_any_lane_count_goes_on_in_any_other) {
+    const Kernel kernels[] = {kernel_of_1(), kernel_of_4(), kernel_of_8()};
+    EXPECT_EQ(kernels[0].lanes, 1);
+    EXPECT_EQ(kernels[1].lanes, 4);
+    EXPECT_EQ(kernels[2].lanes, 8);
+    constexpr int before = 80, after = 120;
+    for (uint64_t seed = 1; seed <= 20; ++seed) {
+        const Trace stayed = kernels[0].go_on(kernels[0].begin(seed, before), seed, before, after);
+        ASSERT_TRUE(stayed.loaded);
+        ASSERT_NE(stayed.hashes.front(), stayed.hashes.back());
+        for (const Kernel& from : kernels) {
+            const std::vector<uint8_t> bytes = from.begin(seed, before);
+            EXPECT_EQ(bytes, kernels[0].begin(seed, before)) << from.lanes << " lanes";
+            for (const Kernel& to : kernels) {
+                const Trace moved = to.go_on(bytes, seed, before, after);
+                EXPECT_TRUE(moved.loaded) << "seed " << seed << ", " << from.lanes << " to " << to.lanes;
+                EXPECT_EQ(moved.hashes, stayed.hashes) << "seed " << seed << ", " << from.lanes << " to " << to.lanes;
+                EXPECT_EQ(moved.bytes, stayed.bytes) << "seed " << seed << ", " << from.lanes << " to " << to.lanes;
+            }
+        }
+    }
+}
+
+}  // namespace

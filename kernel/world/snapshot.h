@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: MIT
+// Two ways to keep a world, and to go on from there as if it had never been left, to the bit.
+//
+// memcpy of the whole object, for the same program on the same machine: a world holds no pointer. The fastest, and what
+// rollback within one process wants. It checks nothing.
+//
+// save_snapshot and load_snapshot, for files and for other machines: the same bytes for every lane count, compiler and order of
+// bytes in memory, checked by a checksum and then number by number. For worlds of one scalar and one scene.
+#pragma once
+
+#include "../base/version.h"
+#include "../body/freeze_bad_bodies.h"
+#include "snapshot_bytes.h"
+#include "world.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+template <class T>
+T& any_of();  // in types only: std::declval, which freestanding code has not
+
+/// True for fields that name their numbers: see motion/force_field.h.
+template <class Field, class = void>
+inline constexpr bool names_its_numbers = false;
+template <class Field>
+inline constexpr bool names_its_numbers<Field, decltype(any_of<Field>().numbers(any_of<ByteCounter>()))> = true;
+
+/// The numbers of a world beside those of its bodies and its field.
+template <class S>
+struct SavedWorld {
+    uint16_t world_tag;
+    uint32_t steps, slots_used, free_hint;
+    Vector gravity;
+    scalar h_before, t, t_low;
+
+    template <class Stream>
+    constexpr void numbers(Stream& each) {
+        each(world_tag);
+        each(steps);
+        each(slots_used);
+        each(free_hint);
+        if constexpr (S::translates) each(gravity);
+        if constexpr (S::rotation::returns_energy) each(h_before);
+        if constexpr (has_field<S>) {
+            each(t);
+            each(t_low);
+        }
+    }
+};
+
+/// Sizes in bytes, counted by the functions that write.
+template <class S>
+constexpr size_t saved_field_size() {
+    ByteCounter counter;
+    if constexpr (has_field<S>) {
+        static_assert(names_its_numbers<typename S::force_field>,
+                      "a snapshot holds the numbers of the force_field: give it a function numbers, see motion/force_field.h");
+        typename S::force_field field{};
+        field.numbers(counter);
+    }
+    return counter.count();
+}
+template <class S>
+constexpr size_t saved_body_size() {
+    ByteCounter counter;
+    SavedBody body{};
+    body.numbers(counter, S::translates, S::rotation::compensates, S::rotation::returns_energy);
+    SavedSurface surface{};
+    if (collides<S>) surface.numbers(counter);
+    return counter.count();
+}
+template <class S>
+constexpr size_t snapshot_size_of(size_t slots_used, size_t living) {
+    ByteCounter counter;
+    SavedWorld<S> world{};
+    world.numbers(counter);
+    return snapshot_header_size() + counter.count() + saved_field_size<S>() + slots_used * sizeof(uint32_t) +
+           living * saved_body_size<S>() + snapshot_checksum_size;
+}
+
+/// Bytes that a snapshot of any world of the scene fits in: that of a full one.
+template <class S>
+constexpr size_t snapshot_size() {
+    return snapshot_size_of<S>(static_cast<size_t>(S::max_bodies), static_cast<size_t>(S::max_bodies));
+}
+
+template <class S>
+constexpr uint16_t snapshot_parts() {
+    int parts = 0;
+    if (sizeof(scalar) == sizeof(double)) parts |= SnapshotPart::doubles;
+    if (S::translates) parts |= SnapshotPart::translation;
+    if (S::rotation::compensates) parts |= SnapshotPart::compensation;
+    if (S::rotation::returns_energy) parts |= SnapshotPart::energy;
+    if (has_field<S>) parts |= SnapshotPart::field;
+    if (collides<S>) parts |= SnapshotPart::surfaces;
+    return static_cast<uint16_t>(parts);
+}
+
+/// The order that a method tells of itself; 0 if it tells none.
+template <class Method, class = void>
+inline constexpr int order_of = 0;
+template <class Method>
+inline constexpr int order_of<Method, decltype(static_cast<void>(Method::order))> = Method::order;
+
+/// A number for all that makes snapshots of two scenes differ in their bytes or in the steps that follow: the scalar,
+/// capacities, shapes, names and orders of the methods. (Two limits of substeps are one number.)
+template <class S>
+constexpr uint64_t scene_signature() {
+    uint64_t hash = state_hash_seed;
+    const auto add = [&hash](uint64_t number) {
+        for (int byte_i = 0; byte_i < 8; ++byte_i) hash = (hash ^ (number >> (8 * byte_i) & 0xffu)) * 0x100000001b3u;
+    };
+    const auto add_name = [&hash](const char* name) {
+        for (; *name != 0; ++name) hash = (hash ^ static_cast<uint8_t>(*name)) * 0x100000001b3u;
+        hash *= 0x100000001b3u;
+    };
+    add(snapshot_parts<S>());
+    add(static_cast<uint64_t>(S::max_bodies));
+    add(static_cast<uint64_t>(S::max_contacts));
+    for (int kind = 0; kind <= static_cast<int>(ShapeKind::half_space); ++kind)
+        add(S::shapes::has(static_cast<ShapeKind>(kind)) ? 1 : 0);
+    add_name(S::rotation::name);
+    add_name(S::flight::name);
+    add(static_cast<uint64_t>(order_of<typename S::rotation>));
+    add(saved_field_size<S>());
+    return hash;
+}
+
+/// The header of the scene's snapshots, but for the length.
+template <class S>
+constexpr SnapshotHeader expected_header() {
+    constexpr uint64_t signature = scene_signature<S>();
+    return {snapshot_magic, snapshot_format,     INGOT_DETERMINISM_VERSION, signature,
+            0,              snapshot_parts<S>(), static_cast<uint32_t>(saved_field_size<S>())};
+}
+
+/// Writes the world, ready to be kept in a file or sent to another machine.
+///
+/// Holds:   all that decides the steps to come, and ids. Not in it, because derived or of the last step: omega, contacts.
+/// Returns: the bytes written, at most snapshot_size<S>(); fewer while the world has fewer bodies.
+/// Errors:  no_room (fewer than that many bytes; nothing is written).
+/// Cost:    O(slots used), about 150 bytes a body in float.
+template <class S>
+Result<size_t> save_snapshot(const World<S>& world, uint8_t* bytes, size_t room) {
+    const Storage<S>& storage = world.storage_;
+    const size_t size = snapshot_size_of<S>(static_cast<size_t>(storage.slots_used), static_cast<size_t>(world.body_count()));
+    if (bytes == nullptr || room < size) return {Status::no_room, 0};
+
+    ByteWriter writer(bytes);
+    SnapshotHeader header = expected_header<S>();
+    header.length = static_cast<uint32_t>(size);
+    header.numbers(writer);
+
+    SavedWorld<S> whole{};
+    whole.world_tag = storage.world_tag;
+    whole.steps = storage.steps;
+    whole.slots_used = static_cast<uint32_t>(storage.slots_used);
+    whole.free_hint = static_cast<uint32_t>(storage.free_hint);
+    if constexpr (S::translates) whole.gravity = storage.gravity;
+    if constexpr (S::rotation::returns_energy) whole.h_before = storage.h_before;
+    if constexpr (has_field<S>) {
+        whole.t = storage.t;
+        whole.t_low = storage.t_low;
+    }
+    whole.numbers(writer);
+    if constexpr (has_field<S>) const_cast<typename S::force_field&>(storage.field).numbers(writer);  // a writer only reads
+
+    for (int slot = 0; slot < storage.slots_used; ++slot) {
+        uint32_t generation = storage.generation[slot];
+        writer(generation);
+        if (!world.lives(slot)) continue;
+        SavedBody body = saved_body(storage.bodies(), slot);
+        body.numbers(writer, S::translates, S::rotation::compensates, S::rotation::returns_energy);
+        if constexpr (collides<S>) {
+            const Surface& of_slot = storage.surfaces[slot];
+            SavedSurface surface{static_cast<uint8_t>(of_slot.shape.kind), of_slot.shape.size, of_slot.shape.offset, of_slot.e};
+            surface.numbers(writer);
+        }
+    }
+    uint64_t checksum = snapshot_checksum(bytes, size - sizeof checksum);
+    writer(checksum);
+    return {Status::ok, size};
+}
+
+/// True for what a world of the scene can have become.
+template <class S>
+bool is_sound(const SavedWorld<S>& world) {
+    if (world.slots_used > static_cast<uint32_t>(S::max_bodies) || world.free_hint > world.slots_used) return false;
+    if (S::translates && check_vector(world.gravity, limits::gravity_max) != Status::ok) return false;
+    if (world.h_before != 0 && check_step(world.h_before) != Status::ok) return false;
+    return world.t >= 0 && is_finite(world.t) && is_finite(world.t_low);
+}
+
+/// Reads the numbers of the whole. Without storage it only checks.
+template <class S>
+Status read_whole(ByteReader& reader, SavedWorld<S>& whole, Storage<S>* to) {
+    whole.numbers(reader);
+    if (!is_sound(whole)) return Status::bad_snapshot;
+    if (to == nullptr) {
+        reader.skip(saved_field_size<S>());
+        return Status::ok;
+    }
+    __builtin_memset(static_cast<void*>(to), 0, sizeof *to);
+    to->world_tag = whole.world_tag;
+    to->steps = whole.steps;
+    to->slots_used = static_cast<int32_t>(whole.slots_used);
+    to->free_hint = static_cast<int32_t>(whole.free_hint);
+    if constexpr (S::translates) to->gravity = whole.gravity;
+    if constexpr (S::rotation::returns_energy) to->h_before = whole.h_before;
+    if constexpr (has_field<S>) {
+        to->t = whole.t;
+        to->t_low = whole.t_low;
+        to->field.numbers(reader);
+    }
+    for (int slot = 0; slot < to->bodies().tile_count * lanes; ++slot) set_identity_body(to->bodies(), slot);
+    return Status::ok;
+}
+
+/// Reads one living body. Without storage it only checks.
+template <class S>
+Status read_body(ByteReader& reader, int slot, Storage<S>* to) {
+    SavedBody body{};
+    body.numbers(reader, S::translates, S::rotation::compensates, S::rotation::returns_energy);
+    if (!is_sound(body, S::translates)) return Status::bad_snapshot;
+    if (to != nullptr) write_saved_body(to->bodies(), slot, body);
+    if constexpr (collides<S>) {
+        SavedSurface surface{};
+        surface.numbers(reader);
+        const Shape shape{static_cast<ShapeKind>(surface.kind), surface.size, surface.offset};
+        const bool in_scene = shape.kind == ShapeKind::none || S::shapes::has(shape.kind);
+        if (!in_scene || !is_sound(surface, body.inv_I_scale > 0)) return Status::bad_snapshot;
+        if (to != nullptr) to->surfaces[slot] = {shape, bounding_radius(shape), surface.e};
+    }
+    return Status::ok;
+}
+
+/// Reads what comes after the header. Without storage it only checks.
+template <class S>
+Status read_snapshot_contents(ByteReader reader, Storage<S>* to) {
+    SavedWorld<S> whole{};
+    Status status = read_whole<S>(reader, whole, to);
+    for (uint32_t slot = 0; slot < whole.slots_used && status == Status::ok; ++slot) {
+        uint32_t generation = 0;
+        reader(generation);
+        const bool lives = (generation & 1u) != 0, used_up = generation == UINT32_MAX - 1;
+        if (generation == 0 || (slot < whole.free_hint && !lives && !used_up)) return Status::bad_snapshot;
+        if (to != nullptr) to->generation[slot] = generation;
+        if (lives) status = read_body<S>(reader, static_cast<int>(slot), to);
+    }
+    if (status != Status::ok) return status;
+    return reader.at_end() ? Status::ok : Status::bad_snapshot;
+}
+
+/// Makes the world what it was when the snapshot was saved. All is checked before anything is written, so a refused snapshot
+/// leaves the world bitwise unchanged.
+///
+/// Numbers of a force field are taken as they are, as World::force_field takes them. contact_count() is 0 until the next step.
+/// Errors:  bad_snapshot (not a snapshot, not whole, damaged, or of a state that no world has); other_version; other_scene (of
+///          another scalar, or of a scene with other capacities, shapes or methods).
+/// Cost:    two readings of the bytes and one checksum.
+template <class S>
+Status load_snapshot(World<S>& world, const uint8_t* bytes, size_t size) {
+    Status status = check_snapshot_envelope(bytes, size, expected_header<S>());
+    if (status != Status::ok) return status;
+    const ByteReader contents(bytes + snapshot_header_size(), size - snapshot_header_size() - snapshot_checksum_size);
+    status = read_snapshot_contents<S>(contents, nullptr);
+    return status == Status::ok ? read_snapshot_contents<S>(contents, &world.storage_) : status;
+}
+
+} }  // namespace ingot

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+// The bytes of a snapshot: numbers from the lowest byte up, whatever the machine, and no padding.
+//
+// What a snapshot holds is written down once, as functions that hand each number to a stream: ByteWriter, ByteReader or
+// ByteCounter. So what is saved, what is loaded and the size of both cannot disagree.
+#pragma once
+
+#include "../body/check_body.h"
+#include "../body/body_tiles.h"
+#include "../collide/bounds.h"
+
+#include <stddef.h>
+
+namespace ingot { inline namespace INGOT_ABI {
+
+#if INGOT_DOUBLE
+using ScalarBits = uint64_t;
+#else
+using ScalarBits = uint32_t;
+#endif
+
+/// Takes numbers, vectors and matrices apart into what a stream knows: unsigned integers.
+template <class Stream>
+class NumberStream {
+public:
+    constexpr void operator()(uint8_t& number) { stream().integer(number); }
+    constexpr void operator()(uint16_t& number) { stream().integer(number); }
+    constexpr void operator()(uint32_t& number) { stream().integer(number); }
+    constexpr void operator()(uint64_t& number) { stream().integer(number); }
+    constexpr void operator()(scalar& number) { stream().real(number); }
+    constexpr void operator()(Vector& v) {
+        (*this)(v.x);
+        (*this)(v.y);
+        (*this)(v.z);
+    }
+    constexpr void operator()(Matrix& m) {
+        (*this)(m.c0);
+        (*this)(m.c1);
+        (*this)(m.c2);
+    }
+
+private:
+    constexpr Stream& stream() { return static_cast<Stream&>(*this); }
+};
+
+/// Counts the bytes that the others would write or read.
+class ByteCounter : public NumberStream<ByteCounter> {
+public:
+    template <class T>
+    constexpr void integer(const T&) { count_ += sizeof(T); }
+    constexpr void real(const scalar&) { count_ += sizeof(scalar); }
+    constexpr size_t count() const { return count_; }
+
+private:
+    size_t count_ = 0;
+};
+
+/// Needs: room for all that is written; save_snapshot has counted it.
+class ByteWriter : public NumberStream<ByteWriter> {
+public:
+    explicit ByteWriter(uint8_t* to) : next_(to) {}
+
+    template <class T>
+    void integer(T number) {
+        for (unsigned byte_i = 0; byte_i < sizeof(T); ++byte_i) *next_++ = static_cast<uint8_t>(number >> (8 * byte_i));
+    }
+    void real(scalar number) {
+        ScalarBits bits;
+        __builtin_memcpy(&bits, &number, sizeof bits);
+        integer(bits);
+    }
+    uint8_t* next() const { return next_; }
+
+private:
+    uint8_t* next_;
+};
+
+/// Past the end it reads zeros, and says that it did.
+class ByteReader : public NumberStream<ByteReader> {
+public:
+    ByteReader(const uint8_t* from, size_t size) : next_(from), left_(size) {}
+
+    template <class T>
+    void integer(T& number) {
+        const uint8_t* const from = next_;
+        skip(sizeof(T));
+        number = 0;
+        if (overrun_) return;
+        for (unsigned byte_i = 0; byte_i < sizeof(T); ++byte_i)
+            number = static_cast<T>(number | static_cast<uint64_t>(from[byte_i]) << (8 * byte_i));
+    }
+    void real(scalar& number) {
+        ScalarBits bits;
+        integer(bits);
+        __builtin_memcpy(&number, &bits, sizeof bits);
+    }
+    void skip(size_t size) {
+        overrun_ = overrun_ || size > left_;
+        const size_t step = size < left_ ? size : left_;
+        next_ += step;
+        left_ -= step;
+    }
+    /// True when exactly all bytes were read.
+    bool at_end() const { return left_ == 0 && !overrun_; }
+
+private:
+    const uint8_t* next_;
+    size_t left_;
+    bool overrun_ = false;
+};
+
+/// Bits of SnapshotHeader::parts.
+struct SnapshotPart {
+    static constexpr uint16_t doubles = 1, translation = 2, compensation = 4, energy = 8, field = 16, surfaces = 32;
+};
+
+/// What comes first in a snapshot, whatever its scene.
+struct SnapshotHeader {
+    uint64_t magic;
+    uint16_t format;       ///< of the bytes: snapshot_format
+    uint16_t determinism;  ///< INGOT_DETERMINISM_VERSION: what A_low and E_0 mean belongs to it
+    uint64_t signature;    ///< of the scene: see scene_signature
+    uint32_t length;       ///< bytes in all, checksum included
+    uint16_t parts;        ///< which numbers follow: for tools that do not know the scene; see SnapshotPart
+    uint32_t field_size;   ///< bytes of the numbers of the force field
+
+    template <class Stream>
+    constexpr void numbers(Stream& each) {
+        each(magic);
+        each(format);
+        each(determinism);
+        each(signature);
+        each(length);
+        each(parts);
+        each(field_size);
+    }
+};
+
+/// The bytes 89 'i' 'n' 'g' 'o' 't' 0d 0a: not text, and spoilt by what takes it for text.
+inline constexpr uint64_t snapshot_magic = 0x0a0d746f676e6989u;
+/// Raised whenever the bytes after the header get another meaning.
+inline constexpr uint16_t snapshot_format = 1;
+inline constexpr size_t snapshot_checksum_size = 8;
+
+constexpr size_t snapshot_header_size() {
+    ByteCounter counter;
+    SnapshotHeader header{};
+    header.numbers(counter);
+    return counter.count();
+}
+
+/// The state of one living body. omega, inv_I_world and the bounding radius are derived, and made anew.
+struct SavedBody {
+    static constexpr uint8_t kicked = 1, frozen = 2;  ///< flags
+
+    uint8_t flags;
+    Matrix A, A_low;
+    Vector L, tau_T, inv_I_ratio, r_CM, v_CM, F_T;
+    scalar inv_I_scale, inv_M, E_0;
+
+    template <class Stream>
+    constexpr void numbers(Stream& each, bool translates, bool compensates, bool returns_energy) {
+        each(flags);
+        each(A);
+        each(L);
+        each(tau_T);
+        each(inv_I_ratio);
+        each(inv_I_scale);
+        if (compensates) each(A_low);
+        if (returns_energy) each(E_0);
+        if (!translates) return;
+        each(r_CM);
+        each(v_CM);
+        each(F_T);
+        each(inv_M);
+    }
+};
+
+/// Shape and restitution of one living body, in scenes with contacts.
+struct SavedSurface {
+    uint8_t kind;
+    Vector size;
+    scalar offset, e;
+
+    template <class Stream>
+    constexpr void numbers(Stream& each) {
+        each(kind);
+        each(size);
+        each(offset);
+        each(e);
+    }
+};
+
+/// 64 bits. A change within the eight bytes of one round, so of any one byte, always changes it: each round maps both what came
+/// before and its eight bytes one to one. Cost: a multiplication for eight bytes.
+uint64_t snapshot_checksum(const uint8_t* bytes, size_t size);
+
+/// Everything that can be told without the scene's storage.
+/// Errors: bad_snapshot (magic, length, checksum), other_version, other_scene.
+Status check_snapshot_envelope(const uint8_t* bytes, size_t size, const SnapshotHeader& expected);
+
+SavedBody saved_body(const BodyView& bodies, int slot);
+void write_saved_body(const BodyView& bodies, int slot, const SavedBody& body);
+
+/// True for what the body of a world can have become: numbers finite and within their ranges, A a rotation, the moments those
+/// of a solid; an immovable or frozen body without motion and forces.
+bool is_sound(const SavedBody& body, bool translates);
+/// True for what World::add takes. can_move: a half space cannot.
+bool is_sound(const SavedSurface& surface, bool can_move);
+
+} }  // namespace ingot
