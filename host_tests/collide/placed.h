@@ -2,9 +2,11 @@
 // Shapes at random places, for the kernel and for the oracle.
 #pragma once
 
+#include <ingot/collide/hull_of_points.h>
 #include <ingot/collide/narrow_phase.h>
 
 #include <array>
+#include <deque>
 #include <string>
 
 #include "collide/convex_oracle.h"
@@ -60,6 +62,36 @@ inline PlacedShape placed(const Shape& shape, const Eigen::Vector3d& r = Eigen::
     return {shape, to_vector(r), to_matrix(A), nullptr};
 }
 
+/// Hulls of every sort, made once: rocks of 4 to 30 corners, prisms, a cube, slivers.
+inline const ingot::ConvexHull* hull_of(RandomInput& random) {
+    struct Kept {
+        ingot::HullOf<30> hull;
+        ingot::ConvexHull view;
+    };
+    static std::deque<Kept> all;
+    if (all.empty()) {
+        RandomInput own(77);
+        while (all.size() < 40) {
+            const std::size_t kind = all.size() % 4;
+            ingot::Vector points[30];
+            const int count = own.integer(4, 30);
+            for (int i = 0; i < 30; ++i) {
+                const int k = i % count, side = i % 6;
+                Eigen::Vector3d p = own.direction() * own.real(0.7, 1);
+                if (kind == 1) p = {std::cos(1.0471975512 * side), std::sin(1.0471975512 * side), i % 12 < 6 ? -0.4 : 0.4};
+                if (kind == 2) p = {(i & 1) ? 1.0 : -1.0, (i & 2) ? 0.7 : -0.7, (i & 4) ? 0.5 : -0.5};
+                if (kind == 3) p = {p(0), p(1) * 0.05, p(2) * 0.05};
+                points[i] = k == i || kind == 1 || kind == 2 ? to_vector(p) : points[k];
+            }
+            const auto made = ingot::convex_hull(points);
+            if (!made.ok()) continue;
+            all.push_back({made.value, {}});
+            all.back().view = all.back().hull.view();
+        }
+    }
+    return &all[static_cast<std::size_t>(random.integer(0, 39))].view;
+}
+
 inline double size_of(const PlacedShape& s) { return static_cast<double>(ingot::bounding_radius(s.shape)); }
 
 inline Eigen::Matrix3d turned(const Eigen::Vector3d& axis, double angle) {
@@ -76,12 +108,22 @@ inline bool collide(const PlacedShape& A, const PlacedShape& B, scalar margin, M
     INGOT_PAIR(sphere, capsule);
     INGOT_PAIR(sphere, box);
     INGOT_PAIR(sphere, cylinder);
+    INGOT_PAIR(sphere, hull);
     INGOT_PAIR(sphere, half_space);
     INGOT_PAIR(capsule, capsule);
     INGOT_PAIR(capsule, box);
+    INGOT_PAIR(capsule, cylinder);
+    INGOT_PAIR(capsule, hull);
     INGOT_PAIR(capsule, half_space);
     INGOT_PAIR(box, box);
+    INGOT_PAIR(box, cylinder);
+    INGOT_PAIR(box, hull);
     INGOT_PAIR(box, half_space);
+    INGOT_PAIR(cylinder, cylinder);
+    INGOT_PAIR(cylinder, hull);
+    INGOT_PAIR(cylinder, half_space);
+    INGOT_PAIR(hull, hull);
+    INGOT_PAIR(hull, half_space);
 #undef INGOT_PAIR
     return false;
 }

@@ -76,4 +76,25 @@ inline constexpr scalar parallel_sin_sq = scalar(1e-5);
 inline constexpr scalar lying_sin_sq = scalar(0.01);
 inline constexpr scalar lying_cos = scalar(0.995);  ///< of the angle between the normal of such a point and that of the manifold
 
+
+/// Corners of a convex hull; indices of corners, edges and corners of faces fit into a byte. no_room beyond.
+inline constexpr int hull_vertices_max = 32;
+/// Points this far from the plane of a face, as a fraction of the size of the hull, lie in it: what rounding leaves of the
+/// faces of a turned solid. A hull thinner than that is bad_shape.
+inline constexpr scalar hull_flatness = INGOT_DOUBLE ? scalar(1e-13) : scalar(4e-6);
+
+
+/// Cylinders are made smaller by this fraction of their lesser half extent to find the normal of shallow contacts: nearest
+/// points of shapes that only just touch have no direction.
+inline constexpr scalar cylinder_shrink = scalar(0.2);
+/// Corners of the polygon that stands for the end of a cylinder where it lies on something: it is within 1.9 % of the circle.
+inline constexpr int cap_corners = 16;
+/// A face faces a contact up to this cosine between its normal and that of the manifold; an edge lies across up to this sine.
+inline constexpr scalar facing_cos = scalar(0.98);
+inline constexpr scalar facing_sin = scalar(0.2);
+/// Of the search for nearest points. Polyhedra end within a dozen; what is round gets a digit every two or three.
+inline constexpr int nearest_iterations_max = 32;
+/// Nearest points are found when no point can be nearer by this fraction of the distance.
+inline constexpr scalar nearest_accuracy = INGOT_DOUBLE ? scalar(1e-10) : scalar(1e-5);
+
 } } }  // namespace ingot::limits

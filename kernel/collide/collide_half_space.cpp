@@ -42,4 +42,63 @@ void collide_box_half_space(const PlacedShape& A, const PlacedShape& B, scalar m
     keep_points(candidates, count, frame, limits::flatness * smallest_of(half), before, manifold);
 }
 
+void collide_cylinder_half_space(const PlacedShape& A, const PlacedShape& B, scalar margin, Manifold& manifold,
+                                 const Manifold* before_it) {
+    const Before before = remember(before_it);
+    const WorldFace face = face_below(B, A.r);
+    const scalar r = A.shape.size.x, h = A.shape.size.y;
+    const Vector down = transpose_times(A.A, -face.n);
+    const scalar across = sqrt(down.x * down.x + down.y * down.y), rise = -(h * abs(down.z));
+    if (face.height + rise - r * across > margin) return no_points(face.n, manifold);
+
+    // The lower end: four points of its rim that are fixed to the body, and its lowest where that is lower than these; the upper
+    // end has its own lowest, for a cylinder on its side. In the frame of the cylinder, feature by feature.
+    const ContactFrame frame = frame_about(face.n, A.r - face.n * face.height);
+    Candidate candidates[6];
+    int count = 0;
+    scalar fixed_lowest = scalar_max;
+    const auto add = [&](const Vector& p, uint32_t feature) {
+        const Vector from_centre = A.A * p;
+        const scalar s = face.height + dot(face.n, from_centre);
+        if (!(s <= margin)) return;
+        candidates[count++] = {dot(from_centre, frame.e_x), dot(from_centre, frame.e_y), s * scalar(0.5), s, feature};
+    };
+    const scalar lower = down.z < 0 ? -h : h;
+    const uint32_t end = down.z < 0 ? 0u : 8u;
+    const Vector rim[4] = {{r, 0, lower}, {0, r, lower}, {-r, 0, lower}, {0, -r, lower}};
+    // Steeper than this the points beside the lowest are not what it stands on, but its side may lie.
+    const bool on_its_end = abs(down.z) >= limits::facing_sin;
+    for (uint32_t k = 0; k < 4; ++k) {
+        const scalar s = face.height - dot(down, rim[k]);
+        fixed_lowest = s < fixed_lowest ? s : fixed_lowest;
+        if (on_its_end) add(rim[k], end | k);
+    }
+    if (across > 0) {
+        const Vector lowest{r * (down.x / across), r * (down.y / across), lower};
+        if (!on_its_end || face.height - dot(down, lowest) < fixed_lowest - limits::flatness * r) add(lowest, end | 4u);
+        add({lowest.x, lowest.y, -lower}, end | 5u);
+    }
+    keep_points(candidates, count, frame, limits::flatness * (r < h ? r : h), before, manifold);
+}
+
+void collide_hull_half_space(const PlacedShape& A, const PlacedShape& B, scalar margin, Manifold& manifold,
+                             const Manifold* before_it) {
+    const Before before = remember(before_it);
+    const WorldFace face = face_below(B, A.r);
+    if (face.height - A.hull->radius > margin) return no_points(face.n, manifold);
+    const Vector n = transpose_times(A.A, face.n);
+    const ContactFrame frame = frame_about(face.n, A.r - face.n * face.height);
+    Candidate candidates[limits::hull_vertices_max];
+    int count = 0;
+    for (int i = 0; i < A.hull->vertex_count && count < limits::hull_vertices_max; ++i) {
+        const Vector& p = A.hull->vertices[i];
+        const scalar s = face.height + dot(n, p);
+        if (!(s <= margin)) continue;
+        const Vector from_centre = A.A * p;
+        candidates[count++] = {dot(from_centre, frame.e_x), dot(from_centre, frame.e_y), s * scalar(0.5), s,
+                               static_cast<uint32_t>(i)};
+    }
+    keep_points(candidates, count, frame, limits::flatness * A.hull->radius, before, manifold);
+}
+
 } }  // namespace ingot
