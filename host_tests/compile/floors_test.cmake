@@ -16,7 +16,7 @@ set(freestanding "stdint\\.h|stddef\\.h|float\\.h|limits\\.h")
 # integrate_r is there for driven_flight, which is made of stages.
 set(motion_shares acceleration flight_clock turn moser_veselov moser_veselov_series moser_veselov_stage force_field driven_tile elliptic_functions integrate_r)
 set(collide_shares contact shapes bounds collide_shapes convex_hull placed_shape manifold manifold_points contact_geometry
-  narrow_phase nearest_points)
+  contact_patch narrow_phase nearest_points)
 set(solve_shares contact_rows impulse)
 
 set(broken "")

@@ -28,6 +28,7 @@ struct ConvexHull {
     uint8_t vertex_count, face_count, edge_count;
     Vector centre;   ///< m, a point well inside
     scalar radius;   ///< m, of the ball about the origin that holds the hull
+    scalar inner_radius;  ///< m, of the ball about the centre that the hull holds
 };
 
 } }  // namespace ingot

@@ -24,10 +24,10 @@ struct HullOf {
     uint8_t loops[6 * room - 12];
     uint8_t vertex_count, face_count, edge_count;
     Vector centre;
-    scalar radius;
+    scalar radius, inner_radius;
 
     constexpr ConvexHull view() const {
-        return {vertices, faces, edges, loops, vertex_count, face_count, edge_count, centre, radius};
+        return {vertices, faces, edges, loops, vertex_count, face_count, edge_count, centre, radius, inner_radius};
     }
 };
 
@@ -252,6 +252,8 @@ constexpr Result<HullOf<room>> convex_hull(const Vector (&points)[room]) {
             }
             for (int i = 0; i < N; ++i)
                 if (dot(n, wrapping.points[i]) - offset > 4 * wrapping.tolerance) return {Status::bad_shape, {}};
+            const auto depth = static_cast<scalar>(offset - dot(n, centre));
+            hull.inner_radius = face_i == 0 || depth < hull.inner_radius ? depth : hull.inner_radius;
             hull.faces[face_i] = {{static_cast<scalar>(n.x), static_cast<scalar>(n.y), static_cast<scalar>(n.z)},
                                   static_cast<scalar>(offset),
                                   static_cast<uint8_t>(first),

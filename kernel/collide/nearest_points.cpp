@@ -147,7 +147,7 @@ bool reduce(Simplex& s) {
         best = part;
     }
     if (outside) s = best;
-    return !outside;
+    return outside;
 }
 
 }  // namespace
@@ -181,7 +181,8 @@ Nearest nearest_cores(const PlacedShape& A, const PlacedShape& B, scalar enough)
         const Simplex last = simplex;
         simplex.corners[simplex.count++] = {w, a, b};
         if (!reduce(simplex)) {
-            overlapping = true;
+            overlapping = !(at_least > 0);  // what is proven apart only looks enclosed
+            if (!overlapping) simplex = last;
             break;
         }
         const Vector next = point_of(simplex, &Corner::w);
@@ -208,7 +209,8 @@ Nearest nearest_cores(const PlacedShape& A, const PlacedShape& B, scalar enough)
     if (overlapping) return nearest;
     const Vector apart = a - b;
     nearest.distance = sqrt(length_sq(apart));
-    nearest.n = nearest.distance > 0 ? apart * (1 / nearest.distance) : n;
+    // The direction that is proven: where what is round is all but touched, the last point may be nearer but no longer has one.
+    nearest.n = at_least > 0 || !(nearest.distance > 0) ? n : apart * (1 / nearest.distance);
     nearest.at_least = at_least;
     return nearest;
 }
