@@ -93,11 +93,14 @@ TEST(Manifold, points_of_before_stay) {
 /// Every shape at every height and turn above a half space: the lowest point of the oracle is that of the manifold.
 TEST(HalfSpace, lowest_point_is_the_deepest) {
     RandomInput random(1423);
-    for (int i = 0; i < 6000; ++i) {
-        const Shape shapes[] = {ingot::Sphere{scalar(0.7)}, ingot::Capsule{scalar(0.3), scalar(0.8)}, ingot::Box{{scalar(0.5), scalar(0.2), 1}}};
+    for (int i = 0; i < 9000; ++i) {
+        const Shape shapes[] = {ingot::Sphere{scalar(0.7)}, ingot::Capsule{scalar(0.3), scalar(0.8)}, ingot::Box{{scalar(0.5), scalar(0.2), 1}},
+                                ingot::Hull{1}};
+        const std::size_t kind = i % 9 == 3 ? 3 : static_cast<std::size_t>(i % 3);
         const Eigen::Matrix3d T = random.rotation(), A = i % 2 == 0 ? T : random.rotation();
         const PlacedShape plane = ground(T, 0.4);
-        const PlacedShape s = placed(shapes[i % 3], Vector3d(0.3, -0.2, 0.1) + T.col(2) * random.real(0, 2) + T.col(0) * 5, A);
+        PlacedShape s = placed(shapes[kind], Vector3d(0.3, -0.2, 0.1) + T.col(2) * random.real(0, 2) + T.col(0) * 5, A);
+        if (kind == 3) s.hull = hull_of(random), s.shape = ingot::Hull{s.hull->radius};
         const V n = exact(plane.A) * exact(plane.shape.size);
         const auto oracle = oracle_of(s);
         const long double exact_s = -oracle.support(-n) - oracle.radius - (n.dot(exact(plane.r)) + plane.shape.offset);
@@ -109,16 +112,49 @@ TEST(HalfSpace, lowest_point_is_the_deepest) {
         if (exact_s > margin - rounding) continue;
         ASSERT_GT(m.count, 0);
         ASSERT_NEAR(static_cast<double>(least(m)), static_cast<double>(exact_s), rounding);
-        if (i % 6 == 2) { ASSERT_EQ(m.count, 4) << "flat"; }
+        if (kind == 2 && i % 2 == 0) { ASSERT_EQ(m.count, 4) << "flat"; }
         for (int k = 0; k < m.count; ++k) {
             const V P = exact(m.points[k].P), half = exact(m.n) * static_cast<long double>(m.points[k].separation) / 2;
             const long double height = n.dot(P - half - exact(plane.r)) - plane.shape.offset;
             ASSERT_NEAR(static_cast<double>(height), 0, rounding);
             // The upper end of a tilted capsule: its lowest point is inside, by radius (1 - cos).
-            const double inside = i % 3 == 1 ? 0.3 * (1 - std::sqrt(std::max(0.0, 1 - std::pow(static_cast<double>(exact(s.A.c2).dot(n)), 2)))) : 0;
+            const double inside = kind == 1 ? 0.3 * (1 - std::sqrt(std::max(0.0, 1 - std::pow(static_cast<double>(exact(s.A.c2).dot(n)), 2)))) : 0;
             const auto off = static_cast<double>(ingot_oracle::signed_distance(ingot_oracle::point(P + half, 0), oracle));
             ASSERT_LE(off, rounding);
             ASSERT_GE(off, -rounding - inside);
+        }
+    }
+}
+
+/// A cylinder above a half space: its lowest point in closed form, four points on its end, two on its side.
+TEST(HalfSpace, cylinder_stands_lies_and_leans) {
+    RandomInput random(1424);
+    for (int i = 0; i < 6000; ++i) {
+        const double r = 0.5, h = 0.8;
+        const Eigen::Matrix3d T = random.rotation();
+        const double lean = i % 3 == 0 ? 0 : i % 3 == 1 ? 1.57079632679489662 : random.real(0, 3.1416);
+        const PlacedShape plane = ground(T, 0.4);
+        const PlacedShape s = placed(ingot::Cylinder{scalar(r), scalar(h)}, Vector3d(0.3, -0.2, 0.1) + T.col(2) * random.real(0.5, 1.5),
+                                     T * turned(Vector3d::UnitX(), lean) * turned(Vector3d::UnitZ(), random.real(0, 6)));
+        const V n = exact(plane.A) * exact(plane.shape.size);
+        const long double c = std::abs(n.dot(exact(s.A.c2))), across = std::hypot(n.dot(exact(s.A.c0)), n.dot(exact(s.A.c1)));
+        const long double exact_s = n.dot(exact(s.r) - exact(plane.r)) - plane.shape.offset - h * c - r * across;
+        Manifold m{};
+        const scalar margin = scalar(0.05);
+        ASSERT_TRUE(collide(s, plane, margin, m));
+        const double rounding = 32 * ingot::epsilon * 6;
+        if (exact_s > margin + rounding) { ASSERT_EQ(m.count, 0); }
+        if (exact_s > margin - rounding) continue;
+        // The rim between the four fixed points is lower than these by flatness at most before its lowest point is added.
+        ASSERT_NEAR(static_cast<double>(least(m)), static_cast<double>(exact_s), rounding + ingot::limits::flatness * r) << i;
+        if (i % 3 == 0) { ASSERT_EQ(m.count, 4) << "stands " << i; }
+        if (i % 3 == 1) { ASSERT_EQ(m.count, 2) << "lies " << i; }
+        for (int k = 0; k < m.count; ++k) {
+            const V half = exact(m.n) * static_cast<long double>(m.points[k].separation) / 2, P = exact(m.points[k].P);
+            const V q = exact(s.A).transpose() * (P + half - exact(s.r));
+            EXPECT_NEAR(static_cast<double>(q.head<2>().norm()), r, rounding);
+            EXPECT_NEAR(std::abs(static_cast<double>(q(2))), h, rounding);
+            EXPECT_NEAR(static_cast<double>(n.dot(P - half - exact(plane.r)) - plane.shape.offset), 0, rounding);
         }
     }
 }
