@@ -52,7 +52,9 @@ std::array<PlacedShape, 2> pair_of(ShapeKind a, ShapeKind b, RandomInput& random
     double away = size_of(placed_A) + size_of(placed_B);
     for (int i = 0; i < 12; ++i) {  // to the wanted distance, nearly
         placed_A.r = to_vector(Eigen::Vector3d(at + towards * away));
-        away -= static_cast<double>(signed_distance(oracle_of(placed_A, 8), oracle_of(placed_B, 8))) - wanted;
+        const double off = static_cast<double>(signed_distance(oracle_of(placed_A, 8), oracle_of(placed_B, 8))) - wanted;
+        away -= off;
+        if (std::abs(off) < 1e-7) break;
     }
     return {placed_A, placed_B};
 }
@@ -63,6 +65,13 @@ struct Kinds {
 };
 bool has_kind(const Kinds& kinds, ShapeKind kind) { return kinds.a == kind || kinds.b == kind; }
 void PrintTo(const Kinds& kinds, std::ostream* out) { *out << kinds.name; }
+
+/// The oracle takes all pairs of edges: the more of them, the fewer cases.
+int cases(const Kinds& kinds) {
+    if (kinds.a == ShapeKind::cylinder && kinds.b == ShapeKind::cylinder) return 80;
+    const bool many_edges = has_kind(kinds, ShapeKind::hull) || has_kind(kinds, ShapeKind::cylinder);
+    return kinds.a == ShapeKind::sphere ? 3000 : many_edges ? 300 : 2000;
+}
 
 /// How far a manifold may be from what is exact: the choices in limits that stand for nearly parallel features.
 struct Slack {
@@ -103,9 +112,7 @@ TEST_P(Pair, meets_the_oracle) {
     const Kinds kinds = GetParam();
     long double worst_s = 0, worst_depth = 0, worst_surface = 0, worst_left = 0;
     int touching = 0, missed = 0, points = 0;
-    const bool fewest = kinds.a == kinds.b && has_kind(kinds, ShapeKind::cylinder);
-    const bool fewer = has_kind(kinds, ShapeKind::hull) || has_kind(kinds, ShapeKind::cylinder);
-    const int count = fewest ? 150 : fewer && !has_kind(kinds, ShapeKind::sphere) ? 600 : 3000;  // the oracle takes all pairs of edges
+    const int count = cases(kinds);
     for (int i = 0; i < count; ++i) {
         const scalar margin = scalar(0.05);
         const double wanted = i % 3 == 0 ? -random.real(0, 0.8) : i % 3 == 1 ? random.real(-0.02, 0.07) : random.real(-1e-5, 1e-5);
@@ -154,7 +161,7 @@ TEST_P(Pair, can_be_swapped) {
     const Kinds kinds = GetParam();
     if (kinds.a != kinds.b) GTEST_SKIP();
     RandomInput random(1402);
-    for (int i = 0; i < 3000; ++i) {
+    for (int i = 0; i < cases(kinds); ++i) {
         const auto [A, B] = pair_of(kinds.a, kinds.b, random, random.real(-0.5, 0.05));
         Manifold m{}, w{};
         collide(A, B, scalar(0.05), m), collide(B, A, scalar(0.05), w);
@@ -169,7 +176,7 @@ TEST_P(Pair, moves_along) {
     RandomInput random(1403);
     const Kinds kinds = GetParam();
     int other_features = 0;
-    for (int i = 0; i < 3000; ++i) {
+    for (int i = 0; i < cases(kinds); ++i) {
         const auto [A, B] = pair_of(kinds.a, kinds.b, random, random.real(-0.3, 0.04));
         const Eigen::Matrix3d T = random.rotation();
         const auto along = [&](PlacedShape s) {
@@ -191,7 +198,7 @@ TEST_P(Pair, moves_along) {
         const double searched = has_kind(kinds, ShapeKind::hull) || has_kind(kinds, ShapeKind::cylinder) ? ingot::limits::nearest_direction : 0;
         ASSERT_NEAR(static_cast<double>(least(m)), static_cast<double>(least(w)), (64 * u + searched) * size) << i;
     }
-    ASSERT_LT(other_features, 300);  // ties of shapes along the axes
+    ASSERT_LT(other_features, cases(kinds) / 10);  // ties of shapes along the axes
 }
 
 /// Coincident centres, NaN, infinities, huge and tiny sizes: bounded time, at most four points, and a unit normal when finite.

@@ -67,7 +67,7 @@ TEST(Recycle, separations_keep_the_bound) {
     RandomInput random(1441);
     int recycled = 0, refused = 0;
     long double worst = 0;
-    for (int i = 0; i < 3000; ++i) {
+    for (int i = 0; i < 1200; ++i) {
         const Scene before = touching(random, i);
         Manifold first{}, m{};
         ASSERT_TRUE(collide(before.A, before.B, margin, first));
@@ -119,8 +119,8 @@ TEST(Recycle, separations_keep_the_bound) {
         }
     }
     std::printf("%d recycled, %d refused; off by %.2Lf of the move at most\n", recycled, refused, worst);
-    EXPECT_GT(recycled, 500);
-    EXPECT_GT(refused, 300);
+    EXPECT_GT(recycled, 300);
+    EXPECT_GT(refused, 100);
 }
 
 /// A box that sinks and tips on another: what a new test says of the same corners, but for the square of the turn.

@@ -228,7 +228,7 @@ constexpr Result<HullOf<room>> convex_hull(const Vector (&points)[room]) {
             renamed[i] = hull.vertex_count;
             hull.vertices[hull.vertex_count++] = points[i];
             sum = sum + (wrapping.points[i] - wrapping.points[0]);
-            const double radius = hulls::length(wrapping.points[i]) * (1 + static_cast<double>(epsilon));
+            const double radius = hulls::length(wrapping.points[i]) * (1 + 4 * static_cast<double>(epsilon));  // its roundings
             hull.radius = static_cast<double>(hull.radius) < radius ? static_cast<scalar>(radius) : hull.radius;
         }
         const Point centre = wrapping.points[0] + sum * (1.0 / hull.vertex_count);
