@@ -6,7 +6,7 @@
 namespace ingot { inline namespace INGOT_ABI {
 
 void collide_capsule_half_space(const PlacedShape& A, const PlacedShape& B, scalar margin, Manifold& manifold, const Manifold*) {
-    const WorldFace face = face_below(B, A.r);
+    const HeightAbove face = face_below(B, A.r);
     const Vector end = A.A.c2 * A.shape.size.y;
     const scalar rise = dot(face.n, end), radius = A.shape.size.x;
     no_points(face.n, manifold);
@@ -21,7 +21,7 @@ void collide_capsule_half_space(const PlacedShape& A, const PlacedShape& B, scal
 void collide_box_half_space(const PlacedShape& A, const PlacedShape& B, scalar margin, Manifold& manifold,
                             const Manifold* before_it) {
     const Before before = remember(before_it);
-    const WorldFace face = face_below(B, A.r);
+    const HeightAbove face = face_below(B, A.r);
     const Vector half = A.shape.size;
     const Vector edges[3] = {A.A.c0 * half.x, A.A.c1 * half.y, A.A.c2 * half.z};
     scalar rise[3];
@@ -45,7 +45,7 @@ void collide_box_half_space(const PlacedShape& A, const PlacedShape& B, scalar m
 void collide_cylinder_half_space(const PlacedShape& A, const PlacedShape& B, scalar margin, Manifold& manifold,
                                  const Manifold* before_it) {
     const Before before = remember(before_it);
-    const WorldFace face = face_below(B, A.r);
+    const HeightAbove face = face_below(B, A.r);
     const scalar r = A.shape.size.x, h = A.shape.size.y;
     const Vector down = transpose_times(A.A, -face.n);
     const scalar across = sqrt(down.x * down.x + down.y * down.y), rise = -(h * abs(down.z));
@@ -84,7 +84,7 @@ void collide_cylinder_half_space(const PlacedShape& A, const PlacedShape& B, sca
 void collide_hull_half_space(const PlacedShape& A, const PlacedShape& B, scalar margin, Manifold& manifold,
                              const Manifold* before_it) {
     const Before before = remember(before_it);
-    const WorldFace face = face_below(B, A.r);
+    const HeightAbove face = face_below(B, A.r);
     if (face.height - A.hull->radius > margin) return no_points(face.n, manifold);
     const Vector n = transpose_times(A.A, face.n);
     const ContactFrame frame = frame_about(face.n, A.r - face.n * face.height);

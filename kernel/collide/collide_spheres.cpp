@@ -54,7 +54,7 @@ void collide_sphere_cylinder(const PlacedShape& A, const PlacedShape& B, scalar 
 }
 
 void collide_sphere_half_space(const PlacedShape& A, const PlacedShape& B, scalar margin, Manifold& manifold, const Manifold*) {
-    const WorldFace face = face_below(B, A.r);
+    const HeightAbove face = face_below(B, A.r);
     round_point(face.n, A.r - face.n * face.height, face.height, A.shape.size.x, 0, margin, manifold);
 }
 

@@ -19,12 +19,12 @@ INGOT_INLINE scalar smallest_of(const Vector& v) {
 }
 
 /// A half space in the world: all points with n . r <= d, seen from a point near what touches it.
-struct WorldFace {
+struct HeightAbove {
     Vector n;
     scalar height;  ///< of the point above the face
 };
 
-INGOT_INLINE WorldFace face_below(const PlacedShape& half_space, const Vector& point) {
+INGOT_INLINE HeightAbove face_below(const PlacedShape& half_space, const Vector& point) {
     const Vector n = half_space.A * half_space.shape.size;
     return {n, dot(n, point - half_space.r) - half_space.shape.offset};
 }

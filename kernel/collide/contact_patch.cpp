@@ -6,19 +6,19 @@ namespace ingot { inline namespace INGOT_ABI {
 namespace {
 
 // Boxes are the cube of half extent 1, stretched.
-constexpr Vector cube_vertices[8] = {{-1, -1, -1}, {1, -1, -1}, {-1, 1, -1}, {1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {-1, 1, 1}, {1, 1, 1}};
-constexpr HullFace cube_faces[6] = {{{-1, 0, 0}, 1, 0, 4}, {{1, 0, 0}, 1, 4, 4},  {{0, -1, 0}, 1, 8, 4},
+constexpr Vector unit_box_vertices[8] = {{-1, -1, -1}, {1, -1, -1}, {-1, 1, -1}, {1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {-1, 1, 1}, {1, 1, 1}};
+constexpr HullFace unit_box_faces[6] = {{{-1, 0, 0}, 1, 0, 4}, {{1, 0, 0}, 1, 4, 4},  {{0, -1, 0}, 1, 8, 4},
                                     {{0, 1, 0}, 1, 12, 4}, {{0, 0, -1}, 1, 16, 4}, {{0, 0, 1}, 1, 20, 4}};
-constexpr uint8_t cube_loops[24] = {0, 4, 6, 2, 1, 3, 7, 5, 0, 1, 5, 4, 2, 6, 7, 3, 0, 2, 3, 1, 4, 5, 7, 6};
-constexpr HullEdge cube_edges[12] = {{0, 4, 0, 2}, {4, 6, 0, 5}, {6, 2, 0, 3}, {2, 0, 0, 4}, {1, 3, 1, 4}, {3, 7, 1, 3},
+constexpr uint8_t unit_box_loops[24] = {0, 4, 6, 2, 1, 3, 7, 5, 0, 1, 5, 4, 2, 6, 7, 3, 0, 2, 3, 1, 4, 5, 7, 6};
+constexpr HullEdge unit_box_edges[12] = {{0, 4, 0, 2}, {4, 6, 0, 5}, {6, 2, 0, 3}, {2, 0, 0, 4}, {1, 3, 1, 4}, {3, 7, 1, 3},
                                      {7, 5, 1, 5}, {5, 1, 1, 2}, {0, 1, 2, 4}, {5, 4, 2, 5}, {6, 7, 3, 5}, {3, 2, 3, 4}};
-constexpr ConvexHull cube{cube_vertices, cube_faces, cube_edges, cube_loops, 8, 6, 12, {}, 2, 1};
+constexpr ConvexHull unit_box{unit_box_vertices, unit_box_faces, unit_box_edges, unit_box_loops, 8, 6, 12, {}, 2, 1};
 
 }  // namespace
 
 Polyhedron polyhedron_of(const PlacedShape& s) {
     if (s.shape.kind == ShapeKind::hull) return {s.hull, {1, 1, 1}};
-    if (s.shape.kind == ShapeKind::box) return {&cube, s.shape.size};
+    if (s.shape.kind == ShapeKind::box) return {&unit_box, s.shape.size};
     return {nullptr, {}};
 }
 
