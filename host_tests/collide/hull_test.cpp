@@ -16,7 +16,8 @@ using ingot::Vector;
 
 // At compile time, from the constants of a user.
 constexpr auto octahedron = ingot::convex_hull({{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}});
-static_assert(octahedron.ok() && octahedron.value.vertex_count == 6 && octahedron.value.face_count == 8 && octahedron.value.edge_count == 12);
+static_assert(octahedron.ok() && octahedron.value.vertex_count == 6 && octahedron.value.face_count == 8 &&
+              octahedron.value.edge_count == 12);
 constexpr auto flat = ingot::convex_hull({{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}});
 static_assert(flat.status == Status::bad_shape);
 constexpr auto three = ingot::convex_hull({{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}});
@@ -27,7 +28,8 @@ double volume_of(const ConvexHull& hull) {
     const auto at = [&](int i) { return Eigen::Vector3d(exact(hull.vertices[i]).cast<double>()); };
     for (int f = 0; f < hull.face_count; ++f) {
         const std::uint8_t* loop = hull.loops + hull.faces[f].loop_first;
-        for (int k = 1; k + 1 < hull.faces[f].loop_count; ++k) six_volumes += at(loop[0]).dot(at(loop[k]).cross(at(loop[k + 1])));
+        for (int k = 1; k + 1 < hull.faces[f].loop_count; ++k)
+            six_volumes += at(loop[0]).dot(at(loop[k]).cross(at(loop[k + 1])));
     }
     return six_volumes / 6;
 }
@@ -38,12 +40,14 @@ void expect_sound(const ConvexHull& hull, const std::vector<Vector>& points) {
     double size = 0;
     for (const Vector& p : points) size = std::max(size, static_cast<double>((exact(p) - exact(points[0])).norm()));
     // The builder's own tolerance, four times for a face of points that are each that far off, and the rounding of the plane.
-    const double tolerance = 4 * static_cast<double>(ingot::limits::hull_flatness) * size + 8 * ingot::epsilon * static_cast<double>(hull.radius);
+    const double tolerance =
+        4 * static_cast<double>(ingot::limits::hull_flatness) * size + 8 * ingot::epsilon * static_cast<double>(hull.radius);
     for (int f = 0; f < hull.face_count; ++f) {
         const ingot::HullFace& face = hull.faces[f];
         EXPECT_NEAR(static_cast<double>(exact(face.n).norm()), 1, 4 * ingot::epsilon);
         for (const Vector& p : points) EXPECT_LE(static_cast<double>(exact(face.n).dot(exact(p)) - face.offset), tolerance);
-        EXPECT_LE(static_cast<double>(exact(face.n).dot(exact(hull.centre)) - face.offset), -0.999 * static_cast<double>(hull.inner_radius));
+        EXPECT_LE(static_cast<double>(exact(face.n).dot(exact(hull.centre)) - face.offset),
+                  -0.999 * static_cast<double>(hull.inner_radius));
         EXPECT_GE(face.loop_count, 3);
     }
     std::vector<int> uses(static_cast<std::size_t>(hull.face_count));
@@ -92,7 +96,9 @@ TEST(Hull, solids_keep_their_faces) {
         const Eigen::Matrix3d T = random.rotation();
         const Vector3d half(random.real(0.1, 3), random.real(0.1, 3), random.real(0.1, 3));
         Vector box[9], prism[24];
-        for (int k = 0; k < 8; ++k) box[k] = to_vector(Vector3d(T * Vector3d((k & 1) ? half(0) : -half(0), (k & 2) ? half(1) : -half(1), (k & 4) ? half(2) : -half(2))));
+        for (int k = 0; k < 8; ++k)
+            box[k] = to_vector(Vector3d(
+                T * Vector3d((k & 1) ? half(0) : -half(0), (k & 2) ? half(1) : -half(1), (k & 4) ? half(2) : -half(2))));
         box[8] = {0, 0, 0};
         const auto hull = ingot::convex_hull(box);
         ASSERT_TRUE(hull.ok()) << i;
@@ -102,7 +108,9 @@ TEST(Hull, solids_keep_their_faces) {
         expect_sound(hull.value.view(), {box, box + 9});
         EXPECT_NEAR(volume_of(hull.value.view()) / (8 * half.prod()), 1, 100 * ingot::epsilon);
         const double angle = 3.14159265358979 / 6;
-        for (int k = 0; k < 24; ++k) prism[k] = to_vector(Vector3d(T * Vector3d(std::cos(angle * (k % 12)), std::sin(angle * (k % 12)), k < 12 ? -0.5 : 0.5)));
+        for (int k = 0; k < 24; ++k)
+            prism[k] =
+                to_vector(Vector3d(T * Vector3d(std::cos(angle * (k % 12)), std::sin(angle * (k % 12)), k < 12 ? -0.5 : 0.5)));
         const auto round = ingot::convex_hull(prism);
         ASSERT_TRUE(round.ok()) << i;
         EXPECT_EQ(round.value.face_count, 14);
@@ -139,7 +147,8 @@ TEST(Hull, degenerate_points_are_refused) {
 
 /// The mass of a hull is that of the box it is.
 TEST(Hull, has_the_mass_of_its_solid) {
-    constexpr auto box = ingot::convex_hull({{1, 2, 3}, {-1, 2, 3}, {1, -2, 3}, {-1, -2, 3}, {1, 2, -3}, {-1, 2, -3}, {1, -2, -3}, {-1, -2, -3}});
+    constexpr auto box = ingot::convex_hull(
+        {{1, 2, 3}, {-1, 2, 3}, {1, -2, 3}, {-1, -2, 3}, {1, 2, -3}, {-1, 2, -3}, {1, -2, -3}, {-1, -2, -3}});
     static_assert(box.ok());
     constexpr auto mass = ingot::solid_hull(10, box.value.view());
     static_assert(mass.ok());

@@ -56,7 +56,8 @@ TEST(Manifold, four_points_span_the_area) {
                 for (int c = 0; c < b; ++c)
                     for (int d = 0; d < c; ++d) {
                         std::vector<Eigen::Vector2d> four;
-                        for (const int k : {a, b, c, d}) four.push_back({all[static_cast<std::size_t>(k)].x, all[static_cast<std::size_t>(k)].y});
+                        for (const int k : {a, b, c, d})
+                            four.push_back({all[static_cast<std::size_t>(k)].x, all[static_cast<std::size_t>(k)].y});
                         best = std::max(best, area_of(four));
                     }
         worst = std::min(worst, area_of(chosen) / best);
@@ -76,14 +77,17 @@ TEST(Manifold, points_of_before_stay) {
             std::vector<Candidate> all;
             for (int k = 0; k < 8; ++k) {
                 const double angle = 2 * 3.14159265 * k / 8;
-                all.push_back({static_cast<scalar>(std::cos(angle) + random.real(-1, 1) * 1e-3), static_cast<scalar>(std::sin(angle)),
-                               0, static_cast<scalar>(random.real(-1, 1) * 4e-5), static_cast<std::uint32_t>(k)});
+                all.push_back({static_cast<scalar>(std::cos(angle) + random.real(-1, 1) * 1e-3),
+                               static_cast<scalar>(std::sin(angle)), 0, static_cast<scalar>(random.real(-1, 1) * 4e-5),
+                               static_cast<std::uint32_t>(k)});
             }
             Manifold m{};
             ingot::keep_points(all.data(), 8, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, scalar(1e-4), before, m);
             std::set<std::uint32_t> now;
             for (int k = 0; k < m.count; ++k) now.insert(m.points[k].feature);
-            if (step > 0) { ASSERT_EQ(now, last) << i << " " << step; }
+            if (step > 0) {
+                ASSERT_EQ(now, last) << i << " " << step;
+            }
             last = now;
             before = ingot::remember(&m);
         }
@@ -94,8 +98,8 @@ TEST(Manifold, points_of_before_stay) {
 TEST(HalfSpace, lowest_point_is_the_deepest) {
     RandomInput random(1423);
     for (int i = 0; i < 9000; ++i) {
-        const Shape shapes[] = {ingot::Sphere{scalar(0.7)}, ingot::Capsule{scalar(0.3), scalar(0.8)}, ingot::Box{{scalar(0.5), scalar(0.2), 1}},
-                                ingot::Hull{1}};
+        const Shape shapes[] = {ingot::Sphere{scalar(0.7)}, ingot::Capsule{scalar(0.3), scalar(0.8)},
+                                ingot::Box{{scalar(0.5), scalar(0.2), 1}}, ingot::Hull{1}};
         const std::size_t kind = i % 9 == 3 ? 3 : static_cast<std::size_t>(i % 3);
         const Eigen::Matrix3d T = random.rotation(), A = i % 2 == 0 ? T : random.rotation();
         const PlacedShape plane = ground(T, 0.4);
@@ -108,17 +112,23 @@ TEST(HalfSpace, lowest_point_is_the_deepest) {
         const scalar margin = scalar(0.05);
         ASSERT_TRUE(collide(s, plane, margin, m));
         const double rounding = 32 * ingot::epsilon * 6;
-        if (exact_s > margin + rounding) { ASSERT_EQ(m.count, 0); }
+        if (exact_s > margin + rounding) {
+            ASSERT_EQ(m.count, 0);
+        }
         if (exact_s > margin - rounding) continue;
         ASSERT_GT(m.count, 0);
         ASSERT_NEAR(static_cast<double>(least(m)), static_cast<double>(exact_s), rounding);
-        if (kind == 2 && i % 2 == 0) { ASSERT_EQ(m.count, 4) << "flat"; }
+        if (kind == 2 && i % 2 == 0) {
+            ASSERT_EQ(m.count, 4) << "flat";
+        }
         for (int k = 0; k < m.count; ++k) {
             const V P = exact(m.points[k].P), half = exact(m.n) * static_cast<long double>(m.points[k].separation) / 2;
             const long double height = n.dot(P - half - exact(plane.r)) - plane.shape.offset;
             ASSERT_NEAR(static_cast<double>(height), 0, rounding);
             // The upper end of a tilted capsule: its lowest point is inside, by radius (1 - cos).
-            const double inside = kind == 1 ? 0.3 * (1 - std::sqrt(std::max(0.0, 1 - std::pow(static_cast<double>(exact(s.A.c2).dot(n)), 2)))) : 0;
+            const double inside =
+                kind == 1 ? 0.3 * (1 - std::sqrt(std::max(0.0, 1 - std::pow(static_cast<double>(exact(s.A.c2).dot(n)), 2))))
+                          : 0;
             const auto off = static_cast<double>(ingot_oracle::signed_distance(ingot_oracle::point(P + half, 0), oracle));
             ASSERT_LE(off, rounding);
             ASSERT_GE(off, -rounding - inside);
@@ -134,8 +144,9 @@ TEST(HalfSpace, cylinder_stands_lies_and_leans) {
         const Eigen::Matrix3d T = random.rotation();
         const double lean = i % 3 == 0 ? 0 : i % 3 == 1 ? 1.57079632679489662 : random.real(0, 3.1416);
         const PlacedShape plane = ground(T, 0.4);
-        const PlacedShape s = placed(ingot::Cylinder{scalar(r), scalar(h)}, Vector3d(0.3, -0.2, 0.1) + T.col(2) * random.real(0.5, 1.5),
-                                     T * turned(Vector3d::UnitX(), lean) * turned(Vector3d::UnitZ(), random.real(0, 6)));
+        const PlacedShape s =
+            placed(ingot::Cylinder{scalar(r), scalar(h)}, Vector3d(0.3, -0.2, 0.1) + T.col(2) * random.real(0.5, 1.5),
+                   T * turned(Vector3d::UnitX(), lean) * turned(Vector3d::UnitZ(), random.real(0, 6)));
         const V n = exact(plane.A) * exact(plane.shape.size);
         const long double c = std::abs(n.dot(exact(s.A.c2))), across = std::hypot(n.dot(exact(s.A.c0)), n.dot(exact(s.A.c1)));
         const long double exact_s = n.dot(exact(s.r) - exact(plane.r)) - plane.shape.offset - h * c - r * across;
@@ -143,12 +154,18 @@ TEST(HalfSpace, cylinder_stands_lies_and_leans) {
         const scalar margin = scalar(0.05);
         ASSERT_TRUE(collide(s, plane, margin, m));
         const double rounding = 32 * ingot::epsilon * 6;
-        if (exact_s > margin + rounding) { ASSERT_EQ(m.count, 0); }
+        if (exact_s > margin + rounding) {
+            ASSERT_EQ(m.count, 0);
+        }
         if (exact_s > margin - rounding) continue;
         // The rim between the four fixed points is lower than these by flatness at most before its lowest point is added.
         ASSERT_NEAR(static_cast<double>(least(m)), static_cast<double>(exact_s), rounding + ingot::limits::flatness * r) << i;
-        if (i % 3 == 0) { ASSERT_EQ(m.count, 4) << "stands " << i; }
-        if (i % 3 == 1) { ASSERT_EQ(m.count, 2) << "lies " << i; }
+        if (i % 3 == 0) {
+            ASSERT_EQ(m.count, 4) << "stands " << i;
+        }
+        if (i % 3 == 1) {
+            ASSERT_EQ(m.count, 2) << "lies " << i;
+        }
         for (int k = 0; k < m.count; ++k) {
             const V half = exact(m.n) * static_cast<long double>(m.points[k].separation) / 2, P = exact(m.points[k].P);
             const V q = exact(s.A).transpose() * (P + half - exact(s.r));

@@ -46,7 +46,8 @@ std::array<PlacedShape, 2> pair_of(ShapeKind a, ShapeKind b, RandomInput& random
     const Shape shape_A = shape_of(a, random), shape_B = shape_of(b, random);
     const Eigen::Matrix3d A = orientation(random), B = orientation(random);
     const Eigen::Vector3d at = random.vector(3);
-    const Eigen::Vector3d towards = random.integer(0, 2) == 0 ? Eigen::Vector3d(B.col(random.integer(0, 2))) : random.direction();
+    const Eigen::Vector3d towards =
+        random.integer(0, 2) == 0 ? Eigen::Vector3d(B.col(random.integer(0, 2))) : random.direction();
     PlacedShape placed_A = placed(shape_A, at, A), placed_B = placed(shape_B, at, B);
     give_hull(placed_A, random), give_hull(placed_B, random);
     double away = size_of(placed_A) + size_of(placed_B);
@@ -115,7 +116,9 @@ TEST_P(Pair, meets_the_oracle) {
     const int count = cases(kinds);
     for (int i = 0; i < count; ++i) {
         const scalar margin = scalar(0.05);
-        const double wanted = i % 3 == 0 ? -random.real(0, 0.8) : i % 3 == 1 ? random.real(-0.02, 0.07) : random.real(-1e-5, 1e-5);
+        const double wanted = i % 3 == 0   ? -random.real(0, 0.8)
+                              : i % 3 == 1 ? random.real(-0.02, 0.07)
+                                           : random.real(-1e-5, 1e-5);
         const auto [A, B] = pair_of(kinds.a, kinds.b, random, wanted);
         const Convex a = oracle_of(A), b = oracle_of(B);
         const long double exact_s = signed_distance(a, b);
@@ -139,7 +142,8 @@ TEST_P(Pair, meets_the_oracle) {
         if (exact_s > -slack.separation && m.count > 0) worst_s = std::max(worst_s, s - exact_s);
         const V n = exact(m.n);
         const long double left = -signed_distance(a.moved(-s * n), b);
-        ASSERT_LE(left, slack.separation + (s < 0 ? -0.01L * s : 0)) << i << " s " << s << " exact " << exact_s << " count " << m.count;
+        ASSERT_LE(left, slack.separation + (s < 0 ? -0.01L * s : 0))
+            << i << " s " << s << " exact " << exact_s << " count " << m.count;
         worst_left = std::max(worst_left, left);
         for (int k = 0; k < m.count; ++k) {
             const V P = exact(m.points[k].P);
@@ -148,12 +152,15 @@ TEST_P(Pair, meets_the_oracle) {
             const long double off_A = signed_distance(ingot_oracle::point(P + half, 0), a),
                               off_B = signed_distance(ingot_oracle::point(P - half, 0), b);
             worst_surface = std::max({worst_surface, std::abs(off_A), std::abs(off_B)});
-            ASSERT_LE(std::abs(off_A), slack.surface) << i << " point " << k << " of " << m.count << " s " << m.points[k].separation;
-            ASSERT_LE(std::abs(off_B), slack.surface) << i << " point " << k << " of " << m.count << " s " << m.points[k].separation;
+            ASSERT_LE(std::abs(off_A), slack.surface)
+                << i << " point " << k << " of " << m.count << " s " << m.points[k].separation;
+            ASSERT_LE(std::abs(off_B), slack.surface)
+                << i << " point " << k << " of " << m.count << " s " << m.points[k].separation;
         }
     }
-    std::printf("%s: %d touching, %.2f points, %d apart without a point, s %.2Lg, deeper %.2Lg, left %.2Lg, off the surface %.2Lg\n",
-                kinds.name, touching, static_cast<double>(points) / touching, missed, worst_s, worst_depth, worst_left, worst_surface);
+    std::printf(
+        "%s: %d touching, %.2f points, %d apart without a point, s %.2Lg, deeper %.2Lg, left %.2Lg, off the surface %.2Lg\n",
+        kinds.name, touching, static_cast<double>(points) / touching, missed, worst_s, worst_depth, worst_left, worst_surface);
 }
 
 /// Swapped shapes of one kind: the same separations, and n the other way.
@@ -190,12 +197,14 @@ TEST_P(Pair, moves_along) {
         const double size = size_of(A) + size_of(B) + 6;
         if (m.points[0].feature != w.points[0].feature || m.count != w.count) {
             ++other_features;
-            ASSERT_NEAR(static_cast<double>(least(m)), static_cast<double>(least(w)), static_cast<double>(slack_of(A, B).depth)) << i;
+            ASSERT_NEAR(static_cast<double>(least(m)), static_cast<double>(least(w)), static_cast<double>(slack_of(A, B).depth))
+                << i;
             continue;
         }
         // Directions that are searched for end within nearest_direction; round_accuracy is less.
         static_assert(ingot::limits::round_accuracy <= ingot::limits::nearest_direction);
-        const double searched = has_kind(kinds, ShapeKind::hull) || has_kind(kinds, ShapeKind::cylinder) ? ingot::limits::nearest_direction : 0;
+        const double searched =
+            has_kind(kinds, ShapeKind::hull) || has_kind(kinds, ShapeKind::cylinder) ? ingot::limits::nearest_direction : 0;
         ASSERT_NEAR(static_cast<double>(least(m)), static_cast<double>(least(w)), (64 * u + searched) * size) << i;
     }
     ASSERT_LT(other_features, cases(kinds) / 10);  // ties of shapes along the axes
@@ -210,22 +219,30 @@ TEST_P(Pair, survives_what_is_degenerate) {
         const auto sized = [&](ShapeKind kind) {
             Shape shape = shape_of(kind, random);
             const auto scale = static_cast<scalar>(sizes[random.integer(0, 4)]);
-            const auto fit = [&](scalar x) { return std::min(std::max(x * scale, ingot::limits::size_min), ingot::limits::size_max); };
-            shape.size = {fit(shape.size.x), shape.size.y > 0 ? fit(shape.size.y) : 0, shape.size.z > 0 ? fit(shape.size.z) : 0};
+            const auto fit = [&](scalar x) {
+                return std::min(std::max(x * scale, ingot::limits::size_min), ingot::limits::size_max);
+            };
+            shape.size = {fit(shape.size.x), shape.size.y > 0 ? fit(shape.size.y) : 0,
+                          shape.size.z > 0 ? fit(shape.size.z) : 0};
             return shape;
         };
-        PlacedShape A = placed(sized(kinds.a), {0, 0, 0}, orientation(random)), B = placed(sized(kinds.b), {0, 0, 0}, orientation(random));
+        PlacedShape A = placed(sized(kinds.a), {0, 0, 0}, orientation(random)),
+                    B = placed(sized(kinds.b), {0, 0, 0}, orientation(random));
         give_hull(A, random), give_hull(B, random);
         if (i % 2 == 0) A.r = to_vector(Eigen::Vector3d(random.direction() * std::abs(random.of_any_size(-60, 3))));
         if (i % 5 == 1) A.r = B.r = {scalar(1e9), scalar(-1e9), scalar(1e9)};
         Manifold m{};
         collide(A, B, scalar(0.01), m);
         ASSERT_NEAR(static_cast<double>(exact(m.n).norm()), 1, 32 * u) << i;
-        if (i % 2 != 0) { ASSERT_GT(m.count, 0) << i; }
-        for (int k = 0; k < m.count; ++k) ASSERT_TRUE(ingot::is_finite(m.points[k].P) && ingot::is_finite(m.points[k].separation)) << i;
+        if (i % 2 != 0) {
+            ASSERT_GT(m.count, 0) << i;
+        }
+        for (int k = 0; k < m.count; ++k)
+            ASSERT_TRUE(ingot::is_finite(m.points[k].P) && ingot::is_finite(m.points[k].separation)) << i;
 
         scalar* numbers[] = {&A.r.x, &A.A.c0.y, &A.shape.size.x, &B.r.z, &B.A.c2.z, &B.shape.size.x};
-        *numbers[random.integer(0, 5)] = i % 3 == 0 ? std::numeric_limits<scalar>::quiet_NaN() : std::numeric_limits<scalar>::infinity();
+        *numbers[random.integer(0, 5)] =
+            i % 3 == 0 ? std::numeric_limits<scalar>::quiet_NaN() : std::numeric_limits<scalar>::infinity();
         Manifold bad{}, again{};
         collide(A, B, scalar(0.01), bad, &m);
         collide(A, B, scalar(0.01), again, &m);
@@ -235,16 +252,16 @@ TEST_P(Pair, survives_what_is_degenerate) {
 }
 
 using K = ShapeKind;
-INSTANTIATE_TEST_SUITE_P(All, Pair,
-                         ::testing::Values(Kinds{K::sphere, K::sphere, "sphere_sphere"}, Kinds{K::sphere, K::capsule, "sphere_capsule"},
-                                           Kinds{K::sphere, K::box, "sphere_box"}, Kinds{K::sphere, K::cylinder, "sphere_cylinder"},
-                                           Kinds{K::capsule, K::capsule, "capsule_capsule"},
-                                           Kinds{K::capsule, K::box, "capsule_box"}, Kinds{K::box, K::box, "box_box"},
-                                           Kinds{K::sphere, K::hull, "sphere_hull"}, Kinds{K::capsule, K::hull, "capsule_hull"},
-                                           Kinds{K::capsule, K::cylinder, "capsule_cylinder"},
-                                           Kinds{K::box, K::cylinder, "box_cylinder"}, Kinds{K::box, K::hull, "box_hull"},
-                                           Kinds{K::cylinder, K::cylinder, "cylinder_cylinder"},
-                                           Kinds{K::cylinder, K::hull, "cylinder_hull"}, Kinds{K::hull, K::hull, "hull_hull"}),
-                         [](const auto& of) { return std::string(of.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    All, Pair,
+    ::testing::Values(Kinds{K::sphere, K::sphere, "sphere_sphere"}, Kinds{K::sphere, K::capsule, "sphere_capsule"},
+                      Kinds{K::sphere, K::box, "sphere_box"}, Kinds{K::sphere, K::cylinder, "sphere_cylinder"},
+                      Kinds{K::capsule, K::capsule, "capsule_capsule"}, Kinds{K::capsule, K::box, "capsule_box"},
+                      Kinds{K::box, K::box, "box_box"}, Kinds{K::sphere, K::hull, "sphere_hull"},
+                      Kinds{K::capsule, K::hull, "capsule_hull"}, Kinds{K::capsule, K::cylinder, "capsule_cylinder"},
+                      Kinds{K::box, K::cylinder, "box_cylinder"}, Kinds{K::box, K::hull, "box_hull"},
+                      Kinds{K::cylinder, K::cylinder, "cylinder_cylinder"}, Kinds{K::cylinder, K::hull, "cylinder_hull"},
+                      Kinds{K::hull, K::hull, "hull_hull"}),
+    [](const auto& of) { return std::string(of.param.name); });
 
 }  // namespace

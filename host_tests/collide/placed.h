@@ -99,7 +99,8 @@ inline Eigen::Matrix3d turned(const Eigen::Vector3d& axis, double angle) {
 }
 
 /// The routine of two kinds, in either order.
-inline bool collide(const PlacedShape& A, const PlacedShape& B, scalar margin, Manifold& manifold, const Manifold* before = nullptr) {
+inline bool collide(const PlacedShape& A, const PlacedShape& B, scalar margin, Manifold& manifold,
+                    const Manifold* before = nullptr) {
     using K = ShapeKind;
     const auto are = [&](K a, K b) { return A.shape.kind == a && B.shape.kind == b; };
 #define INGOT_PAIR(a, b) \

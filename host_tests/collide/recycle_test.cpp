@@ -21,7 +21,8 @@ using M = Eigen::Matrix<long double, 3, 3>;
 /// The move in long double, of the shape with the smaller radius: its turn by angle and axis.
 long double exact_move(const PlacedShape& A_0, const PlacedShape& B_0, const PlacedShape& A, const PlacedShape& B) {
     const M Q_0 = exact(B_0.A).transpose() * exact(A_0.A), Q = exact(B.A).transpose() * exact(A.A);
-    const V r_0 = exact(B_0.A).transpose() * (exact(A_0.r) - exact(B_0.r)), r = exact(B.A).transpose() * (exact(A.r) - exact(B.r));
+    const V r_0 = exact(B_0.A).transpose() * (exact(A_0.r) - exact(B_0.r)),
+            r = exact(B.A).transpose() * (exact(A.r) - exact(B.r));
     const long double theta = Eigen::AngleAxis<long double>(M(Q * Q_0.transpose())).angle(), chord = 2 * std::sin(theta / 2);
     const bool of_A = size_of(A) <= size_of(B);
     const V dr = of_A ? V(r - r_0) : V(Q.transpose() * r - Q_0.transpose() * r_0);
@@ -35,7 +36,9 @@ struct Scene {
 /// Nearly touching, in an attitude at random or with faces on each other.
 Scene touching(RandomInput& random, int i) {
     const auto shape = [&](int kind) -> PlacedShape {
-        if (kind == 0) return placed(ingot::Box{{static_cast<scalar>(random.real(0.3, 1.5)), static_cast<scalar>(random.real(0.3, 1.5)), static_cast<scalar>(random.real(0.3, 1.5))}});
+        if (kind == 0)
+            return placed(ingot::Box{{static_cast<scalar>(random.real(0.3, 1.5)), static_cast<scalar>(random.real(0.3, 1.5)),
+                                      static_cast<scalar>(random.real(0.3, 1.5))}});
         if (kind == 1) return placed(ingot::Capsule{scalar(0.4), static_cast<scalar>(random.real(0.3, 1.5))});
         PlacedShape s = placed(ingot::Hull{1});
         s.hull = hull_of(random);
@@ -51,7 +54,8 @@ Scene touching(RandomInput& random, int i) {
     double away = size_of(scene.A) + size_of(scene.B);
     for (int k = 0; k < 12; ++k) {
         scene.A.r = to_vector(Vector3d(at + towards * away));
-        away -= static_cast<double>(ingot_oracle::signed_distance(oracle_of(scene.A), oracle_of(scene.B))) - random.real(-0.03, 0.02);
+        away -= static_cast<double>(ingot_oracle::signed_distance(oracle_of(scene.A), oracle_of(scene.B))) -
+                random.real(-0.03, 0.02);
     }
     return scene;
 }
@@ -110,12 +114,15 @@ TEST(Recycle, separations_keep_the_bound) {
         ASSERT_LE(std::abs(least(m) - exact_now), off + 2 * move + rounding) << i;
         for (int k = 0; k < m.count; ++k) {
             ASSERT_EQ(m.points[k].feature, first.points[k].feature);
-            ASSERT_LE(std::abs(static_cast<double>(m.points[k].separation - first.points[k].separation)), static_cast<double>(move) + rounding);
+            ASSERT_LE(std::abs(static_cast<double>(m.points[k].separation - first.points[k].separation)),
+                      static_cast<double>(move) + rounding);
             const V in_B_0 = exact(before.B.A).transpose() * (exact(first.points[k].P) - exact(before.B.r));
             const V in_B = exact(now.B.A).transpose() * (exact(m.points[k].P) - exact(now.B.r));
             // The point of A moves by the move, that of B does not. Seen from A it is the other way.
             const bool of_A = size_of(now.A) <= size_of(now.B);
-            if (of_A) { ASSERT_LE((in_B - in_B_0).norm(), move / 2 + rounding) << i; }
+            if (of_A) {
+                ASSERT_LE((in_B - in_B_0).norm(), move / 2 + rounding) << i;
+            }
         }
     }
     std::printf("%d recycled, %d refused; off by %.2Lf of the move at most\n", recycled, refused, worst);
@@ -128,7 +135,9 @@ TEST(Recycle, faces_agree_with_a_new_test) {
     RandomInput random(1442);
     for (int i = 0; i < 1000; ++i) {
         const Matrix3d T = random.rotation();
-        PlacedShape B = placed(ingot::Box{{2, 2, scalar(0.5)}}, {1, 2, 3}, T), A = placed(ingot::Box{{scalar(0.5), scalar(0.5), scalar(0.5)}}, Vector3d(1, 2, 3) + T * Vector3d(0.2, 0.1, 1), T);
+        PlacedShape B = placed(ingot::Box{{2, 2, scalar(0.5)}}, {1, 2, 3}, T),
+                    A = placed(ingot::Box{{scalar(0.5), scalar(0.5), scalar(0.5)}},
+                               Vector3d(1, 2, 3) + T * Vector3d(0.2, 0.1, 1), T);
         Manifold first{}, recycled{}, fresh{};
         collide(A, B, margin, first);
         ASSERT_EQ(first.count, 4);
@@ -145,7 +154,9 @@ TEST(Recycle, faces_agree_with_a_new_test) {
         for (int k = 0; k < 4; ++k)
             for (int l = 0; l < 4; ++l)
                 if (recycled.points[k].feature == fresh.points[l].feature) {
-                    ASSERT_NEAR(static_cast<double>(recycled.points[k].separation), static_cast<double>(fresh.points[l].separation), tolerance) << i;
+                    ASSERT_NEAR(static_cast<double>(recycled.points[k].separation),
+                                static_cast<double>(fresh.points[l].separation), tolerance)
+                        << i;
                 }
         ASSERT_NEAR(static_cast<double>(least(recycled)), static_cast<double>(least(fresh)), tolerance) << i;
     }

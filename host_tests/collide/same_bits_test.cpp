@@ -49,9 +49,13 @@ struct Hash {
     }
 };
 
-constexpr auto rock = ingot::convex_hull({{scalar(0.75), 0, scalar(0.125)}, {scalar(-0.5), scalar(0.25), 0}, {scalar(0.25), scalar(0.875), scalar(-0.25)},
-                                          {0, scalar(-0.75), scalar(0.375)}, {scalar(0.125), scalar(0.25), scalar(0.625)},
-                                          {scalar(-0.25), scalar(-0.375), scalar(-0.75)}, {scalar(0.5), scalar(0.5), scalar(0.5)}});
+constexpr auto rock = ingot::convex_hull({{scalar(0.75), 0, scalar(0.125)},
+                                          {scalar(-0.5), scalar(0.25), 0},
+                                          {scalar(0.25), scalar(0.875), scalar(-0.25)},
+                                          {0, scalar(-0.75), scalar(0.375)},
+                                          {scalar(0.125), scalar(0.25), scalar(0.625)},
+                                          {scalar(-0.25), scalar(-0.375), scalar(-0.75)},
+                                          {scalar(0.5), scalar(0.5), scalar(0.5)}});
 static_assert(rock.ok());
 constexpr ingot::ConvexHull rock_view = rock.value.view();
 

@@ -90,8 +90,8 @@ void look_at_edge_pairs(const PlacedShape& A, const PlacedShape& B, Search& sear
             if (!(c * e < 0)) continue;
             const Vector v = B.A * (b.vertex(edge_B.b) - b.vertex(edge_B.a));
             const scalar left = dot(left_A, v), right = dot(right_A, v);
-            // Arcs cross when the ends of each lie on both sides of the other, on the same half of the sphere: with the normals of
-            // B turned round and u along n_left x n_right of A, that is this sign.
+            // Arcs cross when the ends of each lie on both sides of the other, on the same half of the sphere: with the normals
+            // of B turned round and u along n_left x n_right of A, that is this sign.
             if (!(left * right < 0)) continue;
             Vector n = cross(u, v);
             const scalar n_sq = length_sq(n);
@@ -152,8 +152,8 @@ Vector meeting_point(const PlacedShape& A, const PlacedShape& B, const Vector& n
 
 /// The manifold across the direction that was found. False where nothing is on top of each other across a face and another
 /// direction is known: then the face only seemed as good.
-bool touch(const PlacedShape& A, const PlacedShape& B, const Search& search, scalar margin, const Before& before, scalar smallest,
-           bool has_other, Manifold& manifold) {
+bool touch(const PlacedShape& A, const PlacedShape& B, const Search& search, scalar margin, const Before& before,
+           scalar smallest, bool has_other, Manifold& manifold) {
     const ContactFrame frame = frame_about(search.n, B.r);
     Patch patch_A, patch_B;
     patch_of(A, A.r - B.r, -search.n, frame, patch_A);
@@ -173,7 +173,8 @@ bool touch(const PlacedShape& A, const PlacedShape& B, const Search& search, sca
     overlay(patch_A, patch_B, slack, round ? limits::round_aside * smallest : slack, found);
 
     scalar least = scalar_max;
-    for (int i = 0; i < found.count; ++i) least = found.candidates[i].separation < least ? found.candidates[i].separation : least;
+    for (int i = 0; i < found.count; ++i)
+        least = found.candidates[i].separation < least ? found.candidates[i].separation : least;
     // Nothing on top of each other, or not the deepest: one point.
     if (found.count == 0 || least > found.gap + limits::edge_preference * smallest) {
         if (has_other) return false;
@@ -235,7 +236,8 @@ void collide_convex(const PlacedShape& A, const PlacedShape& B, scalar margin, M
     const scalar smallest_A = smallest_extent(A), smallest_B = smallest_extent(B);
     const scalar smallest = smallest_A < smallest_B ? smallest_A : smallest_B;
     const uint32_t axis_before = before.count > 0 ? before.features[0] & axis_mask : no_axis;
-    const Search nothing{axis_before, limits::axis_hysteresis * smallest, {1, 0, 0}, -scalar_max, no_axis, {1, 0, 0}, -scalar_max};
+    const Search nothing{axis_before, limits::axis_hysteresis * smallest, {1, 0, 0}, -scalar_max, no_axis, {1, 0, 0},
+                         -scalar_max};
     const bool cylinder = A.shape.kind == ShapeKind::cylinder || B.shape.kind == ShapeKind::cylinder;
 
     // Cores that are apart: the direction of their nearest points separates best.
@@ -255,8 +257,10 @@ void collide_convex(const PlacedShape& A, const PlacedShape& B, scalar margin, M
     if (faces.gap - reach > margin) return no_points(faces.n, manifold);
 
     if (!apart) {
-        if (polyhedron_of(A).hull != nullptr && polyhedron_of(B).hull != nullptr) look_at_edge_pairs(A, B, rest);
-        else look_across_axes(A, B, rest);
+        if (polyhedron_of(A).hull != nullptr && polyhedron_of(B).hull != nullptr)
+            look_at_edge_pairs(A, B, rest);
+        else
+            look_across_axes(A, B, rest);
         if (cylinder) {
             if (faces.gap > rest.gap) rest = faces;
             refine(A, B, smallest, rest);
@@ -271,25 +275,31 @@ void collide_convex(const PlacedShape& A, const PlacedShape& B, scalar margin, M
 
 }  // namespace
 
-void collide_sphere_hull(const PlacedShape& A, const PlacedShape& B, scalar margin, Manifold& manifold, const Manifold* before) {
+void collide_sphere_hull(const PlacedShape& A, const PlacedShape& B, scalar margin, Manifold& manifold,
+                         const Manifold* before) {
     collide_convex(A, B, margin, manifold, before);
 }
-void collide_capsule_cylinder(const PlacedShape& A, const PlacedShape& B, scalar margin, Manifold& manifold, const Manifold* before) {
+void collide_capsule_cylinder(const PlacedShape& A, const PlacedShape& B, scalar margin, Manifold& manifold,
+                              const Manifold* before) {
     collide_convex(A, B, margin, manifold, before);
 }
-void collide_capsule_hull(const PlacedShape& A, const PlacedShape& B, scalar margin, Manifold& manifold, const Manifold* before) {
+void collide_capsule_hull(const PlacedShape& A, const PlacedShape& B, scalar margin, Manifold& manifold,
+                          const Manifold* before) {
     collide_convex(A, B, margin, manifold, before);
 }
-void collide_box_cylinder(const PlacedShape& A, const PlacedShape& B, scalar margin, Manifold& manifold, const Manifold* before) {
+void collide_box_cylinder(const PlacedShape& A, const PlacedShape& B, scalar margin, Manifold& manifold,
+                          const Manifold* before) {
     collide_convex(A, B, margin, manifold, before);
 }
 void collide_box_hull(const PlacedShape& A, const PlacedShape& B, scalar margin, Manifold& manifold, const Manifold* before) {
     collide_convex(A, B, margin, manifold, before);
 }
-void collide_cylinder_cylinder(const PlacedShape& A, const PlacedShape& B, scalar margin, Manifold& manifold, const Manifold* before) {
+void collide_cylinder_cylinder(const PlacedShape& A, const PlacedShape& B, scalar margin, Manifold& manifold,
+                               const Manifold* before) {
     collide_convex(A, B, margin, manifold, before);
 }
-void collide_cylinder_hull(const PlacedShape& A, const PlacedShape& B, scalar margin, Manifold& manifold, const Manifold* before) {
+void collide_cylinder_hull(const PlacedShape& A, const PlacedShape& B, scalar margin, Manifold& manifold,
+                           const Manifold* before) {
     collide_convex(A, B, margin, manifold, before);
 }
 void collide_hull_hull(const PlacedShape& A, const PlacedShape& B, scalar margin, Manifold& manifold, const Manifold* before) {

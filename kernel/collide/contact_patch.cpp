@@ -6,12 +6,13 @@ namespace ingot { inline namespace INGOT_ABI {
 namespace {
 
 // Boxes are the cube of half extent 1, stretched.
-constexpr Vector unit_box_vertices[8] = {{-1, -1, -1}, {1, -1, -1}, {-1, 1, -1}, {1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {-1, 1, 1}, {1, 1, 1}};
-constexpr HullFace unit_box_faces[6] = {{{-1, 0, 0}, 1, 0, 4}, {{1, 0, 0}, 1, 4, 4},  {{0, -1, 0}, 1, 8, 4},
-                                    {{0, 1, 0}, 1, 12, 4}, {{0, 0, -1}, 1, 16, 4}, {{0, 0, 1}, 1, 20, 4}};
+constexpr Vector unit_box_vertices[8] = {{-1, -1, -1}, {1, -1, -1}, {-1, 1, -1}, {1, 1, -1},
+                                         {-1, -1, 1},  {1, -1, 1},  {-1, 1, 1},  {1, 1, 1}};
+constexpr HullFace unit_box_faces[6] = {{{-1, 0, 0}, 1, 0, 4}, {{1, 0, 0}, 1, 4, 4},   {{0, -1, 0}, 1, 8, 4},
+                                        {{0, 1, 0}, 1, 12, 4}, {{0, 0, -1}, 1, 16, 4}, {{0, 0, 1}, 1, 20, 4}};
 constexpr uint8_t unit_box_loops[24] = {0, 4, 6, 2, 1, 3, 7, 5, 0, 1, 5, 4, 2, 6, 7, 3, 0, 2, 3, 1, 4, 5, 7, 6};
 constexpr HullEdge unit_box_edges[12] = {{0, 4, 0, 2}, {4, 6, 0, 5}, {6, 2, 0, 3}, {2, 0, 0, 4}, {1, 3, 1, 4}, {3, 7, 1, 3},
-                                     {7, 5, 1, 5}, {5, 1, 1, 2}, {0, 1, 2, 4}, {5, 4, 2, 5}, {6, 7, 3, 5}, {3, 2, 3, 4}};
+                                         {7, 5, 1, 5}, {5, 1, 1, 2}, {0, 1, 2, 4}, {5, 4, 2, 5}, {6, 7, 3, 5}, {3, 2, 3, 4}};
 constexpr ConvexHull unit_box{unit_box_vertices, unit_box_faces, unit_box_edges, unit_box_loops, 8, 6, 12, {}, 2, 1};
 
 }  // namespace
@@ -41,13 +42,15 @@ INGOT_INLINE void set_plane(const Vector& normal, const ContactFrame& frame, Pat
 }
 
 // cos(2 pi k / 16), k = 0 .. 4.
-constexpr scalar cap_cos[5] = {1, scalar(0.92387953251128675613), scalar(0.70710678118654752440), scalar(0.38268343236508977173), 0};
+constexpr scalar cap_cos[5] = {1, scalar(0.92387953251128675613), scalar(0.70710678118654752440),
+                               scalar(0.38268343236508977173), 0};
 INGOT_INLINE scalar cap_cosine(int k) {
     const int quarter = (k & 15) <= 8 ? k & 15 : 16 - (k & 15);
     return quarter <= 4 ? cap_cos[quarter] : -cap_cos[8 - quarter];
 }
 
-void cylinder_patch(const PlacedShape& s, const Vector& centre, const Vector& towards, const ContactFrame& frame, Patch& patch) {
+void cylinder_patch(const PlacedShape& s, const Vector& centre, const Vector& towards, const ContactFrame& frame,
+                    Patch& patch) {
     const scalar r = s.shape.size.x, h = s.shape.size.y;
     const Vector t = transpose_times(s.A, towards);
     const scalar across = sqrt(t.x * t.x + t.y * t.y);
@@ -72,7 +75,8 @@ void cylinder_patch(const PlacedShape& s, const Vector& centre, const Vector& to
     add_corner(upper ? centre + side + axis : centre + side - axis, frame, patch);
 }
 
-void polyhedron_patch(const PlacedShape& s, const Vector& centre, const Vector& towards, const ContactFrame& frame, Patch& patch) {
+void polyhedron_patch(const PlacedShape& s, const Vector& centre, const Vector& towards, const ContactFrame& frame,
+                      Patch& patch) {
     const Polyhedron p = polyhedron_of(s);
     const Vector t = transpose_times(s.A, towards);
     int face = 0;
@@ -86,7 +90,8 @@ void polyhedron_patch(const PlacedShape& s, const Vector& centre, const Vector& 
     if (facing >= limits::facing_cos) {
         const HullFace& f = p.hull->faces[face];
         const int step = (f.loop_count + Patch::corners_max - 1) / Patch::corners_max;  // of faces of more corners, every other
-        for (int k = 0; k < f.loop_count; k += step) add_corner(centre + s.A * p.vertex(p.hull->loops[f.loop_first + k]), frame, patch);
+        for (int k = 0; k < f.loop_count; k += step)
+            add_corner(centre + s.A * p.vertex(p.hull->loops[f.loop_first + k]), frame, patch);
         patch.face = face;
         set_plane(s.A * f.n, frame, patch);
         return;
@@ -233,8 +238,8 @@ void cross_lines(const Patch& A, const Patch& B, scalar aside, Found& found) {
     const auto add = [&](scalar s, scalar t, uint32_t feature) {
         const scalar x_A = A.x[0] + u_x * s, y_A = A.y[0] + u_y * s, x_B = B.x[0] + v_x * t, y_B = B.y[0] + v_y * t;
         if ((x_B - x_A) * (x_B - x_A) + (y_B - y_A) * (y_B - y_A) > aside * aside) return;
-        found.add((x_A + x_B) * scalar(0.5), (y_A + y_B) * scalar(0.5), A.z[0] + (A.z[1] - A.z[0]) * s, B.z[0] + (B.z[1] - B.z[0]) * t,
-                  feature);
+        found.add((x_A + x_B) * scalar(0.5), (y_A + y_B) * scalar(0.5), A.z[0] + (A.z[1] - A.z[0]) * s,
+                  B.z[0] + (B.z[1] - B.z[0]) * t, feature);
     };
     if (area * area > limits::parallel_sin_sq * u_sq * v_sq)
         add(within((w_x * v_y - w_y * v_x) / area), within((w_x * u_y - w_y * u_x) / area), crossing);

@@ -21,7 +21,7 @@ struct Patch {
     static constexpr int corners_max = limits::cap_corners;
     scalar x[corners_max], y[corners_max], z[corners_max];
     int count;
-    int face;                    ///< its number, or -1
+    int face;                      ///< its number, or -1
     scalar z_0, slope_x, slope_y;  ///< of its plane: z = z_0 + slope_x x + slope_y y
 
     scalar height(scalar at_x, scalar at_y) const { return z_0 + slope_x * at_x + slope_y * at_y; }
@@ -36,8 +36,8 @@ struct Found {
     Candidate candidates[room];
     int count;
     scalar margin, nearby_sq;
-    scalar gap;              ///< along n; no two points on top of each other are nearer
-    uint32_t axis;           ///< bits of all features
+    scalar gap;     ///< along n; no two points on top of each other are nearer
+    uint32_t axis;  ///< bits of all features
     scalar radius_A, radius_B;
 
     void add(scalar x, scalar y, scalar z_A, scalar z_B, uint32_t feature) {
@@ -54,9 +54,9 @@ struct Found {
 
 enum : uint32_t { corner_of_A = 1u << 16, corner_of_B = 2u << 16, crossing = 3u << 16 };
 
-/// Adds where two patches, of which neither is a corner, are on top of each other: corners within `slack` (m) of the other patch,
-/// and where edges cross. Two edges that lie along each other do so no further apart than `aside` (m).
-/// Source: Cyrus and Beck, "Generalized two- and three-dimensional clipping", 1978.
+/// Adds where two patches, of which neither is a corner, are on top of each other: corners within `slack` (m) of the other
+/// patch, and where edges cross. Two edges that lie along each other do so no further apart than `aside` (m). Source: Cyrus and
+/// Beck, "Generalized two- and three-dimensional clipping", 1978.
 void overlay(const Patch& A, const Patch& B, scalar slack, scalar aside, Found& found);
 
 } }  // namespace ingot

@@ -240,7 +240,8 @@ constexpr Result<HullOf<room>> convex_hull(const Vector (&points)[room]) {
             Point area{};
             const Point& origin = wrapping.points[wrapping.loops[first]];
             for (int k = first + 1; k + 1 < end; ++k)
-                area = area + cross(wrapping.points[wrapping.loops[k]] - origin, wrapping.points[wrapping.loops[k + 1]] - origin);
+                area =
+                    area + cross(wrapping.points[wrapping.loops[k]] - origin, wrapping.points[wrapping.loops[k + 1]] - origin);
             const double area_length = hulls::length(area);
             if (!(area_length > 0)) return {Status::bad_shape, {}};
             const Point n = area * (1 / area_length);

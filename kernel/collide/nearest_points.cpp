@@ -129,7 +129,8 @@ bool reduce(Simplex& s) {
         return true;
     }
     // Of the faces that have the origin on their outer side, the nearest.
-    constexpr uint8_t faces[4][4] = {{0, 1, 2, 3}, {0, 3, 1, 2}, {0, 2, 3, 1}, {1, 3, 2, 0}};  // the last is the corner opposite
+    constexpr uint8_t faces[4][4] = {
+        {0, 1, 2, 3}, {0, 3, 1, 2}, {0, 2, 3, 1}, {1, 3, 2, 0}};  // the last is the corner opposite
     Simplex best{};
     scalar nearest = scalar_max;
     bool outside = false;
@@ -160,7 +161,8 @@ Nearest nearest_cores(const PlacedShape& A, const PlacedShape& B, scalar enough)
     Vector n{};
     bool overlapping = false;
     for (int iteration = 0; iteration < limits::nearest_iterations_max; ++iteration) {
-        const Vector a = d + A.A * core_support(A, transpose_times(A.A, -v)), b = B.A * core_support(B, transpose_times(B.A, v));
+        const Vector a = d + A.A * core_support(A, transpose_times(A.A, -v)),
+                     b = B.A * core_support(B, transpose_times(B.A, v));
         const Vector w = a - b;
         const scalar length_v = sqrt(length_sq(v)), gap = dot(v, w) / length_v;
         if (gap > at_least) {

@@ -29,7 +29,8 @@ void keep_manifold(const PlacedShape& A, const PlacedShape& B, const Manifold& m
 
 scalar moved_since(const PlacedShape& A, const PlacedShape& B, const KeptManifold& kept) {
     const Matrix Q = relative_turn(A, B);
-    const Vector r = transpose_times(B.A, A.r - B.r), dx = Q.c0 - kept.A_in_B.c0, dy = Q.c1 - kept.A_in_B.c1, dz = Q.c2 - kept.A_in_B.c2;
+    const Vector r = transpose_times(B.A, A.r - B.r), dx = Q.c0 - kept.A_in_B.c0, dy = Q.c1 - kept.A_in_B.c1,
+                 dz = Q.c2 - kept.A_in_B.c2;
     const scalar chord = sqrt((length_sq(dx) + length_sq(dy) + length_sq(dz)) * scalar(0.5));
     const scalar R_A = bounding_radius(A.shape), R_B = bounding_radius(B.shape);
     const bool of_A = B.shape.kind == ShapeKind::half_space || R_A <= R_B;

@@ -28,20 +28,21 @@ void keep_manifold(const PlacedShape& A, const PlacedShape& B, const Manifold& m
 
 /// How far any point of the shapes can have moved, as seen from the other shape, since the manifold was kept.
 ///
-/// A point p of A, |p| <= R from its origin, is at r + Q p in the frame of B. It has moved by dr + dQ p, and a turn by theta moves
-/// p by no more than the chord 2 sin(theta / 2) R <= theta R; the chord is |dQ| / sqrt(2) in the norm of Frobenius, so no angle
-/// is needed. The same holds for B as seen from A: the smaller shape is taken, which never is a half space.
+/// A point p of A, |p| <= R from its origin, is at r + Q p in the frame of B. It has moved by dr + dQ p, and a turn by theta
+/// moves p by no more than the chord 2 sin(theta / 2) R <= theta R; the chord is |dQ| / sqrt(2) in the norm of Frobenius, so no
+/// angle is needed. The same holds for B as seen from A: the smaller shape is taken, which never is a half space.
 ///
 /// Units:   m. Accuracy: a few roundings of |A.r - B.r| and of R.
 scalar moved_since(const PlacedShape& A, const PlacedShape& B, const KeptManifold& kept);
 
-/// The kept manifold where the shapes are now; false, and the manifold as it was, where moved_since exceeds `allowed`: a new test
-/// is due. Both measure from the pose of the last test, so that a slow drift cannot add up.
+/// The kept manifold where the shapes are now; false, and the manifold as it was, where moved_since exceeds `allowed`: a new
+/// test is due. Both measure from the pose of the last test, so that a slow drift cannot add up.
 ///
-/// Accuracy: with m = moved_since, the distance of the shapes has changed by no more than m, and so has each separation: n is fixed
-///           to B, and the point of A has moved by no more than m. They differ from what a new test gives by 2 m at most, and by
-///           the square of the turn where a face lies on a face. Surfaces that were apart by more than the margin are so by more
-///           than margin - m; nothing that overlaps is missed while allowed <= margin.
+/// Accuracy: with m = moved_since, the distance of the shapes has changed by no more than m, and so has each separation: n is
+/// fixed
+///           to B, and the point of A has moved by no more than m. They differ from what a new test gives by 2 m at most, and
+///           by the square of the turn where a face lies on a face. Surfaces that were apart by more than the margin are so by
+///           more than margin - m; nothing that overlaps is missed while allowed <= margin.
 /// Units:   allowed, margin: m.
 /// Errors:  none; what is not finite is never recycled.
 /// Cost:    about 250 flops and one square root for four points.
