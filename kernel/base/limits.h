@@ -90,6 +90,8 @@ inline constexpr scalar nearest_direction = scalar(2e-3);
 inline constexpr scalar round_accuracy = scalar(1e-3);
 inline constexpr int refinements_max = 8;
 inline constexpr scalar refinement_lift = scalar(0.02);
+/// Deeper than this the search starts from the best face of either shape and from the best of the rest, else from the best of all.
+inline constexpr scalar shallow = scalar(0.1);
 /// Corners of the polygon that stands for the end of a cylinder where it lies on something: it is within 1.9 % of the circle.
 inline constexpr int cap_corners = 16;
 /// A face faces a contact up to this cosine between its normal and that of the manifold; an edge lies across up to this sine.

@@ -47,6 +47,16 @@ struct Search {
         gap = separation;
         code = axis;
     }
+    void join(const Search& other) {
+        if (other.gap_before > -scalar_max) {
+            n_before = other.n_before;
+            gap_before = other.gap_before;
+        }
+        if (!(other.gap > gap)) return;
+        n = other.n;
+        gap = other.gap;
+        code = other.code;
+    }
     /// The faces are done: the one of before is kept while it is nearly as good.
     void settle() {
         if (before == no_axis || !(gap_before + hysteresis >= gap)) return;
@@ -214,6 +224,7 @@ void look_across_axes(const PlacedShape& A, const PlacedShape& B, Search& search
 /// m = -n and q = (h + lift) m the origin moved out: the nearest point of D is at the distance q . m' - h(m') >= |q| - h(m), so
 /// h(m') <= h(m), for every D. It stands still only where the point of D furthest along m is h m: there no turn helps.
 void refine(const PlacedShape& A, const PlacedShape& B, scalar smallest, Search& search) {
+    if (!(search.gap > -scalar_max)) return;
     for (int i = 0; i < limits::refinements_max; ++i) {
         PlacedShape moved = A;
         moved.r += search.n * (limits::refinement_lift * smallest - search.gap);
@@ -250,9 +261,11 @@ void collide_convex(const PlacedShape& A, const PlacedShape& B, scalar margin, M
         apart = rest.gap > 0 && rest.gap >= near.distance - limits::nearest_direction * smallest;
         if (apart && reach > 0 && !cylinder) return void(touch(A, B, rest, margin, before, smallest, false, manifold));
     }
-    Search faces = nothing;
-    look_at_faces(A, B, true, faces);
-    look_at_faces(B, A, false, faces);
+    Search faces = nothing, faces_A = nothing, faces_B = nothing;
+    look_at_faces(A, B, true, faces_A);
+    look_at_faces(B, A, false, faces_B);
+    faces.join(faces_A);
+    faces.join(faces_B);
     faces.settle();
     if (faces.gap - reach > margin) return no_points(faces.n, manifold);
 
@@ -262,8 +275,14 @@ void collide_convex(const PlacedShape& A, const PlacedShape& B, scalar margin, M
         else
             look_across_axes(A, B, rest);
         if (cylinder) {
-            if (faces.gap > rest.gap) rest = faces;
-            refine(A, B, smallest, rest);
+            // From each of them: what a turn ends at is the least way only nearby. Shallow ones have no other.
+            const scalar best = faces.gap > rest.gap ? faces.gap : rest.gap;
+            const bool shallow = best > -(limits::shallow * smallest);
+            if (!shallow || faces_A.gap >= best) refine(A, B, smallest, faces_A);
+            if (!shallow || faces_B.gap >= best) refine(A, B, smallest, faces_B);
+            if (!shallow || rest.gap >= best) refine(A, B, smallest, rest);
+            rest.join(faces_A);
+            rest.join(faces_B);
         }
     }
     const bool face_wins = faces.gap > -scalar_max && rest.gap <= faces.gap + limits::edge_preference * smallest;

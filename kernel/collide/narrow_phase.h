@@ -14,10 +14,9 @@
 // Accuracy: separations carry the rounding of |A.r - B.r| and of the sizes, a few units in the last place of their sum,
 //          however far both are from the origin. Faces are preferred to edges by limits::edge_preference. Directions of hulls and
 //          cylinders that are apart are searched for, to limits::nearest_direction of the smallest extent. Overlapping cylinders
-//          are parted along a direction that no turn improves by limits::round_accuracy; another one may be better, by 2 % of the
-//          depth in the tests.
+//          are parted along the best of up to three directions that no turn improves by limits::round_accuracy.
 // Cost:    a few hundred flops for balls, capsules and half spaces; boxes about 2000 to 3400 instructions; hulls every face of both
-//          and every pair of edges that may touch; cylinders up to 10 searches for nearest points.
+//          and every pair of edges that may touch; cylinders up to 26 searches for nearest points, a dozen as a rule.
 #pragma once
 
 #include "manifold.h"
