@@ -60,4 +60,49 @@ inline constexpr scalar contact_slack = 8;      ///< times that, once a quarter 
 /// Impacts slower than this many times |gravity| h are contacts at rest: restitution does not apply to them.
 inline constexpr scalar rest_speed_factor = 2;
 
+
+// Narrow phase (collide/). Fractions of a length are of the smallest half extent of both shapes, unless another is named.
+/// An edge axis is taken when it separates better than every face by this fraction: nearly parallel edges have no normal of
+/// their own, and the face's manifold has the crossing of the edges among its points.
+inline constexpr scalar edge_preference = scalar(0.01);
+/// The face or edge of the step before is kept until another separates better by this fraction.
+inline constexpr scalar axis_hysteresis = scalar(0.005);
+/// Corners this far outside the face they lie on, as a fraction of its half extent, count as inside and are moved to its rim:
+/// equal boxes on top of each other keep their corners whatever the rounding.
+inline constexpr scalar corner_slack = scalar(1e-3);
+/// sin^2 of the angle below which two edges are parallel and make no axis: its rounding would exceed edge_preference.
+inline constexpr scalar parallel_sin_sq = scalar(1e-5);
+/// A capsule lies along a face or an edge, with two points, up to this sin^2 of the angle between them.
+inline constexpr scalar lying_sin_sq = scalar(0.01);
+inline constexpr scalar lying_cos = scalar(0.995);  ///< of the angle between the normal of such a point and that of the manifold
+
+/// Corners of a convex hull; indices of corners, edges and corners of faces fit into a byte. no_room beyond.
+inline constexpr int hull_vertices_max = 32;
+/// Points this far from the plane of a face, as a fraction of the size of the hull, lie in it: what rounding leaves of the
+/// faces of a turned solid. A hull thinner than that is bad_shape.
+inline constexpr scalar hull_flatness = INGOT_DOUBLE ? scalar(1e-13) : scalar(4e-6);
+
+/// The direction of the nearest points is right when it separates by their distance but for this. It is not where shapes all but
+/// touch: of what lies between the points rounding leaves epsilon size / distance.
+inline constexpr scalar nearest_direction = scalar(2e-3);
+/// Of the search for the direction in which overlapping cylinders are parted by the least way: it ends when a turn gains less
+/// than this, or after so many turns; A is held this far away meanwhile.
+inline constexpr scalar round_accuracy = scalar(1e-3);
+inline constexpr int refinements_max = 8;
+inline constexpr scalar refinement_lift = scalar(0.02);
+/// Deeper than this the search starts from the best face of either shape and from the best of the rest, else from the best of all.
+inline constexpr scalar shallow = scalar(0.1);
+/// Corners of the polygon that stands for the end of a cylinder where it lies on something: it is within 1.9 % of the circle.
+inline constexpr int cap_corners = 16;
+/// A face faces a contact up to this cosine between its normal and that of the manifold; an edge lies across up to this sine.
+inline constexpr scalar facing_cos = scalar(0.98);
+inline constexpr scalar facing_sin = scalar(0.2);
+/// Lines along each other, one of them on something round, make two points if they are apart, sideways, by less than this:
+/// then the surface is lower there by half its square, 4.5e-4.
+inline constexpr scalar round_aside = scalar(0.03);
+/// Of the search for nearest points. Polyhedra end within a dozen; what is round gets a digit every two or three.
+inline constexpr int nearest_iterations_max = 32;
+/// Nearest points are found when no point can be nearer by this fraction of the distance.
+inline constexpr scalar nearest_accuracy = INGOT_DOUBLE ? scalar(1e-10) : scalar(1e-5);
+
 } } }  // namespace ingot::limits
