@@ -11,6 +11,15 @@ struct Everything : ingot::Scene {
     using force_field = ingot::BothFields<ingot::SpringDamper, ingot::PointMassGravity>;
 };
 
+/// Contacts with friction, and all that is told of them.
+template <class BroadPhase>
+struct Stacking : ingot::Scene {
+    static constexpr int max_bodies = 5, max_manifolds = 10, max_overlaps = 3, max_events = 7;
+    static constexpr bool translates = true, filters = true;
+    using shapes = ingot::Shapes<ingot::Sphere, ingot::Capsule, ingot::Box, ingot::Cylinder, ingot::HalfSpace>;
+    using broad_phase = BroadPhase;
+};
+
 template <class Field, class Flight>
 struct Flying : ingot::Scene {
     static constexpr bool translates = true;
@@ -40,10 +49,44 @@ int keep(ingot::World<Scene>& world) {
     return ingot::load_snapshot(world, bytes, size.value) == ingot::Status::ok ? 0 : 1;
 }
 
-// Explicit instantiation takes in every member, called or not.
-#define INGOT_ALL_OF(Method)                         \
-    template class ingot::World<Everything<Method>>; \
-    template int use(ingot::World<Everything<Method>>&); \
+/// Members of every world that translates and has shapes.
+template <class Scene>
+bool use_members(ingot::World<Scene>& world) {
+    const ingot::Vector x = {1, 0, 0};
+    const ingot::BodyId id = world.body_at(0);
+    const ingot::PlacedShape ball = {ingot::Sphere{1}, x, ingot::identity_matrix<ingot::scalar>(), nullptr};
+    ingot::BodyId found[2];
+    bool ok = world.set_tag(1) == ingot::Status::ok && world.set_gravity(x) == ingot::Status::ok && world.gravity().x > 0;
+    ok = world.is_alive(id) && !world.is_frozen(id) && world.body_count() > 0 && world.mass(id).ok() && world.omega(id).ok() && ok;
+    ok = world.state(id).ok() && world.set_state(id, {}) == ingot::Status::ok && ok;
+    ok = world.add_force(id, x, x) == ingot::Status::ok && world.add_central_force(id, x) == ingot::Status::ok && ok;
+    ok = world.add_torque(id, x) == ingot::Status::ok && world.apply_impulse(id, x, x) == ingot::Status::ok && ok;
+    ok = world.apply_central_impulse(id, x) == ingot::Status::ok && world.apply_angular_impulse(id, x) == ingot::Status::ok && ok;
+    ok = world.collide(id, world.body_at(1), x, x, 1).ok() && world.kinetic_energy() > 0 && world.kinetic_energy(id).ok() && ok;
+    ok = world.linear_momentum().x > 0 && world.linear_momentum(id).ok() && world.angular_momentum().x > 0 && world.angular_momentum(id).ok() && ok;
+    ok = world.cast_ray(x, x).ok() && world.cast_shape(ball, x).ok() && world.find_overlaps(ball, found, 2).ok() && world.find_nearest(x, 1).ok() && ok;
+    return world.state_hash() != 0 && world.step_count() > 0 && world.remove(id) == ingot::Status::ok && ok;
+}
+/// Those of impacts and fields.
+template <class Method>
+bool use_impacts(ingot::World<Everything<Method>>& world);
+template <class Method>
+bool use_impacts(ingot::World<Everything<Method>>& world) {
+    return use_members(world) && world.contact_count() > 0 && world.contact(0).ok() && world.force_field().first.k >= 0 && world.time() > 0;
+}
+/// Those of contacts with friction.
+template <class BroadPhase>
+bool use_stack(ingot::World<Stacking<BroadPhase>>& world);
+template <class BroadPhase>
+bool use_stack(ingot::World<Stacking<BroadPhase>>& world) {
+    const ingot::BodyId id = world.body_at(0);
+    return use_members(world) && world.filter(id).ok() && world.set_filter(id, {}) == ingot::Status::ok && world.overlap_count() > 0 &&
+           world.overlap(0).ok() && world.events().count > 0;
+}
+
+#define INGOT_ALL_OF(Method)                                        \
+    template bool use_impacts(ingot::World<Everything<Method>>&); \
+    template int use(ingot::World<Everything<Method>>&);            \
     template int keep(ingot::World<Everything<Method>>&)
 INGOT_ALL_OF(ingot::MoserVeselov);
 INGOT_ALL_OF(ingot::Listing1Euler);
@@ -52,6 +95,11 @@ INGOT_ALL_OF(ingot::Rk4Polar);
 INGOT_ALL_OF(ingot::ExactElliptic);
 INGOT_ALL_OF(ingot::SymmetricTop);
 INGOT_ALL_OF(ingot::SymmetricTopSplitting<6>);
+
+template bool use_stack(ingot::World<Stacking<ingot::AllPairs>>&);
+template int use(ingot::World<Stacking<ingot::AllPairs>>&);
+template bool use_stack(ingot::World<Stacking<ingot::SortedTree>>&);
+template int use(ingot::World<Stacking<ingot::SortedTree>>&);
 
 #define INGOT_FLIGHT_OF(...) template ingot::StepReport ingot::step(ingot::World<Flying<__VA_ARGS__>>&, ingot::scalar)
 INGOT_FLIGHT_OF(ingot::GravityGradient, ingot::KickDriftKick);

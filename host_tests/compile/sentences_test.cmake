@@ -2,7 +2,7 @@
 # Each static_assert of HOUSE's interface (world/ and the methods a scene names) has a case in CASES, the CMakeLists.txt that
 # lists what must not compile: a sentence that no test has seen may never be printed.
 cmake_minimum_required(VERSION 3.25)
-file(GLOB headers ${HOUSE}/kernel/world/*.h ${HOUSE}/kernel/motion/*.h ${HOUSE}/kernel/collide/*.h ${HOUSE}/kernel/solve/*.h)
+file(GLOB headers ${HOUSE}/kernel/world/*.h ${HOUSE}/kernel/motion/*.h ${HOUSE}/kernel/collide/*.h ${HOUSE}/kernel/pairs/*.h ${HOUSE}/kernel/contact/*.h ${HOUSE}/kernel/blocks/*.h ${HOUSE}/kernel/solve/*.h)
 file(READ ${CASES} cases)
 set(count 0)
 set(unseen "")

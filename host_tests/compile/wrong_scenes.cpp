@@ -44,8 +44,63 @@ struct Wrong : ingot::Scene {
     static constexpr bool translates = true;
     static constexpr int max_contacts = 65536;
 #endif
+#ifdef TOO_MANY_MANIFOLDS
+    static constexpr bool translates = true;
+    static constexpr int max_manifolds = 65535;
+#endif
+#ifdef IMPACTS_AND_MANIFOLDS
+    static constexpr bool translates = true;
+    static constexpr int max_contacts = 4;
+    static constexpr int max_manifolds = 4;
+#endif
+#ifdef TOO_MANY_PAIRS
+    static constexpr bool translates = true;
+    static constexpr int max_manifolds = 4;
+    static constexpr int max_pairs = 65536;
+#endif
+#ifdef TOO_MANY_PAIRS_OF_MANIFOLDS
+    static constexpr bool translates = true;
+    static constexpr int max_manifolds = 40000;
+#endif
+#ifdef TOO_MANY_BODIES_WITH_MANIFOLDS
+    static constexpr bool translates = true;
+    static constexpr int max_bodies = 65536;
+    static constexpr int max_manifolds = 4;
+#endif
+#ifdef MANIFOLDS_OF_LISTING1
+    static constexpr bool translates = true;
+    static constexpr int max_manifolds = 4;
+    using rotation = ingot::Listing1Euler;
+#endif
+#ifdef MANIFOLDS_WITHOUT_TRANSLATION
+    static constexpr int max_manifolds = 4;
+#endif
+#ifdef CONTACTS_OF_MANIFOLDS
+    static constexpr bool translates = true;
+    static constexpr int max_manifolds = 4;
+#endif
 #ifdef COLLIDES_BUT_DOES_NOT_TRANSLATE
     static constexpr int max_contacts = 4;
+#endif
+#ifdef FILTERS_WITHOUT_CONTACTS
+    static constexpr bool filters = true;
+#endif
+#ifdef TOO_MANY_OVERLAPS
+    static constexpr bool translates = true;
+    static constexpr int max_manifolds = 4, max_overlaps = 65536;
+#endif
+#ifdef SENSORS_WITHOUT_CONTACTS
+    static constexpr int max_overlaps = 4;
+#endif
+#ifdef TOO_MANY_EVENTS
+    static constexpr bool translates = true;
+    static constexpr int max_manifolds = 4, max_events = 65536;
+#endif
+#ifdef EVENTS_WITHOUT_CONTACTS
+    static constexpr int max_events = 4;
+#endif
+#ifdef HIT_SPEED_BELOW_ZERO
+    static constexpr ingot::scalar hit_speed = -1;
 #endif
 #ifdef SUBSTEPS_OF_METHOD
     using rotation = ingot::DiscreteMoserVeselov<6, true, true, 3>;
@@ -89,8 +144,29 @@ int main() {
 #ifdef GRAVITY_WITHOUT_TRANSLATION
     (void)world.set_gravity({});
 #endif
-#ifdef CONTACTS_WITHOUT_CONTACTS
+#if defined(CONTACTS_WITHOUT_CONTACTS) || defined(CONTACTS_OF_MANIFOLDS)
     (void)world.contact_count();
+#endif
+#ifdef FILTER_WITHOUT_FILTERS
+    (void)world.set_filter(id, {});
+#endif
+#ifdef OVERLAPS_WITHOUT_SENSORS
+    (void)world.overlap_count();
+#endif
+#ifdef EVENTS_WITHOUT_EVENTS
+    (void)world.events();
+#endif
+#ifdef SNAPSHOT_OF_EVENTS
+    struct Told : ingot::Scene {
+        static constexpr bool translates = true;
+        static constexpr int max_manifolds = 1, max_events = 1;
+    };
+    static ingot::World<Told> told;
+    static uint8_t bytes[4096];
+    (void)ingot::save_snapshot(told, bytes, sizeof bytes).ok();
+#endif
+#ifdef QUERY_WITHOUT_SHAPES
+    (void)world.cast_ray({}, {});
 #endif
 #ifdef FIELD_WITHOUT_FIELD
     (void)world.force_field();

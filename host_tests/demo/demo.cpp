@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: MIT
 // The demo: runs the scenes on the host, tells what each cost and how wrong it was, and writes what there is to plot.
 //
-//     ingot_demo OUT_DIR        writes OUT_DIR/<scene>_energy.csv, t_handle_flip.csv, drop_heights.csv, hashes.txt
+//     ingot_demo OUT_DIR        writes OUT_DIR/<scene>_energy.csv, t_handle_flip.csv, drop_heights.csv, hashes.txt,
+//                               tower.svg, pile.svg
 #include <chrono>
 #include <cstdio>
 #include <string>
 
 #include "../scenes/all_scenes.h"
+#include "contact_scenes.h"
 #include "euler_equations.h"
 #include "ledger.h"
 #include <ingot/platform/clock.h>
+#include "picture.h"
 #include "progress.h"
 
 namespace {
@@ -22,6 +25,7 @@ template <class S>
 std::string stages() {
     std::string names;
     if (ingot::collides<S>) names += "find_contacts solve_impacts ";
+    if (ingot::stacks<S>) names += "find_pairs update_manifolds solve_manifolds ";
     names += "integrate_L ";
     if (S::translates) names += "integrate_v ";
     if (ingot::collides<S>) names += "solve_contact_forces ";
@@ -132,6 +136,74 @@ bool run_drop(const std::string& out_dir, std::FILE* hashes) {
     });
 }
 
+/// Body `slot` as the picture wants it.
+template <class S>
+void draw_body(const ingot::World<S>& w, int slot, demo::Picture& picture) {
+    const ingot::BodyState state = w.state(w.body_at(slot)).value;
+    const ingot::Shape shape = S::placed::body(slot).def.shape;
+    const auto copy = [](const ingot::Vector& v, double (&to)[3]) {
+        to[0] = static_cast<double>(v.x), to[1] = static_cast<double>(v.y), to[2] = static_cast<double>(v.z);
+    };
+    double A[3][3], r[3], size[3];
+    copy(state.A.c0, A[0]);
+    copy(state.A.c1, A[1]);
+    copy(state.A.c2, A[2]);
+    copy(state.r_CM, r);
+    copy(shape.size, size);
+    if (shape.kind == ingot::ShapeKind::sphere) picture.add_ball(r, size[0]);
+    if (shape.kind == ingot::ShapeKind::box) picture.add_box(A, r, size);
+}
+
+/// Height of the highest centre of mass, m.
+template <class S>
+double highest(const ingot::World<S>& w) {
+    double z = -1e9;
+    for (int slot = 0; slot < S::max_bodies; ++slot)
+        z = std::max(z, static_cast<double>(w.state(w.body_at(slot)).value.r_CM.z));
+    return z;
+}
+
+/// A contact scene: prints its row and draws where its bodies lie at the end. Returns false if anything went wrong.
+template <class S>
+bool run_contact(const std::string& out_dir) {
+    ingot::World<S>& w = world<S>;
+    if (set_up(w) != ingot::Status::ok) return false;
+    demo::Ledger<S> ledger(w);
+    const double highest_begin = highest(w);
+    int lost = 0, frozen = 0;
+    double sweeps = 0, residual = 0;
+    {
+        demo::Progress progress(S::title, S::demo_steps);
+        for (int step_i = 0; step_i < S::demo_steps; ++step_i) {
+            const ingot::StepReport report = ingot::step(w, S::h);
+            lost += report.contacts_lost + report.pairs_untested;
+            frozen += report.bodies_frozen;
+            sweeps = static_cast<double>(report.sweeps) / ingot::limits::substeps;
+            residual = static_cast<double>(report.residual);
+            ledger.book(w, S::h);
+            progress.at(step_i);
+        }
+    }
+    demo::Picture picture(S::camera_width, S::camera_height);
+    for (int slot = 0; slot < S::max_bodies; ++slot) draw_body(w, slot, picture);
+    const double seconds = S::demo_steps * static_cast<double>(S::h);
+    char caption[100];
+    std::snprintf(caption, sizeof caption, "%s: after %.0f s", S::title, seconds);
+    const bool drawn = picture.write((out_dir + "/" + S::name + ".svg").c_str(), caption);
+
+    std::printf("%s: %s, %d steps of 1/%.0f s\n", S::name, S::title, S::demo_steps, 1 / static_cast<double>(S::h));
+    const double rate = steps_per_second<S>();
+    std::printf("  bodies %d   world %zu bytes   %.3g thousand steps/s   %.3g million bodies times steps/s\n", w.body_count(),
+                sizeof w, rate * 1e-3, rate * w.body_count() * 1e-6);
+    std::printf("  stages %s\n", stages<S>().c_str());
+    std::printf("  highest body sank by %.3g mm   kinetic energy at the end %.2g J   largest energy gain of a step %.2g   |A^T A - 1| %.2g\n",
+                1e3 * (highest_begin - highest(w)), static_cast<double>(w.kinetic_energy()), ledger.largest_gain(), ledger.orthogonality());
+    std::printf("  last step: %.3g sweeps a substep, residual %.2g m/s\n", sweeps, residual);
+    std::printf("  state hash 0x%016llx%s\n\n", static_cast<unsigned long long>(w.state_hash()),
+                lost + frozen == 0 ? "" : "   CONTACTS WERE LOST, OR BODIES FROZEN");
+    return drawn && lost + frozen == 0;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -151,5 +223,7 @@ int main(int argc, char** argv) {
     good = run_t_handle(out_dir, hashes.stream) && good;
     good = run<scenes::Tumblers>(out_dir, hashes.stream, nothing) && good;
     good = run_drop(out_dir, hashes.stream) && good;
+    good = run_contact<demo::TowerOfCubes>(out_dir) && good;
+    good = run_contact<demo::PileOfBalls>(out_dir) && good;
     return good ? 0 : 1;
 }

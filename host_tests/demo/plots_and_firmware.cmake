@@ -1,6 +1,10 @@
 # SPDX-License-Identifier: MIT
 # After the scenes ran on the host: draws the plots, and runs the same scenes as firmware where the tools are at hand.
 
+foreach(picture tower pile)
+  message("picture file://${OUT}/${picture}.svg")
+endforeach()
+
 find_program(gnuplot gnuplot)
 if(gnuplot)
   execute_process(COMMAND ${gnuplot} -e "dir='${OUT}'" ${CMAKE_CURRENT_LIST_DIR}/plots.gp COMMAND_ERROR_IS_FATAL ANY)

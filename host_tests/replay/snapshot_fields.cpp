@@ -71,7 +71,42 @@ void read_body(Reader& in, unsigned parts) {
         in.vector("shape.size");
         in.real("shape.offset");
         in.real("restitution");
+        in.real("friction");
     }
+    if ((parts & Part::filters) != 0) {
+        (void)in.integer("filter.category", 4);
+        (void)in.integer("filter.mask", 4);
+    }
+    if ((parts & Part::sensors) != 0) (void)in.integer("sensor", 1);
+}
+
+void read_manifold(Reader& in, uint16_t parts) {
+    (void)in.integer("body_A", 2);
+    (void)in.integer("body_B", 2);
+    (void)in.integer("points", 2);
+    in.vector("n");
+    for (int point_i = 0; point_i < ingot::Manifold::points_max; ++point_i) {
+        in.vector("P");
+        in.real("separation");
+        (void)in.integer("feature", 4);
+        in.real("j");
+        in.real("j_before");
+    }
+    in.real("mu");
+    in.real("e");
+    in.vector("j_friction");
+    in.vector("j_reference");
+    in.real("j_twist");
+    (void)in.integer("substeps", 2);
+    if ((parts & Part::anchors) == 0) return;
+    for (int axis = 0; axis < 3; ++axis) {
+        for (int point_i = 0; point_i < ingot::Manifold::points_max; ++point_i) in.real("on_A");
+        for (int point_i = 0; point_i < ingot::Manifold::points_max; ++point_i) in.real("on_B");
+    }
+    for (int point_i = 0; point_i < ingot::Manifold::points_max; ++point_i) in.real("found_at");
+    in.vector("n_A");
+    in.vector("n_B");
+    in.real("margin");
 }
 
 }  // namespace
@@ -116,6 +151,11 @@ std::string read_fields(const std::vector<uint8_t>& bytes, SnapshotFields& snaps
     for (uint64_t slot = 0; slot < slots_used && !in.overrun(); ++slot) {
         in.at_slot(static_cast<int>(slot));
         if (in.integer("generation", 4) % 2 == 1) read_body(in, header.parts);
+    }
+    if ((header.parts & Part::manifolds) != 0) {
+        in.at_slot(-1);
+        const uint64_t manifolds = in.integer("manifolds", 2);
+        for (uint64_t manifold_i = 0; manifold_i < manifolds && !in.overrun(); ++manifold_i) read_manifold(in, header.parts);
     }
     return in.at_end() ? "" : "a snapshot whose counts do not fit its length";
 }

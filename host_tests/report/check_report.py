@@ -20,10 +20,10 @@ def main(out):
         faults.append("two rows say the same")
     by_lanes = {}
     for row in rows:
-        if row["suite"] == "rotation" and row["unit"] != "ns":
+        if row["suite"] in ("rotation", "contact") and row["unit"] not in ("ns", "us", "bytes"):
             by_lanes.setdefault(tuple(row[column] for column in ("case", "method", "scalar", "h", "metric")), set()).add(row["value"])
     faults += [f"differs between lanes: {key}" for key, values in by_lanes.items() if len(values) > 1]
-    for suite in ("rotation", "driven", "drift", "throughput", "mcu"):
+    for suite in ("rotation", "driven", "drift", "throughput", "contact", "mcu"):
         if not any(row["suite"] == suite for row in rows):
             faults.append(f"no rows of {suite}")
     for row in rows:
@@ -53,6 +53,15 @@ def main(out):
     promise("chaotic top, order 4, 64 Hz", value("asymmetric_chaotic", "blanes_moan_4", "double", 64, suite="driven"), 1e-4)
     promise("chaotic top, commutator-free, 64 Hz", value("asymmetric_chaotic", "commutator_free_4", "double", 64, suite="driven"), 1e-4)
     promise("looping top, default, 64 Hz", value("looping", "kick_drift_kick", "double", 64, suite="driven"), 2e-3)
+    for scalar in ("float", "double"):
+        def contact(case, metric):
+            return value(case, "default", scalar, 60, metric, "contact")
+        promise(f"cube on a slope, {scalar}, creeps by mm", contact("incline_mu07", "creep"), 1e-3)
+        promise(f"cube that slides, {scalar}, distance error in %", contact("incline_mu04", "distance_error"), 1e-3)
+        promise(f"ball with e = 0.5, {scalar}, rests off 1.916 s by", abs(contact("bounce_e05", "rest_time") - 3 * math.sqrt(4 / 9.81)), 2 / 60)
+        promise(f"tower of 20, {scalar}, falls short of 60 s by", 60 - contact("tower_20", "stood"), 1e-9)
+        promise(f"tower of 20, {scalar}, sinks by mm", contact("tower_20", "sink"), 0.2)
+    promise("ball with e = 1, double, energy", value("bounce_e1", "default", "double", 60, "energy_error", "contact"), 1e-6)
     for method, order in ORDERS.items():
         measured = value("book", method, "double", None, "order")
         promise(f"order of {method}, {order} but", abs(measured - order), 0.3)

@@ -22,5 +22,7 @@ struct Claim {
 };
 
 std::vector<Claim> claims(const Rows& rows);
+/// Those of them that are about contact.
+std::vector<Claim> contact_claims(const Rows& rows);
 
 }  // namespace report

@@ -18,6 +18,7 @@ namespace report {
 struct Table {
     std::string title, note;
     std::vector<std::vector<std::string>> cells;
+    std::string look = "";  ///< class of the HTML table: words (two columns of text), engines (grouped by the first column)
     bool has_figures() const;  ///< any cell but those of the first row and column is filled
 };
 
@@ -59,6 +60,7 @@ Table hour_table(const Rows& rows);
 Table driven_table(const Rows& rows, const std::string& scalar);
 Table throughput_table(const Rows& rows);
 Table cores_table(const Rows& rows);
+std::vector<Table> contact_tables(const Rows& rows);  ///< one for each kind of scene
 Table scenes_table(const Rows& rows);
 Table peers_table(const Rows& rows);
 Table names_table();

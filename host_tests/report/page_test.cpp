@@ -130,6 +130,87 @@ TEST(Page, without_gnuplot_says_so) {
     EXPECT_NE(text_of(folder.path() + "/index.html").find("gnuplot was not found"), std::string::npos);
 }
 
+/// What a contact scene leaves behind, of an engine.
+void add_tower(Rows& rows, const char* suite, const char* method, int lanes, double stood, double us) {
+    const auto add = [&](const char* metric, double value, const char* unit) {
+        rows.add({suite, "tower_20", method, "float", lanes, "host", 1.0 / 60, metric, value, unit});
+    };
+    add("stood", stood, "s");
+    add("sink", 0.03125, "mm");
+    add("seconds", 60, "s");
+    add("us_per_step", us, "us");
+}
+
+/// The cell of a line below a title.
+std::string cell_of(const Table& table, std::size_t line, const std::string& title) {
+    for (std::size_t column = 0; column < table.cells[0].size(); ++column)
+        if (table.cells[0][column].rfind(title, 0) == 0) return table.cells[line][column];
+    return "no column " + title;
+}
+
+TEST(ContactTables, have_a_line_for_each_engine_that_ran_the_scene) {
+    Rows rows;
+    add_tower(rows, "contact", "default", 1, 60, 20);
+    rows.add({"contact", "tower_20", "default", "float", 4, "host", 1.0 / 60, "us_per_step", 30, "us"});
+    add_tower(rows, "peers", "bullet", 1, 2.5, 40);
+    const std::vector<Table> tables = contact_tables(rows);
+    const Table& towers = tables[1];
+    ASSERT_EQ(towers.cells.size(), 3u);
+    EXPECT_EQ(cell_of(towers, 1, "scene"), "20 cubes");
+    EXPECT_EQ(cell_of(towers, 1, "engine"), "ingot, float");
+    EXPECT_EQ(cell_of(towers, 1, "top sinks"), "0.0312");
+    EXPECT_EQ(cell_of(towers, 1, "µs per step"), "20.0 / 30.0");
+    EXPECT_EQ(cell_of(towers, 2, "scene"), "");
+    EXPECT_EQ(cell_of(towers, 2, "stood"), "2.5");
+    EXPECT_EQ(cell_of(towers, 2, "top sinks"), "fell");               // where the top of a fallen tower lies tells nothing
+    EXPECT_EQ(cell_of(towers, 1, "residual"), "no column residual");  // nothing to show
+    EXPECT_FALSE(tables[0].has_figures());
+}
+
+TEST(ContactTables, take_times_from_the_race_with_the_peers) {
+    Rows rows;
+    add_tower(rows, "contact", "default", 4, 60, 20);
+    rows.add({"peers", "tower_20", "default", "float", 4, "host", 1.0 / 60, "us_per_step", 25, "us"});
+    EXPECT_EQ(cell_of(contact_tables(rows)[1], 1, "µs per step"), "25.0");
+}
+
+TEST(ContactClaims, count_what_was_lost_and_what_differs_between_lanes) {
+    Rows rows;
+    for (const int lanes : {1, 4})
+        for (const char* metric : {"lost", "frozen"})
+            rows.add({"contact", "pit_125", "default", "float", lanes, "host", 1.0 / 60, metric, lanes == 4 ? 3.0 : 0.0, "1"});
+    const Table table = claims_table(contact_claims(rows));
+    ASSERT_EQ(table.cells.size(), 3u);
+    EXPECT_EQ(table.cells[1][1], "6");
+    EXPECT_EQ(table.cells[2][1], "2");
+    EXPECT_EQ(table.cells[2][3], "missed");
+}
+
+TEST(Contact, scenes_with_frozen_bodies_have_failed_whatever_they_showed_until_then) {
+    Rows rows;
+    for (const auto& [metric, value] : {std::pair<const char*, double>{"frozen", 2}, {"energy_gain", 1e-9}, {"seconds", 1.3}})
+        rows.add({"contact", "pit_125", "default", "float", 4, "host", 1.0 / 60, metric, value, "1"});
+    EXPECT_EQ(cell_of(contact_tables(rows)[2], 1, "largest energy gain"), "froze");
+    EXPECT_EQ(cell_of(contact_tables(rows)[2], 1, "frozen"), "2");
+    for (const Claim& claim : contact_claims(rows)) {
+        if (claim.what.find("energy gain of a step") == std::string::npos) continue;
+        EXPECT_FALSE(claim.holds());
+    }
+}
+
+TEST(Html, sets_the_kernel_apart_among_peers_only) {
+    Page page = page_of({}, {}, {});
+    Table table{"Towers", "", {{"scene", "engine", "sinks"}, {"20", "ingot, float", "0.03"}}, "engines"};
+    page.sections.push_back({"contact", "Contact", {}, {}, {table}});
+    const Folder folder;
+    write_html(page, folder.path());
+    EXPECT_EQ(text_of(folder.path() + "/index.html").find("<tr class=\"group own\">"), std::string::npos);
+    table.cells.push_back({"", "Bullet, float", "89"});
+    page.sections.back().tables[0] = table;
+    write_html(page, folder.path());
+    EXPECT_NE(text_of(folder.path() + "/index.html").find("<tr class=\"group own\">"), std::string::npos);
+}
+
 TEST(Drawing, has_names_of_its_own) {
     if (!can_draw()) GTEST_SKIP() << "gnuplot is not installed";
     Sheet sheet;

@@ -194,20 +194,21 @@ void add_cost(const Settings& settings, const std::string& engine, bool shapes, 
 }  // namespace
 
 void run_peers(const Settings& settings, const std::vector<Variant>& variants, Rows& rows) {
-    Progress progress(7 + static_cast<int>(variants.size()));
+    Progress progress(7 + static_cast<int>(variants.size() + variants.front().contacts.size()));
     dInitODE2(0);
     add_flights<BulletWorld>(settings, "bullet", progress, rows);
     add_flights<OdeWorld>(settings, "ode", progress, rows);
     add_cost<BulletWorld>(settings, "bullet", true, progress, rows);
     add_cost<BulletWorld>(settings, "bullet_no_shapes", false, progress, rows);
     add_cost<OdeWorld>(settings, "ode", false, progress, rows);
-    dCloseODE();
     // The kernel once more, so that both sides of each ratio were measured within seconds.
     for (const Variant& variant : variants) {
         progress.begin("peers default " + variant.scalar + " x " + std::to_string(variant.lanes));
         rows.add({"peers", "bodies_4096", "default", variant.scalar, variant.lanes, "host", 1.0 / 60, "ns_per_body_step",
                   variant.throughput(4096, settings.quick), "ns"});
     }
+    run_contact_peers(settings, variants, progress, rows);
+    dCloseODE();
 }
 
 }  // namespace report

@@ -6,6 +6,7 @@
 
 #include "gnuplot.h"
 #include "method_info.h"
+#include "plots_contact.h"
 
 namespace report {
 
@@ -221,7 +222,7 @@ bool can_draw_plots() { return can_draw(); }
 std::vector<Plot> draw_plots(const Rows& rows, const std::string& dir) {
     std::vector<Plot> plots;
     const bool drawing = can_draw();
-    for (Sheet& sheet : std::vector<Sheet>{
+    std::vector<Sheet> sheets = {
              work_precision(rows, "double", Cost::ns_of_second), work_precision(rows, "float", Cost::ns_of_second),
              work_precision(rows, "double", Cost::ns_of_step), work_precision(rows, "float", Cost::ns_of_step),
              work_precision(rows, "double", Cost::operations), work_precision(rows, "float", Cost::operations),
@@ -229,7 +230,9 @@ std::vector<Plot> draw_plots(const Rows& rows, const std::string& dir) {
              driven(rows, "asymmetric_chaotic", "Chaotic heavy top, 10 s"), drift(rows, "energy_error", "double"),
              drift(rows, "energy_error", "float"), drift(rows, "orthogonality", "double"),
              drift(rows, "orthogonality", "float"), throughput(rows), work_precision(rows, "float", Cost::instructions),
-             peers(rows)}) {
+             peers(rows)};
+    for (Sheet& sheet : contact_sheets(rows)) sheets.push_back(std::move(sheet));
+    for (Sheet& sheet : sheets) {
         std::vector<Line> filled;
         for (Line& line : sheet.lines)
             if (!line.points.empty()) filled.push_back(std::move(line));

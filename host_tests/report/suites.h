@@ -17,13 +17,23 @@ void run_driven(const Settings& settings, const std::vector<Variant>& variants, 
 void run_drift(const Settings& settings, const std::vector<Variant>& variants, Rows& rows);
 /// The whole public step of 1 to 65536 bodies, and its floor.
 void run_throughput(const Settings& settings, const std::vector<Variant>& variants, Rows& rows);
+/// Stacks, piles, slopes and bounces: how wrong they are, and what a step costs.
+void run_contact(const Settings& settings, const std::vector<Variant>& variants, Rows& rows);
 /// Instructions, flash and RAM on emulated cores, from the tables that the cross builds keep and check.
 void run_mcu(Rows& rows);
 /// Bullet and ODE in the same run; nothing in a build without them.
 void run_peers(const Settings& settings, const std::vector<Variant>& variants, Rows& rows);
 
+/// The contact scenes through the peers and the kernel side by side; part of run_peers.
+void run_contact_peers(const Settings& settings, const std::vector<Variant>& variants, Progress& progress, Rows& rows);
+
 /// A row for every error of a flight; `row` has the rest.
 void add_errors(const FlightErrors& errors, Row row, Rows& rows);
+
+/// Steps a second at which a contact scene is run.
+std::vector<int> contact_rates(const std::string& name, bool quick, bool beside_peers);
+/// s; for which a contact scene is timed.
+double timed_seconds(const ContactCase& scene, bool quick);
 
 /// Of the builds, those that give each result once: the bits do not depend on lanes.
 std::vector<const Variant*> one_per_scalar(const std::vector<Variant>& variants);

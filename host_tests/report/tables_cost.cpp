@@ -138,6 +138,7 @@ Table names_table() {
     Table table{"The names", "", {{"in this report", "in a scene", "what it is"}}};
     for (const MethodInfo& info : method_infos())
         table.cells.push_back({info.name, info.type.empty() ? "" : "`" + info.type + "`", info.sentence});
+    table.look = "words";
     return table;
 }
 

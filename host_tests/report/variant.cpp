@@ -15,6 +15,7 @@
 namespace report {
 
 Variant INGOT_JOIN(variant_, INGOT_ABI, )();
+std::vector<ContactCase> INGOT_JOIN(contact_cases_, INGOT_ABI, )();  // contact_cases.cpp
 
 namespace {
 
@@ -199,6 +200,7 @@ Variant INGOT_JOIN(variant_, INGOT_ABI, )() {
     variant.flights = {flight<KickDriftKick>(), flight<BlanesMoan4>(), flight<CommutatorFree4>()};
     variant.throughput = throughput;
     variant.bytes_per_body = static_cast<double>(sizeof(MovingWorld<4096>)) / 4096;
+    variant.contacts = INGOT_JOIN(contact_cases_, INGOT_ABI, )();
     return variant;
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "contact_case.h"
 #include "flight_errors.h"
 #include "reference/driven_body_table.h"
 
@@ -53,6 +54,7 @@ struct Variant {
     /// 1024, 4096 or 65536.
     std::function<double(int bodies, bool quick)> throughput;
     double bytes_per_body;  ///< of the world of 4096
+    std::vector<ContactCase> contacts;
 };
 
 /// The builds this program holds and this machine can run.

@@ -52,6 +52,8 @@ th, td { padding: .28rem .55rem; text-align: right; border-bottom: 1px solid var
 th { background: var(--tint); font-weight: 600; vertical-align: bottom; white-space: normal; line-height: 1.25; } th:first-child, td:first-child { text-align: left; }
 table.words th:nth-child(2), table.words td:nth-child(2), table.words th:nth-child(3), table.words td:nth-child(3) { text-align: left; }
 table.choice th:nth-child(2), table.choice td:nth-child(2) { text-align: left; }
+table.engines th:nth-child(2), table.engines td:nth-child(2) { text-align: left; } table.engines tr.group td { border-top: 2px solid #b8c2cf; }
+table.engines tr.group td:first-child { font-weight: 600; } table.engines tr.own td { background: #fdecee; }
 tr.default td { background: #fdecee; font-weight: 600; } td.met { color: #1a7f4b; font-weight: 600; } td.missed { color: #b3261e; font-weight: 600; }
 .plots { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 34rem), 1fr)); gap: 1.4rem; margin: 1.2rem 0; }
 figure { margin: 0; } figure h3 { margin-top: 0; } figure svg { width: 100%; height: auto; display: block; border: 1px solid var(--line); border-radius: 6px; }
@@ -60,11 +62,23 @@ details { margin: 1rem 0; } summary { cursor: pointer; font-weight: 600; }
 @media print { details { display: block; } nav { display: none; } }
 )";
 
+/// What makes a line stand out: the default method, the first of a group, the kernel among its peers.
+std::string row_class(const Table& table, std::size_t line) {
+    const std::vector<std::string>& cells = table.cells[line];
+    if (cells[0] == "default") return "default";
+    if (table.look != "engines" || line == 0) return "";
+    bool among_peers = false;
+    for (std::size_t i = 1; i < table.cells.size(); ++i) among_peers = among_peers || table.cells[i][1].rfind("ingot", 0) != 0;
+    const bool own = among_peers && cells[1].rfind("ingot", 0) == 0;
+    return std::string(cells[0].empty() ? "" : "group ") + (own ? "own" : "");
+}
+
 void write_cells(std::ofstream& file, const Table& table, const char* table_class) {
     file << "<div class=scroll><table class=\"" << table_class << "\">\n";
     for (std::size_t line = 0; line < table.cells.size(); ++line) {
         const char* const tag = line == 0 ? "th" : "td";
-        file << (table.cells[line][0] == "default" ? "<tr class=default>" : "<tr>");
+        const std::string look = row_class(table, line);
+        file << (look.empty() ? "<tr>" : "<tr class=\"" + look + "\">");
         for (const std::string& cell : table.cells[line]) {
             const bool verdict = cell == "met" || cell == "missed";
             file << '<' << tag << (verdict ? " class=" + cell : "") << '>' << html_text(cell) << "</" << tag << '>';
@@ -89,7 +103,7 @@ void write_section(std::ofstream& file, const Section& section) {
             file << "<figure><h3>" << html_text(plot.title) << "</h3>\n"
                  << plot.svg << "\n<figcaption>" << html_text(plot.how_to_read) << "</figcaption></figure>\n";
     file << "</div>\n";
-    for (const Table& table : section.tables) write_table(file, table, "h3", table.title == "The names" ? "words" : "");
+    for (const Table& table : section.tables) write_table(file, table, "h3", table.look.c_str());
     file << "</section>\n";
 }
 

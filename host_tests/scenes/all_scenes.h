@@ -5,5 +5,6 @@
 #include "drop.h"
 #include "methods.h"
 #include "satellite.h"
+#include "stacked.h"
 #include "t_handle.h"
 #include "tumblers.h"

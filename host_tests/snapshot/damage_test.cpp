@@ -49,7 +49,7 @@ constexpr size_t first_slot = at_h_before + s;
 constexpr size_t to_flags = 4, to_A = 5, to_L = to_A + 9 * s, to_tau_T = to_L + 3 * s, to_ratio = to_tau_T + 3 * s;
 constexpr size_t to_scale = to_ratio + 3 * s, to_A_low = to_scale + s, to_E_0 = to_A_low + 9 * s, to_r_CM = to_E_0 + s;
 constexpr size_t to_v_CM = to_r_CM + 3 * s, to_F_T = to_v_CM + 3 * s, to_inv_M = to_F_T + 3 * s, to_kind = to_inv_M + s;
-constexpr size_t to_size = to_kind + 1, to_offset = to_size + 3 * s, to_e = to_offset + s, slot_size = to_e + s;
+constexpr size_t to_size = to_kind + 1, to_offset = to_size + 3 * s, to_e = to_offset + s, to_mu = to_e + s, slot_size = to_mu + s;
 
 class Damage : public ::testing::Test {
 protected:

@@ -61,6 +61,37 @@ inline constexpr scalar contact_slack = 8;      ///< times that, once a quarter 
 inline constexpr scalar rest_speed_factor = 2;
 
 
+// The many-body solver (solve/solve_manifolds).
+inline constexpr int substeps = 4;                ///< of a step; each is solved and displaced by itself
+inline constexpr int sweeps = 3;                  ///< over all contacts in a substep
+inline constexpr int sweeps_of_young = 12;        ///< while more than a quarter of the contacts are younger than four steps
+inline constexpr int few_manifolds = 64;            ///< up to so many may take
+inline constexpr int sweeps_of_few = 64;            ///< sweeps in a substep, each, and stop at
+inline constexpr scalar settled_speed_of_few = scalar(2e-7);  ///< m/s
+/// m/s; a sweep that corrects no speed by more than this is the last of its substep. Contacts at rest then cost one sweep. What is left adds up to
+/// less than 0.1 mm in a minute.
+inline constexpr scalar settled_speed = scalar(1.5e-6);
+inline constexpr scalar settled_gap = scalar(2e-8);      ///< m; a contact with no more than this to be taken back is not displaced
+inline constexpr scalar settled_turn = 2 * epsilon;       ///< rad; corrections that round to nothing
+inline constexpr scalar friction_max = 1000;             ///< coefficient mu of a body
+inline constexpr int substeps_kept = 1000;                ///< the age of a manifold is counted so far
+inline constexpr int level_passes_max = 32;       ///< that look for the distance of bodies from the ground
+inline constexpr scalar unbounded = scalar(1e30);           ///< m; further than any body is
+inline constexpr scalar contact_margin = scalar(0.02);      ///< m; shapes this far apart, and what they travel in a step, have a manifold
+inline constexpr scalar fast_margin = 5 * contact_margin;   ///< m; pairs with more than this in a step look for more points
+inline constexpr scalar touching_gap = scalar(1e-3);        ///< m; points this far apart are stopped as if they touched, and drawn together
+/// m/s; a point that carries nothing and approaches more slowly than this is left out of a solve. The position sweep takes back what that adds.
+/// Bodies that have moved by less than this against each other, as a fraction of their size and in radians, keep their manifold.
+inline constexpr scalar recycled_slip = scalar(1e-3);
+inline constexpr scalar approach_slack = scalar(1e-6);
+inline constexpr scalar position_share = scalar(0.4);       ///< of an overlap, taken back in a substep
+inline constexpr int landing_pushes = 4;                    ///< of points that bounce within a substep: each leaves 1 % of the way
+inline constexpr scalar push_speed_max = scalar(3);         ///< m/s, at which deep overlaps are taken back
+inline constexpr scalar bounce_speed_min = scalar(0.01);    ///< m/s; slower impacts do not bounce
+/// The diagonal of a manifold's 4x4 compliance, which has rank 3, is multiplied by this: the load spreads over four points evenly. 1.001 loses
+/// digits in float.
+inline constexpr scalar block_diagonal = scalar(1.01);
+
 // Narrow phase (collide/). Fractions of a length are of the smallest half extent of both shapes, unless another is named.
 /// An edge axis is taken when it separates better than every face by this fraction: nearly parallel edges have no normal of
 /// their own, and the face's manifold has the crossing of the edges among its points.
@@ -75,6 +106,16 @@ inline constexpr scalar parallel_sin_sq = scalar(1e-5);
 /// A capsule lies along a face or an edge, with two points, up to this sin^2 of the angle between them.
 inline constexpr scalar lying_sin_sq = scalar(0.01);
 inline constexpr scalar lying_cos = scalar(0.995);  ///< of the angle between the normal of such a point and that of the manifold
+/// Of the search for nearest points. Polyhedra end within a dozen; what is round gets a digit every two or three.
+inline constexpr int nearest_iterations_max = 32;
+/// Nearest points are found when no point can be nearer by this fraction of the distance.
+inline constexpr scalar nearest_accuracy = INGOT_DOUBLE ? scalar(1e-10) : scalar(1e-5);
+
+// Queries (query/).
+/// A moving shape has met another when they are apart by this fraction of the smaller bounding radius. Smaller gaps have worse
+/// normals: rounding turns them by epsilon over this.
+inline constexpr scalar cast_gap = INGOT_DOUBLE ? scalar(1e-7) : scalar(1e-4);
+inline constexpr int cast_iterations_max = 32;  ///< then it is taken for met where it is
 
 /// Corners of a convex hull; indices of corners, edges and corners of faces fit into a byte. no_room beyond.
 inline constexpr int hull_vertices_max = 32;
@@ -100,9 +141,5 @@ inline constexpr scalar facing_sin = scalar(0.2);
 /// Lines along each other, one of them on something round, make two points if they are apart, sideways, by less than this:
 /// then the surface is lower there by half its square, 4.5e-4.
 inline constexpr scalar round_aside = scalar(0.03);
-/// Of the search for nearest points. Polyhedra end within a dozen; what is round gets a digit every two or three.
-inline constexpr int nearest_iterations_max = 32;
-/// Nearest points are found when no point can be nearer by this fraction of the distance.
-inline constexpr scalar nearest_accuracy = INGOT_DOUBLE ? scalar(1e-10) : scalar(1e-5);
 
 } } }  // namespace ingot::limits

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "config.h"
 #include "status.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -24,12 +25,16 @@ struct [[nodiscard]] StepReport {
     uint16_t impact_waves;       ///< rounds of simultaneous impacts that were resolved
     uint16_t impacts_left;       ///< contacts still approaching after limits::impact_waves_max
     uint16_t sweeps;             ///< sweeps over contacts, in all
+    uint16_t overlaps_lost;      ///< bodies in a sensor, and no room: raise Scene::max_overlaps
+    scalar residual;             ///< m/s; the largest speed that the last sweep over manifolds still corrected
     uint16_t sweeps_unfinished;  ///< solves that stopped at limits::contact_sweeps_max
+    uint16_t events_lost;        ///< no room: raise Scene::max_events
 
     /// True when the step did all it was asked for, in full.
     constexpr bool clean() const {
         return status == Status::ok && bodies_frozen == 0 && spins_clamped == 0 && contacts_lost == 0 &&
-               pairs_untested == 0 && impacts_left == 0 && sweeps_unfinished == 0;
+               pairs_untested == 0 && impacts_left == 0 && sweeps_unfinished == 0 &&
+               overlaps_lost == 0 && events_lost == 0;
     }
 };
 

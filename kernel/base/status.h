@@ -18,6 +18,7 @@ enum class [[nodiscard]] Status : uint8_t {
     not_a_rotation,     ///< A^T A is further from 1 than limits::orthogonality, or det A < 0
     bad_direction,      ///< a normal or axis that is not of unit length
     bad_restitution,    ///< outside 0 .. 1
+    bad_friction,       ///< a coefficient outside 0 .. limits::friction_max
     bad_shape,          ///< a radius or extent that is not positive, a mesh that is not closed
     not_in_scene,       ///< the scene names no such shape, or does not translate
     immovable,          ///< the call needs a body that can move

@@ -11,6 +11,7 @@ struct Surface {
     Shape shape;
     scalar bounding_radius;  ///< m, about the centre of mass; 0 for a half space
     scalar e;                ///< restitution 0 .. 1; of a pair the larger counts
+    scalar mu;               ///< coefficient of friction; of a pair the geometric mean counts
 };
 
 /// The surfaces of all slots, without their capacity.

@@ -259,6 +259,12 @@ void collide_box_box(const PlacedShape& A, const PlacedShape& B, scalar margin, 
     BestAxis best;
     const int axis_before = before.count > 0 ? static_cast<int>(before.features[0] >> 24) : no_axis;
     if (!find_axis(A, B, margin, axis_before, best, manifold)) return;
+    // Where two edges cross they have one point. Boxes that meet fast may turn about it onto other corners within the step: those of the face have
+    // the crossing among them, and look further. The normal is the face's then, until the boxes are slow.
+    if (best.edge != no_axis && margin > limits::fast_margin) {
+        face_points(A, B, best, margin, before, manifold);
+        if (manifold.count > 1) return;
+    }
     if (best.edge != no_axis && edge_point(A, B, best, margin, manifold)) return;
     face_points(A, B, best, margin, before, manifold);
 }

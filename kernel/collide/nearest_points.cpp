@@ -168,7 +168,13 @@ Nearest nearest_cores(const PlacedShape& A, const PlacedShape& B, scalar enough)
         if (gap > at_least) {
             at_least = gap;
             n = v * (1 / length_v);
-            if (gap > enough) break;
+            if (gap > enough) {
+                if (simplex.count == 0) {  // whoever stops here still wants two points
+                    simplex.corners[simplex.count++] = {w, a, b};
+                    (void)reduce(simplex);
+                }
+                break;
+            }
         }
         // The first v is a direction, not a point of the difference.
         if (simplex.count > 0) {

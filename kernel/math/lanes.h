@@ -63,7 +63,73 @@ INGOT_INLINE mask mask_from_bits(uint16_t b) {
     return m;
 }
 
+#if INGOT_LANES == 4 || INGOT_LANES == 8
+typedef scalar quad __attribute__((vector_size(4 * sizeof(scalar))));
+
+/// Rows of four numbers become columns, and the other way round.
+INGOT_INLINE void transpose(quad& a, quad& b, quad& c, quad& d) {
+    const quad ab_0 = __builtin_shufflevector(a, b, 0, 4, 1, 5), ab_2 = __builtin_shufflevector(a, b, 2, 6, 3, 7);
+    const quad cd_0 = __builtin_shufflevector(c, d, 0, 4, 1, 5), cd_2 = __builtin_shufflevector(c, d, 2, 6, 3, 7);
+    a = __builtin_shufflevector(ab_0, cd_0, 0, 1, 4, 5);
+    b = __builtin_shufflevector(ab_0, cd_0, 2, 3, 6, 7);
+    c = __builtin_shufflevector(ab_2, cd_2, 0, 1, 4, 5);
+    d = __builtin_shufflevector(ab_2, cd_2, 2, 3, 6, 7);
+}
 #endif
+
+#endif
+
+/// Four numbers from each of `lanes` places, one place per lane.
+struct LaneQuad {
+    lane at[4];
+};
+
+/// place(lane_i) points to the four numbers of a lane.
+template <class Place>
+INGOT_INLINE LaneQuad gather4(const Place& place) {
+    LaneQuad to;
+#if INGOT_LANES == 4 || INGOT_LANES == 8
+    quad rows[lanes];
+    for (int lane_i = 0; lane_i < lanes; ++lane_i) __builtin_memcpy(&rows[lane_i], place(lane_i), sizeof(quad));
+    for (int lane_i = 0; lane_i < lanes; lane_i += 4) transpose(rows[lane_i], rows[lane_i + 1], rows[lane_i + 2], rows[lane_i + 3]);
+    for (int i = 0; i < 4; ++i) {
+#if INGOT_LANES == 8
+        to.at[i] = __builtin_shufflevector(rows[i], rows[4 + i], 0, 1, 2, 3, 4, 5, 6, 7);
+#else
+        to.at[i] = rows[i];
+#endif
+    }
+#else
+    scalar rows[4][lanes];
+    for (int lane_i = 0; lane_i < lanes; ++lane_i)
+        for (int i = 0; i < 4; ++i) rows[i][lane_i] = place(lane_i)[i];
+    for (int i = 0; i < 4; ++i) to.at[i] = load(rows[i]);
+#endif
+    return to;
+}
+
+/// The reverse. Lanes that share a place must hold the same numbers.
+template <class Place>
+INGOT_INLINE void scatter4(const LaneQuad& from, const Place& place) {
+#if INGOT_LANES == 4 || INGOT_LANES == 8
+    quad rows[lanes];
+    for (int i = 0; i < 4; ++i) {
+#if INGOT_LANES == 8
+        rows[i] = __builtin_shufflevector(from.at[i], from.at[i], 0, 1, 2, 3);
+        rows[4 + i] = __builtin_shufflevector(from.at[i], from.at[i], 4, 5, 6, 7);
+#else
+        rows[i] = from.at[i];
+#endif
+    }
+    for (int lane_i = 0; lane_i < lanes; lane_i += 4) transpose(rows[lane_i], rows[lane_i + 1], rows[lane_i + 2], rows[lane_i + 3]);
+    for (int lane_i = 0; lane_i < lanes; ++lane_i) __builtin_memcpy(place(lane_i), &rows[lane_i], sizeof(quad));
+#else
+    scalar rows[4][lanes];
+    for (int i = 0; i < 4; ++i) store(rows[i], from.at[i]);
+    for (int lane_i = 0; lane_i < lanes; ++lane_i)
+        for (int i = 0; i < 4; ++i) place(lane_i)[i] = rows[i][lane_i];
+#endif
+}
 
 /// The same value in every lane.
 template <class T>
@@ -71,11 +137,13 @@ INGOT_INLINE constexpr T splat(scalar value) {
     return value - T{};  // 0 + value would be an addition at run time, which turns -0 into +0; this is value
 }
 
-/// True where both are true; where it is not. (Operators do not fit: && and ! are for bool, & and ~ for vectors.)
+/// True where both, where either is true, where it is not. (Operators do not fit: && is for bool, & for vectors.)
 INGOT_INLINE constexpr bool both(bool a, bool b) { return a && b; }
+INGOT_INLINE constexpr bool either(bool a, bool b) { return a || b; }
 INGOT_INLINE constexpr bool opposite(bool a) { return !a; }
 #if INGOT_LANES > 1
 INGOT_INLINE mask both(mask a, mask b) { return a & b; }
+INGOT_INLINE mask either(mask a, mask b) { return a | b; }
 INGOT_INLINE mask opposite(mask a) { return ~a; }
 #endif
 
@@ -84,6 +152,13 @@ INGOT_INLINE constexpr scalar abs(scalar x) { return __builtin_fabs(x); }
 #else
 INGOT_INLINE constexpr scalar abs(scalar x) { return __builtin_fabsf(x); }
 #endif
+INGOT_INLINE constexpr scalar least(scalar a, scalar b) { return a < b ? a : b; }
+INGOT_INLINE constexpr scalar greatest(scalar a, scalar b) { return a > b ? a : b; }
+#if INGOT_LANES > 1
+INGOT_INLINE lane least(lane a, lane b) { return select(a < b, a, b); }
+INGOT_INLINE lane greatest(lane a, lane b) { return select(a > b, a, b); }
+#endif
+
 /// True where x is neither NaN nor infinite. Comparisons only: no unit raises a flag, and without a unit they are cheap.
 INGOT_INLINE constexpr bool is_finite(scalar x) { return abs(x) <= scalar_max; }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "../body/check_body.h"
+#include "../collide/body_filter.h"
 #include "../collide/shapes.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -12,6 +13,9 @@ struct BodyDef {
     BodyState state{};           ///< of the principal frame; an immovable body has v_CM = L = 0
     Shape shape{};               ///< Sphere, Box or HalfSpace in the principal frame; none: the body touches nothing
     scalar restitution = 0;      ///< e of Fig. 4, 0 .. 1; of a pair the larger counts
+    scalar friction = scalar(0.5); ///< coefficient mu, 0 and more; of a pair the geometric mean counts
+    BodyFilter filter = meets_all; ///< whom it meets; for scenes with filters
+    bool sensor = false;         ///< notes who is in it and touches nothing; for scenes with max_overlaps
     bool immovable = false;      ///< neither force nor impulse moves it
 };
 

@@ -100,8 +100,11 @@ Status check_definition(const BodyDef& def, bool scene_translates, bool scene_ha
 }
 
 Status check_surface(const BodyDef& def) {
-    const Status status = check_shape(def.shape);
-    return status == Status::ok ? check_restitution(def.restitution) : status;
+    Status status = check_shape(def.shape);
+    if (status == Status::ok) status = check_restitution(def.restitution);
+    if (status == Status::ok && !is_finite(def.friction)) status = Status::not_finite;
+    if (status == Status::ok && !(def.friction >= 0 && def.friction <= limits::friction_max)) status = Status::bad_friction;
+    return status;
 }
 
 void write_body(const BodyView& bodies, int slot, const BodyDef& def) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "../pairs/all_pairs.h"
+#include "../pairs/sorted_tree.h"
 #include "../collide/shapes.h"
 #include "../motion/driven_flight.h"
 #include "../motion/exact_elliptic.h"
@@ -26,6 +28,14 @@ struct Scene {
     static constexpr int  max_bodies   = 1;      ///< 1 .. 65536
     static constexpr bool translates   = false;
     static constexpr int  max_contacts = 0;      ///< points of contact in one step, 0 .. 65535
+    static constexpr int  max_manifolds = 0;     ///< pairs of bodies that touch in one step, 0 .. 65534: friction, stacks, piles
+    static constexpr int  max_pairs    = 0;      ///< pairs of bodies whose bounds overlap in one step; 0: twice max_manifolds
+    static constexpr bool filters      = false;  ///< bodies have a BodyFilter that says whom they meet
+    static constexpr int  max_overlaps = 0;      ///< pairs of a sensor and a body in it, in one step, 0 .. 65535
+    static constexpr int  max_events   = 0;      ///< of contacts and sensors in one step, 0 .. 65535: see contact/contact_events.h
+    static constexpr scalar hit_speed  = 1;      ///< m/s; contacts that meet faster are told as hits
+    static constexpr bool renews_manifolds = true;   ///< where bodies hardly move, manifolds are moved along with them and not searched anew
+    using broad_phase = AllPairs;                ///< or SortedTree, for many bodies
     using shapes   = Shapes<>;
     using rotation = MoserVeselov;               ///< or another method of motion/
     using force_field = NoForceField;            ///< or one of motion/force_fields.h, or your own
@@ -36,19 +46,43 @@ template <class S>
 inline constexpr bool collides = S::max_contacts > 0;
 
 template <class S>
+inline constexpr bool stacks = S::max_manifolds > 0;
+template <class S>
+inline constexpr bool has_shapes = collides<S> || stacks<S>;
+
+template <class S>
+inline constexpr bool has_sensors = S::max_overlaps > 0;
+
+template <class S>
+inline constexpr bool has_events = S::max_events > 0;
+
+template <class S>
 inline constexpr bool has_field = is_field<typename S::force_field>;
 
 /// Scenes whose steps are made of kicks by the field and free flights. Contacts, and Listing 1, take the field as a force that is
 /// constant over the step.
 template <class S>
-inline constexpr bool flies_in_field = has_field<S> && !collides<S> && !S::rotation::as_printed;
+inline constexpr bool flies_in_field = has_field<S> && !has_shapes<S> && !S::rotation::as_printed;
 
 /// Turns a scene that contradicts itself into a sentence.
 template <class S>
 constexpr bool check_scene() {
     static_assert(S::max_bodies >= 1 && S::max_bodies <= 65536, "a scene holds 1 to 65536 bodies: set max_bodies");
     static_assert(S::max_contacts >= 0 && S::max_contacts <= 65535, "a scene holds 0 to 65535 contacts: set max_contacts");
+    static_assert(S::max_manifolds >= 0 && S::max_manifolds <= 65534, "a scene holds 0 to 65534 manifolds: set max_manifolds");
+    static_assert(!(collides<S> && stacks<S>), "a scene has impacts without friction, max_contacts, or contacts with friction, max_manifolds: set one of them");
+    static_assert(!stacks<S> || (S::max_pairs >= 0 && S::max_pairs <= 65535 && 2 * S::max_manifolds <= 65535 + S::max_pairs),
+                  "a scene holds up to 65535 pairs, twice max_manifolds unless it says otherwise: set max_pairs");
+    static_assert(!stacks<S> || S::max_bodies <= 65535, "bodies with contacts are up to 65535: set max_bodies");
+    static_assert(!stacks<S> || !S::rotation::as_printed, "Listing 1 has no contacts with friction: name another rotation, or max_contacts");
+    static_assert(!stacks<S> || S::translates, "bodies that touch move: set translates = true, or max_manifolds = 0");
     static_assert(!collides<S> || S::translates, "bodies that collide move: set translates = true, or max_contacts = 0");
+    static_assert(!S::filters || stacks<S>, "filters are for contacts with friction: set max_manifolds, or filters = false");
+    static_assert(S::max_overlaps >= 0 && S::max_overlaps <= 65535, "a scene notes 0 to 65535 overlaps with sensors: set max_overlaps");
+    static_assert(!has_sensors<S> || stacks<S>, "sensors are for scenes of contacts with friction: set max_manifolds, or max_overlaps = 0");
+    static_assert(S::max_events >= 0 && S::max_events <= 65535, "a scene tells 0 to 65535 events in a step: set max_events");
+    static_assert(!has_events<S> || stacks<S>, "events are of contacts with friction: set max_manifolds, or max_events = 0");
+    static_assert(S::hit_speed >= 0 && S::hit_speed <= limits::speed_runaway, "hits are told from a speed of 0 or more on: set hit_speed");
     static_assert(flies_in_field<S> || S::flight::order == 2,
                   "a flight of order 4 is for scenes with a force_field, without contacts, and not for Listing 1: leave it out");
     static_assert(S::flight::takes_velocities || !S::force_field::depends_on_velocity,

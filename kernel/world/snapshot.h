@@ -47,6 +47,12 @@ struct SavedWorld {
     }
 };
 
+template <class Stream>
+constexpr void saved_filter_numbers(Stream& each, BodyFilter& filter) {
+    each(filter.category);
+    each(filter.mask);
+}
+
 /// Sizes in bytes, counted by the functions that write.
 template <class S>
 constexpr size_t saved_field_size() {
@@ -65,22 +71,33 @@ constexpr size_t saved_body_size() {
     SavedBody body{};
     body.numbers(counter, S::translates, S::rotation::compensates, S::rotation::returns_energy);
     SavedSurface surface{};
-    if (collides<S>) surface.numbers(counter);
+    BodyFilter filter{};
+    uint8_t sensor = 0;
+    if (has_shapes<S>) surface.numbers(counter);
+    if (S::filters) saved_filter_numbers(counter, filter);
+    if (has_sensors<S>) counter(sensor);
     return counter.count();
 }
 template <class S>
-constexpr size_t snapshot_size_of(size_t slots_used, size_t living) {
+constexpr size_t saved_manifold_size() {
+    ByteCounter counter;
+    SavedManifold manifold{};
+    manifold.numbers(counter, S::renews_manifolds);
+    return counter.count();
+}
+template <class S>
+constexpr size_t snapshot_size_of(size_t slots_used, size_t living, size_t manifolds) {
     ByteCounter counter;
     SavedWorld<S> world{};
     world.numbers(counter);
     return snapshot_header_size() + counter.count() + saved_field_size<S>() + slots_used * sizeof(uint32_t) +
-           living * saved_body_size<S>() + snapshot_checksum_size;
+           living * saved_body_size<S>() + (stacks<S> ? sizeof(uint16_t) + manifolds * saved_manifold_size<S>() : 0) + snapshot_checksum_size;
 }
 
 /// Bytes that a snapshot of any world of the scene fits in: that of a full one.
 template <class S>
 constexpr size_t snapshot_size() {
-    return snapshot_size_of<S>(static_cast<size_t>(S::max_bodies), static_cast<size_t>(S::max_bodies));
+    return snapshot_size_of<S>(static_cast<size_t>(S::max_bodies), static_cast<size_t>(S::max_bodies), static_cast<size_t>(S::max_manifolds));
 }
 
 template <class S>
@@ -91,7 +108,11 @@ constexpr uint16_t snapshot_parts() {
     if (S::rotation::compensates) parts |= SnapshotPart::compensation;
     if (S::rotation::returns_energy) parts |= SnapshotPart::energy;
     if (has_field<S>) parts |= SnapshotPart::field;
-    if (collides<S>) parts |= SnapshotPart::surfaces;
+    if (has_shapes<S>) parts |= SnapshotPart::surfaces;
+    if (S::filters) parts |= SnapshotPart::filters;
+    if (has_sensors<S>) parts |= SnapshotPart::sensors;
+    if (stacks<S>) parts |= SnapshotPart::manifolds;
+    if (stacks<S> && S::renews_manifolds) parts |= SnapshotPart::anchors;
     return static_cast<uint16_t>(parts);
 }
 
@@ -116,6 +137,8 @@ constexpr uint64_t scene_signature() {
     add(snapshot_parts<S>());
     add(static_cast<uint64_t>(S::max_bodies));
     add(static_cast<uint64_t>(S::max_contacts));
+    add(static_cast<uint64_t>(S::max_manifolds));
+    add(static_cast<uint64_t>(S::max_pairs));
     for (int kind = 0; kind <= static_cast<int>(ShapeKind::half_space); ++kind)
         add(S::shapes::has(static_cast<ShapeKind>(kind)) ? 1 : 0);
     add_name(S::rotation::name);
@@ -133,16 +156,55 @@ constexpr SnapshotHeader expected_header() {
             0,              snapshot_parts<S>(), static_cast<uint32_t>(saved_field_size<S>())};
 }
 
+/// Contacts of the last step, in their order: their impulses are what the next step begins with.
+template <class S>
+void write_manifolds(ByteWriter& writer, const Storage<S>& storage) {
+    uint16_t count = storage.manifold_count;
+    writer(count);
+    for (int pair_i = 0; pair_i < count; ++pair_i) {
+        const BodyPair& pair = storage.pairs[pair_i];
+        SavedManifold saved{pair.body_A, pair.body_B, storage.records[pair.record], {}};
+        if constexpr (S::renews_manifolds) saved.anchors = storage.anchors[pair.record];
+        saved.numbers(writer, S::renews_manifolds);
+    }
+}
+
+/// Without storage it only checks. The search for pairs begins anew: what is zero in storage is outside of every bound.
+template <class S>
+Status read_manifolds(ByteReader& reader, uint32_t slots_used, Storage<S>* to) {
+    uint16_t count = 0;
+    reader(count);
+    if (count > S::max_manifolds) return Status::bad_snapshot;
+    uint32_t key_before = 0;
+    for (uint16_t record = 0; record < count; ++record) {
+        SavedManifold saved{};
+        saved.numbers(reader, S::renews_manifolds);
+        const BodyPair pair{saved.body_A, saved.body_B, record};
+        if (!is_sound(saved) || pair.body_A >= pair.body_B || pair.body_B >= slots_used || pair.key() <= key_before) return Status::bad_snapshot;
+        key_before = pair.key();
+        if (to == nullptr) continue;
+        to->pairs[record] = pair;
+        to->records[record] = saved.record;
+        if constexpr (S::renews_manifolds) to->anchors[record] = saved.anchors;
+        to->records_used = to->manifold_count = static_cast<uint16_t>(record + 1);
+    }
+    return Status::ok;
+}
+
 /// Writes the world, ready to be kept in a file or sent to another machine.
 ///
-/// Holds:   all that decides the steps to come, and ids. Not in it, because derived or of the last step: omega, contacts.
+/// Holds:   all that decides the steps to come, and ids. Not in it, because derived: omega, bounds, pairs that do not touch; and contacts of scenes
+///          with max_contacts, which are found anew in every step.
 /// Returns: the bytes written, at most snapshot_size<S>(); fewer while the world has fewer bodies.
 /// Errors:  no_room (fewer than that many bytes; nothing is written).
 /// Cost:    O(slots used), about 150 bytes a body in float.
 template <class S>
 Result<size_t> save_snapshot(const World<S>& world, uint8_t* bytes, size_t room) {
+    static_assert(!has_events<S>, "a snapshot holds no events: copy the world with memcpy, or set max_events = 0");
     const Storage<S>& storage = world.storage_;
-    const size_t size = snapshot_size_of<S>(static_cast<size_t>(storage.slots_used), static_cast<size_t>(world.body_count()));
+    size_t manifold_count = 0;
+    if constexpr (stacks<S>) manifold_count = storage.manifold_count;
+    const size_t size = snapshot_size_of<S>(static_cast<size_t>(storage.slots_used), static_cast<size_t>(world.body_count()), manifold_count);
     if (bytes == nullptr || room < size) return {Status::no_room, 0};
 
     ByteWriter writer(bytes);
@@ -170,12 +232,21 @@ Result<size_t> save_snapshot(const World<S>& world, uint8_t* bytes, size_t room)
         if (!world.lives(slot)) continue;
         SavedBody body = saved_body(storage.bodies(), slot);
         body.numbers(writer, S::translates, S::rotation::compensates, S::rotation::returns_energy);
-        if constexpr (collides<S>) {
+        if constexpr (has_shapes<S>) {
             const Surface& of_slot = storage.surfaces[slot];
-            SavedSurface surface{static_cast<uint8_t>(of_slot.shape.kind), of_slot.shape.size, of_slot.shape.offset, of_slot.e};
+            SavedSurface surface{static_cast<uint8_t>(of_slot.shape.kind), of_slot.shape.size, of_slot.shape.offset, of_slot.e, of_slot.mu};
             surface.numbers(writer);
         }
+        if constexpr (S::filters) {
+            BodyFilter filter = storage.filters[slot];
+            saved_filter_numbers(writer, filter);
+        }
+        if constexpr (has_sensors<S>) {
+            uint8_t sensor = storage.is_sensor[slot];
+            writer(sensor);
+        }
     }
+    if constexpr (stacks<S>) write_manifolds<S>(writer, storage);
     uint64_t checksum = snapshot_checksum(bytes, size - sizeof checksum);
     writer(checksum);
     return {Status::ok, size};
@@ -222,13 +293,24 @@ Status read_body(ByteReader& reader, int slot, Storage<S>* to) {
     body.numbers(reader, S::translates, S::rotation::compensates, S::rotation::returns_energy);
     if (!is_sound(body, S::translates)) return Status::bad_snapshot;
     if (to != nullptr) write_saved_body(to->bodies(), slot, body);
-    if constexpr (collides<S>) {
+    if constexpr (has_shapes<S>) {
         SavedSurface surface{};
         surface.numbers(reader);
         const Shape shape{static_cast<ShapeKind>(surface.kind), surface.size, surface.offset};
         const bool in_scene = shape.kind == ShapeKind::none || S::shapes::has(shape.kind);
         if (!in_scene || !is_sound(surface, body.inv_I_scale > 0)) return Status::bad_snapshot;
-        if (to != nullptr) to->surfaces[slot] = {shape, bounding_radius(shape), surface.e};
+        if (to != nullptr) to->surfaces[slot] = {shape, bounding_radius(shape), surface.e, surface.mu};
+    }
+    if constexpr (S::filters) {
+        BodyFilter filter{};
+        saved_filter_numbers(reader, filter);
+        if (to != nullptr) to->filters[slot] = filter;
+    }
+    if constexpr (has_sensors<S>) {
+        uint8_t sensor = 0;
+        reader(sensor);
+        if (sensor > 1) return Status::bad_snapshot;
+        if (to != nullptr) to->is_sensor[slot] = sensor;
     }
     return Status::ok;
 }
@@ -246,6 +328,8 @@ Status read_snapshot_contents(ByteReader reader, Storage<S>* to) {
         if (to != nullptr) to->generation[slot] = generation;
         if (lives) status = read_body<S>(reader, static_cast<int>(slot), to);
     }
+    if constexpr (stacks<S>)
+        if (status == Status::ok) status = read_manifolds<S>(reader, whole.slots_used, to);
     if (status != Status::ok) return status;
     return reader.at_end() ? Status::ok : Status::bad_snapshot;
 }

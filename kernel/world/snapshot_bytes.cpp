@@ -171,7 +171,22 @@ bool is_sound(const SavedBody& body, bool translates) {
 bool is_sound(const SavedSurface& surface, bool can_move) {
     const Shape shape{static_cast<ShapeKind>(surface.kind), surface.size, surface.offset};
     if (shape.kind == ShapeKind::half_space && can_move) return false;
-    return check_shape(shape) == Status::ok && surface.e >= 0 && surface.e <= 1;
+    return check_shape(shape) == Status::ok && surface.e >= 0 && surface.e <= 1 && surface.mu >= 0 && surface.mu <= limits::friction_max;
+}
+
+bool is_sound(const SavedManifold& saved) {
+    const ManifoldRecord& record = saved.record;
+    const Manifold& manifold = record.manifold;
+    if (manifold.count < 1 || manifold.count > Manifold::points_max || record.substeps > limits::substeps_kept) return false;
+    if (abs(length_sq(manifold.n) - 1) > limits::flatness) return false;
+    if (!(record.mu >= 0 && record.mu <= limits::friction_max && record.e >= 0 && record.e <= 1)) return false;
+    bool sound = is_finite(record.j_friction) && is_finite(record.j_reference) && is_finite(record.j_twist);
+    for (int point_i = 0; point_i < Manifold::points_max; ++point_i) {
+        const ManifoldPoint& point = manifold.points[point_i];
+        sound = sound && is_finite(point.P) && is_finite(point.separation) && is_finite(record.j[point_i]) && is_finite(record.j_before[point_i]) && is_finite(saved.anchors.separation[point_i]);
+        for (int axis = 0; axis < 3; ++axis) sound = sound && is_finite(saved.anchors.on_A[axis][point_i]) && is_finite(saved.anchors.on_B[axis][point_i]);
+    }
+    return sound && is_finite(saved.anchors.n_A) && is_finite(saved.anchors.n_B) && saved.anchors.margin >= 0 && is_finite(saved.anchors.margin);
 }
 
 } }  // namespace ingot

@@ -8,6 +8,7 @@
 #include "../body/check_body.h"
 #include "../body/body_tiles.h"
 #include "../collide/bounds.h"
+#include "../contact/manifold_record.h"
 
 #include <stddef.h>
 
@@ -111,7 +112,7 @@ private:
 
 /// Bits of SnapshotHeader::parts.
 struct SnapshotPart {
-    static constexpr uint16_t doubles = 1, translation = 2, compensation = 4, energy = 8, field = 16, surfaces = 32;
+    static constexpr uint16_t doubles = 1, translation = 2, compensation = 4, energy = 8, field = 16, surfaces = 32, manifolds = 64, anchors = 128, filters = 256, sensors = 512;
 };
 
 /// What comes first in a snapshot, whatever its scene.
@@ -139,7 +140,7 @@ struct SnapshotHeader {
 /// The bytes 89 'i' 'n' 'g' 'o' 't' 0d 0a: not text, and spoilt by what takes it for text.
 inline constexpr uint64_t snapshot_magic = 0x0a0d746f676e6989u;
 /// Raised whenever the bytes after the header get another meaning.
-inline constexpr uint16_t snapshot_format = 1;
+inline constexpr uint16_t snapshot_format = 2;
 inline constexpr size_t snapshot_checksum_size = 8;
 
 constexpr size_t snapshot_header_size() {
@@ -176,11 +177,11 @@ struct SavedBody {
     }
 };
 
-/// Shape and restitution of one living body, in scenes with contacts.
+/// Shape and material of one living body, in scenes with contacts.
 struct SavedSurface {
     uint8_t kind;
     Vector size;
-    scalar offset, e;
+    scalar offset, e, mu;
 
     template <class Stream>
     constexpr void numbers(Stream& each) {
@@ -188,6 +189,47 @@ struct SavedSurface {
         each(size);
         each(offset);
         each(e);
+        each(mu);
+    }
+};
+
+/// What is kept of two bodies that touch, in scenes with manifolds.
+struct SavedManifold {
+    uint16_t body_A, body_B;
+    ManifoldRecord record;
+    ManifoldAnchors anchors;
+
+    template <class Stream>
+    constexpr void numbers(Stream& each, bool has_anchors) {
+        each(body_A);
+        each(body_B);
+        uint16_t count = static_cast<uint16_t>(record.manifold.count);
+        each(count);
+        record.manifold.count = count;
+        each(record.manifold.n);
+        for (int point_i = 0; point_i < Manifold::points_max; ++point_i) {
+            ManifoldPoint& point = record.manifold.points[point_i];
+            each(point.P);
+            each(point.separation);
+            each(point.feature);
+            each(record.j[point_i]);
+            each(record.j_before[point_i]);
+        }
+        each(record.mu);
+        each(record.e);
+        each(record.j_friction);
+        each(record.j_reference);
+        each(record.j_twist);
+        each(record.substeps);
+        if (!has_anchors) return;
+        for (int axis = 0; axis < 3; ++axis) {
+            for (scalar& number : anchors.on_A[axis]) each(number);
+            for (scalar& number : anchors.on_B[axis]) each(number);
+        }
+        for (scalar& number : anchors.separation) each(number);
+        each(anchors.n_A);
+        each(anchors.n_B);
+        each(anchors.margin);
     }
 };
 
@@ -207,5 +249,7 @@ void write_saved_body(const BodyView& bodies, int slot, const SavedBody& body);
 bool is_sound(const SavedBody& body, bool translates);
 /// True for what World::add takes. can_move: a half space cannot.
 bool is_sound(const SavedSurface& surface, bool can_move);
+/// True for what two bodies of those slots can have become. Slots are looked at by the caller.
+bool is_sound(const SavedManifold& saved);
 
 } }  // namespace ingot

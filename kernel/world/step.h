@@ -7,10 +7,36 @@
 #include "../motion/integrate_v.h"
 #include "../solve/contact_rows.h"
 #include "../solve/solve_contact_forces.h"
+#include "../contact/update_manifolds.h"
 #include "../solve/solve_impacts.h"
+#include "../blocks/move_bodies.h"
+#include "../blocks/solve_manifolds.h"
 #include "world.h"
 
 namespace ingot { inline namespace INGOT_ABI {
+
+/// The lists of the step before, for events to be told from what has changed since.
+template <class S>
+void keep_lists(Storage<S>& storage) {
+    copy_list(storage.touching_list(), storage.touching_list_before());
+    if constexpr (has_sensors<S>) copy_list(storage.overlap_list(), storage.overlap_list_before());
+}
+
+/// Ends, then begins, then hits, each in the order of slots: when the array is full, those that come later in this order are lost.
+template <class S>
+void tell_events(Storage<S>& storage, StepReport& report) {
+    const EventList events = storage.begin_events(report);
+    const uint16_t tag = storage.world_tag;
+    const ManifoldView manifolds = storage.manifold_view();
+    const PairOfBodiesList before = storage.touching_list_before(), touching = storage.touching_list();
+    find_touching(manifolds, storage.notes, storage.generation, before, touching);
+
+    tell_missing(before, touching, EventKind::end, tag, events);
+    if constexpr (has_sensors<S>) tell_missing(storage.overlap_list_before(), storage.overlap_list(), EventKind::leave, tag, events);
+    tell_begins(manifolds, storage.notes, before, touching, tag, events);
+    if constexpr (has_sensors<S>) tell_missing(storage.overlap_list(), storage.overlap_list_before(), EventKind::enter, tag, events);
+    tell_hits(manifolds, storage.notes, S::hit_speed, before, touching, tag, events);
+}
 
 /// Advances a world by h seconds.
 ///
@@ -49,6 +75,28 @@ StepReport step(World<S>& world, scalar h) {
         const FlightClock clock{storage.steps, storage.h_changes_to(h)};
         const auto drivers = storage.drivers(storage.gravity_or_none());
         count(report.spins_clamped, S::flight::template fly<typename S::rotation>(bodies, drivers, h, clock));
+    } else if constexpr (stacks<S>) {
+        if constexpr (has_events<S>) keep_lists(storage);
+        const PairList pairs = storage.pair_list();
+        const ManifoldView manifolds = storage.manifold_view();
+        if (refresh_bounds(bodies, storage.surface_view(), h, storage.bounds)) {
+            storage.find_pairs(bodies, storage.bounds, pairs);
+            hold_records(manifolds, pairs);
+        }
+        update_manifolds<typename S::shapes>(bodies, storage.surface_view(), storage.bounds, h, storage.pair_rules(report), pairs, manifolds, report);
+        if constexpr (has_events<S>) note_approaches(bodies, storage.gravity, h, manifolds, storage.notes);
+        refresh_inv_I_world(bodies);                                      // Eq. 20
+        SolverView solver = storage.solver();
+        solve_manifolds<has_events<S>>(solver, bodies, storage.gravity, h, storage.impact_notes(), report);
+        if constexpr (has_events<S>) tell_events(storage, report);
+
+        integrate_L(bodies, h);
+        integrate_v(bodies, h, storage.gravity);
+        write_contact_motion(solver, bodies, storage.gravity, h);
+        const FlightClock clock{storage.steps, storage.h_changes_to(h), h / 2};
+        count(report.spins_clamped, S::rotation::integrate_A(bodies, h, clock));
+        integrate_r(bodies, h, storage.gravity);
+        turn_by_corrections(solver, bodies, h);
     } else {
         integrate_L(bodies, h);
         if constexpr (S::translates) integrate_v(bodies, h, storage.gravity);

@@ -6,6 +6,11 @@
 #include "../body/auxiliary.h"
 #include "../body/energy_momentum.h"
 #include "../body/freeze_bad_bodies.h"
+#include "../query/cast_ray.h"
+#include "../query/cast_shape.h"
+#include "../query/check_query.h"
+#include "../query/find_nearest.h"
+#include "../query/find_overlaps.h"
 #include "edit_bodies.h"
 #include "state_hash.h"
 #include "storage.h"
@@ -20,6 +25,11 @@ struct ContactInfo {
     Vector n;           ///< unit normal from B to A, world
     scalar separation;  ///< m, at the begin of the step; negative where the shapes overlap
     scalar j;           ///< N s, given to A along n, and to B against it, in the step
+};
+
+/// A body that was in a sensor in the last step.
+struct OverlapInfo {
+    BodyId sensor, visitor;
 };
 
 /// All there is of a simulated world: one object of a size known at compile time, which holds no pointer.
@@ -42,13 +52,17 @@ public:
 
     /// Adds a body in the lowest free slot.
     /// Errors: no_room, and what BodyDef's parts may have wrong: see check_mass_properties, check_state, check_shape;
-    ///         bad_restitution; immovable (one that has a velocity); not_in_scene (a shape the scene does not name, a
-    ///         place or velocity where it does not translate); bad_shape (a half space that can move).
+    ///         bad_restitution; bad_friction; immovable (one that has a velocity); not_in_scene (a shape the scene does not name, a
+    ///         filter or a sensor where it names none, a place or velocity where it does not translate); bad_shape (a half space that can move).
     /// Cost:   O(1), or O(max_bodies) after removals.
     Result<BodyId> add(const BodyDef& def) {
         Status status = Status::ok;
-        if constexpr (collides<S>) status = check_surface(def);
-        if (status == Status::ok) status = check_definition(def, S::translates, collides<S> && S::shapes::has(def.shape.kind));
+        if constexpr (has_shapes<S>) status = check_surface(def);
+        if (status == Status::ok) status = check_definition(def, S::translates, has_shapes<S> && S::shapes::has(def.shape.kind));
+        if constexpr (has_shapes<S> && !S::filters)
+            if (def.filter.category != meets_all.category || def.filter.mask != meets_all.mask) status = Status::not_in_scene;
+        if constexpr (has_shapes<S> && !has_sensors<S>)
+            if (def.sensor) status = Status::not_in_scene;
         if (status != Status::ok) return {status, {}};
         const int slot = free_slot();
         if (slot == max_bodies) return {Status::no_room, {}};
@@ -57,7 +71,9 @@ public:
         storage_.free_hint = slot + 1;
         ++storage_.generation[slot];
         write_body(storage_.bodies(), slot, def);
-        if constexpr (collides<S>) storage_.surfaces[slot] = {def.shape, bounding_radius(def.shape), def.restitution};
+        if constexpr (has_shapes<S>) storage_.surfaces[slot] = {def.shape, bounding_radius(def.shape), def.restitution, def.friction};
+        if constexpr (S::filters) storage_.filters[slot] = def.filter;
+        if constexpr (has_sensors<S>) storage_.is_sensor[slot] = def.sensor ? 1 : 0;
         return {Status::ok, id_of(slot)};
     }
 
@@ -68,10 +84,9 @@ public:
         ++storage_.generation[slot.value];
         if (slot.value < storage_.free_hint) storage_.free_hint = slot.value;
         set_identity_body(storage_.bodies(), slot.value);
-        if constexpr (collides<S>) {
-            storage_.surfaces[slot.value] = {};
-            storage_.contact_count = 0;
-        }
+        if constexpr (has_shapes<S>) storage_.surfaces[slot.value] = {};
+        if constexpr (collides<S>) storage_.contact_count = 0;
+        if constexpr (stacks<S>) forget_contacts(storage_.manifold_view(), storage_.pair_list(), storage_.bounds, slot.value);
         return Status::ok;
     }
 
@@ -251,6 +266,105 @@ public:
         return {Status::ok, {id_of(c.body_A), id_of(c.body_B), c.n, c.separation, c.j_total}};
     }
 
+    // Whom a body meets, in scenes with filters: two bodies do when each is of a category that the other's mask names.
+
+    Result<BodyFilter> filter(BodyId id) const {
+        filters_only();
+        const Result<int> slot = find(id);
+        if (!slot.ok()) return {slot.status, {}};
+        return {Status::ok, storage_.filters[slot.value]};
+    }
+    /// From the next step on; what touched and may no longer loses its contact then.
+    Status set_filter(BodyId id, const BodyFilter& filter) {
+        filters_only();
+        const Result<int> slot = find(id);
+        if (slot.ok()) storage_.filters[slot.value] = filter;
+        return slot.status;
+    }
+
+    // Bodies in sensors, as they were at the begin of the last step; 0 <= index < overlap_count(), in the order of slots.
+    // Full: those that come first in this order are kept, the others count in StepReport::overlaps_lost.
+
+    int overlap_count() const {
+        sensors_only();
+        return storage_.overlap_count;
+    }
+    Result<OverlapInfo> overlap(int index) const {
+        sensors_only();
+        if (index < 0 || index >= storage_.overlap_count || index >= S::max_overlaps) return {Status::out_of_range, {}};
+        return {Status::ok, {first_id(storage_.overlaps[index]), second_id(storage_.overlaps[index])}};
+    }
+
+    /// What the last step has to tell of contacts and sensors: see EventKind. Until the next step, whatever is added or removed.
+    ///
+    /// Order: ends, leaves, begins, enters, hits, each in the order of slots. Full: what comes later in this order is not told and
+    /// counts in StepReport::events_lost; who touches whom is kept all the same, so an end may come without its begin.
+    /// A body that is removed ends its contacts in the next step, under the id it had.
+    EventView events() const {
+        events_only();
+        return {storage_.events, storage_.event_count};
+    }
+
+    // Queries, of bodies where they are now: they change nothing, and may be asked between any two calls.
+    // Which bodies count says the filter; with except, a body that is gone answers stale_id.
+    // Cost: all bodies' bounding balls, `lanes` at once, and the shapes of those that come near.
+
+    /// The first body on the way of a ray from a point, m. See QueryHit.
+    /// Errors: not_finite, out_of_range (beyond limits::position_max), bad_direction (a way shorter than limits::size_min).
+    Result<QueryHit> cast_ray(const Vector& from, const Vector& way, const QueryFilter& filter = {}) const {
+        shapes_only();
+        const Result<int> except = slot_of_exception(filter);
+        const Status status = except.ok() ? check_way(from, way) : except.status;
+        if (status != Status::ok) return {status, {}};
+        const SlotHit hit = ingot::cast_ray<typename S::shapes>(storage_.bodies(), storage_.surface_view(), from, way, sees(filter, except.value));
+        return {Status::ok, {hit.slot == no_slot ? BodyId{} : id_of(hit.slot), hit.fraction, hit.P, hit.n}};
+    }
+
+    /// The first body on the way of a shape that does not turn, m; it stops short of it by limits::cast_gap. See QueryHit.
+    /// Errors: those of cast_ray, of check_shape and check_rotation; bad_shape (none, a half space, a hull without its form).
+    Result<QueryHit> cast_shape(const PlacedShape& shape, const Vector& way, const QueryFilter& filter = {}) const {
+        shapes_only();
+        const Result<int> except = slot_of_exception(filter);
+        Status status = except.ok() ? check_query_shape(shape) : except.status;
+        if (status == Status::ok) status = check_way(shape.r, way);
+        if (status != Status::ok) return {status, {}};
+        const PlacedShape moving = {shape.shape, shape.r, nearest_rotation(shape.A), shape.hull};
+        const SlotHit hit = ingot::cast_shape(storage_.bodies(), storage_.surface_view(), moving, way, sees(filter, except.value));
+        return {Status::ok, {hit.slot == no_slot ? BodyId{} : id_of(hit.slot), hit.fraction, hit.P, hit.n}};
+    }
+
+    /// All bodies that a shape overlaps or touches, in the order of slots, into found[0 .. capacity).
+    /// Returns: how many there are. More than capacity: those of the lowest slots are kept.
+    /// Errors:  those of cast_shape; out_of_range (a capacity below zero).
+    Result<int> find_overlaps(const PlacedShape& shape, BodyId* found, int capacity, const QueryFilter& filter = {}) const {
+        shapes_only();
+        const Result<int> except = slot_of_exception(filter);
+        Status status = except.ok() ? check_query_shape(shape) : except.status;
+        if (status == Status::ok && capacity < 0) status = Status::out_of_range;
+        if (status != Status::ok) return {status, 0};
+        int count = 0;
+        const PlacedShape still = {shape.shape, shape.r, nearest_rotation(shape.A), shape.hull};
+        ingot::find_overlaps(storage_.bodies(), storage_.surface_view(), still, sees(filter, except.value), [&](int slot) {
+            if (count < capacity) found[count] = id_of(slot);
+            ++count;
+        });
+        return {Status::ok, count};
+    }
+
+    /// The body whose surface is nearest to a point, no further away than `within`, m. See QueryNearest.
+    /// Errors: not_finite, out_of_range (beyond limits::position_max; within below zero).
+    Result<QueryNearest> find_nearest(const Vector& point, scalar within, const QueryFilter& filter = {}) const {
+        shapes_only();
+        const Result<int> except = slot_of_exception(filter);
+        Status status = except.ok() ? check_vector(point, limits::position_max) : except.status;
+        if (status == Status::ok && !is_finite(within)) status = Status::not_finite;
+        if (status == Status::ok && !(within >= 0 && within <= limits::position_max)) status = Status::out_of_range;
+        if (status != Status::ok) return {status, {}};
+        const SlotNearest nearest =
+            ingot::find_nearest<typename S::shapes>(storage_.bodies(), storage_.surface_view(), point, within, sees(filter, except.value));
+        return {Status::ok, {nearest.slot == no_slot ? BodyId{} : id_of(nearest.slot), nearest.distance, nearest.P, nearest.n}};
+    }
+
     // The world as a whole.
 
     /// 64 bits that are equal when the primary state of all bodies is bitwise equal, on every target and for every lane
@@ -289,6 +403,37 @@ private:
     static constexpr void contacts_only() {
         static_assert(collides<S>, "this scene names no contacts: set max_contacts");
     }
+
+    static constexpr void filters_only() {
+        static_assert(S::filters, "this scene names no filters: set filters = true");
+    }
+    static constexpr void sensors_only() {
+        static_assert(has_sensors<S>, "this scene names no sensors: set max_overlaps");
+    }
+
+    static constexpr void events_only() {
+        static_assert(has_events<S>, "this scene names no events: set max_events");
+    }
+
+    static constexpr void shapes_only() {
+        static_assert(has_shapes<S>, "this scene keeps no shapes: set max_manifolds or max_contacts");
+    }
+
+    /// The slot that a query leaves out.
+    Result<int> slot_of_exception(const QueryFilter& filter) const {
+        return filter.except.generation == 0 ? Result<int>{Status::ok, no_slot} : find(filter.except);
+    }
+    /// Which bodies a query looks at, slot by slot.
+    auto sees(const QueryFilter& filter, int except) const {
+        return [this, filter, except](int slot) {
+            if (slot == except || !meet(filter.filter, storage_.filter_view().of(slot))) return false;
+            if constexpr (has_sensors<S>) return filter.sensors || storage_.is_sensor[slot] == 0;
+            return true;
+        };
+    }
+
+    BodyId first_id(const PairOfBodies& pair) const { return {pair.body_A, storage_.world_tag, pair.generation_A}; }
+    BodyId second_id(const PairOfBodies& pair) const { return {pair.body_B, storage_.world_tag, pair.generation_B}; }
 
     bool lives(int slot) const { return (storage_.generation[slot] & 1u) != 0; }
 

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+// Both broad phases find every pair whose bounds overlap and of which one can move, and no other: against a double loop.
+#include <gtest/gtest.h>
+
+#include <ingot/pairs/all_pairs.h>
+#include <ingot/pairs/sorted_tree.h>
+
+#include "contact/play.h"
+#include "reference/random_input.h"
+
+namespace {
+
+using namespace ingot_contact;
+using ingot::BodyPair;
+using ingot::lanes;
+using ingot_reference::RandomInput;
+
+constexpr int bodies_max = 3000, pairs_max = 65535;
+
+/// Bounds and whether bodies move; all that a broad phase reads.
+struct Bodies {
+    std::vector<ingot::RotationTile> rotation;
+    std::vector<ingot::TranslationTile> translation;
+    std::vector<ingot::BoundsTile> bounds;
+    int count;
+
+    explicit Bodies(int body_count)
+        : rotation(tiles(body_count)), translation(tiles(body_count)), bounds(tiles(body_count)), count(body_count) {
+        for (int slot = 0; slot < static_cast<int>(tiles(body_count)) * lanes; ++slot) put(slot, empty_low, -empty_low, false);
+    }
+    static std::size_t tiles(int body_count) { return static_cast<std::size_t>((body_count + lanes - 1) / lanes); }
+    static constexpr double empty_low = 2e30;
+
+    void put(int slot, const Vector3d& low, const Vector3d& high, bool moves) {
+        const ingot::Place at = ingot::place_of(slot);
+        for (int axis = 0; axis < 3; ++axis) {
+            bounds[static_cast<std::size_t>(at.tile)].wide_low[axis][at.lane] = static_cast<scalar>(low(axis));
+            bounds[static_cast<std::size_t>(at.tile)].wide_high[axis][at.lane] = static_cast<scalar>(high(axis));
+        }
+        translation[static_cast<std::size_t>(at.tile)].inv_M[at.lane] = moves ? scalar(1) : scalar(0);
+    }
+    void put(int slot, double low, double high, bool moves) { put(slot, Vector3d::Constant(low), Vector3d::Constant(high), moves); }
+
+    ingot::BodyView view() { return {rotation.data(), translation.data(), nullptr, nullptr, static_cast<int>(rotation.size())}; }
+
+    bool moves(int slot) const {
+        const ingot::Place at = ingot::place_of(slot);
+        return translation[static_cast<std::size_t>(at.tile)].inv_M[at.lane] > 0;
+    }
+    bool overlap(int a, int b) const {
+        const ingot::Place A = ingot::place_of(a), B = ingot::place_of(b);
+        const ingot::BoundsTile &of_A = bounds[static_cast<std::size_t>(A.tile)], &of_B = bounds[static_cast<std::size_t>(B.tile)];
+        for (int axis = 0; axis < 3; ++axis)
+            if (!(of_A.wide_low[axis][A.lane] <= of_B.wide_high[axis][B.lane] && of_B.wide_low[axis][B.lane] <= of_A.wide_high[axis][A.lane]))
+                return false;
+        return true;
+    }
+    std::vector<std::uint32_t> expected() const {
+        std::vector<std::uint32_t> keys;
+        for (int a = 0; a < count; ++a)
+            for (int b = a + 1; b < count; ++b)
+                if ((moves(a) || moves(b)) && overlap(a, b)) keys.push_back(static_cast<std::uint32_t>(a) << 16 | static_cast<std::uint32_t>(b));
+        return keys;
+    }
+};
+
+struct Found {
+    std::vector<std::uint32_t> keys;
+    int lost;
+};
+template <class BroadPhase>
+Found found_by(Bodies& bodies, int capacity) {
+    using Memory = typename BroadPhase::template Memory<bodies_max, pairs_max>;
+    static const std::unique_ptr<Memory> memory(new Memory{});  // what an earlier search left in it must not matter
+    std::vector<BodyPair> pairs(static_cast<std::size_t>(capacity));
+    std::uint16_t count = 7, lost = 7;
+    memory->find_pairs(bodies.view(), bodies.bounds.data(), {pairs.data(), capacity, &count, &lost});
+    Found found;
+    found.lost = lost;
+    for (int i = 0; i < count; ++i) {
+        found.keys.push_back(pairs[static_cast<std::size_t>(i)].key());
+        EXPECT_EQ(pairs[static_cast<std::size_t>(i)].record, ingot::no_record);
+    }
+    return found;
+}
+
+/// Sizes over three decades, clusters, equal boxes, boxes that only touch, half spaces, slots without a shape, some immovable.
+Bodies random_bodies(RandomInput& random, int count) {
+    Bodies bodies(count);
+    const double world = 2 * std::cbrt(count) * random.real(0.5, 2);
+    const double sizes = random.real(0, 1.5);  // decades
+    const int half_spaces = random.integer(0, 5);
+    const bool on_grid = random.integer(0, 3) == 0;
+    for (int slot = 0; slot < count; ++slot) {
+        const int kind = random.integer(0, 99);
+        if (slot < half_spaces) {
+            bodies.put(slot, -1e30, 1e30, false);
+        } else if (kind < 5) {
+            continue;  // no shape
+        } else {
+            Vector3d centre = random.vector(world / 2);
+            if (kind < 15) centre = Vector3d::Constant(world / 3) + random.vector(0.5);
+            Vector3d half = Vector3d::Constant(0.5);
+            if (on_grid)
+                for (int axis = 0; axis < 3; ++axis) centre(axis) = std::floor(centre(axis));  // equal boxes, which touch
+            else
+                half = std::pow(10, random.real(-sizes, sizes / 3)) * (Vector3d::Constant(0.6) + random.vector(0.4));
+            bodies.put(slot, centre - half, centre + half, random.integer(0, 9) > 0);
+        }
+    }
+    return bodies;
+}
+
+constexpr int counts[] = {1, 2, 3, 7, 8, 9, 16, 17, 63, 64, 65, 130, 300, 511, 513, 1000, 3000};
+
+TEST(BroadPhase, both_find_exactly_the_overlaps) {
+    RandomInput random(3);
+    int pairs = 0, scenes = 0;
+    for (const int count : counts) {
+        for (int scene_i = 0; scene_i < (count > 500 ? 4 : 30); ++scene_i) {
+            Bodies bodies = random_bodies(random, count);
+            const std::vector<std::uint32_t> expected = bodies.expected();
+            if (expected.size() > pairs_max) continue;
+            const Found all = found_by<ingot::AllPairs>(bodies, pairs_max), tree = found_by<ingot::SortedTree>(bodies, pairs_max);
+            ASSERT_EQ(all.keys, expected) << count;
+            ASSERT_EQ(tree.keys, expected) << count;
+            EXPECT_EQ(all.lost, 0);
+            EXPECT_EQ(tree.lost, 0);
+            pairs += static_cast<int>(expected.size());
+            ++scenes;
+        }
+    }
+    figure("scenes", scenes);
+    figure("pairs", pairs);
+    EXPECT_GT(pairs, 10000);
+}
+
+/// A full array keeps as many as there is room for, sorted, each one true, and counts the rest.
+template <class BroadPhase>
+void expect_full_array_is_told() {
+    RandomInput random(4);
+    for (const int count : {9, 64, 300, 1000}) {
+        Bodies bodies = random_bodies(random, count);
+        const std::vector<std::uint32_t> expected = bodies.expected();
+        if (expected.size() < 2 || expected.size() > pairs_max) continue;
+        for (const std::size_t capacity : {expected.size() - 1, expected.size() / 2, std::size_t{1}}) {
+            const Found found = found_by<BroadPhase>(bodies, static_cast<int>(capacity));
+            EXPECT_EQ(found.keys.size(), capacity);
+            EXPECT_EQ(static_cast<std::size_t>(found.lost), expected.size() - capacity);
+            EXPECT_TRUE(std::is_sorted(found.keys.begin(), found.keys.end()));
+            EXPECT_TRUE(std::includes(expected.begin(), expected.end(), found.keys.begin(), found.keys.end()));
+            EXPECT_EQ(std::adjacent_find(found.keys.begin(), found.keys.end()), found.keys.end());
+        }
+    }
+}
+TEST(BroadPhase, all_pairs_tells_what_has_no_room) { expect_full_array_is_told<ingot::AllPairs>(); }
+TEST(BroadPhase, sorted_tree_tells_what_has_no_room) { expect_full_array_is_told<ingot::SortedTree>(); }
+
+/// All bodies at one place; all in a line; bounds that are a point.
+TEST(BroadPhase, degenerate_places_are_places) {
+    for (const int count : {2, 9, 40, 200}) {
+        for (int kind = 0; kind < 3; ++kind) {
+            Bodies bodies(count);
+            for (int slot = 0; slot < count; ++slot) {
+                const Vector3d centre = kind == 0 ? Vector3d(1, 2, 3) : Vector3d(slot * 0.75, 0, 0);
+                const Vector3d half = Vector3d::Constant(kind == 2 ? 0 : 0.5);
+                bodies.put(slot, centre - half, centre + half, true);
+            }
+            EXPECT_EQ(found_by<ingot::SortedTree>(bodies, pairs_max).keys, bodies.expected());
+            EXPECT_EQ(found_by<ingot::AllPairs>(bodies, pairs_max).keys, bodies.expected());
+        }
+    }
+}
+
+/// Pairs are searched for again before they can touch: in every step of a pile that falls, each two balls nearer than
+/// limits::contact_margin have a manifold, and none do that are further apart than the margin, what they travel and what they spin.
+template <class BroadPhase>
+void expect_manifolds_of_all_near_pairs() {
+    using Pile = scenes::SpherePile<4>;
+    auto scene = play<Pile, BroadPhase>();
+    const double h = 1.0 / 60, margin = static_cast<double>(ingot::limits::contact_margin), rounding = 1e-5;
+    for (int step_i = 0; step_i < 200; ++step_i) {
+        std::vector<scenes::Surface> surfaces;
+        for (int i = 0; i < Pile::body_count; ++i) surfaces.push_back(scene.surface(i));
+        int near = 0, within = 0;
+        for (int i = Pile::wall_count; i < Pile::body_count; ++i) {
+            for (int k = 0; k < i; ++k) {
+                const double apart = -scenes::overlap_of(surfaces[static_cast<std::size_t>(i)], surfaces[static_cast<std::size_t>(k)]);
+                const double spin = scene.omega(i).norm() + (scene.moves(k) ? scene.omega(k).norm() : 0);
+                near += apart <= margin - rounding;
+                within += apart <= margin + h * ((scene.v(i) - scene.v(k)).norm() + 0.5 * spin) + rounding;
+            }
+        }
+        const StepReport report = scene.step(Pile::h);
+        ASSERT_GE(report.contacts, near) << step_i;
+        ASSERT_LE(report.contacts, within) << step_i;
+    }
+    EXPECT_GT(scene.reports().most_contacts, 100);
+}
+TEST(BroadPhase, all_pairs_is_asked_again_in_time) { expect_manifolds_of_all_near_pairs<ingot::AllPairs>(); }
+TEST(BroadPhase, sorted_tree_is_asked_again_in_time) { expect_manifolds_of_all_near_pairs<ingot::SortedTree>(); }
+
+}  // namespace

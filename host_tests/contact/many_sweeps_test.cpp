@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: MIT
+// The rows and the sweeps against the exact solution of the same contact problem: with sweeps enough they meet. Piles at random, one
+// substep, from rest and from impulses of a step before.
+#include <gtest/gtest.h>
+
+#include <ingot/blocks/conjugate_gradients.h>
+#include <ingot/blocks/order_manifolds.h>
+#include <ingot/blocks/predict_contacts.h>
+#include <ingot/blocks/prepare_blocks.h>
+#include <ingot/blocks/sweep_velocities.h>
+#include <ingot/blocks/warm_start.h>
+#include <ingot/body/auxiliary.h>
+
+#include "contact/play.h"
+#include "reference/contact_reference.h"
+#include "reference/random_input.h"
+
+namespace {
+
+using namespace ingot_contact;
+using ingot::BodyPair;
+using ingot::lanes;
+using ingot_reference::ContactBody;
+using ingot_reference::ContactProblem;
+using ingot_reference::ContactSolution;
+using ingot_reference::FrictionPatch;
+using ingot_reference::RandomInput;
+
+constexpr double h = 1.0 / 240, reference_tolerance = 1e-11;
+
+/// Bodies and manifolds as a world would have them, and all the memory of the solver.
+struct Pile {
+    int bodies;
+    std::vector<ingot::RotationTile> rotation;
+    std::vector<ingot::TranslationTile> translation;
+    std::vector<BodyPair> pairs;
+    std::vector<ingot::ManifoldRecord> records;
+
+    std::vector<ingot::ContactBlock> blocks;
+    std::vector<ingot::Visit> visits;
+    std::vector<std::uint16_t> order, other_order, level_order, level, slot_of, local_of, level_of_body;
+    std::vector<ingot::SolverBody> solver_bodies;
+    std::vector<ingot::SolverBodyHistory> histories;
+    std::vector<std::uint32_t> colours;
+
+    explicit Pile(int body_count) : bodies(body_count) {
+        const std::size_t tiles = static_cast<std::size_t>((bodies + lanes - 1) / lanes);
+        rotation.resize(tiles);
+        translation.resize(tiles);
+        for (int slot = 0; slot < static_cast<int>(tiles) * lanes; ++slot) ingot::set_identity_body(view(), slot);
+    }
+    ingot::BodyView view() { return {rotation.data(), translation.data(), nullptr, nullptr, static_cast<int>(rotation.size())}; }
+
+    ingot::SolverView solver() {
+        const std::size_t manifolds = pairs.size(), room = 2 * manifolds + 2, locals = static_cast<std::size_t>(bodies) + 1;
+        blocks.assign(room, {});
+        visits.assign(2 * manifolds + room, {});
+        order.assign(room * lanes, 0);
+        for (auto* of_manifold : {&other_order, &level_order, &level}) of_manifold->assign(manifolds, 0);
+        for (auto* of_body : {&slot_of, &level_of_body}) of_body->assign(locals, 0);
+        local_of.assign(rotation.size() * lanes, 0);
+        solver_bodies.assign(locals, {});
+        histories.assign(locals, {});
+        colours.assign(locals, 0);
+        return {pairs.data(), records.data(), static_cast<int>(manifolds), blocks.data(), visits.data(), order.data(), level.data(),
+                other_order.data(), level_order.data(), solver_bodies.data(), histories.data(), slot_of.data(), local_of.data(), level_of_body.data(),
+                colours.data(), 0, 0, 0, 0, static_cast<int>(room) * lanes, 0, false};
+    }
+};
+
+void put(scalar (&to)[4], const Eigen::Vector3d& value, double fourth) {
+    for (int axis = 0; axis < 3; ++axis) to[axis] = static_cast<scalar>(value(axis));
+    to[3] = static_cast<scalar>(fourth);
+}
+
+/// A pile and the same as a problem for the reference; gravity has acted in both.
+struct Twins {
+    Pile pile;
+    ContactProblem problem;
+};
+
+/// Bodies on top of each other and beside each other, three in four manifolds with several points; slot 0 is the ground.
+Twins random_pile(RandomInput& random, double mu_max) {
+    Twins twins{Pile(random.integer(2, 7)), {}};
+    Pile& pile = twins.pile;
+    twins.problem.h = h;
+    std::vector<Matrix3d> inv_I(1, Matrix3d::Zero());
+    twins.problem.bodies.emplace_back();
+    for (int slot = 1; slot < pile.bodies; ++slot) {
+        const double M = std::exp(random.real(-1, 1));
+        const Matrix3d A = random.rotation();
+        ContactBody body;
+        body.inv_M = static_cast<double>(static_cast<scalar>(1 / M));
+        body.inv_I_world = (A * random.moments(M).cwiseInverse().asDiagonal() * A.transpose()).unaryExpr([](double x) {
+            return static_cast<double>(static_cast<scalar>(x));
+        });
+        body.inv_I_world = Matrix3d(body.inv_I_world.selfadjointView<Eigen::Upper>());
+        body.r_CM = Eigen::Vector3d(random.real(-0.2, 0.2), random.real(-0.2, 0.2), slot - 0.5);
+        body.v_CM = random.vector(0.3);
+        body.omega = random.vector(0.3);
+        twins.problem.bodies.push_back(body);
+
+        const ingot::Place at = ingot::place_of(slot);
+        ingot::TranslationTile& translation = pile.translation[static_cast<std::size_t>(at.tile)];
+        translation.inv_M[at.lane] = static_cast<scalar>(body.inv_M);
+        ingot::set_lane(translation.r_CM, at.lane, ingot_reference::to_vector(body.r_CM));
+        const Matrix3d& I = body.inv_I_world;
+        const ingot::Sym3<scalar> packed = {static_cast<scalar>(I(0, 0)), static_cast<scalar>(I(1, 1)), static_cast<scalar>(I(2, 2)),
+                                            static_cast<scalar>(I(0, 1)), static_cast<scalar>(I(0, 2)), static_cast<scalar>(I(1, 2))};
+        ingot::set_lane(translation.inv_I_world, at.lane, packed);
+    }
+    for (int upper = 1; upper < pile.bodies; ++upper) {
+        for (int lower = 0; lower < upper; ++lower) {
+            if (lower != upper - 1 && random.integer(0, 3) > 0) continue;  // on the one before, and at times on others
+            ingot::ManifoldRecord record{};
+            record.mu = static_cast<scalar>(random.real(0, mu_max));
+            const Eigen::Vector3d up = (Eigen::Vector3d::UnitZ() + random.vector(0.2)).normalized();
+            record.manifold.n = ingot_reference::to_vector(-up);  // A is the lower slot
+            record.manifold.count = random.integer(1, 4);
+            const Eigen::Vector3d a = twins.problem.bodies[static_cast<std::size_t>(upper)].r_CM, b = twins.problem.bodies[static_cast<std::size_t>(lower)].r_CM;
+            Eigen::Vector3d middle = lower == 0 ? Eigen::Vector3d(a - 0.5 * up) : Eigen::Vector3d((a + b) / 2);
+            middle += random.vector(0.1);
+            for (int i = 0; i < record.manifold.count; ++i) {
+                const double angle = 1.5707963 * i + random.real(-0.5, 0.5);
+                const Eigen::Vector3d e1 = up.unitOrthogonal(), e2 = up.cross(e1);
+                record.manifold.points[i].P = ingot_reference::to_vector(middle + random.real(0.2, 0.5) * (std::cos(angle) * e1 + std::sin(angle) * e2));
+                record.manifold.points[i].separation = static_cast<scalar>(random.real(-0.001, 0));
+                record.manifold.points[i].feature = static_cast<std::uint32_t>(i);
+            }
+            pile.pairs.push_back({static_cast<std::uint16_t>(lower), static_cast<std::uint16_t>(upper), static_cast<std::uint16_t>(pile.records.size())});
+            pile.records.push_back(record);
+        }
+    }
+    // Sorted by slots, as a world has them.
+    std::sort(pile.pairs.begin(), pile.pairs.end(), [](const BodyPair& a, const BodyPair& b) { return a.key() < b.key(); });
+
+    for (const BodyPair& pair : pile.pairs) {
+        const ingot::ManifoldRecord& record = pile.records[pair.record];
+        FrictionPatch patch;
+        patch.body_A = pair.body_A;
+        patch.body_B = pair.body_B;
+        patch.n = to_eigen(record.manifold.n).normalized();
+        patch.mu = static_cast<double>(record.mu);
+        patch.r_P = Eigen::Vector3d::Zero();
+        for (int i = 0; i < record.manifold.count; ++i) {
+            ingot_reference::ContactPoint point;
+            point.body_A = pair.body_A;
+            point.body_B = pair.body_B;
+            point.r_P = to_eigen(record.manifold.points[i].P);
+            point.n = patch.n;
+            patch.points.push_back(static_cast<int>(twins.problem.points.size()));
+            patch.r_P += point.r_P / record.manifold.count;
+            twins.problem.points.push_back(point);
+        }
+        double radius = 0;
+        for (const int i : patch.points) radius += (twins.problem.points[static_cast<std::size_t>(i)].r_P - patch.r_P).norm() / record.manifold.count;
+        patch.mu_twist = record.manifold.count > 1 ? patch.mu * radius : 0;
+        twins.problem.patches.push_back(patch);
+    }
+    return twins;
+}
+
+/// The bodies of the problem as the solver takes them in, L for omega.
+void take_in(ingot::SolverView& solver, const ContactProblem& problem) {
+    solver.bodies[0] = {};
+    solver.body_count = static_cast<int>(problem.bodies.size());
+    for (int slot = 1; slot < solver.body_count; ++slot) {
+        const ContactBody& body = problem.bodies[static_cast<std::size_t>(slot)];
+        solver.local_of[slot] = solver.slot_of[slot] = static_cast<std::uint16_t>(slot);
+        put(solver.bodies[slot].v_CM, body.v_CM, body.inv_M);
+        put(solver.bodies[slot].L, body.inv_I_world.inverse() * body.omega, 0);
+    }
+}
+
+ContactSolution solution_of(const ingot::SolverView& solver, const ContactProblem& problem) {
+    ContactSolution found;
+    for (int slot = 0; slot < solver.body_count; ++slot) {
+        const ContactBody& body = problem.bodies[static_cast<std::size_t>(slot)];
+        const ingot::SolverBody& now = solver.bodies[slot];
+        found.v_CM.emplace_back(now.v_CM[0], now.v_CM[1], now.v_CM[2]);
+        found.omega.push_back(body.inv_I_world * Eigen::Vector3d(now.L[0], now.L[1], now.L[2]));
+    }
+    return found;
+}
+
+/// What sweeps still change, m/s, decides how far they are: a sequence that shrinks by q is within residual / (1 - q) of its end. The rows'
+/// own rounding, some units in the last place of 1 m/s in each of up to twelve manifolds, is taken up as often. These piles shrink by
+/// 0.9 and faster.
+void expect_sweeps_meet_the_exact_solution(double mu_max) {
+    RandomInput random(8);
+    double worst = 0, worst_share = 0;
+    int compared = 0;
+    for (int pile_i = 0; pile_i < 60; ++pile_i) {
+        Twins twins = random_pile(random, mu_max);
+        const ContactSolution exact = ingot_reference::solve_contacts(twins.problem, reference_tolerance);
+        if (!exact.converged) continue;  // friction on several sides may have no solution that Newton finds
+        ingot::SolverView solver = twins.pile.solver();
+        take_in(solver, twins.problem);
+        ingot::order_manifolds(solver);
+        ingot::prepare_blocks(solver, twins.pile.view());
+        ingot::predict_contacts(solver, static_cast<scalar>(h));
+        ingot::warm_start(solver, static_cast<scalar>(h));  // impulses are 0 as yet: nothing is given
+        constexpr int sweeps = 2000;
+        double residual = 0;
+        for (int sweep_i = 1; sweep_i <= sweeps; ++sweep_i) residual = static_cast<double>(ingot::sweep_velocities(solver, sweep_i % 2 != 0).residual);
+        const double bound = (residual + 12 * 4 * static_cast<double>(ingot::epsilon)) / (1 - 0.9) + reference_tolerance;
+        const double distance = ingot_reference::velocity_distance(twins.problem, exact, solution_of(solver, twins.problem));
+        worst = std::max(worst, distance);
+        worst_share = std::max(worst_share, distance / bound);
+        EXPECT_LE(distance, bound) << "pile " << pile_i << " of " << twins.pile.bodies << " bodies, residual " << residual;
+        ++compared;
+    }
+    figure("piles", compared);
+    figure("largest distance, m/s", worst);
+    figure("largest share of its bound", worst_share);
+    EXPECT_GT(compared, 40);
+}
+TEST(ManySweeps, without_friction_lead_to_the_exact_solution) { expect_sweeps_meet_the_exact_solution(0); }
+/// Coulomb's law to the letter: where a manifold slides, friction is against the slip.
+TEST(ManySweeps, with_friction_lead_to_the_exact_solution) { expect_sweeps_meet_the_exact_solution(0.4); }
+
+/// The extrapolations of conjugate gradients lead to the same end, and sooner.
+TEST(ManySweeps, with_conjugate_gradients_lead_there_too) {
+    RandomInput random(9);
+    double plain_sum = 0, joined_sum = 0;
+    int compared = 0;
+    for (int pile_i = 0; pile_i < 40; ++pile_i) {
+        Twins twins = random_pile(random, 0);
+        const ContactSolution exact = ingot_reference::solve_contacts(twins.problem, reference_tolerance);
+        if (!exact.converged) continue;
+        double distance[2];
+        for (const bool joined : {false, true}) {
+            ingot::SolverView solver = twins.pile.solver();
+            take_in(solver, twins.problem);
+            ingot::order_manifolds(solver);
+            ingot::prepare_blocks(solver, twins.pile.view());
+            ingot::predict_contacts(solver, static_cast<scalar>(h));
+            ingot::warm_start(solver, static_cast<scalar>(h));
+            scalar before = 0;
+            for (int sweep_i = 1; sweep_i <= 8; ++sweep_i) {
+                ingot::begin_sweep(solver);
+                const scalar size = ingot::sweep_velocities(solver, sweep_i % 2 != 0).size;
+                const scalar beta = sweep_i > 1 && size <= before && before > 0 ? size / before : 0;
+                before = size;
+                if (joined && sweep_i < 8) ingot::extrapolate(solver, beta);
+            }
+            distance[joined] = ingot_reference::velocity_distance(twins.problem, exact, solution_of(solver, twins.problem));
+        }
+        plain_sum += std::log(distance[0] + 1e-7);
+        joined_sum += std::log(distance[1] + 1e-7);
+        ++compared;
+    }
+    figure("mean distance after 8 sweeps, m/s", std::exp(plain_sum / compared));
+    figure("the same with conjugate gradients, m/s", std::exp(joined_sum / compared));
+    EXPECT_LT(joined_sum, plain_sum);
+    EXPECT_GT(compared, 25);
+}
+
+}  // namespace

@@ -1,0 +1,16 @@
+# SPDX-License-Identifier: MIT
+# PROGRAMS end with success and print the same.
+cmake_minimum_required(VERSION 3.25)
+set(first "")
+foreach(program IN LISTS PROGRAMS)
+  execute_process(COMMAND ${program} OUTPUT_VARIABLE output RESULT_VARIABLE result)
+  if(NOT result EQUAL 0 OR output STREQUAL "")
+    message(FATAL_ERROR "same output: ${program} ended with ${result} and printed '${output}'")
+  endif()
+  if(first STREQUAL "")
+    set(first "${output}")
+  elseif(NOT output STREQUAL first)
+    message(FATAL_ERROR "same output: ${program} printed '${output}', the first '${first}'")
+  endif()
+endforeach()
+message(STATUS "${first}")

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// Scenes with friction for the smallest targets and the golden hashes: a tower, a pyramid and a mixed pile.
+#pragma once
+
+#include "contact/piles.h"
+#include "contact/stacks.h"
+
+namespace scenes {
+
+/// What they share. Pairs are as many as manifolds and half again: bodies that touch are near others.
+template <int bodies, int manifolds>
+struct Stacked : ingot::Scene {
+    static constexpr int max_bodies = bodies;
+    static constexpr bool translates = true;
+    static constexpr int max_manifolds = manifolds;
+    using shapes = ingot::Shapes<ingot::Box, ingot::HalfSpace>;
+
+    static constexpr scalar h = display_rate_h;  ///< s
+};
+
+/// Ten cubes in one column.
+struct Tower10 : Stacked<11, 10> {
+    static constexpr const char* name = "tower_10";
+    static constexpr const char* title = "ten cubes in one column";
+    static constexpr int golden_steps = 120;
+    static constexpr PlacedBody body(int body_i) { return Tower<10>::body(body_i); }
+};
+
+/// A wall of 55 cubes: ten in the lowest row.
+struct Pyramid55 : Stacked<56, 110> {
+    static constexpr const char* name = "pyramid_55";
+    static constexpr const char* title = "a wall of 55 cubes";
+    static constexpr int golden_steps = 120;
+    static constexpr PlacedBody body(int body_i) { return Pyramid<10>::body(body_i); }
+};
+
+/// Boxes and balls fall into a pit, some of them springy: every routine of these shapes, manifolds that come and go, bounces and rest.
+struct MixedPile : Stacked<21, 110> {
+    using shapes = ingot::Shapes<ingot::Sphere, ingot::Box, ingot::HalfSpace>;
+    using broad_phase = ingot::SortedTree;
+    static constexpr const char* name = "mixed_pile";
+    static constexpr const char* title = "boxes and balls fall into a pit";
+    static constexpr int golden_steps = 180;
+    static constexpr int wall_count = 5;
+    static constexpr scalar side = 3;
+
+    static constexpr PlacedBody body(int body_i) {
+        if (body_i < wall_count) return pit_wall(body_i, side, scalar(0.5));
+        const int piece_i = body_i - wall_count;
+        const Vector r = {scalar(piece_i % 2) - scalar(0.5) + scalar(0.1) * scattered(piece_i, 0),
+                          scalar(piece_i / 2 % 2) - scalar(0.5) + scalar(0.1) * scattered(piece_i, 1),
+                          1 + scalar(piece_i / 4)};
+        const scalar size = scalar(0.3) + scalar(0.1) * scattered(piece_i, 2);
+        const scalar e = piece_i % 5 == 0 ? scalar(0.5) : scalar(0);
+        if (piece_i % 3 == 0) return solid_ball(1, size, r, scalar(0.5), e);
+        PlacedBody box = solid_box(1, {size, size * scalar(0.75), size * scalar(0.5)}, r, scalar(0.5), e);
+        box.turn(scattered_rotation(piece_i));
+        return box;
+    }
+};
+
+/// Adds the bodies of a scene one by one: no target keeps them all.
+template <class S>
+ingot::Status set_up_placed(ingot::World<S>& world) {
+    ingot::Status status = world.set_gravity({0, 0, -standard_gravity});
+    for (int body_i = 0; body_i < S::max_bodies && status == ingot::Status::ok; ++body_i) {
+        PlacedBody placed = S::body(body_i);
+        placed.def.friction = placed.mu;
+        status = world.add(placed.def).status;
+    }
+    return status;
+}
+inline ingot::Status set_up(ingot::World<Tower10>& world) { return set_up_placed(world); }
+inline ingot::Status set_up(ingot::World<Pyramid55>& world) { return set_up_placed(world); }
+inline ingot::Status set_up(ingot::World<MixedPile>& world) { return set_up_placed(world); }
+
+}  // namespace scenes

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#include "note_impulses.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+void note_impulses(const SolverView& solver, ImpactNote* notes) {
+    for (int block_i = 0; block_i < solver.block_count; ++block_i) {
+        const ContactBlock& block = solver.blocks[block_i];
+        for (int lane_i = 0; lane_i < lanes; ++lane_i) {
+            if (block.manifold[lane_i] == no_manifold) continue;
+            bool carried = false;
+            for (int row = 0; row < block.rows; ++row) carried = carried || block.row[row].j[lane_i] > 0;
+            if (carried) notes[block.manifold[lane_i]].carried = true;
+        }
+    }
+}
+
+} }  // namespace ingot

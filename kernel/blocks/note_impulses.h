@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "../contact/contact_events.h"
+#include "solver_view.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// Notes which manifolds carry an impulse at the end of a substep: what a bounce gives in one is gone in the next.
+void note_impulses(const SolverView& solver, ImpactNote* notes);
+
+} }  // namespace ingot

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// Bodies as the contact solver reads and writes them: packed, because what touches is scattered over the tiles.
+#pragma once
+
+#include "../body/body_tiles.h"
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpsabi"  // see lanes.h
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// What sweeps gather and scatter: four quads, a cache line in float. World axes. An immovable body is all zero, and stays so.
+struct alignas(4 * sizeof(scalar)) SolverBody {
+    scalar v_CM[4];  ///< m/s; last: inv_M, kg^-1
+    scalar L[4];     ///< kg m^2/s; last: 1 where the body was hit in the substep before
+    scalar dp[4];    ///< m, displacement of the centre of mass since the step began; last: m s^-2, of gravity and forces
+    scalar dth[4];   ///< rad, small rotation since then
+};
+
+/// The rest, which only loops over bodies use.
+struct alignas(4 * sizeof(scalar)) SolverBodyHistory {
+    scalar a[4];          ///< m s^-2, of gravity and forces
+    scalar tau[4];        ///< N m
+    scalar v_begin[4];    ///< of the substep
+    scalar v_sweep[4];    ///< before the sweep at hand
+    scalar L_sweep[4];
+    scalar P_v[4];        ///< conjugate direction
+    scalar P_L[4];
+    scalar L_sum[4];      ///< of the substeps: the drift of A goes by the mean
+};
+
+/// One of the four quads.
+using QuadOfBody = scalar (SolverBody::*)[4];
+
+INGOT_INLINE LaneQuad gather(const SolverBody* bodies, const uint16_t* index, QuadOfBody part) {
+    return gather4([&](int lane_i) { return static_cast<const scalar*>(bodies[index[lane_i]].*part); });
+}
+/// Lanes that share a body do so only in the body that cannot move, whose numbers stay zero.
+INGOT_INLINE void scatter(SolverBody* bodies, const uint16_t* index, QuadOfBody part, const LaneQuad& value) {
+    scatter4(value, [&](int lane_i) { return static_cast<scalar*>(bodies[index[lane_i]].*part); });
+}
+/// Writes only the lanes named by bits.
+INGOT_INLINE void scatter_some(SolverBody* bodies, const uint16_t* index, uint16_t lane_bits, QuadOfBody part, const LaneQuad& value) {
+    scalar rows[4][lanes];
+    for (int i = 0; i < 4; ++i) store(rows[i], value.at[i]);
+    for (int lane_i = 0; lane_i < lanes; ++lane_i) {
+        if ((lane_bits >> lane_i & 1u) == 0) continue;
+        for (int i = 0; i < 4; ++i) (bodies[index[lane_i]].*part)[i] = rows[i][lane_i];
+    }
+}
+
+} }  // namespace ingot
+
+#pragma GCC diagnostic pop

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "sweep_positions.h"
+
+#include "../base/limits.h"
+#include "../math/sqrt.h"
+#include "block_rows.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+namespace {
+
+/// What is to be taken back of each row, and which rows may also be drawn together.
+struct Pushes {
+    Row4 w;                   ///< m
+    mask pulls[block_rows];   ///< pressed points, and those that land at a place of their own
+    mask off, lands;          ///< a row is where it should not be; a row lands
+};
+template <int rows>
+INGOT_INLINE Pushes pushes_due(const ContactBlock& block, const Vec3<lane>& n, const BodyPairLanes& pair, scalar h) {
+    const lane share = splat<lane>(limits::position_share), deepest = splat<lane>(-limits::push_speed_max * h);
+    const lane settled = splat<lane>(-limits::settled_gap), apart = dot(n, pair.linear_A - pair.linear_B);
+    Pushes due;
+    due.off = due.lands = splat<lane>(1) < lane{};
+    for (int row = 0; row < rows; ++row) {
+        const lane s = separation_now(block, row, apart, pair);
+        const mask lands = bounces(block.row[row]), pressed = load(block.row[row].j) > lane{};
+        const lane wanted = select(either(pressed, s < lane{}), greatest(s * share, deepest), s);
+        const lane w = select(lands, s - load(block.row[row].landing), wanted);
+        due.w.at[row] = rows == 1 ? w : select(is_used(block, row), w, lane{});
+        due.pulls[row] = either(lands, pressed);
+        due.lands = either(due.lands, lands);
+        due.off = either(due.off, select(due.pulls[row], -abs(due.w.at[row]), due.w.at[row]) < settled);
+    }
+    return due;
+}
+
+/// True if points of the visit land, which one push brings there within 1 % of the way: `again` pushes no others.
+template <int rows>
+INGOT_INLINE bool visit_positions(const SolverView& solver, ContactBlock& block, uint16_t lane_bits, scalar h, bool again) {
+    const mask active = mask_from_bits(lane_bits);
+    const Vec3<lane> n = load(block.n);
+    BodyPairLanes pair = gather_bodies(solver, block, &SolverBody::dp, &SolverBody::dth);
+    Pushes due = pushes_due<rows>(block, n, pair, h);
+    if (again) due.off = both(due.off, due.lands);
+    if (!any(due.off)) return false;
+    const Row4 none = {};
+    const Row4 q = solve_block<rows, false>(block.K, block.B, block.held, due.w, none, due.pulls, limits::approach_slack * h, active);
+    lane sum{};
+    for (int row = 0; row < rows; ++row) {
+        const lane push = select(due.off, q.at[row], lane{});
+        turn_by_push(pair, block.row[row].levers, push);
+        sum = sum + push;
+    }
+    add_linear(pair, n * sum, load(block.inv_M_A), load(block.inv_M_B));
+    scatter_bodies(solver, block, lane_bits, pair, &SolverBody::dp, &SolverBody::dth);
+    return any(both(due.lands, active));
+}
+
+}  // namespace
+
+void sweep_positions(const SolverView& solver, scalar h) {
+    for (int visit_i = 0; visit_i < solver.visit_count; ++visit_i) {
+        const Visit visit = solver.visits[visit_i];
+        ContactBlock& block = solver.blocks[visit.block];
+        if (block.rows == 1) {
+            (void)visit_positions<1>(solver, block, visit.lane_bits, h, false);
+            continue;
+        }
+        bool lands = true;
+        for (int push_i = 0; push_i < limits::landing_pushes && lands; ++push_i)
+            lands = visit_positions<block_rows>(solver, block, visit.lane_bits, h, push_i > 0);
+    }
+}
+
+} }  // namespace ingot

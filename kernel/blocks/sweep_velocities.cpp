@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include "sweep_velocities.h"
+
+#include "../base/limits.h"
+#include "../math/sqrt.h"
+#include "block_rows.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+namespace {
+
+/// What a visit changes: impulses squared times compliance, and the largest speed, of each lane.
+struct Change {
+    lane size, fastest;
+
+    INGOT_INLINE void add(lane d, lane K) {
+        const lane speed = d * K;
+        size = size + d * speed;
+        fastest = greatest(fastest, abs(speed));
+    }
+};
+
+/// Returns the sum of the normals' impulses, which bounds twist and friction.
+template <int rows, bool whole>
+INGOT_INLINE lane solve_normals(ContactBlock& block, BodyPairLanes& pair, const Vec3<lane>& n, mask active, Change& change) {
+    const lane approach = dot(n, pair.linear_A - pair.linear_B);
+    Row4 before, w;
+    for (int row = 0; row < rows; ++row) {
+        before.at[row] = load(block.row[row].j);
+        const lane speed = row_speed(block.row[row].levers, approach, pair) - load(block.row[row].target);
+        w.at[row] = rows == 1 ? speed : select(is_used(block, row), speed, lane{});
+    }
+    const mask none[block_rows] = {};
+    const Row4 j = solve_block<rows, true>(block.K, block.B, block.held, w, before, none, limits::approach_slack, active);
+    lane total{}, given{};
+    for (int row = 0; row < rows; ++row) {
+        const lane d = j.at[row] - before.at[row];
+        add_angular(pair, block.row[row].levers, d);
+        given = given + d;
+        total = total + j.at[row];
+        change.add(d, load(block.K[Sym4::index(row, row)]));
+        store_if<whole>(block.row[row].j, active, j.at[row]);
+    }
+    add_linear(pair, n * given, load(block.inv_M_A), load(block.inv_M_B));
+    return total;
+}
+
+template <bool whole>
+INGOT_INLINE void solve_twist(TwistRow& twist, BodyPairLanes& pair, const Vec3<lane>& n, lane inv_M_A, lane inv_M_B, lane limit, mask active, Change& change) {
+    const lane spin = dot(pair.angular_A, load(twist.k_A)) + dot(pair.angular_B, load(twist.k_B));
+    const lane before = load(twist.j), radius = load(twist.radius), K = load(twist.K);
+    const lane j = cut_to(before - spin * load(twist.inv_K), limit * radius), d = j - before;
+    add_twist(pair, n, d, inv_M_A, inv_M_B);
+    store_if<whole>(twist.j, active, j);
+    change.size = change.size + d * d * K;
+    change.fastest = greatest(change.fastest, abs(d * K) * radius);
+}
+
+template <bool whole>
+INGOT_INLINE void solve_friction(ContactBlock& block, BodyPairLanes& pair, lane limit, mask active, Change& change) {
+    FrictionPair& friction = block.friction;
+    const Vec3<lane> t_1 = load(block.t_1), t_2 = load(block.t_2), slip = pair.linear_A - pair.linear_B;
+    const lane u_1 = row_speed(friction.levers[0], dot(t_1, slip), pair), u_2 = row_speed(friction.levers[1], dot(t_2, slip), pair);
+    const lane inv_K_11 = load(friction.inv_K[0]), inv_K_12 = load(friction.inv_K[1]), inv_K_22 = load(friction.inv_K[2]);
+    const lane before_1 = load(friction.j[0]), before_2 = load(friction.j[1]);
+    lane j_1 = before_1 - (inv_K_11 * u_1 + inv_K_12 * u_2), j_2 = before_2 - (inv_K_12 * u_1 + inv_K_22 * u_2);
+    const mask slides = j_1 * j_1 + j_2 * j_2 > limit * limit;
+    if (any(slides)) {
+        // What sticks is found along inv_K u. What slides is pulled against u itself: only then does it end along the slip.
+        const lane inv_K_max = load(friction.inv_K_max);
+        lane slide_1 = before_1 - inv_K_max * u_1, slide_2 = before_2 - inv_K_max * u_2;
+        cut_to_cone(slide_1, slide_2, limit);
+        j_1 = select(slides, slide_1, j_1);
+        j_2 = select(slides, slide_2, j_2);
+    }
+    const lane d_1 = j_1 - before_1, d_2 = j_2 - before_2;
+    add_linear(pair, t_1 * d_1 + t_2 * d_2, load(block.inv_M_A), load(block.inv_M_B));
+    add_angular(pair, friction.levers[0], d_1);
+    add_angular(pair, friction.levers[1], d_2);
+    store_if<whole>(friction.j[0], active, j_1);
+    store_if<whole>(friction.j[1], active, j_2);
+    change.add(d_1, load(friction.K[0]));
+    change.add(d_2, load(friction.K[1]));
+}
+
+/// Solves what one visit names: normals, twist, friction.
+template <int rows, bool whole>
+INGOT_INLINE void visit_velocities(const SolverView& solver, ContactBlock& block, uint16_t lane_bits, lane& residual) {
+    const mask active = whole ? splat<lane>(1) > lane{} : mask_from_bits(lane_bits);
+    const Vec3<lane> n = load(block.n);
+    BodyPairLanes pair = gather_bodies(solver, block, &SolverBody::v_CM, &SolverBody::L);
+    Change change{};
+    const lane limit = load(block.mu) * solve_normals<rows, whole>(block, pair, n, active, change);
+    if constexpr (rows > 1)  // one point has no lever to resist a twist with
+        solve_twist<whole>(block.twist, pair, n, load(block.inv_M_A), load(block.inv_M_B), limit, active, change);
+    solve_friction<whole>(block, pair, limit, active, change);
+    residual = greatest(residual, select(active, change.fastest, residual));
+    store_if<whole>(block.change, active, change.size);
+    scatter_bodies(solver, block, lane_bits, pair, &SolverBody::v_CM, &SolverBody::L);
+}
+
+/// The sum does not depend on lanes: the k-th manifold is added to the k mod 8-th of eight sums.
+scalar sum_of_changes(const SolverView& solver) {
+    scalar sums[8] = {};
+    unsigned manifold = 0;
+    for (int visit_i = 0; visit_i < solver.visit_count; ++visit_i) {
+        const Visit visit = solver.visits[visit_i];
+        const scalar* const change = solver.blocks[visit.block].change;
+        for (unsigned lane_i = 0, left = visit.lane_bits; left != 0; ++lane_i, left >>= 1)
+            if ((left & 1u) != 0 && solver.blocks[visit.block].manifold[lane_i] != no_manifold) sums[manifold++ % 8] += change[lane_i];
+    }
+    return ((sums[0] + sums[1]) + (sums[2] + sums[3])) + ((sums[4] + sums[5]) + (sums[6] + sums[7]));
+}
+
+}  // namespace
+
+SweepResult sweep_velocities(const SolverView& solver, bool up) {
+    lane residual{};
+    for (int visit_i = 0; visit_i < solver.visit_count; ++visit_i) {
+        const Visit visit = solver.visits[up ? visit_i : solver.visit_count - 1 - visit_i];
+        ContactBlock& block = solver.blocks[visit.block];
+        const bool whole = visit.lane_bits == all_lanes;
+        if (block.rows == 1)
+            whole ? visit_velocities<1, true>(solver, block, visit.lane_bits, residual) : visit_velocities<1, false>(solver, block, visit.lane_bits, residual);
+        else
+            whole ? visit_velocities<block_rows, true>(solver, block, visit.lane_bits, residual)
+                  : visit_velocities<block_rows, false>(solver, block, visit.lane_bits, residual);
+    }
+    scalar of_lanes[lanes], largest = 0;
+    store(of_lanes, residual);
+    for (const scalar one : of_lanes) largest = one > largest ? one : largest;
+    return {sum_of_changes(solver), largest};
+}
+
+} }  // namespace ingot

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+// From pairs that may touch to manifolds. The only file that names the routines of the narrow phase.
+#pragma once
+
+#include "../base/limits.h"
+#include "../base/report.h"
+#include "../math/sqrt.h"
+#include "manifold_record.h"
+#include "../collide/narrow_phase.h"
+#include "manifold_anchors.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+INGOT_INLINE BodyFrame frame_of(const BodyView& bodies, int slot) {
+    const Place at = place_of(slot);
+    return {lane_of(bodies.translation[at.tile].r_CM, at.lane), lane_of(bodies.rotation[at.tile].A, at.lane)};
+}
+
+INGOT_INLINE PlacedShape placed_shape(const BodyView& bodies, const SurfaceView& surfaces, int slot) {
+    const Place at = place_of(slot);
+    return {surfaces.surfaces[slot].shape, lane_of(bodies.translation[at.tile].r_CM, at.lane),
+            lane_of(bodies.rotation[at.tile].A, at.lane), nullptr};
+}
+
+/// How far apart two bodies may be and still have a manifold: what they can travel towards each other in the step, and a little.
+INGOT_INLINE scalar margin_of(const BodyView& bodies, const BoundsTile* bounds, const BodyPair& pair, scalar h) {
+    const Place A = place_of(pair.body_A), B = place_of(pair.body_B);
+    const Vector v = lane_of(bodies.translation[A.tile].v_CM, A.lane) - lane_of(bodies.translation[B.tile].v_CM, B.lane);
+    return limits::contact_margin + sqrt(length_sq(v)) * h + bounds[A.tile].spin_reach[A.lane] + bounds[B.tile].spin_reach[B.lane];
+}
+
+/// The routine for the two shapes; A has the kind that comes first. Only the routines of shapes that the scene names are linked.
+template <class Shapes>
+void collide_shapes(const PlacedShape& A, const PlacedShape& B, scalar margin, Manifold& manifold, const Manifold& before) {
+    manifold.count = 0;
+#define INGOT_PAIR(a, b)                                                             \
+    if constexpr (Shapes::has(ShapeKind::a) && Shapes::has(ShapeKind::b))            \
+        if (A.shape.kind == ShapeKind::a && B.shape.kind == ShapeKind::b) return collide_##a##_##b(A, B, margin, manifold, &before)
+    INGOT_PAIR(sphere, sphere);
+    INGOT_PAIR(sphere, capsule);
+    INGOT_PAIR(sphere, box);
+    INGOT_PAIR(sphere, cylinder);
+    INGOT_PAIR(sphere, half_space);
+    INGOT_PAIR(capsule, capsule);
+    INGOT_PAIR(capsule, box);
+    INGOT_PAIR(capsule, half_space);
+    INGOT_PAIR(box, box);
+    INGOT_PAIR(box, half_space);
+#undef INGOT_PAIR
+}
+
+/// Balls are found as quickly as they would be renewed.
+INGOT_INLINE bool worth_renewing(const Surface& A, const Surface& B) {
+    return A.shape.kind != ShapeKind::sphere && B.shape.kind != ShapeKind::sphere;
+}
+
+/// The manifold of the step before, moved along with the bodies; false if it has to be found anew.
+INGOT_INLINE bool renew_manifold(const BodyView& bodies, const SurfaceView& surfaces, const BodyPair& pair, scalar margin,
+                                 const ManifoldAnchors& anchors, Manifold& manifold) {
+    const Surface &A = surfaces.surfaces[pair.body_A], &B = surfaces.surfaces[pair.body_B];
+    if (!worth_renewing(A, B)) return false;
+    const scalar R_A = A.bounding_radius, R_B = B.bounding_radius;  // 0: a half space
+    const scalar R = R_A == 0 ? R_B : R_B == 0 || R_A < R_B ? R_A : R_B;
+    return renew_from_anchors(frame_of(bodies, pair.body_A), frame_of(bodies, pair.body_B), limits::recycled_slip * R, margin, anchors, manifold);
+}
+
+/// The manifold of a pair, found by the routine for its shapes.
+template <class Shapes>
+void find_manifold(const BodyView& bodies, const SurfaceView& surfaces, const BodyPair& pair, scalar margin, const Manifold& before,
+                   Manifold& manifold) {
+    const bool swap = surfaces.surfaces[pair.body_B].shape.kind < surfaces.surfaces[pair.body_A].shape.kind;
+    const PlacedShape A = placed_shape(bodies, surfaces, swap ? pair.body_B : pair.body_A);
+    const PlacedShape B = placed_shape(bodies, surfaces, swap ? pair.body_A : pair.body_B);
+    if (!swap) return collide_shapes<Shapes>(A, B, margin, manifold, before);
+    Manifold seen = before;
+    seen.n = -seen.n;
+    collide_shapes<Shapes>(A, B, margin, manifold, seen);
+    manifold.n = -manifold.n;
+}
+
+/// True where the shapes of a pair overlap or touch.
+template <class Shapes>
+bool shapes_overlap(const BodyView& bodies, const SurfaceView& surfaces, const BodyPair& pair) {
+    Manifold before, found_now;
+    before.n = {};
+    before.count = 0;
+    find_manifold<Shapes>(bodies, surfaces, pair, 0, before, found_now);
+    return found_now.count != 0;
+}
+
+/// Restitution of a pair is the greater of the two; friction their geometric mean.
+INGOT_INLINE void mix_materials(const SurfaceView& surfaces, const BodyPair& pair, ManifoldRecord& record) {
+    const Surface &A = surfaces.surfaces[pair.body_A], &B = surfaces.surfaces[pair.body_B];
+    record.e = A.e > B.e ? A.e : B.e;
+    record.mu = sqrt(A.mu * B.mu);
+}
+
+/// Manifolds of all pairs of the last search, those of the step before renewed; manifolds.pairs are those that touch.
+///
+/// Pairs that the rules of the scene keep apart have none: see pair_rules.h.
+/// Full: contacts that are held stay, new ones are refused in the order of slots, and counted in contacts_lost.
+template <class Shapes, class Rules>
+void update_manifolds(const BodyView& bodies, const SurfaceView& surfaces, const BoundsTile* bounds, scalar h, const Rules& rules,
+                      const PairList& found, const ManifoldView& manifolds, StepReport& report) {
+    *manifolds.count = 0;
+    for (int pair_i = 0; pair_i < *found.count; ++pair_i) {
+        BodyPair& pair = found.pairs[pair_i];
+        const bool held = pair.record != no_record;
+        const auto overlap = [&] { return shapes_overlap<Shapes>(bodies, surfaces, pair); };
+        if (!bounds_overlap(bounds, pair.body_A, pair.body_B) || !rules.may_touch(pair, overlap)) {
+            if (held) give_back(manifolds, pair.record);
+            continue;
+        }
+        const scalar margin = margin_of(bodies, bounds, pair, h);
+        if (held && manifolds.anchors != nullptr) {
+            if (renew_manifold(bodies, surfaces, pair, margin, manifolds.anchors[pair.record], manifolds.records[pair.record].manifold)) {
+                manifolds.pairs[(*manifolds.count)++] = pair;
+                continue;
+            }
+        }
+        Manifold before, found_now;
+        before.n = {};
+        before.count = 0;
+        if (held) before = manifolds.records[pair.record].manifold;
+        find_manifold<Shapes>(bodies, surfaces, pair, margin, before, found_now);
+        if (found_now.count == 0) {
+            if (held) give_back(manifolds, pair.record);
+            continue;
+        }
+        if (!held) pair.record = take_record(manifolds);
+        if (pair.record == no_record) {
+            count(report.contacts_lost);
+            continue;
+        }
+        ManifoldRecord& record = manifolds.records[pair.record];
+        record.manifold = found_now;
+        if (held)
+            carry_impulses(record, before);
+        else
+            mix_materials(surfaces, pair, record);
+        if (manifolds.anchors != nullptr && worth_renewing(surfaces.surfaces[pair.body_A], surfaces.surfaces[pair.body_B]))
+            anchor(frame_of(bodies, pair.body_A), frame_of(bodies, pair.body_B), found_now, margin, manifolds.anchors[pair.record]);
+        manifolds.pairs[(*manifolds.count)++] = pair;
+    }
+    count(report.contacts, *manifolds.count);
+    count(report.contacts_lost, *found.lost);
+}
+
+} }  // namespace ingot

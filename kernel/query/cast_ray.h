@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "candidates.h"
+#include "query_filter.h"
+#include "ray_on_shapes.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// What a query finds, by slot.
+struct SlotHit {
+    int slot;  ///< no_slot: nothing
+    scalar fraction;
+    Vector P, n;
+};
+
+/// The routine for a shape; only those of shapes that the scene names are linked.
+template <class Shapes>
+RayEntry ray_on_shape(const PlacedShape& s, const LocalRay& ray) {
+#define INGOT_RAY(name)                              \
+    if constexpr (Shapes::has(ShapeKind::name))      \
+        if (s.shape.kind == ShapeKind::name) return ray_on_##name(s.shape, ray)
+    INGOT_RAY(sphere);
+    INGOT_RAY(capsule);
+    INGOT_RAY(box);
+    INGOT_RAY(cylinder);
+    INGOT_RAY(half_space);
+#undef INGOT_RAY
+    if constexpr (Shapes::has(ShapeKind::hull))
+        if (s.shape.kind == ShapeKind::hull && s.hull != nullptr) return ray_on_hull(*s.hull, ray);
+    return {false, 1, {}};
+}
+
+/// The body that a ray enters first; of bodies it enters at the same place, that of the lowest slot.
+///
+/// from, way: m, world. sees(slot): which bodies count. A ray that begins inside a body meets it at once, its n against the way.
+template <class Shapes, class Sees>
+SlotHit cast_ray(const BodyView& bodies, const SurfaceView& surfaces, const Vector& from, const Vector& way, const Sees& sees) {
+    MovingBall point = {from, way, 0, 1};
+    SlotHit hit = {no_slot, 1, from + way, {}};
+    look_along(bodies, surfaces, point, [&](int slot) {
+        if (!sees(slot)) return;
+        const PlacedShape body = placed_body(bodies, surfaces, slot);
+        const RayEntry entry = ray_on_shape<Shapes>(body, {transpose_times(body.A, from - body.r), transpose_times(body.A, way)});
+        if (!entry.meets || (hit.slot != no_slot && !(entry.fraction < hit.fraction))) return;
+        const Vector n = length_sq(entry.n) > 0 ? body.A * entry.n : way * (-1 / sqrt(length_sq(way)));
+        hit = {slot, entry.fraction, from + way * entry.fraction, n};
+        point.fraction = entry.fraction;
+    });
+    return hit;
+}
+
+} }  // namespace ingot

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "candidates.h"
+#include "cast_ray.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// Where a shape that moves without turning meets another.
+struct ShapeEntry {
+    bool meets;
+    scalar fraction;  ///< of the way
+    Vector P, n;      ///< on B; from B to the moving shape
+};
+
+/// Conservative advancement: the nearest points give a plane between the shapes, and the way to that plane can be gone at once. The
+/// distance of convex shapes is a convex function of the way, so this is Newton's method on it from the one side, and never too far.
+///
+/// Ends with a gap of limits::cast_gap of the smaller shape, and the roundings of the positions. After limits::cast_iterations_max
+/// (a way that all but grazes) it is taken for met where it is: too early, never too late.
+/// Needs: `moving` no half space. Frames: world. Source: Mirtich, "Impulse-based dynamic simulation", 1996, 2.3.
+ShapeEntry cast_on_shape(const PlacedShape& moving, const Vector& way, const PlacedShape& B, scalar fraction_max);
+
+/// The body that a moving shape meets first; see cast_ray.
+template <class Sees>
+SlotHit cast_shape(const BodyView& bodies, const SurfaceView& surfaces, const PlacedShape& moving, const Vector& way, const Sees& sees) {
+    MovingBall ball = {moving.r, way, bounding_radius(moving.shape), 1};
+    SlotHit hit = {no_slot, 1, moving.r + way, {}};
+    look_along(bodies, surfaces, ball, [&](int slot) {
+        if (!sees(slot)) return;
+        const ShapeEntry entry = cast_on_shape(moving, way, placed_body(bodies, surfaces, slot), ball.fraction);
+        if (!entry.meets || (hit.slot != no_slot && !(entry.fraction < hit.fraction))) return;
+        hit = {slot, entry.fraction, entry.P, entry.n};
+        ball.fraction = entry.fraction;
+    });
+    return hit;
+}
+
+} }  // namespace ingot

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "../collide/narrow_phase.h"
+#include "candidates.h"
+#include "query_filter.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// What is nearest to a point, by slot.
+struct SlotNearest {
+    int slot;  ///< no_slot: nothing
+    scalar distance;
+    Vector P, n;
+};
+
+/// A ball of radius zero against a shape, by the routines of the narrow phase.
+template <class Shapes>
+void point_on_shape(const PlacedShape& point, const PlacedShape& s, Manifold& manifold) {
+    manifold.count = 0;
+#define INGOT_POINT(name)                            \
+    if constexpr (Shapes::has(ShapeKind::name))      \
+        if (s.shape.kind == ShapeKind::name) return collide_sphere_##name(point, s, limits::unbounded, manifold)
+    INGOT_POINT(sphere);
+    INGOT_POINT(capsule);
+    INGOT_POINT(box);
+    INGOT_POINT(cylinder);
+    INGOT_POINT(half_space);
+#undef INGOT_POINT
+}
+
+/// The body whose surface is nearest to a point, no further away than `within`, m; inside of several, the one it is deepest in.
+/// Of bodies at the same distance the one of the lowest slot. Distances carry a few roundings of the sizes and of |point - r_CM|.
+template <class Shapes, class Sees>
+SlotNearest find_nearest(const BodyView& bodies, const SurfaceView& surfaces, const Vector& point, scalar within, const Sees& sees) {
+    const PlacedShape ball = {{ShapeKind::sphere, {}, 0}, point, identity_matrix<scalar>(), nullptr};
+    SlotNearest nearest = {no_slot, within, point, {}};
+    look_about(bodies, surfaces, point, nearest.distance, [&](int slot) {
+        if (!sees(slot)) return;
+        Manifold manifold;
+        point_on_shape<Shapes>(ball, placed_body(bodies, surfaces, slot), manifold);
+        if (manifold.count == 0) return;
+        const scalar distance = manifold.points[0].separation;
+        if (!(nearest.slot == no_slot ? distance <= nearest.distance : distance < nearest.distance)) return;
+        nearest = {slot, distance, manifold.points[0].P - manifold.n * (distance * scalar(0.5)), manifold.n};
+    });
+    return nearest;
+}
+
+} }  // namespace ingot
