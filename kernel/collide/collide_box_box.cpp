@@ -8,7 +8,7 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
-constexpr uint8_t next[5] = {0, 1, 2, 0, 1};  // next[i + 1] and next[i + 2] are the other two axes
+constexpr uint8_t axis_after[5] = {0, 1, 2, 0, 1};  // axis_after[i + 1] and axis_after[i + 2] are the other two axes
 
 // Axes by number: 0 .. 2 the faces of A, 3 .. 5 those of B, 6 + 3 i + j the edges i of A and j of B.
 constexpr int first_edge_axis = 6;
@@ -116,9 +116,9 @@ bool find_axis(const PlacedShape& A, const PlacedShape& B, scalar margin, int ax
     // Edges: what is compared is less by the rounding of a product that nearly cancels.
     scalar least = best.separation + limits::edge_preference * best.smallest;
     for (int j = 0; j < 3; ++j) {
-        const int j1 = next[j + 1], j2 = next[j + 2];
+        const int j1 = axis_after[j + 1], j2 = axis_after[j + 2];
         for (int i = 0; i < 3; ++i) {
-            const int i1 = next[i + 1], i2 = next[i + 2];
+            const int i1 = axis_after[i + 1], i2 = axis_after[i + 2];
             const scalar length_sq_of_axis = R[j][i1] * R[j][i1] + R[j][i2] * R[j][i2];
             if (!(length_sq_of_axis > limits::parallel_sin_sq)) continue;
             const scalar along = d_of_A[i2] * R[j][i1] - d_of_A[i1] * R[j][i2];
@@ -148,8 +148,8 @@ void face_points(const PlacedShape& A, const PlacedShape& B, const BestAxis& bes
     const int axis = of_A ? best.face : best.face - 3;
     const PlacedShape &reference = of_A ? A : B, &other = of_A ? B : A;
     const Vector centre = other.r - reference.r;
-    const scalar h_x = component(reference.shape.size, next[axis + 1]), h_y = component(reference.shape.size, next[axis + 2]);
-    const Vector &e_x = column(reference.A, next[axis + 1]), &e_y = column(reference.A, next[axis + 2]);
+    const scalar h_x = component(reference.shape.size, axis_after[axis + 1]), h_y = component(reference.shape.size, axis_after[axis + 2]);
+    const Vector &e_x = column(reference.A, axis_after[axis + 1]), &e_y = column(reference.A, axis_after[axis + 2]);
     Vector up = column(reference.A, axis);
     const scalar above = dot(centre, up);
     const bool negative = of_A ? above > 0 ? false : true : above < 0;  // n is that axis or its opposite when all is level
@@ -171,8 +171,8 @@ void face_points(const PlacedShape& A, const PlacedShape& B, const BestAxis& bes
     Polygon* polygon = &polygons[0];
     scalar most_x, least_x, most_y, least_y;
     {
-        const Vector u = column(other.A, next[facing + 1]) * component(other.shape.size, next[facing + 1]);
-        const Vector v = column(other.A, next[facing + 2]) * component(other.shape.size, next[facing + 2]);
+        const Vector u = column(other.A, axis_after[facing + 1]) * component(other.shape.size, axis_after[facing + 1]);
+        const Vector v = column(other.A, axis_after[facing + 2]) * component(other.shape.size, axis_after[facing + 2]);
         const Vector c = centre + column(other.A, facing) * (flipped ? -h_facing : h_facing);
         const scalar c_x = dot(c, e_x), c_y = dot(c, e_y), c_z = dot(c, up) - component(reference.shape.size, axis);
         const scalar u_x = dot(u, e_x), u_y = dot(u, e_y), u_z = dot(u, up);

@@ -16,7 +16,7 @@ namespace ingot { inline namespace INGOT_ABI {
 namespace {
 
 /// The gap between the shadows of two cores on n, which points from B to A.
-scalar gap_along(const PlacedShape& A, const PlacedShape& B, const Vector& n) {
+scalar gap_seen_along(const PlacedShape& A, const PlacedShape& B, const Vector& n) {
     const Vector n_A = transpose_times(A.A, n), n_B = transpose_times(B.A, n);
     return dot(n, A.r - B.r) + (dot(n_A, core_support(A, -n_A)) - dot(n_B, core_support(B, n_B)));
 }
@@ -25,7 +25,7 @@ scalar gap_along(const PlacedShape& A, const PlacedShape& B, const Vector& n) {
 enum : uint32_t { face_of_A = 0, face_of_B = 1, between = 2 };
 constexpr uint32_t axis_code(uint32_t kind, int i) { return kind << 30 | static_cast<uint32_t>(i & 63) << 24; }
 constexpr uint32_t axis_mask = 0xff000000u;
-constexpr uint32_t no_axis = ~0u;
+constexpr uint32_t no_face = ~0u;
 
 /// The search for the direction: the best of all, and the one that the step before had.
 struct Search {
@@ -59,7 +59,7 @@ struct Search {
     }
     /// The faces are done: the one of before is kept while it is nearly as good.
     void settle() {
-        if (before == no_axis || !(gap_before + hysteresis >= gap)) return;
+        if (before == no_face || !(gap_before + hysteresis >= gap)) return;
         n = n_before;
         gap = gap_before;
         code = before;
@@ -70,7 +70,7 @@ void look_at_faces(const PlacedShape& of, const PlacedShape& other, bool of_A, S
     const uint32_t kind = of_A ? face_of_A : face_of_B;
     const auto look = [&](const Vector& n_body, int i) {
         const Vector outward = of.A * n_body, n = of_A ? -outward : outward;
-        search.look(n, of_A ? gap_along(of, other, n) : gap_along(other, of, n), axis_code(kind, i));
+        search.look(n, of_A ? gap_seen_along(of, other, n) : gap_seen_along(other, of, n), axis_code(kind, i));
     };
     if (of.shape.kind == ShapeKind::cylinder) {
         look({0, 0, -1}, 0);
@@ -132,7 +132,7 @@ void look_at_edges_across(const PlacedShape& s, const Vector& u, const PlacedSha
         // Outward along n only if n lies between the normals of both faces.
         if (dot(cross(left, n), e) * dot(cross(n, right), e) < 0) continue;
         const Vector outward = s.A * n, towards_A = is_A ? -outward : outward;
-        search.look(towards_A, gap_along(A, B, towards_A), axis_code(between, 0));
+        search.look(towards_A, gap_seen_along(A, B, towards_A), axis_code(between, 0));
     }
 }
 
@@ -205,7 +205,7 @@ void look_across_axes(const PlacedShape& A, const PlacedShape& B, Search& search
         const scalar size_sq = length_sq(direction);
         if (!(size_sq > limits::parallel_sin_sq)) return;
         const Vector n = direction * ((dot(direction, d) < 0 ? scalar(-1) : scalar(1)) / sqrt(size_sq));
-        search.look(n, gap_along(A, B, n), axis_code(between, 0));
+        search.look(n, gap_seen_along(A, B, n), axis_code(between, 0));
     };
     if (axis_A != nullptr) look_at_edges_across(B, *axis_A, A, B, search);
     if (axis_B != nullptr) look_at_edges_across(A, *axis_B, A, B, search);
@@ -230,7 +230,7 @@ void refine(const PlacedShape& A, const PlacedShape& B, scalar smallest, Search&
         moved.r += search.n * (limits::refinement_lift * smallest - search.gap);
         const Nearest near = nearest_cores(moved, B, scalar_max);
         if (near.overlap) return;
-        const scalar gap = gap_along(A, B, near.n);
+        const scalar gap = gap_seen_along(A, B, near.n);
         if (!(gap > search.gap + limits::round_accuracy * smallest)) return;
         search.n = near.n;
         search.gap = gap;
@@ -241,13 +241,13 @@ void refine(const PlacedShape& A, const PlacedShape& B, scalar smallest, Search&
 void collide_convex(const PlacedShape& A, const PlacedShape& B, scalar margin, Manifold& manifold, const Manifold* before_it) {
     const Before before = remember(before_it);
     const scalar reach = core_radius(A) + core_radius(B);
-    if (before_it != nullptr && before.count == 0 && length_sq(before.n) > 0 && gap_along(A, B, before.n) - reach > margin)
+    if (before_it != nullptr && before.count == 0 && length_sq(before.n) > 0 && gap_seen_along(A, B, before.n) - reach > margin)
         return no_points(before.n, manifold);
 
     const scalar smallest_A = smallest_extent(A), smallest_B = smallest_extent(B);
     const scalar smallest = smallest_A < smallest_B ? smallest_A : smallest_B;
-    const uint32_t axis_before = before.count > 0 ? before.features[0] & axis_mask : no_axis;
-    const Search nothing{axis_before, limits::axis_hysteresis * smallest, {1, 0, 0}, -scalar_max, no_axis, {1, 0, 0},
+    const uint32_t axis_before = before.count > 0 ? before.features[0] & axis_mask : no_face;
+    const Search nothing{axis_before, limits::axis_hysteresis * smallest, {1, 0, 0}, -scalar_max, no_face, {1, 0, 0},
                          -scalar_max};
     const bool cylinder = A.shape.kind == ShapeKind::cylinder || B.shape.kind == ShapeKind::cylinder;
 
@@ -256,7 +256,7 @@ void collide_convex(const PlacedShape& A, const PlacedShape& B, scalar margin, M
     const Nearest near = nearest_cores(A, B, margin + reach);
     bool apart = false;
     if (!near.overlap) {
-        rest.look(near.n, gap_along(A, B, near.n), axis_code(between, 0));
+        rest.look(near.n, gap_seen_along(A, B, near.n), axis_code(between, 0));
         if (rest.gap - reach > margin) return no_points(rest.n, manifold);
         apart = rest.gap > 0 && rest.gap >= near.distance - limits::nearest_direction * smallest;
         if (apart && reach > 0 && !cylinder) return void(touch(A, B, rest, margin, before, smallest, false, manifold));

@@ -7,8 +7,8 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
-constexpr scalar nowhere = 2 * limits::unbounded;
-constexpr TreeBox nothing = {{nowhere, nowhere, nowhere}, {-nowhere, -nowhere, -nowhere}};
+constexpr scalar no_place = 2 * limits::unbounded;
+constexpr TreeBox nothing = {{no_place, no_place, no_place}, {-no_place, -no_place, -no_place}};
 constexpr int code_bits = 10;  // along each axis
 
 Vector smaller(const Vector& a, const Vector& b) { return {least(a.x, b.x), least(a.y, b.y), least(a.z, b.z)}; }

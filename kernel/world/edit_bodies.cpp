@@ -14,7 +14,7 @@ namespace {
 
 bool is_zero(const Vector& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
 
-bool can_move(const BodyView& bodies, int slot) {
+bool is_movable(const BodyView& bodies, int slot) {
     const Place at = place_of(slot);
     return bodies.rotation[at.tile].inv_I_scale[at.lane] > 0;
 }
@@ -50,14 +50,14 @@ void write_checked_state(const BodyView& bodies, int slot, const BodyState& stat
     INGOT_ASSERT(!is_frozen(bodies, slot));
 }
 
-struct Motion {
+struct NextMotion {
     Vector v_CM, L;
 };
 
 /// What an impulse j and an angular impulse k make of a body's motion, checked and not yet written.
-Result<Motion> motion_after(const BodyView& bodies, int slot, const Vector& j, const Vector& k) {
+Result<NextMotion> motion_after(const BodyView& bodies, int slot, const Vector& j, const Vector& k) {
     if (is_frozen(bodies, slot)) return {Status::frozen, {}};
-    if (!can_move(bodies, slot)) return {Status::immovable, {}};
+    if (!is_movable(bodies, slot)) return {Status::immovable, {}};
     Status status = check_vector(j, limits::force_max);
     if (status == Status::ok) status = check_vector(k, limits::torque_max);
     if (status != Status::ok) return {status, {}};
@@ -72,7 +72,7 @@ Result<Motion> motion_after(const BodyView& bodies, int slot, const Vector& j, c
     return {Status::ok, {state.v_CM, state.L}};
 }
 
-void set_motion(const BodyView& bodies, int slot, const Motion& motion) {
+void set_motion(const BodyView& bodies, int slot, const NextMotion& motion) {
     const Place at = place_of(slot);
     RotationTile& rotation = bodies.rotation[at.tile];
     set_lane(rotation.L, at.lane, motion.L);
@@ -134,14 +134,14 @@ Status write_state(const BodyView& bodies, int slot, const BodyState& state) {
     const Status status = check_state(state, inv_I_body_of(bodies, slot));
     if (status != Status::ok) return status;
     if (bodies.translation == nullptr && !(is_zero(state.r_CM) && is_zero(state.v_CM))) return Status::not_in_scene;
-    if (!can_move(bodies, slot) && !(is_zero(state.v_CM) && is_zero(state.L))) return Status::immovable;
+    if (!is_movable(bodies, slot) && !(is_zero(state.v_CM) && is_zero(state.L))) return Status::immovable;
     write_checked_state(bodies, slot, state);
     return Status::ok;
 }
 
 Status accumulate_force(const BodyView& bodies, int slot, const Vector& F, const Vector& tau) {
     if (is_frozen(bodies, slot)) return Status::frozen;
-    if (!can_move(bodies, slot)) return Status::immovable;
+    if (!is_movable(bodies, slot)) return Status::immovable;
     Status status = check_vector(F, limits::force_max);
     if (status == Status::ok) status = check_vector(tau, limits::torque_max);
     if (status != Status::ok) return status;
@@ -161,7 +161,7 @@ Status accumulate_force(const BodyView& bodies, int slot, const Vector& F, const
 }
 
 Status accumulate_impulse(const BodyView& bodies, int slot, const Vector& j, const Vector& k) {
-    const Result<Motion> kicked = motion_after(bodies, slot, j, k);
+    const Result<NextMotion> kicked = motion_after(bodies, slot, j, k);
     if (kicked.ok()) set_motion(bodies, slot, kicked.value);
     return kicked.status;
 }
@@ -177,7 +177,7 @@ Result<scalar> collide_bodies(const BodyView& bodies, int slot_A, int slot_B, co
     if (status == Status::ok) status = check_restitution(e);
     if (status == Status::ok && is_frozen(bodies, slot_A)) status = Status::frozen;
     if (status == Status::ok && is_frozen(bodies, slot_B)) status = Status::frozen;
-    if (status == Status::ok && !can_move(bodies, slot_A) && !can_move(bodies, slot_B)) status = Status::immovable;
+    if (status == Status::ok && !is_movable(bodies, slot_A) && !is_movable(bodies, slot_B)) status = Status::immovable;
     if (status != Status::ok) return {status, 0};
 
     const auto colliding = [&](int slot) {
@@ -192,10 +192,10 @@ Result<scalar> collide_bodies(const BodyView& bodies, int slot_A, int slot_B, co
     if (j == 0) return {Status::ok, 0};
 
     // Both sides are checked before either is written.
-    const bool move_A = can_move(bodies, slot_A), move_B = can_move(bodies, slot_B);
-    const Result<Motion> none{Status::ok, {}};
-    const Result<Motion> after_A = move_A ? motion_after(bodies, slot_A, n * j, cross(A.r_P, n * j)) : none;
-    const Result<Motion> after_B = move_B ? motion_after(bodies, slot_B, n * -j, cross(B.r_P, n * -j)) : none;
+    const bool move_A = is_movable(bodies, slot_A), move_B = is_movable(bodies, slot_B);
+    const Result<NextMotion> none{Status::ok, {}};
+    const Result<NextMotion> after_A = move_A ? motion_after(bodies, slot_A, n * j, cross(A.r_P, n * j)) : none;
+    const Result<NextMotion> after_B = move_B ? motion_after(bodies, slot_B, n * -j, cross(B.r_P, n * -j)) : none;
     if (!after_A.ok()) return {after_A.status, 0};
     if (!after_B.ok()) return {after_B.status, 0};
     if (move_A) set_motion(bodies, slot_A, after_A.value);
