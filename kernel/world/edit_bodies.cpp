@@ -107,6 +107,17 @@ Status check_surface(const BodyDef& def) {
     return status;
 }
 
+void write_surface(Surface& to, const BodyDef& def) {
+    to.shape.kind = def.shape.kind;
+    to.shape.size.x = def.shape.size.x;
+    to.shape.size.y = def.shape.size.y;
+    to.shape.size.z = def.shape.size.z;
+    to.shape.offset = def.shape.offset;
+    to.bounding_radius = bounding_radius(def.shape);
+    to.e = def.restitution;
+    to.mu = def.friction;
+}
+
 void write_body(const BodyView& bodies, int slot, const BodyDef& def) {
     set_identity_body(bodies, slot);
     const Place at = place_of(slot);

@@ -4,6 +4,7 @@
 
 #include "../body/check_body.h"
 #include "../body/body_tiles.h"
+#include "../collide/bounds.h"
 #include "body_def.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -12,6 +13,9 @@ namespace ingot { inline namespace INGOT_ABI {
 Status check_definition(const BodyDef& def, bool scene_translates, bool scene_has_shape);
 /// Shape and restitution, for scenes that have surfaces.
 Status check_surface(const BodyDef& def);
+
+/// Number by number: what lies between them in memory stays zero, so that equal worlds are equal bytes.
+void write_surface(Surface& to, const BodyDef& def);
 /// Writes a checked definition into a slot.
 void write_body(const BodyView& bodies, int slot, const BodyDef& def);
 

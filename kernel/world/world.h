@@ -71,7 +71,7 @@ public:
         storage_.free_hint = slot + 1;
         ++storage_.generation[slot];
         write_body(storage_.bodies(), slot, def);
-        if constexpr (has_shapes<S>) storage_.surfaces[slot] = {def.shape, bounding_radius(def.shape), def.restitution, def.friction};
+        if constexpr (has_shapes<S>) write_surface(storage_.surfaces[slot], def);
         if constexpr (S::filters) storage_.filters[slot] = def.filter;
         if constexpr (has_sensors<S>) storage_.is_sensor[slot] = def.sensor ? 1 : 0;
         return {Status::ok, id_of(slot)};
