@@ -60,14 +60,13 @@ inline constexpr scalar contact_slack = 8;      ///< times that, once a quarter 
 /// Impacts slower than this many times |gravity| h are contacts at rest: restitution does not apply to them.
 inline constexpr scalar rest_speed_factor = 2;
 
-
-// The many-body solver (solve/solve_manifolds).
+// Contacts with friction (pairs/, contact/, blocks/).
 inline constexpr int substeps = 4;                ///< of a step; each is solved and displaced by itself
 inline constexpr int sweeps = 3;                  ///< over all contacts in a substep
 inline constexpr int sweeps_of_young = 12;        ///< while more than a quarter of the contacts are younger than four steps
-inline constexpr int few_manifolds = 64;            ///< up to so many may take
-inline constexpr int sweeps_of_few = 64;            ///< sweeps in a substep, each, and stop at
-inline constexpr scalar settled_speed_of_few = scalar(2e-7);  ///< m/s
+inline constexpr int few_manifolds = 64;          ///< a world with no more of them is swept by the two that follow
+inline constexpr int sweeps_of_few = 64;          ///< the most sweeps of a substep there
+inline constexpr scalar settled_speed_of_few = scalar(2e-7);  ///< m/s; settled_speed there
 /// m/s; a sweep that corrects no speed by more than this is the last of its substep. Contacts at rest then cost one sweep. What is left adds up to
 /// less than 0.1 mm in a minute.
 inline constexpr scalar settled_speed = scalar(1.5e-6);
@@ -80,9 +79,9 @@ inline constexpr scalar unbounded = scalar(1e30);           ///< m; further than
 inline constexpr scalar contact_margin = scalar(0.02);      ///< m; shapes this far apart, and what they travel in a step, have a manifold
 inline constexpr scalar fast_margin = 5 * contact_margin;   ///< m; pairs with more than this in a step look for more points
 inline constexpr scalar touching_gap = scalar(1e-3);        ///< m; points this far apart are stopped as if they touched, and drawn together
-/// m/s; a point that carries nothing and approaches more slowly than this is left out of a solve. The position sweep takes back what that adds.
 /// Bodies that have moved by less than this against each other, as a fraction of their size and in radians, keep their manifold.
 inline constexpr scalar recycled_slip = scalar(1e-3);
+/// m/s; a point that carries nothing and approaches more slowly than this is left out of a solve. The position sweep takes back what that adds.
 inline constexpr scalar approach_slack = scalar(1e-6);
 inline constexpr scalar position_share = scalar(0.4);       ///< of an overlap, taken back in a substep
 inline constexpr int landing_pushes = 4;                    ///< of points that bounce within a substep: each leaves 1 % of the way

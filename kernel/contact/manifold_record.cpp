@@ -39,13 +39,16 @@ void give_back(const ManifoldView& manifolds, uint16_t& record) {
 void forget_contacts(const ManifoldView& manifolds, const PairList& found, BoundsTile* bounds, int slot) {
     for (int pair_i = 0; pair_i < *found.count; ++pair_i) {
         BodyPair& pair = found.pairs[pair_i];
-        if (pair.record != no_record && (pair.body_A == slot || pair.body_B == slot)) give_back(manifolds, pair.record);
+        if (pair.body_A == slot || pair.body_B == slot) pair.record = no_record;
     }
-    // `pairs` must not lead back to a record that is free: a search before the next update reads it.
+    // Records are given back from the list of those that touch: after a snapshot was loaded, nothing has been searched for yet.
     int kept = 0;
     for (int pair_i = 0; pair_i < *manifolds.count; ++pair_i) {
-        const BodyPair pair = manifolds.pairs[pair_i];
-        if (pair.body_A != slot && pair.body_B != slot) manifolds.pairs[kept++] = pair;
+        BodyPair pair = manifolds.pairs[pair_i];
+        if (pair.body_A == slot || pair.body_B == slot)
+            give_back(manifolds, pair.record);
+        else
+            manifolds.pairs[kept++] = pair;
     }
     *manifolds.count = static_cast<uint16_t>(kept);
     forget_bounds(bounds, slot);

@@ -30,12 +30,14 @@ INGOT_INLINE scalar margin_of(const BodyView& bodies, const BoundsTile* bounds, 
 }
 
 /// The routine for the two shapes; A has the kind that comes first. Only the routines of shapes that the scene names are linked.
+/// False for a pair that has none: hulls, until bodies can say which.
 template <class Shapes>
-void collide_shapes(const PlacedShape& A, const PlacedShape& B, scalar margin, Manifold& manifold, const Manifold& before) {
+bool collide_shapes(const PlacedShape& A, const PlacedShape& B, scalar margin, Manifold& manifold, const Manifold& before) {
+    manifold.n = {};
     manifold.count = 0;
 #define INGOT_PAIR(a, b)                                                             \
     if constexpr (Shapes::has(ShapeKind::a) && Shapes::has(ShapeKind::b))            \
-        if (A.shape.kind == ShapeKind::a && B.shape.kind == ShapeKind::b) return collide_##a##_##b(A, B, margin, manifold, &before)
+        if (A.shape.kind == ShapeKind::a && B.shape.kind == ShapeKind::b) return collide_##a##_##b(A, B, margin, manifold, &before), true
     INGOT_PAIR(sphere, sphere);
     INGOT_PAIR(sphere, capsule);
     INGOT_PAIR(sphere, box);
@@ -43,10 +45,15 @@ void collide_shapes(const PlacedShape& A, const PlacedShape& B, scalar margin, M
     INGOT_PAIR(sphere, half_space);
     INGOT_PAIR(capsule, capsule);
     INGOT_PAIR(capsule, box);
+    INGOT_PAIR(capsule, cylinder);
     INGOT_PAIR(capsule, half_space);
     INGOT_PAIR(box, box);
+    INGOT_PAIR(box, cylinder);
     INGOT_PAIR(box, half_space);
+    INGOT_PAIR(cylinder, cylinder);
+    INGOT_PAIR(cylinder, half_space);
 #undef INGOT_PAIR
+    return false;
 }
 
 /// Balls are found as quickly as they would be renewed.
@@ -64,9 +71,9 @@ INGOT_INLINE bool renew_manifold(const BodyView& bodies, const SurfaceView& surf
     return renew_from_anchors(frame_of(bodies, pair.body_A), frame_of(bodies, pair.body_B), limits::recycled_slip * R, margin, anchors, manifold);
 }
 
-/// The manifold of a pair, found by the routine for its shapes.
+/// The manifold of a pair, found by the routine for its shapes; false if there is none.
 template <class Shapes>
-void find_manifold(const BodyView& bodies, const SurfaceView& surfaces, const BodyPair& pair, scalar margin, const Manifold& before,
+bool find_manifold(const BodyView& bodies, const SurfaceView& surfaces, const BodyPair& pair, scalar margin, const Manifold& before,
                    Manifold& manifold) {
     const bool swap = surfaces.surfaces[pair.body_B].shape.kind < surfaces.surfaces[pair.body_A].shape.kind;
     const PlacedShape A = placed_shape(bodies, surfaces, swap ? pair.body_B : pair.body_A);
@@ -74,8 +81,9 @@ void find_manifold(const BodyView& bodies, const SurfaceView& surfaces, const Bo
     if (!swap) return collide_shapes<Shapes>(A, B, margin, manifold, before);
     Manifold seen = before;
     seen.n = -seen.n;
-    collide_shapes<Shapes>(A, B, margin, manifold, seen);
+    const bool tested = collide_shapes<Shapes>(A, B, margin, manifold, seen);
     manifold.n = -manifold.n;
+    return tested;
 }
 
 /// True where the shapes of a pair overlap or touch.
@@ -84,8 +92,7 @@ bool shapes_overlap(const BodyView& bodies, const SurfaceView& surfaces, const B
     Manifold before, found_now;
     before.n = {};
     before.count = 0;
-    find_manifold<Shapes>(bodies, surfaces, pair, 0, before, found_now);
-    return found_now.count != 0;
+    return find_manifold<Shapes>(bodies, surfaces, pair, 0, before, found_now) && found_now.count != 0;
 }
 
 /// Restitution of a pair is the greater of the two; friction their geometric mean.
@@ -122,7 +129,7 @@ void update_manifolds(const BodyView& bodies, const SurfaceView& surfaces, const
         before.n = {};
         before.count = 0;
         if (held) before = manifolds.records[pair.record].manifold;
-        find_manifold<Shapes>(bodies, surfaces, pair, margin, before, found_now);
+        if (!find_manifold<Shapes>(bodies, surfaces, pair, margin, before, found_now)) count(report.pairs_untested);
         if (found_now.count == 0) {
             if (held) give_back(manifolds, pair.record);
             continue;
