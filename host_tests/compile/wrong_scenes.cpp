@@ -33,6 +33,9 @@
 #pragma GCC diagnostic error "-Wunused-result"
 #endif
 
+inline constexpr auto tetrahedron = ingot::convex_hull<4>({{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}});
+inline constexpr auto flat = ingot::convex_hull<4>({{1, 1, 0}, {1, -1, 0}, {-1, 1, 0}, {-1, -1, 0}});
+
 struct Wrong : ingot::Scene {
 #ifdef NO_BODIES
     static constexpr int max_bodies = 0;
@@ -81,6 +84,26 @@ struct Wrong : ingot::Scene {
 #endif
 #ifdef COLLIDES_BUT_DOES_NOT_TRANSLATE
     static constexpr int max_contacts = 4;
+#endif
+#ifdef HULLS_OF_IMPACTS
+    static constexpr bool translates = true;
+    static constexpr int max_contacts = 4;
+    using shapes = ingot::Shapes<ingot::Hull>;
+    static constexpr ingot::ConvexHull hulls[] = {tetrahedron.value.view()};
+#endif
+#ifdef HULL_WITHOUT_HULLS
+    static constexpr bool translates = true;
+    static constexpr int max_manifolds = 4;
+    using shapes = ingot::Shapes<ingot::Hull>;
+#endif
+#ifdef HULLS_WITHOUT_HULL
+    static constexpr ingot::ConvexHull hulls[] = {tetrahedron.value.view()};
+#endif
+#ifdef HULL_OF_NOTHING
+    static constexpr bool translates = true;
+    static constexpr int max_manifolds = 4;
+    using shapes = ingot::Shapes<ingot::Hull>;
+    static constexpr ingot::ConvexHull hulls[] = {tetrahedron.value.view(), flat.value.view()};
 #endif
 #ifdef FILTERS_WITHOUT_CONTACTS
     static constexpr bool filters = true;

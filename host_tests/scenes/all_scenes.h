@@ -3,6 +3,7 @@
 #pragma once
 
 #include "drop.h"
+#include "hulls.h"
 #include "methods.h"
 #include "satellite.h"
 #include "stacked.h"

@@ -7,6 +7,7 @@
 #include "../math/sqrt.h"
 #include "manifold_record.h"
 #include "../collide/narrow_phase.h"
+#include "../collide/placed_body.h"
 #include "manifold_anchors.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -14,12 +15,6 @@ namespace ingot { inline namespace INGOT_ABI {
 INGOT_INLINE BodyFrame frame_of(const BodyView& bodies, int slot) {
     const Place at = place_of(slot);
     return {lane_of(bodies.translation[at.tile].r_CM, at.lane), lane_of(bodies.rotation[at.tile].A, at.lane)};
-}
-
-INGOT_INLINE PlacedShape placed_shape(const BodyView& bodies, const SurfaceView& surfaces, int slot) {
-    const Place at = place_of(slot);
-    return {surfaces.surfaces[slot].shape, lane_of(bodies.translation[at.tile].r_CM, at.lane),
-            lane_of(bodies.rotation[at.tile].A, at.lane), nullptr};
 }
 
 /// How far apart two bodies may be and still have a manifold: what they can travel towards each other in the step, and a little.
@@ -30,7 +25,7 @@ INGOT_INLINE scalar margin_of(const BodyView& bodies, const BoundsTile* bounds, 
 }
 
 /// The routine for the two shapes; A has the kind that comes first. Only the routines of shapes that the scene names are linked.
-/// False for a pair that has none: hulls, until bodies can say which.
+/// False for a pair that has none.
 template <class Shapes>
 bool collide_shapes(const PlacedShape& A, const PlacedShape& B, scalar margin, Manifold& manifold, const Manifold& before) {
     manifold.n = {};
@@ -42,16 +37,22 @@ bool collide_shapes(const PlacedShape& A, const PlacedShape& B, scalar margin, M
     INGOT_PAIR(sphere, capsule);
     INGOT_PAIR(sphere, box);
     INGOT_PAIR(sphere, cylinder);
+    INGOT_PAIR(sphere, hull);
     INGOT_PAIR(sphere, half_space);
     INGOT_PAIR(capsule, capsule);
     INGOT_PAIR(capsule, box);
     INGOT_PAIR(capsule, cylinder);
+    INGOT_PAIR(capsule, hull);
     INGOT_PAIR(capsule, half_space);
     INGOT_PAIR(box, box);
     INGOT_PAIR(box, cylinder);
+    INGOT_PAIR(box, hull);
     INGOT_PAIR(box, half_space);
     INGOT_PAIR(cylinder, cylinder);
+    INGOT_PAIR(cylinder, hull);
     INGOT_PAIR(cylinder, half_space);
+    INGOT_PAIR(hull, hull);
+    INGOT_PAIR(hull, half_space);
 #undef INGOT_PAIR
     return false;
 }
@@ -76,8 +77,8 @@ template <class Shapes>
 bool find_manifold(const BodyView& bodies, const SurfaceView& surfaces, const BodyPair& pair, scalar margin, const Manifold& before,
                    Manifold& manifold) {
     const bool swap = surfaces.surfaces[pair.body_B].shape.kind < surfaces.surfaces[pair.body_A].shape.kind;
-    const PlacedShape A = placed_shape(bodies, surfaces, swap ? pair.body_B : pair.body_A);
-    const PlacedShape B = placed_shape(bodies, surfaces, swap ? pair.body_A : pair.body_B);
+    const PlacedShape A = placed_body<Shapes>(bodies, surfaces, swap ? pair.body_B : pair.body_A);
+    const PlacedShape B = placed_body<Shapes>(bodies, surfaces, swap ? pair.body_A : pair.body_B);
     if (!swap) return collide_shapes<Shapes>(A, B, margin, manifold, before);
     Manifold seen = before;
     seen.n = -seen.n;

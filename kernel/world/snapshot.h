@@ -123,7 +123,7 @@ template <class Method>
 inline constexpr int order_of<Method, decltype(static_cast<void>(Method::order))> = Method::order;
 
 /// A number for all that makes snapshots of two scenes differ in their bytes or in the steps that follow: the scalar,
-/// capacities, shapes, names and orders of the methods. (Two limits of substeps are one number.)
+/// capacities, shapes, hulls to a nanometre, names and orders of the methods. (Two limits of substeps are one number.)
 template <class S>
 constexpr uint64_t scene_signature() {
     uint64_t hash = state_hash_seed;
@@ -141,6 +141,15 @@ constexpr uint64_t scene_signature() {
     add(static_cast<uint64_t>(S::max_pairs));
     for (int kind = 0; kind <= static_cast<int>(ShapeKind::half_space); ++kind)
         add(S::shapes::has(static_cast<ShapeKind>(kind)) ? 1 : 0);
+    for (int form = 0; form < hulls_of<S>.count; ++form) {
+        const ConvexHull& hull = hulls_of<S>.hulls[form];
+        const auto add_length = [&add](scalar metres) { add(static_cast<uint64_t>(static_cast<int64_t>(metres * scalar(1 << 30)))); };
+        for (int vertex_i = 0; vertex_i < hull.vertex_count; ++vertex_i) {
+            add_length(hull.vertices[vertex_i].x);
+            add_length(hull.vertices[vertex_i].y);
+            add_length(hull.vertices[vertex_i].z);
+        }
+    }
     add_name(S::rotation::name);
     add_name(S::flight::name);
     add(static_cast<uint64_t>(order_of<typename S::rotation>));
@@ -165,6 +174,7 @@ void write_manifolds(ByteWriter& writer, const Storage<S>& storage) {
         const BodyPair& pair = storage.pairs[pair_i];
         SavedManifold saved{pair.body_A, pair.body_B, storage.records[pair.record], {}};
         if constexpr (S::renews_manifolds) saved.anchors = storage.anchors[pair.record];
+        for (int point_i = saved.record.manifold.count; point_i < Manifold::points_max; ++point_i) saved.record.manifold.points[point_i] = {};  // never written
         saved.numbers(writer, S::renews_manifolds);
     }
 }
@@ -298,7 +308,7 @@ Status read_body(ByteReader& reader, int slot, Storage<S>* to) {
         surface.numbers(reader);
         const Shape shape{static_cast<ShapeKind>(surface.kind), surface.size, surface.offset};
         const bool in_scene = shape.kind == ShapeKind::none || S::shapes::has(shape.kind);
-        if (!in_scene || !is_sound(surface, body.inv_I_scale > 0)) return Status::bad_snapshot;
+        if (!in_scene || !ShapesOf<S>::names_its_hull(shape) || !is_sound(surface, body.inv_I_scale > 0)) return Status::bad_snapshot;
         if (to != nullptr) to->surfaces[slot] = {shape, bounding_radius(shape), surface.e, surface.mu};
     }
     if constexpr (S::filters) {

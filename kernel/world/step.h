@@ -83,7 +83,7 @@ StepReport step(World<S>& world, scalar h) {
             storage.find_pairs(bodies, storage.bounds, pairs);
             hold_records(manifolds, pairs);
         }
-        update_manifolds<typename S::shapes>(bodies, storage.surface_view(), storage.bounds, h, storage.pair_rules(report), pairs, manifolds, report);
+        update_manifolds<ShapesOf<S>>(bodies, storage.surface_view(), storage.bounds, h, storage.pair_rules(report), pairs, manifolds, report);
         if constexpr (has_events<S>) note_approaches(bodies, storage.gravity, h, manifolds, storage.notes);
         refresh_inv_I_world(bodies);                                      // Eq. 20
         SolverView solver = storage.solver();

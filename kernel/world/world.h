@@ -53,12 +53,14 @@ public:
     /// Adds a body in the lowest free slot.
     /// Errors: no_room, and what BodyDef's parts may have wrong: see check_mass_properties, check_state, check_shape;
     ///         bad_restitution; bad_friction; immovable (one that has a velocity); not_in_scene (a shape the scene does not name, a
-    ///         filter or a sensor where it names none, a place or velocity where it does not translate); bad_shape (a half space that can move).
+    ///         filter or a sensor where it names none, a place or velocity where it does not translate); bad_shape (a half space that can move, a
+    ///         hull that is none of the scene's).
     /// Cost:   O(1), or O(max_bodies) after removals.
     Result<BodyId> add(const BodyDef& def) {
         Status status = Status::ok;
         if constexpr (has_shapes<S>) status = check_surface(def);
         if (status == Status::ok) status = check_definition(def, S::translates, has_shapes<S> && S::shapes::has(def.shape.kind));
+        if (status == Status::ok && !ShapesOf<S>::names_its_hull(def.shape)) status = Status::bad_shape;
         if constexpr (has_shapes<S> && !S::filters)
             if (def.filter.category != meets_all.category || def.filter.mask != meets_all.mask) status = Status::not_in_scene;
         if constexpr (has_shapes<S> && !has_sensors<S>)
@@ -316,7 +318,7 @@ public:
         const Result<int> except = slot_of_exception(filter);
         const Status status = except.ok() ? check_way(from, way) : except.status;
         if (status != Status::ok) return {status, {}};
-        const SlotHit hit = ingot::cast_ray<typename S::shapes>(storage_.bodies(), storage_.surface_view(), from, way, sees(filter, except.value));
+        const SlotHit hit = ingot::cast_ray<ShapesOf<S>>(storage_.bodies(), storage_.surface_view(), from, way, sees(filter, except.value));
         return {Status::ok, {hit.slot == no_slot ? BodyId{} : id_of(hit.slot), hit.fraction, hit.P, hit.n}};
     }
 
@@ -329,7 +331,7 @@ public:
         if (status == Status::ok) status = check_way(shape.r, way);
         if (status != Status::ok) return {status, {}};
         const PlacedShape moving = {shape.shape, shape.r, nearest_rotation(shape.A), shape.hull};
-        const SlotHit hit = ingot::cast_shape(storage_.bodies(), storage_.surface_view(), moving, way, sees(filter, except.value));
+        const SlotHit hit = ingot::cast_shape<ShapesOf<S>>(storage_.bodies(), storage_.surface_view(), moving, way, sees(filter, except.value));
         return {Status::ok, {hit.slot == no_slot ? BodyId{} : id_of(hit.slot), hit.fraction, hit.P, hit.n}};
     }
 
@@ -344,7 +346,7 @@ public:
         if (status != Status::ok) return {status, 0};
         int count = 0;
         const PlacedShape still = {shape.shape, shape.r, nearest_rotation(shape.A), shape.hull};
-        ingot::find_overlaps(storage_.bodies(), storage_.surface_view(), still, sees(filter, except.value), [&](int slot) {
+        ingot::find_overlaps<ShapesOf<S>>(storage_.bodies(), storage_.surface_view(), still, sees(filter, except.value), [&](int slot) {
             if (count < capacity) found[count] = id_of(slot);
             ++count;
         });
@@ -361,7 +363,7 @@ public:
         if (status == Status::ok && !(within >= 0 && within <= limits::position_max)) status = Status::out_of_range;
         if (status != Status::ok) return {status, {}};
         const SlotNearest nearest =
-            ingot::find_nearest<typename S::shapes>(storage_.bodies(), storage_.surface_view(), point, within, sees(filter, except.value));
+            ingot::find_nearest<ShapesOf<S>>(storage_.bodies(), storage_.surface_view(), point, within, sees(filter, except.value));
         return {Status::ok, {nearest.slot == no_slot ? BodyId{} : id_of(nearest.slot), nearest.distance, nearest.P, nearest.n}};
     }
 
