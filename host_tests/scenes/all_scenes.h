@@ -2,6 +2,7 @@
 // The scenes of tests, demo, budgets and firmware: each one header, used by all of them.
 #pragma once
 
+#include "compounds.h"
 #include "drop.h"
 #include "hulls.h"
 #include "methods.h"

@@ -63,11 +63,12 @@ INGOT_INLINE bool worth_renewing(const Surface& A, const Surface& B) {
 }
 
 /// The manifold of the step before, moved along with the bodies; false if it has to be found anew.
+template <class Shapes>
 INGOT_INLINE bool renew_manifold(const BodyView& bodies, const SurfaceView& surfaces, const BodyPair& pair, scalar margin,
                                  const ManifoldAnchors& anchors, Manifold& manifold) {
     const Surface &A = surfaces.surfaces[pair.body_A], &B = surfaces.surfaces[pair.body_B];
     if (!worth_renewing(A, B)) return false;
-    const scalar R_A = A.bounding_radius, R_B = B.bounding_radius;  // 0: a half space
+    const scalar R_A = Shapes::radius_of(A), R_B = Shapes::radius_of(B);  // 0: a half space
     const scalar R = R_A == 0 ? R_B : R_B == 0 || R_A < R_B ? R_A : R_B;
     return renew_from_anchors(frame_of(bodies, pair.body_A), frame_of(bodies, pair.body_B), limits::recycled_slip * R, margin, anchors, manifold);
 }
@@ -103,6 +104,15 @@ INGOT_INLINE void mix_materials(const SurfaceView& surfaces, const BodyPair& pai
     record.mu = sqrt(A.mu * B.mu);
 }
 
+/// The same contacts as the solver knows them: by bodies, where pairs are of shape slots.
+template <int shapes_of_body>
+void name_bodies(const ManifoldView& manifolds, BodyPair* body_pairs) {
+    for (int pair_i = 0; pair_i < *manifolds.count; ++pair_i) {
+        const BodyPair& pair = manifolds.pairs[pair_i];
+        body_pairs[pair_i] = {static_cast<uint16_t>(pair.body_A / shapes_of_body), static_cast<uint16_t>(pair.body_B / shapes_of_body), pair.record};
+    }
+}
+
 /// Manifolds of all pairs of the last search, those of the step before renewed; manifolds.pairs are those that touch.
 ///
 /// Pairs that the rules of the scene keep apart have none: see pair_rules.h.
@@ -121,7 +131,7 @@ void update_manifolds(const BodyView& bodies, const SurfaceView& surfaces, const
         }
         const scalar margin = margin_of(bodies, bounds, pair, h);
         if (held && manifolds.anchors != nullptr) {
-            if (renew_manifold(bodies, surfaces, pair, margin, manifolds.anchors[pair.record], manifolds.records[pair.record].manifold)) {
+            if (renew_manifold<Shapes>(bodies, surfaces, pair, margin, manifolds.anchors[pair.record], manifolds.records[pair.record].manifold)) {
                 manifolds.pairs[(*manifolds.count)++] = pair;
                 continue;
             }
