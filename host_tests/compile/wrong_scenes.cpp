@@ -105,6 +105,20 @@ struct Wrong : ingot::Scene {
     using shapes = ingot::Shapes<ingot::Hull>;
     static constexpr ingot::ConvexHull hulls[] = {tetrahedron.value.view(), flat.value.view()};
 #endif
+#ifdef NO_SHAPES_OF_BODY
+    static constexpr int max_shapes_of_body = 0;
+#endif
+#ifdef COMPOUNDS_WITHOUT_CONTACTS
+    static constexpr int max_shapes_of_body = 2;
+#endif
+#ifdef TOO_MANY_SHAPES
+    static constexpr bool translates = true;
+    static constexpr int max_bodies = 20000, max_manifolds = 4, max_shapes_of_body = 4;
+#endif
+#ifdef TOO_MANY_PAIRS_OF_SHAPES
+    static constexpr bool translates = true;
+    static constexpr int max_bodies = 1000, max_manifolds = 4, max_shapes_of_body = 12;
+#endif
 #ifdef FILTERS_WITHOUT_CONTACTS
     static constexpr bool filters = true;
 #endif
@@ -187,6 +201,9 @@ int main() {
     static ingot::World<Told> told;
     static uint8_t bytes[4096];
     (void)ingot::save_snapshot(told, bytes, sizeof bytes).ok();
+#endif
+#ifdef SHAPES_WITHOUT_COMPOUNDS
+    (void)world.add({}, nullptr, 0);
 #endif
 #ifdef QUERY_WITHOUT_SHAPES
     (void)world.cast_ray({}, {});
