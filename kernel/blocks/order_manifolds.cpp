@@ -143,11 +143,13 @@ void order_manifolds(SolverView& solver) {
     sort_by_level(solver);
     solver.visit_count = 0;
     solver.lane_count = 0;
+    solver.level_count = 0;
     int begin = 0;
     while (begin < solver.manifold_count) {
         const uint16_t level = solver.level[solver.other_order[begin]];
         int end = begin + 1;
         while (end < solver.manifold_count && solver.level[solver.other_order[end]] == level) ++end;
+        solver.level_count = level + 1;
         color_level(solver, begin, end);
         begin = end;
     }

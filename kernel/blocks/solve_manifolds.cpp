@@ -27,21 +27,24 @@ struct SweepPlan {
 };
 
 constexpr SweepPlan plan_of_few = {limits::substeps, limits::sweeps_of_few, false, limits::settled_speed_of_few};
+constexpr SweepPlan plan_of_few_calm = {limits::calm_substeps, limits::sweeps_of_few, false, limits::settled_speed_of_few};
 constexpr SweepPlan plan_of_young = {limits::substeps, limits::sweeps_of_young, true, limits::settled_speed};
 constexpr SweepPlan plan_of_many = {limits::substeps, limits::sweeps, true, limits::settled_speed};
 constexpr SweepPlan plan_of_calm = {limits::calm_substeps, limits::calm_sweeps, true,
                                     limits::settled_speed * limits::substeps / limits::calm_substeps};
 
-/// Calm: nothing that touches accelerated in the step before, and nothing has begun to touch since.
+/// Calm: nothing that touches accelerated in the step before, and nothing has begun to touch since. A tall tower is not: what it sways by needs the
+/// substeps, and no sweep over few sees it.
 SweepPlan plan_sweeps(const SolverView& solver) {
-    if (solver.manifold_count <= limits::few_manifolds) return plan_of_few;
     int young = 0, calm = 0;
     for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i) {
         const ManifoldRecord& record = solver.records[solver.pairs[manifold_i].record];
         if (age_of(record) < 4 * limits::substeps) ++young;
-        if (is_calm(record)) ++calm;
+        if (was_calm(record)) ++calm;
     }
-    if (calm == solver.manifold_count) return plan_of_calm;
+    const bool is_few = solver.manifold_count <= limits::few_manifolds, is_calm = calm == solver.manifold_count;
+    if (is_few) return is_calm && solver.level_count <= limits::calm_levels ? plan_of_few_calm : plan_of_few;
+    if (is_calm) return plan_of_calm;
     return 4 * young > solver.manifold_count ? plan_of_young : plan_of_many;
 }
 
@@ -90,7 +93,7 @@ void solve_manifolds(SolverView& solver, const BodyView& bodies, const Vector& g
     solve_substeps<notes_impulses>(solver, bodies, plan, h, notes, report);
     if (plan.substeps < limits::substeps && !solver.calm) {  // calm no more: the step begins again, with all of its substeps
         take_in_bodies(solver, bodies, gravity);
-        solve_substeps<notes_impulses>(solver, bodies, plan_of_many, h, notes, report);
+        solve_substeps<notes_impulses>(solver, bodies, plan.up_and_down ? plan_of_many : plan_of_few, h, notes, report);
     }
     remember_impulses(solver);
 }

@@ -33,6 +33,7 @@ struct SolverView {
     uint32_t* colours_of_body; ///< by solver body, within the level at hand
     int body_count;            ///< solver bodies in use, [0] included
     int visit_count, block_count;
+    int level_count;           ///< the longest way to the ground, in contacts
     int lane_count, lane_capacity;  ///< of all blocks
     scalar speed_max;          ///< m/s, of the bodies in this substep
     bool some_hit;             ///< a body was hit in the substep before

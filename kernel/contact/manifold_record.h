@@ -22,7 +22,7 @@ struct ManifoldRecord {
 /// Set in ManifoldRecord::substeps where nothing that touched accelerated in the step before.
 inline constexpr uint16_t calm_bit = 0x8000;
 inline int age_of(const ManifoldRecord& record) { return record.substeps & ~calm_bit; }
-inline bool is_calm(const ManifoldRecord& record) { return (record.substeps & calm_bit) != 0; }
+inline bool was_calm(const ManifoldRecord& record) { return (record.substeps & calm_bit) != 0; }
 
 /// The contacts of a world, without their capacity.
 struct ManifoldView {
