@@ -8,6 +8,7 @@
 #include "order_manifolds.h"
 #include "predict_contacts.h"
 #include "prepare_blocks.h"
+#include "sequence_impacts.h"
 #include "sweep_positions.h"
 #include "sweep_velocities.h"
 #include "warm_start.h"
@@ -53,15 +54,17 @@ int solve_velocities(const SolverView& solver, const SweepPlan& plan, scalar& re
 }  // namespace
 
 template <bool notes_impulses>
-void solve_manifolds(SolverView& solver, const BodyView& bodies, const Vector& gravity, scalar h, [[maybe_unused]] ImpactNote* notes, StepReport& report) {
+void solve_manifolds(SolverView& solver, const BodyView& bodies, const Vector& gravity, scalar h, ImpactNote* notes, StepReport& report) {
     take_in_bodies(solver, bodies, gravity);
     order_manifolds(solver);
     prepare_blocks(solver, bodies);
 
+    const bool has_chains = find_impact_chains(solver);
     const SweepPlan plan = plan_sweeps(solver);
     const scalar h_substep = h / limits::substeps;
     for (int substep_i = 0; substep_i < limits::substeps; ++substep_i) {
         predict_contacts(solver, h_substep);
+        if (has_chains) sequence_impacts(solver, h_substep, notes, report);
         kick_bodies(solver, h_substep);
         warm_start(solver, h_substep);
         count(report.sweeps, solve_velocities(solver, plan, report.residual));
