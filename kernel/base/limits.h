@@ -102,6 +102,8 @@ inline constexpr scalar axis_hysteresis = scalar(0.005);
 /// Corners this far outside the face they lie on, as a fraction of its half extent, count as inside and are moved to its rim:
 /// equal boxes on top of each other keep their corners whatever the rounding.
 inline constexpr scalar corner_slack = scalar(1e-3);
+/// Edges of boxes that lie along each other are rounded: the normal turns from one face to the other as they shift by this.
+inline constexpr scalar ridge = scalar(0.01);
 /// sin^2 of the angle below which two edges are parallel and make no axis: its rounding would exceed edge_preference.
 inline constexpr scalar parallel_sin_sq = scalar(1e-5);
 /// A capsule lies along a face or an edge, with two points, up to this sin^2 of the angle between them.

@@ -9,8 +9,7 @@
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpsabi"  // see lanes.h
 
-namespace ingot {
-inline namespace INGOT_ABI {
+namespace ingot { inline namespace INGOT_ABI {
 
 /// Along a row: separation (m), speed (m/s), acceleration (m s^-2).
 struct RowFlight {
@@ -88,7 +87,6 @@ INGOT_INLINE lane resting_target(lane s, lane inv_h) {
     return -greatest(s - splat<lane>(limits::touching_gap), lane{}) * inv_h;
 }
 
-}  // namespace INGOT_ABI
-}  // namespace ingot
+} }  // namespace ingot
 
 #pragma GCC diagnostic pop

@@ -7,8 +7,7 @@
 #include "row_flight.h"
 #include "sweep_velocities.h"
 
-namespace ingot {
-inline namespace INGOT_ABI {
+namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
@@ -201,5 +200,4 @@ void sequence_impacts(const SolverView& solver, scalar h, ImpactNote* notes, Ste
     });
 }
 
-}  // namespace INGOT_ABI
-}  // namespace ingot
+} }  // namespace ingot

@@ -5,8 +5,7 @@
 #include "../contact/contact_events.h"
 #include "solver_view.h"
 
-namespace ingot {
-inline namespace INGOT_ABI {
+namespace ingot { inline namespace INGOT_ABI {
 
 /// Looks once a step for contacts whose impacts may cause others: both bodies bounce off whatever they touch, and one of them
 /// has another contact that bounces. Needs colours_of_body, which holds the answer for the substeps. False if there are none.
@@ -27,5 +26,4 @@ bool find_impact_chains(const SolverView& solver);
 /// the contacts that carried an impulse; may be null.
 void sequence_impacts(const SolverView& solver, scalar h, ImpactNote* notes, StepReport& report);
 
-}  // namespace INGOT_ABI
-}  // namespace ingot
+} }  // namespace ingot
