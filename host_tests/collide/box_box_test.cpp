@@ -136,6 +136,8 @@ TEST(BoxBox, edges_turn_through_parallel) {
 TEST(BoxBox, leaning_cards_have_the_normal_between_their_faces) {
     const double tilt = 25 * 3.14159265358979324 / 180, half = 0.5, thin = 0.02, rounded = 0.01 * thin;
     const double x = half * std::sin(tilt) + thin * std::cos(tilt);
+    // A place is right to a few roundings of 0.5 m, which is a share of the rounding of the edges.
+    const double near = 16 * static_cast<double>(ingot::epsilon) / rounded;
     const auto card = [&](double side, const Vector3d& shift) {
         return box({thin, 0.3, half}, Vector3d(side * x, 0, 0) + shift, turned(Vector3d::UnitY(), -side * tilt));
     };
@@ -144,13 +146,13 @@ TEST(BoxBox, leaning_cards_have_the_normal_between_their_faces) {
         ingot::collide_box_box(card(1, shift), card(-1, {0, 0, 0}), margin, m);
         ingot::collide_box_box(card(-1, {0, 0, 0}), card(1, shift), margin, seen_from_B);
         EXPECT_EQ(seen_from_B.count, m.count);
-        EXPECT_NEAR(static_cast<double>(seen_from_B.n.x), -static_cast<double>(m.n.x), 1e-3);
-        EXPECT_NEAR(static_cast<double>(seen_from_B.n.z), -static_cast<double>(m.n.z), 1e-3);
+        if (m.count > 0) {
+            EXPECT_NEAR(static_cast<double>(seen_from_B.n.x), -static_cast<double>(m.n.x), near);
+            EXPECT_NEAR(static_cast<double>(seen_from_B.n.z), -static_cast<double>(m.n.z), near);
+        }
         return std::atan2(static_cast<double>(m.n.z), static_cast<double>(m.n.x));
     };
     Manifold m{};
-    // A place is right to a few roundings of 0.5 m, which is a share of the rounding of the edges.
-    const double near = 16 * static_cast<double>(ingot::epsilon) / rounded;
     EXPECT_NEAR(normal_at({0, 0.1, 0}, m), 0, near);
     ASSERT_EQ(m.count, 2);
     EXPECT_NE(m.points[0].feature, m.points[1].feature);
