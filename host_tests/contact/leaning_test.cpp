@@ -149,12 +149,12 @@ void expect_rod_survives(bool gains_nothing) {
         EXPECT_LE(gain, 1e-4 * start);
     }
 }
-TEST(SlidingRod, survives_below_the_paradox) { expect_rod_survives<60, 50>(false); }
+TEST(SlidingRod, gains_nothing_below_the_paradox) { expect_rod_survives<60, 50>(true); }
+TEST(SlidingRod, gains_nothing_far_above_the_paradox) { expect_rod_survives<45, 500>(true); }
 TEST(SlidingRod, survives_above_the_paradox) { expect_rod_survives<60, 200>(false); }
-TEST(SlidingRod, survives_far_above_the_paradox) { expect_rod_survives<45, 500>(false); }
-/// Not met: a step gains 0.4, 0.6 and 0.2 % where the far end lands: the position sweep lifts what fell too deep.
-TEST(SlidingRod, DISABLED_gains_nothing_below_the_paradox) { expect_rod_survives<60, 50>(true); }
+/// Not met: 0.6 % in a step. The blow turns the rod over its point. While it falls to the other side it begins to spin about its own axis, from
+/// rounding and by a factor of 20 a step, up to 115 rad/s; then it turns by more than a radian in a step, in which the levers of its corners stand still.
+/// What is gained is the energy of that spin. Cured by shorter steps: levers that follow the bodies within the step would cost every sweep.
 TEST(SlidingRod, DISABLED_gains_nothing_above_the_paradox) { expect_rod_survives<60, 200>(true); }
-TEST(SlidingRod, DISABLED_gains_nothing_far_above_the_paradox) { expect_rod_survives<45, 500>(true); }
 
 }  // namespace

@@ -287,6 +287,13 @@ void face_points(const PlacedShape& A, const PlacedShape& B, const BestAxis& bes
     keep_points(candidates, count, frame, limits::flatness * best.smallest, before, manifold);
 }
 
+/// True where two edges cross all but across a face: the normal of their crossing is that of the face but for facing_cos.
+INGOT_INLINE bool lies_flat(const PlacedShape& A, const PlacedShape& B, const BestAxis& best) {
+    const Vector n = cross(column(A.A, (best.edge - first_edge_axis) / 3), column(B.A, (best.edge - first_edge_axis) % 3));
+    const scalar along = dot(n, best.face < 3 ? column(A.A, best.face) : column(B.A, best.face - 3));
+    return along * along > limits::facing_cos * limits::facing_cos * length_sq(n);
+}
+
 /// The point of two edges; false where the nearest points of their lines lie outside the edges.
 bool edge_point(const PlacedShape& A, const PlacedShape& B, const BestAxis& best, scalar margin, Manifold& manifold) {
     const int i = (best.edge - first_edge_axis) / 3, j = (best.edge - first_edge_axis) % 3;
@@ -332,9 +339,9 @@ void collide_box_box(const PlacedShape& A, const PlacedShape& B, scalar margin, 
     BestAxis best;
     const int axis_before = before.count > 0 ? static_cast<int>(before.features[0] >> 24) : no_axis;
     if (!find_axis(A, B, margin, axis_before, best, manifold)) return;
-    // Where two edges cross they have one point. Boxes that meet fast may turn about it onto other corners within the step: those of the face have
-    // the crossing among them, and look further. The normal is the face's then, until the boxes are slow.
-    if (best.edge != no_axis && margin > limits::fast_margin) {
+    // Where two edges cross they have one point. Boxes that lie all but flat on each other, or meet fast, may turn about it onto other corners within
+    // the step: those of the face have the crossing among them, and look further. The normal is the face's then.
+    if (best.edge != no_axis && (margin > limits::fast_margin || lies_flat(A, B, best))) {
         face_points(A, B, best, margin, before, manifold);
         if (manifold.count > 1) return;
     }
