@@ -101,8 +101,8 @@ void solve_at_hand(const SolverView& solver, scalar now, ImpactNote* notes) {
         residual = 0;
         for_each_in_chain(solver, [&](int block_i, int lane_i) {
             if (time_of(solver.blocks[block_i], lane_i) != at_hand) return;
-            visit = {static_cast<uint16_t>(block_i), static_cast<uint16_t>(1u << lane_i)};
-            residual = greatest(residual, sweep_velocities(one, true).residual);
+            visit = {static_cast<uint16_t>(block_i), static_cast<uint16_t>(1u << lane_i), 0};
+            residual = greatest(residual, sweep_velocities(one, 1, true, limits::unbounded));
         });
     }
     for_each_in_chain(solver, [&](int block_i, int lane_i) {
@@ -173,8 +173,9 @@ bool find_impact_chains(const SolverView& solver) {
     return some;
 }
 
-void sequence_impacts(const SolverView& solver, scalar h, ImpactNote* notes, StepReport& report) {
+bool sequence_impacts(const SolverView& solver, scalar h, ImpactNote* notes, StepReport& report) {
     int contacts = 0;
+    bool some = false;
     for_each_in_chain(solver, [&](int block_i, int lane_i) {
         ContactBlock& block = solver.blocks[block_i];
         time_of(block, lane_i) = next_impact(solver, block, lane_i, 0, h, false);
@@ -193,11 +194,13 @@ void sequence_impacts(const SolverView& solver, scalar h, ImpactNote* notes, Ste
         solve_at_hand(solver, now, notes);
         look_again(solver, now, h);
         count(report.impact_waves);
+        some = true;
     }
     for_each_in_chain(solver, [&](int block_i, int lane_i) {
         ContactBlock& block = solver.blocks[block_i];
         aim_at_rest(solver, block, lane_i, h);
     });
+    return some;
 }
 
 } }  // namespace ingot
