@@ -27,7 +27,7 @@ set(query_shares candidates query_filter ray_on_shapes cast_ray)
 set(solve_shares contact_rows impulse)
 # solve_manifolds conducts the stages of a substep.
 set(blocks_shares block_solve contact_block block_rows solver_body solver_view conjugate_gradients move_bodies note_impulses order_manifolds
-  predict_contacts prepare_blocks
+  predict_contacts prepare_blocks row_flight sequence_impacts
   sweep_positions sweep_velocities warm_start)
 
 set(broken "")

@@ -98,8 +98,10 @@ double left_by_sweeps(double speeds) {
     return 2 * speeds * stop / (1 - 0.6545);
 }
 
-/// I7: momentum and energy kept to 1e-6; with gaps as many balls leave as came, velocities within 1 % (of the incoming 1 m/s).
-/// Not met in float: five that touch lose 3.7e-6 of the energy (double 1.3e-7). There the bar is what the sweeps leave, 9e-6.
+/// I7: momentum and energy kept to 1e-6; as many balls leave as came, velocities within 1 % (of the incoming 1 m/s): with gaps that is what the
+/// impacts one after the other give, and it is the rule for balls that touch. Simultaneous impacts of rigid bodies have no other answer of their own:
+/// momentum and energy allow many, of which -0.6 0.4 0.4 0.4 0.4 (all at once) is one; real balls are seen to pass the impact on.
+/// In float the bar of the energy is what sweeps leave.
 template <int balls, int coming, int gap_um>
 void expect_cradle(bool as_one_by_one) {
     auto scene = play<Cradle<balls, coming, gap_um>>();
@@ -120,13 +122,78 @@ void expect_cradle(bool as_one_by_one) {
     EXPECT_NEAR(twice_energy, coming, is_double ? 1e-6 * coming : std::max(1e-6 * coming, left_by_sweeps(speeds)));
 }
 TEST(Cradle, of_two_with_a_gap) { expect_cradle<2, 1, 1>(true); }
-/// Not met: contacts of one step are solved at once, also those that would come one after another: velocities -0.6 0.4 0.4 0.4 0.4, of two
-/// -0.2 -0.2 0.8 0.8 0.8.
-TEST(Cradle, DISABLED_of_five_with_gaps_passes_one_on) { expect_cradle<5, 1, 1>(true); }
-TEST(Cradle, DISABLED_of_five_with_gaps_passes_two_on) { expect_cradle<5, 2, 1>(true); }
-/// Not met: 6e-4 of the energy is lost where five impacts act on each other in one substep.
-TEST(Cradle, DISABLED_of_five_that_touch_keeps_momentum_and_energy) { expect_cradle<5, 1, 0>(false); }
+TEST(Cradle, of_five_with_gaps_passes_one_on) { expect_cradle<5, 1, 1>(true); }
+TEST(Cradle, of_five_with_gaps_passes_two_on) { expect_cradle<5, 2, 1>(true); }
+TEST(Cradle, of_five_with_gaps_passes_four_on) { expect_cradle<5, 4, 1>(true); }
+TEST(Cradle, of_five_that_touch_passes_one_on) { expect_cradle<5, 1, 0>(true); }
+TEST(Cradle, of_five_that_touch_passes_three_on) { expect_cradle<5, 3, 0>(true); }
+TEST(Cradle, of_three_and_of_four) {
+    expect_cradle<3, 1, 1>(true);
+    expect_cradle<3, 2, 0>(true);
+    expect_cradle<4, 1, 1>(true);
+    expect_cradle<4, 3, 0>(true);
+}
 TEST(Cradle, of_two_that_touch) { expect_cradle<2, 1, 0>(true); }
+
+/// Two balls come towards the middle of a third along (0.6, +-0.8) and meet it at the same time: solved together, the answer is as symmetric as the
+/// question. The cosine between the two directions is -0.28, so equal masses get j = 2 v / (2 - 0.28) each, and the energy stays.
+TEST(ImpactsOfOneTime, are_solved_together) {
+    std::vector<PlacedBody> bodies = {solid_ball(1, scalar(0.5), {0, 0, 0}, 0, 1), solid_ball(1, scalar(0.5), {scalar(-0.63), scalar(-0.84), 0}, 0, 1),
+                                      solid_ball(1, scalar(0.5), {scalar(-0.63), scalar(0.84), 0}, 0, 1)};
+    bodies[1].move({scalar(1.2), scalar(1.6), 0});
+    bodies[2].move({scalar(1.2), scalar(-1.6), 0});
+    Play<Room<3>> scene(bodies, {0, 0, 0});
+    ASSERT_TRUE(scene.sound());
+    scene.run(OnEarth::h, 0.1);
+    const double j = 4 / 1.72, near = 4 * (1e-6 + static_cast<double>(ingot::limits::settled_speed_of_few));
+    EXPECT_NEAR(scene.v(0).x(), 1.2 * j, near);
+    EXPECT_NEAR(scene.v(0).y(), 0, near);
+    EXPECT_NEAR(scene.v(1).y(), 1.6 - 0.8 * j, near);
+    EXPECT_NEAR(scene.v(2).y(), 0.8 * j - 1.6, near);
+    EXPECT_NEAR(scene.kinetic(), 4, 4 * near);
+}
+
+/// A ball with e = 1 lands on a crate that lies on a floor, both without restitution: it comes back as from the floor, for the floor pushes while
+/// the impact lasts. On a crate that floats it shares its speed: equal masses, it stops.
+TEST(ImpactsOnWhatLeans, bounce_as_off_the_floor) {
+    for (const bool on_floor : {true, false}) {
+        std::vector<PlacedBody> bodies = {solid_box(1, {scalar(0.5), scalar(0.5), scalar(0.5)}, {0, 0, scalar(0.5)}, 0),
+                                          solid_ball(1, scalar(0.25), {0, 0, scalar(1.35)}, 0, 1)};
+        if (on_floor) bodies.push_back(flat_ground(0));
+        bodies[1].move({0, 0, -1});
+        Play<Room<3>> scene(bodies, {0, 0, 0});
+        ASSERT_TRUE(scene.sound());
+        scene.run(OnEarth::h, 0.5);
+        EXPECT_NEAR(scene.v(1).z(), on_floor ? 1 : 0, 1e-5);
+        EXPECT_NEAR(scene.v(0).z(), on_floor ? 0 : -1, 1e-5);
+    }
+}
+
+/// I10: a ball of e = 1 meets the ground with 1 m/s sideways and a spin. Friction is mu j at most, and of an impact that sticks it is what rolls:
+/// a solid sphere leaves with v = (5/7) v + (2/7) r omega along the ground, whatever it had, and so does its rim. Sliding takes mu (1 + e) v_n.
+/// Not a superball: its tangential restitution, which turns the spin over, is no part of the contact.
+void expect_spin_after(double gap, double mu, double v, double spin, double v_after) {
+    const double radius = 0.25, v_n = 2;
+    std::vector<PlacedBody> bodies = {flat_ground(static_cast<scalar>(mu), 1),
+                                      solid_ball(1, static_cast<scalar>(radius), {0, 0, static_cast<scalar>(radius + gap)}, static_cast<scalar>(mu), 1)};
+    bodies[1].move({static_cast<scalar>(v), 0, static_cast<scalar>(-v_n)}, {0, static_cast<scalar>(spin), 0});
+    Play<Room<2>> scene(bodies, {0, 0, 0});
+    ASSERT_TRUE(scene.sound());
+    scene.run(OnEarth::h, 0.5);
+    const double near = is_double ? 1e-9 : 1e-6;  // a dozen roundings of 2 m/s in float
+    EXPECT_NEAR(scene.v(1).z(), v_n, near);
+    EXPECT_NEAR(scene.v(1).x(), v_after, near);
+    EXPECT_NEAR(scene.omega(1).y() * radius, spin * radius - 2.5 * (v_after - v), 4 * near);
+}
+TEST(SpinningBall, rolls_off_by_the_rule_of_two_sevenths) {
+    expect_spin_after(0, 1, 1, 0, 5.0 / 7);
+    expect_spin_after(0, 1, 1, -8, 5.0 / 7 - 4.0 / 7);  // backspin of 2 m/s at the rim
+    expect_spin_after(0, 1, 0, 4, 2.0 / 7);
+}
+TEST(SpinningBall, slides_by_mu_times_the_impulse) { expect_spin_after(0, 0.05, 1, -8, 1 - 0.05 * 2 * 2); }
+/// Not met: 0.7275 for 0.7143. A ball that comes from 17 mm away has its point of contact in the middle of that gap, 8 mm off its rim, and friction has
+/// that lever: (1 + s / 2 r) of it, s up to the way of a step.
+TEST(SpinningBall, DISABLED_that_flies_in_rolls_off_by_the_rule) { expect_spin_after(0.05, 1, 1, 0, 5.0 / 7); }
 
 /// C16, C17: finite; they part at no more than limits::push_speed_max, and are left without speed: the push is no velocity.
 template <int percent, bool balls>

@@ -9,18 +9,20 @@ namespace {
 using namespace ingot_contact;
 using namespace scenes;
 
-/// C10: three levels stand for 60 s. A card that left its place by a tenth of its length has fallen. Where two edges meet, a manifold has the
-/// normal of one face, 25 degrees off the thrust: the ridge holds above mu = tan(25 degrees) = 0.466, not above 0.365.
-TEST(CardHouse, stands_where_its_ridges_hold) {
-    auto scene = play<CardHouse<3, 60>>();
+/// C10: three levels stand for 60 s at 1.1 of the least friction and above. A card that left its place by a tenth of its length has fallen.
+template <int mu_percent>
+void expect_card_house_stands() {
+    auto scene = play<CardHouse<3, mu_percent>>();
     ASSERT_TRUE(scene.sound());
     scene.run(OnEarth::h, 60);
     figure("shift, mm", 1e3 * scene.shift());
     figure("sink, mm", 1e3 * scene.sink());
     EXPECT_TRUE(scene.reports().clean());
-    EXPECT_LE(scene.shift(), 0.01);
-    EXPECT_LE(scene.sink(), 0.01);
+    EXPECT_LE(scene.shift(), 1e-4);
+    EXPECT_LE(scene.sink(), 1e-4);
 }
+TEST(CardHouse, stands_with_friction_to_spare) { expect_card_house_stands<60>(); }
+TEST(CardHouse, stands_at_11_of_its_least_friction) { expect_card_house_stands<41>(); }
 TEST(CardHouse, falls_with_too_little_friction) {
     constexpr int mu_percent = 32;  // 0.9 * 0.365 = 0.3285, rounded down
     auto scene = play<CardHouse<3, mu_percent>>();
@@ -30,20 +32,15 @@ TEST(CardHouse, falls_with_too_little_friction) {
     EXPECT_GE(scene.sink(), 0.1);
     EXPECT_TRUE(scene.finite());
 }
-/// Of C10 as it is asked for: 1.1 of the least friction. Not met: falls, at 0.41 as at 0.32. See above.
-TEST(CardHouse, DISABLED_stands_with_friction_to_spare) {
-    auto scene = play<CardHouse<3, 41>>();
-    scene.run(OnEarth::h, 60);
-    EXPECT_LE(scene.shift(), 0.1);
-    EXPECT_LE(scene.sink(), 0.1);
-}
-/// One level: (tan(angle) - thickness / length) / 2 = 0.2132. Not met: it falls at 0.40 and stands at 0.60.
-TEST(CardHouse, DISABLED_of_one_level_knows_its_friction) {
+/// One level: (tan(angle) - thickness / length) / 2 = 0.2132.
+TEST(CardHouse, of_one_level_knows_its_friction) {
     auto stands = play<CardHouse<1, 22>>();
     auto falls = play<CardHouse<1, 20>>();
-    stands.run(OnEarth::h, 10);
+    stands.run(OnEarth::h, 60);
     falls.run(OnEarth::h, 10);
-    EXPECT_LE(stands.sink(), 0.01);
+    figure("sink with 0.22, mm", 1e3 * stands.sink());
+    figure("sink with 0.20, mm", 1e3 * falls.sink());
+    EXPECT_LE(stands.sink(), 1e-4);
     EXPECT_GE(falls.sink(), 0.1);
 }
 
@@ -152,12 +149,12 @@ void expect_rod_survives(bool gains_nothing) {
         EXPECT_LE(gain, 1e-4 * start);
     }
 }
-TEST(SlidingRod, survives_below_the_paradox) { expect_rod_survives<60, 50>(false); }
+TEST(SlidingRod, gains_nothing_below_the_paradox) { expect_rod_survives<60, 50>(true); }
+TEST(SlidingRod, gains_nothing_far_above_the_paradox) { expect_rod_survives<45, 500>(true); }
 TEST(SlidingRod, survives_above_the_paradox) { expect_rod_survives<60, 200>(false); }
-TEST(SlidingRod, survives_far_above_the_paradox) { expect_rod_survives<45, 500>(false); }
-/// Not met: a step gains 0.4, 0.6 and 0.2 % where the far end lands: the position sweep lifts what fell too deep.
-TEST(SlidingRod, DISABLED_gains_nothing_below_the_paradox) { expect_rod_survives<60, 50>(true); }
+/// Not met: 0.6 % in a step. The blow turns the rod over its point. While it falls to the other side it begins to spin about its own axis, from
+/// rounding and by a factor of 20 a step, up to 115 rad/s; then it turns by more than a radian in a step, in which the levers of its corners stand still.
+/// What is gained is the energy of that spin. Cured by shorter steps: levers that follow the bodies within the step would cost every sweep.
 TEST(SlidingRod, DISABLED_gains_nothing_above_the_paradox) { expect_rod_survives<60, 200>(true); }
-TEST(SlidingRod, DISABLED_gains_nothing_far_above_the_paradox) { expect_rod_survives<45, 500>(true); }
 
 }  // namespace

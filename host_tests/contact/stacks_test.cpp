@@ -77,6 +77,21 @@ TEST(Tower, of_10_rests) {
     EXPECT_LE(scene.fastest(), rest_speed);
 }
 
+/// C23: a box at rest for an hour: kinetic energy < 1e-12 J, and its place stays: the position sweep leaves up to settled_gap, and what its place,
+/// 0.5 m, is rounded to.
+TEST(RestingBox, stays_for_an_hour) {
+    auto scene = play<Tower<1>>();
+    ASSERT_TRUE(scene.sound());
+    double most = 0;
+    scene.run(OnEarth::h, 3600, [&](int step_i) {
+        if (step_i > 60 && step_i % 60 == 0) most = std::max(most, scene.kinetic(1));
+    });
+    figure("largest kinetic energy after 1 s, J", most);
+    figure("moved, m", scene.moved(1).norm());
+    EXPECT_LT(most, 1e-12);
+    EXPECT_LE(scene.moved(1).norm(), static_cast<double>(ingot::limits::settled_gap) + 2 * 0.5 * static_cast<double>(ingot::epsilon));
+}
+
 /// 1000 kg on 1 kg, 10 s: interpenetration <= 0.1 mm.
 template <int light, int top_kg>
 void expect_load_is_carried(double overlap_mm, double shift_mm) {

@@ -8,6 +8,7 @@
 #include "order_manifolds.h"
 #include "predict_contacts.h"
 #include "prepare_blocks.h"
+#include "sequence_impacts.h"
 #include "sweep_positions.h"
 #include "sweep_velocities.h"
 #include "warm_start.h"
@@ -66,14 +67,16 @@ int solve_velocities(const SolverView& solver, const SweepPlan& plan, scalar& re
 
 /// Solves and displaces the substeps of a plan, from the state at the begin of the step. solver.calm tells whether nothing accelerated.
 template <bool notes_impulses>
-void solve_substeps(SolverView& solver, const BodyView& bodies, const SweepPlan& plan, scalar h_step, [[maybe_unused]] ImpactNote* notes, StepReport& report) {
+void solve_substeps(SolverView& solver, const BodyView& bodies, const SweepPlan& plan, scalar h_step, ImpactNote* notes, StepReport& report) {
     solver.substeps = plan.substeps;
     solver.calm = true;
     prepare_blocks(solver, bodies);
     if constexpr (notes_impulses) clear_impulse_notes(solver, notes);
+    const bool has_chains = find_impact_chains(solver);
     const scalar h = h_step / static_cast<scalar>(plan.substeps);
     for (int substep_i = 0; substep_i < plan.substeps; ++substep_i) {
         predict_contacts(solver, h);
+        if (has_chains && sequence_impacts(solver, h, notes, report)) solver.calm = false;
         kick_bodies(solver, h);
         warm_start(solver, h);
         count(report.sweeps, solve_velocities(solver, plan, report.residual));
@@ -86,7 +89,7 @@ void solve_substeps(SolverView& solver, const BodyView& bodies, const SweepPlan&
 }  // namespace
 
 template <bool notes_impulses>
-void solve_manifolds(SolverView& solver, const BodyView& bodies, const Vector& gravity, scalar h, [[maybe_unused]] ImpactNote* notes, StepReport& report) {
+void solve_manifolds(SolverView& solver, const BodyView& bodies, const Vector& gravity, scalar h, ImpactNote* notes, StepReport& report) {
     take_in_bodies(solver, bodies, gravity);
     order_manifolds(solver);
     const SweepPlan plan = plan_sweeps(solver);

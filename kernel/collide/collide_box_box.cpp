@@ -141,6 +141,78 @@ bool find_axis(const PlacedShape& A, const PlacedShape& B, scalar margin, int ax
     return true;
 }
 
+/// A box seen along one of its edges: the edge nearest to the other box, and the sum of the outward normals of the two faces that make it.
+struct EdgeOfBox {
+    Vector middle, out;
+    uint32_t signs;
+};
+
+/// `towards` is normal to one of the faces, or the box turns this edge towards it; where it is level with `towards` a face looks for the point.
+EdgeOfBox edge_of(const PlacedShape& box, int along, const Vector& towards, const Vector& point) {
+    EdgeOfBox edge{box.r, {}, 0};
+    for (int k = 0; k < 3; ++k) {
+        if (k == along) continue;
+        const Vector& A_k = column(box.A, k);
+        const scalar rise = dot(A_k, towards);
+        const bool ahead = (abs(rise) > limits::facing_sin ? rise : dot(point - box.r, A_k)) > 0;
+        edge.middle += A_k * (ahead ? component(box.shape.size, k) : -component(box.shape.size, k));
+        edge.out += ahead ? A_k : -A_k;
+        edge.signs |= ahead ? 1u << k : 0u;
+    }
+    return edge;
+}
+
+/// Where two parallel edges meet, as of cards that lean on each other, any direction between the faces of both separates the boxes equally well:
+/// the normals that either edge allows span a quarter turn, and they share an angle of 2 phi. Edges are taken for round, with a radius of
+/// ridge / 2: the normal is the middle of what they share while they lie on each other, turns as they shift, and is that of a face, which has points
+/// of its own, from tan(phi) of the radius on. Edges that are apart have the direction between them.
+///
+/// n: from B to A, of the face that separates best. False where no two edges meet so.
+bool ridge_points(const PlacedShape& A, const PlacedShape& B, const Vector& n, scalar ridge, scalar margin, Manifold& manifold) {
+    int i = 0, j = 0;
+    scalar most = 0;
+    for (int k = 0; k < 3; ++k) {
+        if (abs(dot(column(A.A, k), n)) > limits::facing_sin) continue;  // that edge does not lie in the face
+        for (int m = 0; m < 3; ++m) {
+            const scalar c = abs(dot(column(A.A, k), column(B.A, m)));
+            if (c > most) most = c, i = k, j = m;
+        }
+    }
+    if (!(most * most >= 1 - limits::parallel_sin_sq)) return false;
+
+    // The box whose edge points towards the face first: the face then knows at which end it is.
+    const Vector &u = column(A.A, i), v = column(B.A, j) * (dot(column(A.A, i), column(B.A, j)) < 0 ? scalar(-1) : scalar(1));
+    const EdgeOfBox first_A = edge_of(A, i, -n, B.r), first_B = edge_of(B, j, n, A.r);
+    const EdgeOfBox of_A = edge_of(A, i, -n, first_B.middle), of_B = edge_of(B, j, n, first_A.middle);
+    // Middle of the shared angle, and tan(phi) = tan(45 degrees - psi) with psi half the angle between what the edges allow.
+    const Vector sum = of_B.out - of_A.out, difference = of_B.out + of_A.out;
+    const scalar length = sqrt(length_sq(sum)), spread = sqrt(length_sq(difference));
+    if (!(length > spread * (1 + limits::facing_sin))) return false;
+    const Vector middle = sum * (1 / length);
+    const scalar tan_phi = (length - spread) / (length + spread);
+
+    const scalar a = component(A.shape.size, i), b = component(B.shape.size, j), offset = dot(of_B.middle - of_A.middle, u);
+    const scalar low = offset - b > -a ? offset - b : -a, high = offset + b < a ? offset + b : a;
+    if (!(low <= high)) return false;
+    const auto on_A = [&](scalar x) { return of_A.middle + u * x; };
+    const auto on_B = [&](scalar x) { return of_B.middle + v * (x - offset); };
+    Vector w = on_A((low + high) / 2) - on_B((low + high) / 2);
+    w = w - u * dot(w, u);
+    const scalar ahead = ridge + dot(w, middle);
+    const Vector aside = w - middle * dot(w, middle);
+    if (!(ahead > 0 && length_sq(aside) < tan_phi * tan_phi * ahead * ahead)) return false;
+    const Vector turned = middle * ahead + aside, normal = turned * (1 / sqrt(length_sq(turned)));
+
+    no_points(normal, manifold);
+    for (uint32_t end = 0; end < 2; ++end) {
+        const Vector p = on_A(end == 0 ? low : high), q = on_B(end == 0 ? low : high);
+        const scalar s = dot(normal, p - q);
+        const uint32_t feature = feature_of(first_edge_axis + 3 * i + j, true, of_A.signs | of_B.signs << 3 | end << 6);
+        if (s <= margin) manifold.points[manifold.count++] = {(p + q) * scalar(0.5), s, feature};
+    }
+    return true;
+}
+
 /// The points of a face against the other box, whose nearest face is clipped.
 void face_points(const PlacedShape& A, const PlacedShape& B, const BestAxis& best, scalar margin, const Before& before,
                  Manifold& manifold) {
@@ -164,6 +236,7 @@ void face_points(const PlacedShape& A, const PlacedShape& B, const BestAxis& bes
             along = c;
         }
     }
+    if (abs(along) < limits::facing_cos && ridge_points(A, B, of_A ? -up : up, limits::ridge * best.smallest, margin, manifold)) return;
     const bool flipped = along > 0;  // the face that looks against `up`
     const scalar h_facing = component(other.shape.size, facing);
 
@@ -214,6 +287,13 @@ void face_points(const PlacedShape& A, const PlacedShape& B, const BestAxis& bes
     keep_points(candidates, count, frame, limits::flatness * best.smallest, before, manifold);
 }
 
+/// True where two edges cross all but across a face: the normal of their crossing is that of the face but for facing_cos.
+INGOT_INLINE bool lies_flat(const PlacedShape& A, const PlacedShape& B, const BestAxis& best) {
+    const Vector n = cross(column(A.A, (best.edge - first_edge_axis) / 3), column(B.A, (best.edge - first_edge_axis) % 3));
+    const scalar along = dot(n, best.face < 3 ? column(A.A, best.face) : column(B.A, best.face - 3));
+    return along * along > limits::facing_cos * limits::facing_cos * length_sq(n);
+}
+
 /// The point of two edges; false where the nearest points of their lines lie outside the edges.
 bool edge_point(const PlacedShape& A, const PlacedShape& B, const BestAxis& best, scalar margin, Manifold& manifold) {
     const int i = (best.edge - first_edge_axis) / 3, j = (best.edge - first_edge_axis) % 3;
@@ -259,9 +339,9 @@ void collide_box_box(const PlacedShape& A, const PlacedShape& B, scalar margin, 
     BestAxis best;
     const int axis_before = before.count > 0 ? static_cast<int>(before.features[0] >> 24) : no_axis;
     if (!find_axis(A, B, margin, axis_before, best, manifold)) return;
-    // Where two edges cross they have one point. Boxes that meet fast may turn about it onto other corners within the step: those of the face have
-    // the crossing among them, and look further. The normal is the face's then, until the boxes are slow.
-    if (best.edge != no_axis && margin > limits::fast_margin) {
+    // Where two edges cross they have one point. Boxes that lie all but flat on each other, or meet fast, may turn about it onto other corners within
+    // the step: those of the face have the crossing among them, and look further. The normal is the face's then.
+    if (best.edge != no_axis && (margin > limits::fast_margin || lies_flat(A, B, best))) {
         face_points(A, B, best, margin, before, manifold);
         if (manifold.count > 1) return;
     }

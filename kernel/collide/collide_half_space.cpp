@@ -28,6 +28,13 @@ void collide_box_half_space(const PlacedShape& A, const PlacedShape& B, scalar m
     for (int i = 0; i < 3; ++i) rise[i] = dot(face.n, edges[i]);
     if (face.height - (abs(rise[0]) + abs(rise[1]) + abs(rise[2])) > margin) return no_points(face.n, manifold);
 
+    // Of a box thinner than the margin all eight corners are near, and the upper ones span as much as those below: then the face that looks down is
+    // what touches.
+    int upright = 0;
+    for (int i = 1; i < 3; ++i)
+        if (abs(rise[i]) * component(half, upright) > abs(rise[upright]) * component(half, i)) upright = i;
+    const uint32_t upper = rise[upright] > 0 ? 1u << upright : 0u;
+
     const ContactFrame frame = frame_about(face.n, A.r - face.n * face.height);
     Candidate candidates[8];
     int count = 0;
@@ -38,6 +45,11 @@ void collide_box_half_space(const PlacedShape& A, const PlacedShape& B, scalar m
         if (!(s <= margin)) continue;
         const Vector p = edges[0] * x + edges[1] * y + edges[2] * z;
         candidates[count++] = {dot(p, frame.e_x), dot(p, frame.e_y), s * scalar(0.5), s, corner};
+    }
+    if (count == 8) {
+        count = 0;
+        for (int i = 0; i < 8; ++i)
+            if ((candidates[i].feature & 1u << upright) != upper) candidates[count++] = candidates[i];
     }
     keep_points(candidates, count, frame, limits::flatness * smallest_of(half), before, manifold);
 }
