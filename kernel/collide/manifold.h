@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "../math/vec3.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// One point where two shapes touch, or nearly do.
+struct ManifoldPoint {
+    Vector P;           ///< m, world, half-way between the two surfaces
+    scalar separation;  ///< m, along n; negative where the shapes overlap
+    uint32_t feature;   ///< names the features that made the point; the same from step to step while they do
+};
+
+/// Where two shapes touch: up to four points that span the area of contact, and the normal they share.
+struct Manifold {
+    static constexpr int points_max = 4;
+    Vector n;   ///< unit, from B to A, world
+    int count;  ///< 0 .. points_max; 0: further apart than the margin
+    ManifoldPoint points[points_max];
+};
+
+} }  // namespace ingot
