@@ -57,4 +57,18 @@ inline constexpr scalar contact_slack = 8;      ///< times that, once a quarter 
 /// Impacts slower than this many times |gravity| h are contacts at rest: restitution does not apply to them.
 inline constexpr scalar rest_speed_factor = 2;
 
+
+// The many-body solver (solve/solve_manifolds).
+inline constexpr int substeps = 4;                ///< of a step; each is solved and displaced by itself
+inline constexpr int sweeps = 3;                  ///< over all contacts in a substep
+inline constexpr int sweeps_of_young = 12;        ///< while more than a quarter of the contacts are younger than four steps
+inline constexpr int level_passes_max = 32;       ///< that look for the distance of bodies from the ground
+inline constexpr scalar contact_margin = scalar(0.02);      ///< m; shapes this far apart, and what they travel in a step, have a manifold
+inline constexpr scalar position_share = scalar(0.4);       ///< of an overlap, taken back in a substep
+inline constexpr scalar push_speed_max = scalar(3);         ///< m/s, at which deep overlaps are taken back
+inline constexpr scalar bounce_speed_min = scalar(0.01);    ///< m/s; slower impacts do not bounce
+/// The diagonal of a manifold's 4x4 compliance, which has rank 3, is multiplied by this: the load spreads over four points evenly. 1.001 loses
+/// digits in float.
+inline constexpr scalar block_diagonal = scalar(1.01);
+
 } } }  // namespace ingot::limits

@@ -11,6 +11,7 @@ struct Surface {
     Shape shape;
     scalar bounding_radius;  ///< m, about the centre of mass; 0 for a half space
     scalar e;                ///< restitution 0 .. 1; of a pair the larger counts
+    scalar mu;               ///< coefficient of friction; of a pair the geometric mean counts
 };
 
 /// The surfaces of all slots, without their capacity.
@@ -22,5 +23,7 @@ struct SurfaceView {
 /// False for two bodies that cannot touch: neither moves, one has no shape, or the spheres that hold the shapes (the sphere
 /// and the half space) are apart by more than limits::flatness. Most pairs are told apart by their first coordinate.
 bool may_touch(const BodyView& bodies, const SurfaceView& surfaces, int slot_A, int slot_B);
+/// The same for shapes that count as touching from `margin` metres apart.
+bool may_touch(const BodyView& bodies, const SurfaceView& surfaces, int slot_A, int slot_B, scalar margin);
 
 } }  // namespace ingot

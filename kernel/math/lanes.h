@@ -70,10 +70,14 @@ INGOT_INLINE constexpr T splat(scalar value) {
     return T{} + value;
 }
 
-/// True where both are true. (The operators && and & do not both fit: one is for bool, the other for vectors.)
+/// True where both, where either is true, where it is not. (Operators do not fit: && is for bool, & for vectors.)
 INGOT_INLINE constexpr bool both(bool a, bool b) { return a && b; }
+INGOT_INLINE constexpr bool either(bool a, bool b) { return a || b; }
+INGOT_INLINE constexpr bool opposite(bool a) { return !a; }
 #if INGOT_LANES > 1
 INGOT_INLINE mask both(mask a, mask b) { return a & b; }
+INGOT_INLINE mask either(mask a, mask b) { return a | b; }
+INGOT_INLINE mask opposite(mask a) { return ~a; }
 #endif
 
 #if INGOT_DOUBLE

@@ -12,6 +12,7 @@ struct BodyDef {
     BodyState state{};           ///< of the principal frame; an immovable body has v_CM = L = 0
     Shape shape{};               ///< Sphere, Box or HalfSpace in the principal frame; none: the body touches nothing
     scalar restitution = 0;      ///< e of Fig. 4, 0 .. 1; of a pair the larger counts
+    scalar friction = scalar(0.5); ///< coefficient mu, 0 and more; of a pair the geometric mean counts
     bool immovable = false;      ///< neither force nor impulse moves it
 };
 

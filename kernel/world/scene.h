@@ -25,6 +25,7 @@ struct Scene {
     static constexpr int  max_bodies   = 1;      ///< 1 .. 65536
     static constexpr bool translates   = false;
     static constexpr int  max_contacts = 0;      ///< points of contact in one step, 0 .. 65535
+    static constexpr int  max_manifolds = 0;     ///< pairs of bodies that touch in one step, 0 .. 65534: friction, stacks, piles
     using shapes   = Shapes<>;
     using rotation = MoserVeselov;               ///< or another method of motion/
     using force_field = NoForceField;            ///< or one of motion/force_fields.h, or your own
@@ -35,12 +36,17 @@ template <class S>
 inline constexpr bool collides = S::max_contacts > 0;
 
 template <class S>
+inline constexpr bool stacks = S::max_manifolds > 0;
+template <class S>
+inline constexpr bool has_shapes = collides<S> || stacks<S>;
+
+template <class S>
 inline constexpr bool has_field = is_field<typename S::force_field>;
 
 /// Scenes whose steps are made of kicks by the field and free flights. Contacts, and Listing 1, take the field as a force that is
 /// constant over the step.
 template <class S>
-inline constexpr bool flies_in_field = has_field<S> && !collides<S> && !S::rotation::as_printed;
+inline constexpr bool flies_in_field = has_field<S> && !has_shapes<S> && !S::rotation::as_printed;
 
 /// Turns a scene that contradicts itself into a sentence.
 template <class S>

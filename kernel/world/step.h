@@ -8,7 +8,9 @@
 #include "../motion/integrate_v.h"
 #include "../solve/contact_rows.h"
 #include "../solve/solve_contact_forces.h"
+#include "../collide/find_manifolds.h"
 #include "../solve/solve_impacts.h"
+#include "../solve/solve_manifolds.h"
 #include "world.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -50,6 +52,18 @@ StepReport step(World<S>& world, scalar h) {
         const FlightClock clock{storage.steps, storage.h_changes_to(h)};
         const auto drivers = storage.drivers(storage.gravity_or_none());
         count(report.spins_clamped, S::flight::template fly<typename S::rotation>(bodies, drivers, h, clock));
+    } else if constexpr (stacks<S>) {
+        find_manifolds<typename S::shapes>(bodies, storage.surface_view(), h, {storage.manifolds, &storage.manifold_count, S::max_manifolds}, report);
+        SolverView solver = storage.solver();
+        solve_manifolds(solver, bodies, storage.gravity, h, report);
+
+        integrate_L(bodies, h);
+        integrate_v(bodies, h, storage.gravity);
+        write_contact_motion(solver, bodies, storage.gravity, h);
+        const FlightClock clock{storage.steps, storage.h_changes_to(h), h / 2};
+        count(report.spins_clamped, S::rotation::integrate_A(bodies, h, clock));
+        integrate_r(bodies, h, storage.gravity);
+        turn_by_corrections(solver, bodies);
     } else {
         integrate_L(bodies, h);
         if constexpr (S::translates) integrate_v(bodies, h, storage.gravity);

@@ -7,6 +7,7 @@
 
 #include "../body/body_tiles.h"
 #include "../collide/find_contacts.h"
+#include "../solve/solver_view.h"
 #include "scene.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -71,19 +72,53 @@ struct FieldPart<S, false> {};
 
 template <class S, bool present>
 struct ContactPart {
-    Surface surfaces[static_cast<unsigned>(S::max_bodies)] = {};
     Contact contacts[static_cast<unsigned>(S::max_contacts)] = {};
     uint16_t contact_count = 0;
 };
 template <class S>
 struct ContactPart<S, false> {};
 
+template <class S, bool present>
+struct SurfacePart {
+    Surface surfaces[static_cast<unsigned>(S::max_bodies)] = {};
+};
+template <class S>
+struct SurfacePart<S, false> {};
+
+template <class S, bool present>
+struct ManifoldPart {
+    static constexpr unsigned manifold_capacity = static_cast<unsigned>(S::max_manifolds);
+    static constexpr unsigned block_capacity = (manifold_capacity + lanes - 1) / lanes;
+    static constexpr unsigned body_capacity = static_cast<unsigned>(S::max_bodies) + 1;
+
+    ContactBlock blocks[block_capacity] = {};
+    SolverBody solver_bodies[body_capacity] = {};
+    SolverBodyHistory histories[body_capacity] = {};
+    ContactManifold manifolds[manifold_capacity] = {};
+    ManifoldMemory memory[manifold_capacity] = {};
+    uint32_t colours_of_body[body_capacity] = {};
+    uint16_t level_of_body[body_capacity] = {}, slot_of[body_capacity] = {};
+    uint16_t local_of[static_cast<unsigned>(tile_capacity<S> * lanes)] = {};
+    uint16_t order[manifold_capacity] = {}, other_order[manifold_capacity] = {}, level[manifold_capacity] = {};
+    Visit visits[manifold_capacity + block_capacity] = {};
+    uint16_t manifold_count = 0, memory_count = 0;
+
+    SolverView solver() {
+        return {manifolds, manifold_count, memory, &memory_count, blocks, visits, order, level, other_order,
+                solver_bodies, histories, slot_of, local_of, level_of_body, colours_of_body, 0, 0, 0};
+    }
+};
+template <class S>
+struct ManifoldPart<S, false> {};
+
 template <class S>
 struct Storage : TranslationPart<S, S::translates>,
                  CompensationPart<S, S::rotation::compensates>,
                  EnergyPart<S, S::rotation::returns_energy>,
                  FieldPart<S, has_field<S>>,
-                 ContactPart<S, collides<S>> {
+                 SurfacePart<S, has_shapes<S>>,
+                 ContactPart<S, collides<S>>,
+                 ManifoldPart<S, stacks<S>> {
     RotationTile rotation[tile_capacity<S>] = {};
     uint32_t generation[static_cast<unsigned>(S::max_bodies)] = {};  ///< see BodyId: odd while a body lives in the slot
     uint32_t steps = 0;         ///< taken

@@ -43,7 +43,7 @@ public:
     ///         place or velocity where it does not translate); bad_shape (a half space that can move).
     /// Cost:   O(1), or O(max_bodies) after removals.
     Result<BodyId> add(const BodyDef& def) {
-        const Status status = check_definition(def, S::translates, collides<S> && S::shapes::has(def.shape.kind));
+        const Status status = check_definition(def, S::translates, has_shapes<S> && S::shapes::has(def.shape.kind));
         if (status != Status::ok) return {status, {}};
         const int slot = free_slot();
         if (slot == max_bodies) return {Status::no_room, {}};
@@ -52,7 +52,7 @@ public:
         storage_.free_hint = slot + 1;
         ++storage_.generation[slot];
         write_body(storage_.bodies(), slot, def);
-        if constexpr (collides<S>) storage_.surfaces[slot] = {def.shape, bounding_radius(def.shape), def.restitution};
+        if constexpr (has_shapes<S>) storage_.surfaces[slot] = {def.shape, bounding_radius(def.shape), def.restitution, def.friction};
         return {Status::ok, id_of(slot)};
     }
 
@@ -63,10 +63,8 @@ public:
         ++storage_.generation[slot.value];
         if (slot.value < storage_.free_hint) storage_.free_hint = slot.value;
         set_identity_body(storage_.bodies(), slot.value);
-        if constexpr (collides<S>) {
-            storage_.surfaces[slot.value] = {};
-            storage_.contact_count = 0;
-        }
+        if constexpr (has_shapes<S>) storage_.surfaces[slot.value] = {};
+        if constexpr (collides<S>) storage_.contact_count = 0;
         return Status::ok;
     }
 

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: MIT
+#include "prepare_blocks.h"
+
+#include "../base/limits.h"
+#include "../math/sqrt.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+namespace {
+
+const ContactManifold no_contact = {0, 0, {{0, 0, 1}, 0, {}}, 0, 0};
+
+/// The memory of the same two bodies; both lists are sorted by them.
+const ManifoldMemory* memory_of(const SolverView& solver, const ContactManifold& contact) {
+    int first = 0, last = *solver.memory_count;
+    const auto key = [](uint16_t A, uint16_t B) { return static_cast<uint32_t>(A) << 16 | B; };
+    const uint32_t wanted = key(contact.body_A, contact.body_B);
+    while (first < last) {
+        const int middle = (first + last) / 2;
+        const ManifoldMemory& memory = solver.memory[middle];
+        if (key(memory.body_A, memory.body_B) < wanted)
+            first = middle + 1;
+        else
+            last = middle;
+    }
+    if (first == *solver.memory_count) return nullptr;
+    const ManifoldMemory& memory = solver.memory[first];
+    return key(memory.body_A, memory.body_B) == wanted ? &memory : nullptr;
+}
+
+void recall(ContactBlock& block, int lane_i, const ContactManifold& contact, const ManifoldMemory* memory) {
+    for (int row = 0; row < block_rows; ++row) block.j[row][lane_i] = block.j_before[row][lane_i] = 0;
+    block.j_twist[lane_i] = block.steps[lane_i] = 0;
+    for (int axis = 0; axis < 2; ++axis) block.j_friction[axis][lane_i] = block.j_reference[axis][lane_i] = 0;
+    if (memory == nullptr) return;
+    for (int row = 0; row < contact.manifold.count; ++row) {
+        for (int old = 0; old < memory->count; ++old) {
+            if (memory->feature[old] != contact.manifold.points[row].feature) continue;
+            block.j[row][lane_i] = memory->j[old];
+            block.j_before[row][lane_i] = memory->j_before[old];
+        }
+    }
+    const Vector t_1 = lane_of(block.t_1, lane_i), t_2 = lane_of(block.t_2, lane_i);
+    block.j_friction[0][lane_i] = dot(memory->j_friction, t_1);
+    block.j_friction[1][lane_i] = dot(memory->j_friction, t_2);
+    block.j_reference[0][lane_i] = dot(memory->j_reference, t_1);
+    block.j_reference[1][lane_i] = dot(memory->j_reference, t_2);
+    block.j_twist[lane_i] = memory->j_twist;
+    block.steps[lane_i] = static_cast<scalar>(memory->steps);
+}
+
+/// A body as the rows need it, of each lane.
+struct RowBody {
+    Vec3<lane> r_CM;
+    Sym3<lane> inv_I_world;
+    lane inv_M;
+};
+
+/// What is collected lane by lane before the vectors take over.
+struct BlockInput {
+    struct Body {
+        scalar r_CM[3][lanes], inv_I_world[6][lanes], inv_M[lanes];
+
+        void put(int lane_i, const BodyView& bodies, int slot) {
+            const Place at = place_of(slot);
+            set_lane(r_CM, lane_i, lane_of(bodies.translation[at.tile].r_CM, at.lane));
+            set_lane(inv_I_world, lane_i, lane_of(bodies.rotation[at.tile].inv_I_world, at.lane));
+            inv_M[lane_i] = bodies.translation[at.tile].inv_M[at.lane];
+        }
+        RowBody loaded() const {
+            return {load(r_CM), {load(inv_I_world[0]), load(inv_I_world[1]), load(inv_I_world[2]), load(inv_I_world[3]), load(inv_I_world[4]),
+                                 load(inv_I_world[5])}, load(inv_M)};
+        }
+    };
+    Body A, B;
+    scalar n[3][lanes], P[block_rows][3][lanes], used[block_rows][lanes], separation[block_rows][lanes];
+};
+
+/// Two directions across n, the same for the same n: from the axis that n is furthest from.
+INGOT_INLINE void tangents(const Vec3<lane>& n, Vec3<lane>& t_1, Vec3<lane>& t_2) {
+    const lane one = splat<lane>(1);
+    const mask across_x = both(abs(n.x) <= abs(n.y), abs(n.x) <= abs(n.z)), across_y = both(opposite(across_x), abs(n.y) <= abs(n.z));
+    const mask across_z = both(opposite(across_x), opposite(across_y));
+    const Vec3<lane> axis = {select(across_x, one, lane{}), select(across_y, one, lane{}), select(across_z, one, lane{})};
+    const Vec3<lane> t = cross(n, axis);
+    t_1 = t * (one / sqrt(length_sq(t)));
+    t_2 = cross(n, t_1);
+}
+
+/// Rows along `direction` at levers r_A, r_B; no lever on what cannot move.
+INGOT_INLINE void store_levers(Levers& levers, const RowBody& A, const RowBody& B, const Vec3<lane>& J_A, const Vec3<lane>& J_B) {
+    store(levers.J_A, J_A);
+    store(levers.J_B, J_B);
+    store(levers.k_A, A.inv_I_world * J_A);
+    store(levers.k_B, B.inv_I_world * J_B);
+}
+
+/// Compliance between two rows: the speed along the one that a unit impulse along the other gives; `share` is the cosine between them.
+INGOT_INLINE lane compliance(const Levers& row, const Levers& other, lane inv_M) {
+    return inv_M + dot(load(row.k_A), load(other.J_A)) + dot(load(row.k_B), load(other.J_B));
+}
+
+void prepare_block(const SolverView& solver, const BodyView& bodies, int block_i) {
+    ContactBlock& block = solver.blocks[block_i];
+    BlockInput in{};
+    for (int lane_i = 0; lane_i < lanes; ++lane_i) {
+        const int position = block_i * lanes + lane_i;
+        const bool spare = position >= solver.manifold_count;
+        const ContactManifold& contact = spare ? no_contact : solver.manifolds[solver.order[position]];
+        block.manifold[lane_i] = spare ? no_manifold : solver.order[position];
+        block.body_A[lane_i] = spare ? 0 : solver.local_of[contact.body_A];
+        block.body_B[lane_i] = spare ? 0 : solver.local_of[contact.body_B];
+        block.mu[lane_i] = contact.mu;
+        block.e[lane_i] = contact.e;
+        if (!spare) {
+            in.A.put(lane_i, bodies, contact.body_A);
+            in.B.put(lane_i, bodies, contact.body_B);
+        }
+        set_lane(in.n, lane_i, contact.manifold.n);
+        for (int row = 0; row < contact.manifold.count; ++row) {
+            in.used[row][lane_i] = 1;
+            in.separation[row][lane_i] = contact.manifold.points[row].separation;
+            set_lane(in.P[row], lane_i, contact.manifold.points[row].P);
+        }
+    }
+    const RowBody A = in.A.loaded(), B = in.B.loaded();
+    const Vec3<lane> n = load(in.n);
+    Vec3<lane> P[block_rows];
+    lane used[block_rows], separation[block_rows];
+    for (int row = 0; row < block_rows; ++row) {
+        P[row] = load(in.P[row]);
+        used[row] = load(in.used[row]);
+        separation[row] = load(in.separation[row]);
+    }
+
+    const lane one = splat<lane>(1), inv_M = A.inv_M + B.inv_M;
+    store(block.inv_M_A, A.inv_M);
+    store(block.inv_M_B, B.inv_M);
+    store(block.n, n);
+    Vec3<lane> t_1, t_2;
+    tangents(n, t_1, t_2);
+    store(block.t_1, t_1);
+    store(block.t_2, t_2);
+    const mask movable_A = A.inv_M > lane{}, movable_B = B.inv_M > lane{};
+    const auto lever_A = [&](const Vec3<lane>& at, const Vec3<lane>& direction) { return select(movable_A, cross(at - A.r_CM, direction), Vec3<lane>{}); };
+    const auto lever_B = [&](const Vec3<lane>& at, const Vec3<lane>& direction) { return select(movable_B, cross(direction, at - B.r_CM), Vec3<lane>{}); };
+
+    // Normals, and the middle of the points that friction acts at: those beyond the margin count less and less.
+    Vec3<lane> middle{};
+    lane weights{};
+    const lane margin = splat<lane>(limits::contact_margin);
+    lane weight[block_rows];
+    for (int row = 0; row < block_rows; ++row) {
+        const mask there = used[row] > lane{};
+        store_levers(block.normal[row], A, B, select(there, lever_A(P[row], n), Vec3<lane>{}), select(there, lever_B(P[row], n), Vec3<lane>{}));
+        store(block.separation[row], separation[row]);
+        store(block.target[row], lane{});
+        store(block.position[row], lane{});
+        store(block.bounces[row], lane{});
+        weight[row] = used[row] * greatest(lane{}, least(one, splat<lane>(2) - separation[row] / margin)) + used[row] * splat<lane>(scalar(1e-6));
+        middle += P[row] * weight[row];
+        weights = weights + weight[row];
+    }
+    const lane inv_weights = one / select(weights > lane{}, weights, one);
+    middle = middle * inv_weights;
+    lane radius{};
+    for (int row = 0; row < block_rows; ++row) radius = radius + weight[row] * sqrt(length_sq(P[row] - middle));
+    store(block.twist_radius, radius * inv_weights);
+
+    Sym4 K;
+    for (int row = 0; row < block_rows; ++row) {
+        for (int c = row; c < block_rows; ++c) {
+            const mask there = both(used[row] > lane{}, used[c] > lane{});
+            K(row, c) = select(there, compliance(block.normal[row], block.normal[c], inv_M), row == c ? one : lane{});
+        }
+    }
+    Sym4 stiffened = K;
+    const lane factor = select(used[block_rows - 1] > lane{}, splat<lane>(limits::block_diagonal), one);  // fewer points: full rank
+    for (int row = 0; row < block_rows; ++row) stiffened(row, row) = K(row, row) * factor;
+    const Sym4 B4 = inverse(stiffened);
+    for (int row = 0; row < block_rows; ++row) {
+        for (int c = row; c < block_rows; ++c) {
+            const mask there = both(used[row] > lane{}, used[c] > lane{});
+            store(block.K[Sym4::index(row, c)], K(row, c));
+            store(block.B[Sym4::index(row, c)], select(there, B4(row, c), lane{}));
+        }
+    }
+
+    store_levers(block.friction[0], A, B, lever_A(middle, t_1), lever_B(middle, t_1));
+    store_levers(block.friction[1], A, B, lever_A(middle, t_2), lever_B(middle, t_2));
+    const mask any_point = used[0] > lane{};
+    const lane k11 = compliance(block.friction[0], block.friction[0], inv_M), k22 = compliance(block.friction[1], block.friction[1], inv_M);
+    const lane k12 = compliance(block.friction[0], block.friction[1], lane{});
+    const lane inv_det = one / select(any_point, k11 * k22 - k12 * k12, one);
+    store(block.inv_K_friction[0], select(any_point, k22 * inv_det, lane{}));
+    store(block.inv_K_friction[1], select(any_point, -k12 * inv_det, lane{}));
+    store(block.inv_K_friction[2], select(any_point, k11 * inv_det, lane{}));
+
+    const Vec3<lane> k_A = select(movable_A, A.inv_I_world * n, Vec3<lane>{}), k_B = select(movable_B, B.inv_I_world * -n, Vec3<lane>{});
+    const lane k_twist = dot(k_A, n) - dot(k_B, n);
+    store(block.k_twist_A, k_A);
+    store(block.k_twist_B, k_B);
+    const mask turns = both(any_point, k_twist > lane{});
+    store(block.inv_K_twist, select(turns, one / select(turns, k_twist, one), lane{}));
+    for (int row = 0; row < 7; ++row) {
+        store(block.direction[row], lane{});
+        store(block.j_sweep[row], lane{});
+    }
+
+    for (int lane_i = 0; lane_i < lanes; ++lane_i) {
+        const uint16_t manifold_i = block.manifold[lane_i];
+        const bool spare = manifold_i == no_manifold;
+        const ContactManifold& contact = spare ? no_contact : solver.manifolds[manifold_i];
+        recall(block, lane_i, contact, spare ? nullptr : memory_of(solver, contact));
+    }
+}
+
+}  // namespace
+
+void prepare_blocks(const SolverView& solver, const BodyView& bodies) {
+    for (int block_i = 0; block_i < solver.block_count; ++block_i) prepare_block(solver, bodies, block_i);
+}
+
+void remember_impulses(const SolverView& solver) {
+    for (int block_i = 0; block_i < solver.block_count; ++block_i) {
+        const ContactBlock& block = solver.blocks[block_i];
+        for (int lane_i = 0; lane_i < lanes; ++lane_i) {
+            const uint16_t manifold_i = block.manifold[lane_i];
+            if (manifold_i == no_manifold) continue;
+            const ContactManifold& contact = solver.manifolds[manifold_i];
+            ManifoldMemory& memory = solver.memory[manifold_i];
+            memory.body_A = contact.body_A;
+            memory.body_B = contact.body_B;
+            memory.count = static_cast<uint16_t>(contact.manifold.count);
+            const scalar steps = block.steps[lane_i] + limits::substeps;
+            memory.steps = static_cast<uint16_t>(steps < 1000 ? steps : scalar(1000));
+            for (int row = 0; row < block_rows; ++row) {
+                const bool there = row < contact.manifold.count;
+                memory.feature[row] = there ? contact.manifold.points[row].feature : 0;
+                memory.j[row] = there ? block.j[row][lane_i] : 0;
+                memory.j_before[row] = there ? block.j_before[row][lane_i] : 0;
+            }
+            const Vector t_1 = lane_of(block.t_1, lane_i), t_2 = lane_of(block.t_2, lane_i);
+            memory.j_friction = t_1 * block.j_friction[0][lane_i] + t_2 * block.j_friction[1][lane_i];
+            memory.j_reference = t_1 * block.j_reference[0][lane_i] + t_2 * block.j_reference[1][lane_i];
+            memory.j_twist = block.j_twist[lane_i];
+        }
+    }
+    *solver.memory_count = static_cast<uint16_t>(solver.manifold_count);
+}
+
+} }  // namespace ingot

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// Everything the many-body solver works on, without its capacities.
+#pragma once
+
+#include "contact_block.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// Lanes of one block that are solved together: they share no body that can move.
+struct Visit {
+    uint16_t block, lane_bits;
+};
+
+struct SolverView {
+    const ContactManifold* manifolds;
+    int manifold_count;
+
+    ManifoldMemory* memory;    ///< as many as manifolds were in the step before, in the same order
+    uint16_t* memory_count;
+
+    ContactBlock* blocks;      ///< room for manifold capacity / lanes, rounded up
+    Visit* visits;             ///< room for manifold capacity + blocks
+    uint16_t* order;           ///< of manifolds, by level and colour
+    uint16_t* level;           ///< by manifold
+    uint16_t* other_order;     ///< for sorting
+
+    SolverBody* bodies;        ///< [0] stands for all that cannot move and for spare lanes
+    SolverBodyHistory* histories;
+    uint16_t* slot_of;         ///< by solver body
+    uint16_t* local_of;        ///< by body slot; 0: immovable, or does not touch
+    uint16_t* level_of_body;   ///< by solver body
+    uint32_t* colours_of_body; ///< by solver body, within the level at hand
+    int body_count;            ///< solver bodies in use, [0] included
+    int visit_count, block_count;
+};
+
+} }  // namespace ingot
