@@ -64,6 +64,7 @@ inline constexpr int sweeps = 3;                  ///< over all contacts in a su
 inline constexpr int sweeps_of_young = 12;        ///< while more than a quarter of the contacts are younger than four steps
 inline constexpr int level_passes_max = 32;       ///< that look for the distance of bodies from the ground
 inline constexpr scalar contact_margin = scalar(0.02);      ///< m; shapes this far apart, and what they travel in a step, have a manifold
+inline constexpr scalar touching_gap = scalar(1e-3);        ///< m; points this far apart are stopped as if they touched, and drawn together
 inline constexpr scalar position_share = scalar(0.4);       ///< of an overlap, taken back in a substep
 inline constexpr scalar push_speed_max = scalar(3);         ///< m/s, at which deep overlaps are taken back
 inline constexpr scalar bounce_speed_min = scalar(0.01);    ///< m/s; slower impacts do not bounce

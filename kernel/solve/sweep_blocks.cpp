@@ -124,7 +124,7 @@ void predict_contacts(const SolverView& solver, scalar h) {
         lane separation[block_rows];
         for (int row = 0; row < block_rows; ++row) {
             separation[row] = separation_now(block, row, n, displaced);
-            store(block.target[row], -greatest(separation[row], lane{}) * inv_h);
+            store(block.target[row], -greatest(separation[row] - splat<lane>(limits::touching_gap), lane{}) * inv_h);
         }
         if (any(load(block.e) > lane{})) predict_bounces(block, solver, n, separation, h);
     }
@@ -347,9 +347,10 @@ void position_sweep(const SolverView& solver, scalar h) {
         mask pulls[block_rows], off = splat<lane>(1) < lane{};
         for (int row = 0; row < block_rows; ++row) {
             const lane s = separation_now(block, row, n, displaced);
-            pulls[row] = load(block.bounces[row]) > lane{};
-            const lane overlap = select(s > lane{}, s, greatest(s * share, deepest));
-            w.at[row] = select(pulls[row], s - load(block.position[row]), overlap);
+            const mask bounces = load(block.bounces[row]) > lane{}, pressed = load(block.j[row]) > lane{};
+            const lane wanted = select(either(pressed, s < lane{}), greatest(s * share, deepest), s);
+            w.at[row] = select(bounces, s - load(block.position[row]), wanted);
+            pulls[row] = either(bounces, pressed);
             w.at[row] = select(load(block.B[Sym4::index(row, row)]) > lane{}, w.at[row], lane{});
             off = either(off, either(pulls[row], w.at[row] < lane{}));
         }
