@@ -543,7 +543,7 @@ World<S> Machine<S>::twin_;
 
 uint64_t INGOT_FUZZ_RUN(const uint8_t* data, size_t size) {
     Bytes in(data, size);
-    switch (in.byte() % 12u) {
+    switch (in.byte() % 13u) {
         case 0: case 1: case 2: case 3: return Machine<Yard>().run(in);
         case 4: case 5: return Machine<Tops>().run(in);
         case 6: return Machine<YardWith<ingot::Listing1Euler>>().run(in);
@@ -551,6 +551,7 @@ uint64_t INGOT_FUZZ_RUN(const uint8_t* data, size_t size) {
         case 8: return Machine<YardWith<ingot::Rk4Polar>>().run(in);
         case 9: return Machine<YardWith<ingot::SymmetricTop>>().run(in);
         case 10: return Machine<YardWith<ingot::SymmetricTopSplitting<6>>>().run(in);
+        case 11: return Machine<YardWith<ingot::ExactElliptic>>().run(in);
         default: return Machine<YardWith<ingot::DiscreteMoserVeselov<4, false, false, 2>>>().run(in);
     }
 }

@@ -19,10 +19,12 @@
 // recurses, prints or reads a clock.
 #pragma once
 
+#include "base/floating_point.h"
 #include "base/version.h"
 #include "body/kinematics.h"
 #include "body/mass_properties.h"
 #include "body/user_frame.h"
 #include "motion/force_fields.h"
+#include "solve/impulse.h"
 #include "world/step.h"
 #include "world/world.h"

@@ -7,6 +7,8 @@
 //   systick   clock_systick.cpp   Cortex-M SysTick, one tick per processor cycle
 //   dwt       clock_dwt.cpp       Cortex-M DWT cycle counter; SysTick where the core has none
 //   qemu      clock_qemu.cpp      counter of an emulated board; counts instructions exactly
+//   minstret  clock_minstret.cpp  RISC-V counter of instructions; exact in QEMU
+//   wasm      clock_wasm.cpp      what the host of the module gives, nanoseconds
 //
 // A program with a clock of its own defines all functions below itself; the library's back-end is then not linked.
 // The kernel never reads a clock: time enters it as the argument h.

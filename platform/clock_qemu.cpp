@@ -6,6 +6,7 @@
 // frequency of the counter:
 //
 //   mps2_an386, mps2_an500   FPGAIO COUNTER   25 MHz   1.6   ticks    instructions = ticks * 5 / 8
+//   mps2_an505, mps3_an547   FPGAIO COUNTER   20 MHz   1.28  ticks    instructions = ticks * 25 / 32
 //   microbit                 nRF51 TIMER0     16 MHz   1.024 ticks    instructions = ticks * 125 / 128
 //
 // With sleep=off the count is the same to the tick in every run on every machine, however busy. Without it virtual time may

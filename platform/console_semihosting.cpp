@@ -2,7 +2,7 @@
 // Console of the debugger or emulator.
 #include "console.h"
 
-#include "cortex_m.h"
+#include "semihosting.h"
 
 namespace ingot::platform {
 namespace {
@@ -13,12 +13,12 @@ constexpr uint32_t application_exit = 0x20026;   // ADP_Stopped_ApplicationExit
 
 }  // namespace
 
-void console_write(const char* text) { (void)cortex_m::semihosting(sys_write0, text); }
+void console_write(const char* text) { (void)semihosting(sys_write0, text); }
 
 void console_exit(int code) {
     const uint32_t reason_and_status[2] = {application_exit, static_cast<uint32_t>(code)};
     // A debugger may let the program run on; it has nowhere to go.
-    for (;;) (void)cortex_m::semihosting(sys_exit_extended, reason_and_status);
+    for (;;) (void)semihosting(sys_exit_extended, reason_and_status);
 }
 
 }  // namespace ingot::platform

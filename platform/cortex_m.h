@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The few Cortex-M things that platform needs: registers, holding interrupts off, semihosting. Not for users of ingot.
+// The few Cortex-M things that platform needs: registers, holding interrupts off. Not for users of ingot.
 #pragma once
 
 #include <stdint.h>
@@ -26,15 +26,5 @@ public:
 private:
     uint32_t primask_;
 };
-
-/// A request to the debugger or emulator. Without one attached the core faults.
-///
-/// Source:  Arm, "Semihosting for AArch32 and AArch64": BKPT 0xAB, operation in r0, argument in r1.
-inline uint32_t semihosting(uint32_t operation, const void* argument) {
-    register uint32_t r0 __asm__("r0") = operation;
-    register const void* r1 __asm__("r1") = argument;
-    __asm__ volatile("bkpt 0xAB" : "+r"(r0) : "r"(r1) : "memory");
-    return r0;
-}
 
 }  // namespace ingot::platform::cortex_m

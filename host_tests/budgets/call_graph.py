@@ -81,7 +81,7 @@ def read_disassembly(objdump, elf):
         if header:
             function = functions[int(header[1], 16)]
             continue
-        instruction = re.match(r"\s+[0-9a-f]+:\t(\S+)(?:\t([^;@]*))?", line)
+        instruction = re.match(r"\s*[0-9a-f]+:\t(\S+)(?:\t([^;@]*))?", line)
         if not instruction or function is None or instruction[1].startswith("."):
             continue
         mnemonic, operands = instruction[1], (instruction[2] or "").strip()

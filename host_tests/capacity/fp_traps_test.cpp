@@ -60,7 +60,7 @@ struct Everything : ingot::Scene {
 template <class Rotation>
 class FpTraps : public ::testing::Test {};
 using Rotations = ::testing::Types<ingot::MoserVeselov, ingot::DiscreteMoserVeselov<4, false, false, 2>, ingot::Listing1Euler, ingot::LieMidpoint,
-                                   ingot::Rk4Polar, ingot::SymmetricTop, ingot::SymmetricTopSplitting<6>>;
+                                   ingot::Rk4Polar, ingot::SymmetricTop, ingot::SymmetricTopSplitting<6>, ingot::ExactElliptic>;
 TYPED_TEST_SUITE(FpTraps, Rotations);
 
 TYPED_TEST(FpTraps, none_in_any_number_of_lanes) {

@@ -88,7 +88,7 @@ void for_all_guests(const std::function<void(int, const WayOut&)>& test) {
 template <class Rotation>
 class Frozen : public ::testing::Test {};
 using Rotations = ::testing::Types<ingot::MoserVeselov, ingot::DiscreteMoserVeselov<4, false, false, 2>, ingot::Listing1Euler, ingot::LieMidpoint,
-                                   ingot::Rk4Polar, ingot::SymmetricTop, ingot::SymmetricTopSplitting<6>>;
+                                   ingot::Rk4Polar, ingot::SymmetricTop, ingot::SymmetricTopSplitting<6>, ingot::ExactElliptic>;
 TYPED_TEST_SUITE(Frozen, Rotations);
 
 TYPED_TEST(Frozen, body_is_reported_once_and_stands_still_at_its_last_good_pose) {

@@ -39,6 +39,7 @@ INGOT_ALL_OF(ingot::MoserVeselov);
 INGOT_ALL_OF(ingot::Listing1Euler);
 INGOT_ALL_OF(ingot::LieMidpoint);
 INGOT_ALL_OF(ingot::Rk4Polar);
+INGOT_ALL_OF(ingot::ExactElliptic);
 INGOT_ALL_OF(ingot::SymmetricTop);
 INGOT_ALL_OF(ingot::SymmetricTopSplitting<6>);
 

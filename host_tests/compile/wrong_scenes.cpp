@@ -7,6 +7,26 @@
 #ifdef FAST_MATH
 #define __FAST_MATH__ 1
 #endif
+#ifdef FLUSHING_MVE
+#define __ARM_FEATURE_MVE 3
+#endif
+#ifdef FLUSHING_ALTIVEC
+#define __ALTIVEC__ 1
+#endif
+#ifdef FLUSHING_NEON
+#define __clang__ 1
+#define __ARM_NEON 1
+#endif
+#ifdef DOUBLE_OF_LIBGCC
+#define __arm__ 1
+#undef INGOT_DOUBLE
+#define INGOT_DOUBLE 1
+#endif
+#ifdef WIDE_REGISTERS
+#include <float.h>
+#undef FLT_EVAL_METHOD
+#define FLT_EVAL_METHOD 2
+#endif
 #include <ingot/ingot.h>
 
 #ifdef STATUS_IGNORED

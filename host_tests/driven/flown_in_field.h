@@ -14,10 +14,12 @@
 #include "reference/kernel_types.h"
 #include "reference/measure.h"
 
-namespace ingot_driven {
+// The kernel's own namespace of scalar and lanes keeps builds apart that meet in one program.
+namespace ingot_driven { inline namespace INGOT_ABI {
 
-template <class Field, class Flight, class Rotation = ingot::MoserVeselov>
+template <class Field, class Flight, class Rotation = ingot::MoserVeselov, int bodies = 1>
 struct Flyer : ingot::Scene {
+    static constexpr int max_bodies = bodies;
     using force_field = Field;
     using flight = Flight;
     using rotation = Rotation;
@@ -83,4 +85,4 @@ double flown(const Case& body, int rate, const std::function<void(const Sampled&
     return clean && worst == worst ? worst : -1;
 }
 
-}  // namespace ingot_driven
+} }  // namespace ingot_driven

@@ -75,6 +75,7 @@ void run_methods() {
     (void)run<Spinning<DiscreteMoserVeselov<8, true, true, 2>>>("method_moser_veselov_8");
     (void)run<Spinning<DiscreteMoserVeselov<10, true, true, 4>>>("method_moser_veselov_10");
     (void)run<Spinning<MoserVeselov>>("method_default");
+    (void)run<Spinning<ExactElliptic>>("method_exact_elliptic");
     (void)run<Spinning<SymmetricTop>>("method_symmetric_top");
     (void)run<Spinning<SymmetricTopSplitting<2>>>("method_symmetric_top_splitting_2");
     (void)run<Spinning<SymmetricTopSplitting<6>>>("method_symmetric_top_splitting_6");

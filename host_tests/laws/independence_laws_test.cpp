@@ -109,7 +109,7 @@ struct MethodName {
     }
 };
 using Methods = ::testing::Types<ingot::MoserVeselov, ingot::Listing1Euler, ingot::LieMidpoint, ingot::Rk4Polar,
-                                 ingot::SymmetricTop, ingot::SymmetricTopSplitting<2>, ingot::SymmetricTopSplitting<6>,
+                                 ingot::ExactElliptic, ingot::SymmetricTop, ingot::SymmetricTopSplitting<2>, ingot::SymmetricTopSplitting<6>,
                                  ingot::DiscreteMoserVeselov<4, false, false>>;
 TYPED_TEST_SUITE(Independence, Methods, MethodName);
 

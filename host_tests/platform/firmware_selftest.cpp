@@ -8,8 +8,10 @@
 #include <ingot/platform/boards/board.h>
 #include <ingot/platform/clock.h>
 #include <ingot/platform/console.h>
-#include <ingot/platform/cortex_m.h>
 #include <ingot/platform/stack_watermark.h>
+#ifndef __riscv
+#include <ingot/platform/cortex_m.h>
+#endif
 
 extern "C" void Reset_Handler();
 
@@ -83,6 +85,12 @@ void check_floating_point() {
 
 /// Exactly 2 * `rounds` instructions, and a few around them.
 __attribute__((noinline)) void spend_instructions(uint32_t rounds) {
+#ifdef __riscv
+    __asm__ volatile(
+        "1: addi %0, %0, -1\n"
+        "bnez %0, 1b\n"
+        : "+r"(rounds));
+#else
     __asm__ volatile(
         ".syntax unified\n"
         "1: subs %0, %0, #1\n"
@@ -90,6 +98,7 @@ __attribute__((noinline)) void spend_instructions(uint32_t rounds) {
         : "+l"(rounds)
         :
         : "cc");
+#endif
 }
 
 void check_clock_is_monotone() {
@@ -101,8 +110,10 @@ void check_clock_is_monotone() {
     }
 }
 
+#ifndef __riscv  // whose counter has 64 bits and no interrupt
+
 /// Lets the clock run for a time and compares it with the board's counter, which has 32 bits and does not wrap meanwhile.
-/// All boards here clock both alike. Returns how far the clock is ahead, in ticks.
+/// Returns how far the clock is ahead, in ticks.
 int64_t clock_error_over(uint32_t rounds, int readings) {
     const uint32_t counter_before = board_counter();
     const uint64_t before = clock_ticks();
@@ -111,7 +122,8 @@ int64_t clock_error_over(uint32_t rounds, int readings) {
         (void)clock_ticks();
     }
     const uint64_t ticks = clock_ticks() - before;
-    return static_cast<int64_t>(ticks) - static_cast<int64_t>(board_counter() - counter_before);
+    const uint64_t counted = board_counter() - counter_before;
+    return static_cast<int64_t>(ticks) - static_cast<int64_t>(counted * clock_frequency_hz() / board_counter_hz());
 }
 
 constexpr uint32_t instructions_per_second = 1'000'000'000 >> 6;  // of -icount shift=6
@@ -146,7 +158,6 @@ void check_readings_around_wraps() {
 }
 
 void check_wrap_extension() {
-    check(board_cpu_hz() == board_counter_hz(), "both counters run alike", board_cpu_hz());
     board_counter_start();
 
     // 4 rounds of a 24-bit counter with interrupts on and the clock not read: the interrupt alone must see the wraps.
@@ -165,6 +176,8 @@ void check_wrap_extension() {
     const int64_t fine = clock_error_over(997, 10'000);
     check(fine >= -error_max && fine <= error_max, "wraps are counted by whoever comes first", fine);
 }
+
+#endif
 
 /// A loop of known length must be found in the clock, and found the same twice.
 void check_instruction_count() {
@@ -226,11 +239,13 @@ int main() {
     console_write("\n");
     check_clock_is_monotone();
     check_instruction_count();
+#ifndef __riscv
     check_wrap_extension();
     if (!clock_counts_instructions()) check_readings_around_wraps();
 
     // On a stack that no interrupt of the clock touches.
     const cortex_m::InterruptGuard guard;
+#endif
     check_stack_watermark();
 
     console_write(failures == 0 ? "all good\n" : "not good\n");

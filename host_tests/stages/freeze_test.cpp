@@ -44,7 +44,7 @@ void all_stages(Tiles& tiles, std::uint32_t step_i) {
     ingot::integrate_v(tiles.view(), h, gravity);
     ingot::MoserVeselov::integrate_A(tiles.view(), h, {step_i, step_i == 0});
     ingot::integrate_r(tiles.view(), h, gravity);
-    ingot::refresh_auxiliary(tiles.view());
+    ingot::refresh_omega(tiles.view());
     ingot::clear_forces(tiles.view());
 }
 

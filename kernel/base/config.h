@@ -22,6 +22,25 @@
 #error "ingot: this target rounds in registers wider than the type (x87, 68881); use -msse2 -mfpmath=sse or the like"
 #endif
 
+// Units that flush denormals whatever their control register says, and that compilers use unasked, at -O2 or with lanes.
+#if defined(__ARM_FEATURE_MVE) && (__ARM_FEATURE_MVE & 2)
+#error "ingot: the vector floats of this core (MVE) flush denormals; build for it without them: -mcpu=cortex-m55+nomve.fp"
+#endif
+#if defined(__ALTIVEC__) && !defined(__VSX__)
+#error "ingot: the vector floats of this core (AltiVec) flush denormals; build without them: -mno-altivec"
+#endif
+#if defined(__clang__) && defined(__ARM_NEON) && !defined(__aarch64__)
+#error "ingot: the vector floats of this core (NEON) flush denormals, and clang uses them; build for it without them: -mfpu=vfpv3-d16"
+#endif
+
+// Numbers whose exponents are 33 apart and whose difference loses its leading bit: __adddf3 of libgcc keeps one bit of the
+// smaller one beyond the last place, where two are needed (0x1.fa8658p-16 - 0x1p17 is wrong by one place, GCC 12). The
+// library of cores without Thumb-2 has another __adddf3, which is right.
+#if INGOT_DOUBLE && defined(__arm__) && !(defined(__ARM_FP) && (__ARM_FP & 8)) && \
+    (defined(__ARM_ARCH_ISA_ARM) || !defined(__ARM_ARCH_ISA_THUMB) || __ARM_ARCH_ISA_THUMB > 1)
+#error "ingot: without a double unit libgcc adds doubles on this core, and rounds wrongly; build for float"
+#endif
+
 #define INGOT_JOIN_(a, b, c) a##b##c
 #define INGOT_JOIN(a, b, c) INGOT_JOIN_(a, b, c)
 

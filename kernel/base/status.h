@@ -25,6 +25,8 @@ enum class [[nodiscard]] Status : uint8_t {
     bad_step,           ///< h outside limits::step_min .. step_max
     not_empty,          ///< the call is for a world to which no body was ever added
     not_converged,      ///< an iteration stopped at its bound
+    wrong_rounding,     ///< check_floating_point: not to nearest, or products not rounded before they are added
+    flushes_denormals,  ///< check_floating_point: the unit takes small numbers for zero
 };
 
 /// A value, or the reason why there is none (the value is then all zero).

@@ -25,7 +25,6 @@ struct alignas(tile_alignment) RotationTile {
     scalar inv_I_ratio[3][lanes];
     scalar inv_I_scale[lanes];     ///< kg^-1 m^-2
     scalar omega[3][lanes];        ///< rad s^-1, world; auxiliary, from L (Eq. 18)
-    scalar inv_I_world[6][lanes];  ///< kg^-1 m^-2, world; auxiliary, from A (Eq. 20)
     uint16_t kicked;               ///< bit per lane: L was changed by something other than free flight
     uint16_t bad;                  ///< bit per lane: a stage met a value that is not finite; see freeze_bad_bodies
 };
@@ -46,6 +45,7 @@ struct alignas(tile_alignment) TranslationTile {
     scalar v_CM[3][lanes];  ///< m s^-1, world
     scalar F_T[3][lanes];   ///< N, world; summed until the next step
     scalar inv_M[lanes];    ///< kg^-1; 0 for immovable and empty lanes
+    scalar inv_I_world[6][lanes];  ///< kg^-1 m^-2, world; auxiliary, from A (Eq. 20), during a step with contacts
     uint16_t bad;           ///< as in RotationTile
 };
 
@@ -88,7 +88,10 @@ INGOT_INLINE void set_lane(scalar (&rows)[6][lanes], int lane_i, const Symmetric
 inline constexpr uint16_t all_lanes = static_cast<uint16_t>((1ul << lanes) - 1ul);
 
 /// Marks the bodies of a tile that are not good.
-INGOT_INLINE void mark_bad(uint16_t& bad, mask good) { bad = static_cast<uint16_t>(bad | (bits(good) ^ all_lanes)); }
+INGOT_INLINE void mark_bad(uint16_t& bad, mask good) {
+    const mask lost = opposite(good);
+    if (any(lost)) bad = static_cast<uint16_t>(bad | bits(lost));
+}
 
 /// Stores `next` where no component is beyond the limit; where one is, or is NaN, the old value stays and the body is marked
 /// bad.

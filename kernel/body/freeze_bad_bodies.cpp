@@ -11,7 +11,6 @@ void make_immovable(const BodyView& bodies, Place at) {
     RotationTile& rotation = bodies.rotation[at.tile];
     set_lane(rotation.inv_I_ratio, at.lane, Vector{third, third, third});
     rotation.inv_I_scale[at.lane] = 0;
-    set_lane(rotation.inv_I_world, at.lane, SymmetricMatrix{});
     set_lane(rotation.L, at.lane, Vector{});
     set_lane(rotation.omega, at.lane, Vector{});
     set_lane(rotation.tau_T, at.lane, Vector{});

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: MIT
+// Auxiliary state: derived after each step, never integrated.
 #pragma once
 
 #include "body_tiles.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// inv_I_world of every body from its A (Hecker 1997, Eq. 20), then omega from its L (Eq. 18): auxiliary state is
-/// never integrated.
-/// A body whose omega passes limits::spin_runaway is marked bad.
-/// Cost: 65 flops a body.
-void refresh_auxiliary(const BodyView& bodies);
+/// omega of every body from its A and L: A Ibar^-1 A^T L (Hecker 1997, Eqs. 18 and 20).
+/// A body whose omega passes limits::spin_runaway is marked bad. Cost: 38 flops a body.
+void refresh_omega(const BodyView& bodies);
 
 /// The same for the body of one slot, with the same bits.
-void refresh_auxiliary_of(const BodyView& bodies, int slot);
+void refresh_omega_of(const BodyView& bodies, int slot);
+
+/// inv_I_world of every body from its A (Eq. 20), for the contacts of a step. Cost: 47 flops a body.
+void refresh_inv_I_world(const BodyView& bodies);
 
 } }  // namespace ingot

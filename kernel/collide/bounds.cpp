@@ -15,33 +15,55 @@ bool can_move(const BodyView& bodies, int slot) {
     return bodies.translation[at.tile].inv_M[at.lane] > 0;
 }
 
-bool sphere_meets_half_space(const BodyView& bodies, const SurfaceView& surfaces, int sphere, int half_space, scalar margin) {
-    const Place at = place_of(half_space);
-    const Shape& shape = surfaces.surfaces[half_space].shape;
+/// The face of a half space in the world: all points with n . r <= d.
+struct Face {
+    Vector n;
+    scalar d;
+};
+
+Face face_of(const BodyView& bodies, const SurfaceView& surfaces, int slot) {
+    const Place at = place_of(slot);
+    const Shape& shape = surfaces.surfaces[slot].shape;
     const Vector n = lane_of(bodies.rotation[at.tile].A, at.lane) * shape.size;
-    const scalar height = dot(n, r_CM_of(bodies, sphere) - r_CM_of(bodies, half_space)) - shape.offset;
-    return height <= surfaces.surfaces[sphere].bounding_radius * (1 + limits::flatness) + margin;
+    return {n, dot(n, r_CM_of(bodies, slot)) + shape.offset};
+}
+
+bool reaches(const Face& face, const Vector& r_CM, scalar radius) { return dot(face.n, r_CM) - face.d <= radius * (1 + limits::flatness); }
+
+/// next_touchable for a half space.
+int next_at_face(const BodyView& bodies, const SurfaceView& surfaces, const Face& face, int from) {
+    for (int slot_B = from; slot_B < surfaces.slot_count; ++slot_B) {
+        const Surface& B = surfaces.surfaces[slot_B];
+        if (B.shape.kind == ShapeKind::none || B.shape.kind == ShapeKind::half_space) continue;
+        if (reaches(face, r_CM_of(bodies, slot_B), B.bounding_radius) && can_move(bodies, slot_B)) return slot_B;
+    }
+    return surfaces.slot_count;
 }
 
 }  // namespace
 
-bool may_touch(const BodyView& bodies, const SurfaceView& surfaces, int slot_A, int slot_B) {
-    return may_touch(bodies, surfaces, slot_A, slot_B, 0);
-}
+int next_touchable(const BodyView& bodies, const SurfaceView& surfaces, int slot_A, int from) {
+    const Surface& A = surfaces.surfaces[slot_A];
+    if (A.shape.kind == ShapeKind::none) return surfaces.slot_count;
+    if (A.shape.kind == ShapeKind::half_space) return next_at_face(bodies, surfaces, face_of(bodies, surfaces, slot_A), from);
 
-bool may_touch(const BodyView& bodies, const SurfaceView& surfaces, int slot_A, int slot_B, scalar margin) {
-    const Surface &A = surfaces.surfaces[slot_A], &B = surfaces.surfaces[slot_B];
-    if (A.shape.kind == ShapeKind::none || B.shape.kind == ShapeKind::none) return false;
-    if (!can_move(bodies, slot_A) && !can_move(bodies, slot_B)) return false;
-    if (A.shape.kind == ShapeKind::half_space) return sphere_meets_half_space(bodies, surfaces, slot_B, slot_A, margin);
-    if (B.shape.kind == ShapeKind::half_space) return sphere_meets_half_space(bodies, surfaces, slot_A, slot_B, margin);
-
-    const Vector r_A = r_CM_of(bodies, slot_A), r_B = r_CM_of(bodies, slot_B);
-    const scalar reach = (A.bounding_radius + B.bounding_radius) * (1 + limits::flatness) + margin;
-    const scalar dx = r_A.x - r_B.x;
-    if (abs(dx) > reach) return false;
-    const scalar dy = r_A.y - r_B.y, dz = r_A.z - r_B.z;
-    return dx * dx + dy * dy + dz * dz <= reach * reach;
+    const bool A_moves = can_move(bodies, slot_A);
+    const Vector r_A = r_CM_of(bodies, slot_A);
+    for (int slot_B = from; slot_B < surfaces.slot_count; ++slot_B) {
+        const Surface& B = surfaces.surfaces[slot_B];
+        if (B.shape.kind == ShapeKind::half_space) {
+            if (A_moves && reaches(face_of(bodies, surfaces, slot_B), r_A, A.bounding_radius)) return slot_B;
+            continue;
+        }
+        const Vector r_B = r_CM_of(bodies, slot_B);
+        const scalar reach = (A.bounding_radius + B.bounding_radius) * (1 + limits::flatness);
+        const scalar dx = r_A.x - r_B.x;
+        if (abs(dx) > reach) continue;
+        const scalar dy = r_A.y - r_B.y, dz = r_A.z - r_B.z;
+        if (!(dx * dx + dy * dy + dz * dz <= reach * reach)) continue;
+        if (B.shape.kind != ShapeKind::none && (A_moves || can_move(bodies, slot_B))) return slot_B;
+    }
+    return surfaces.slot_count;
 }
 
 } }  // namespace ingot

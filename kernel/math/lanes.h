@@ -53,6 +53,7 @@ INGOT_INLINE bool any(mask m) {
 }
 INGOT_INLINE uint16_t bits(mask m) {
     uint16_t b = 0;
+    if (!any(m)) return b;  // by far the most frequent answer, and lanes are looked at one by one
     for (int lane_i = 0; lane_i < lanes; ++lane_i) b = static_cast<uint16_t>(b | (m[lane_i] != 0 ? 1u << lane_i : 0u));
     return b;
 }

@@ -53,13 +53,14 @@ INGOT_INLINE Vec3<lane> solve_turn(const Vec3<lane>& j, const Vec3<lane>& y, lan
     const lane tolerance = splat<lane>(epsilon / 4);
     Vec3<lane> c = q;
     mask unsettled = splat<lane>(1) > lane{};
-    for (int sweep_i = 0; sweep_i < limits::sweeps_max && any(unsettled); ++sweep_i) {
+    int sweeps_left = limits::sweeps_max;
+    do {
         const lane al = splat<lane>(1) + dot(c, c);
         const Vec3<lane> next = {q.x * al + k.x * (c.y * c.z), q.y * al + k.y * (c.z * c.x), q.z * al + k.z * (c.x * c.y)};
         const lane change = abs(next.x - c.x) + abs(next.y - c.y) + abs(next.z - c.z);
         c = select(unsettled, next, c);
         unsettled = both(unsettled, change > tolerance * al);
-    }
+    } while (any(unsettled) && --sweeps_left > 0);
     return c;
 }
 
@@ -71,62 +72,85 @@ INGOT_INLINE Vec3<lane> turn_of_energy_return(const Vec3<lane>& y, const Vec3<la
     return x * ((e - e_0) * splat<lane>(scalar(1) / 16) / (length_sq(x) + damping));
 }
 
-/// Substeps a lane needs so that none turns by more than limits::angle_per_substep: 1, 2, 4 ... substeps_max.
-INGOT_INLINE lane substeps_for(lane angle_sq, int substeps_max) {
-    lane n = splat<lane>(1);
-    scalar limit = limits::angle_per_substep;
-    if (!any(angle_sq > splat<lane>(limit * limit))) return n;
-    for (int doubled = 2; doubled <= substeps_max; doubled *= 2, limit *= 2)
-        n = select(angle_sq > splat<lane>(limit * limit), splat<lane>(static_cast<scalar>(doubled)), n);
-    return n;
-}
-
-/// The factor that keeps the turn of a step at what all substeps together allow; 1 for bodies that are slower.
-INGOT_INLINE lane clamp_factor(lane angle_sq, int substeps_max, mask& clamped) {
-    const scalar angle_max = limits::angle_per_substep * static_cast<scalar>(substeps_max);
-    clamped = both(is_finite(angle_sq), angle_sq > splat<lane>(angle_max * angle_max));
-    if (!any(clamped)) return splat<lane>(1);
-    return select(clamped, splat<lane>(angle_max) / sqrt(select(clamped, angle_sq, splat<lane>(1))), splat<lane>(1));
+/// The substeps of bodies that turn far within a step: n of them, 1, 2, 4 ... substeps_max, so that none turns by more than
+/// limits::angle_per_substep. What even the most do not reach is left out: such a body is clamped.
+struct Substeps {
+    lane n, fraction;  ///< fraction: of the step, in each
+    mask clamped;      ///< within the range of spins, beyond what substeps reach
+    mask in_range;     ///< false where the spin has run away, or is NaN
+    int most;          ///< of all lanes
+};
+INGOT_INLINE Substeps substeps_for(lane angle_sq, scalar h, int substeps_max) {
+    const lane one = splat<lane>(1);
+    const scalar angle_max = limits::spin_runaway * h;
+    Substeps of{one, one, one < one, angle_sq <= splat<lane>(angle_max * angle_max), 1};
+    scalar limit = limits::angle_per_substep, doubled = 2;
+    for (int most = 2; most <= substeps_max; most *= 2, doubled *= 2, limit *= 2) {
+        const mask beyond = angle_sq > splat<lane>(limit * limit);
+        of.n = select(beyond, splat<lane>(doubled), of.n);
+        if (any(beyond)) of.most = most;
+    }
+    of.clamped = both(of.in_range, angle_sq > splat<lane>(limit * limit));
+    if (any(of.clamped))
+        of.fraction = select(of.clamped, splat<lane>(limit) / sqrt(select(of.clamped, angle_sq, one)), one);
+    of.fraction = of.fraction / of.n;
+    return of;
 }
 
 template <int order, bool compensate, bool energy_return>
 int integrate_A_moser_veselov(const BodyView& bodies, scalar h, const FlightClock& clock, int substeps_max) {
     INGOT_ASSERT(!compensate || bodies.compensation != nullptr);
     INGOT_ASSERT(!energy_return || bodies.energy != nullptr);
+    constexpr scalar far_sq = limits::angle_per_substep * limits::angle_per_substep;
     const bool polar_step = clock.steps % limits::polar_interval == 0;
     int clamped_count = 0;
     for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) {
         RotationTile& tile = bodies.rotation[tile_i];
-        Mat3<lane> A = load(tile.A), A_low{};
-        if constexpr (compensate) A_low = load(bodies.compensation[tile_i].A_low);
         const Vec3<lane> j = load(tile.inv_I_ratio);
-        const Vec3<lane> L = load(tile.L) - load(tile.tau_T) * splat<lane>(clock.kick_ahead);
-
+        // integrate_L has marked what a torque drives; L is never -0, so that L less no torque is L to the bit.
+        const bool driven = tile.kicked != 0;
+        // A, A_low and L stay in memory while the turn is found: few cores have registers for all.
+        const auto y_of = [&](lane step) {
+            Vec3<lane> L = load(tile.L);
+            if (driven) L -= load(tile.tau_T) * splat<lane>(clock.kick_ahead);
+            return transpose_times(load(tile.A), L) * step;
+        };
         lane step = load(tile.inv_I_scale) * splat<lane>(h);  // h scale: takes A^T L to y
-        Vec3<lane> y = transpose_times(A, L) * step;
-        const lane angle_sq = length_sq(scaled(j, y));
-        mask clamped;
-        const lane n = substeps_for(angle_sq, substeps_max), fraction = clamp_factor(angle_sq, substeps_max, clamped) / n;
-        step = step * fraction;
-        y = y * fraction;
+        Vec3<lane> y = y_of(step), w = scaled(j, y);
+
+        lane n = splat<lane>(1);
+        mask good = n > lane{};
+        int substeps = 1;
+        uint16_t restarts = clock.h_changed ? all_lanes : tile.kicked, clamped = 0;
+        const lane angle_sq = length_sq(w);
+        if (any(angle_sq > splat<lane>(far_sq))) {
+            const Substeps far = substeps_for(angle_sq, h, substeps_max);
+            n = far.n;
+            good = far.in_range;
+            substeps = far.most;
+            clamped = bits(far.clamped);
+            restarts = static_cast<uint16_t>(restarts | clamped);
+            clamped_count += count_bits(clamped);
+            step = step * far.fraction;
+            y = y * far.fraction;
+            w = scaled(j, y);
+        }
 
         // The energy at the begin of this flight, in the units of a substep: n is a power of two, so the change is exact.
         lane e_0{};
         if constexpr (energy_return) {
-            const uint16_t restarts = clock.h_changed ? all_lanes : static_cast<uint16_t>(tile.kicked | bits(clamped));
-            e_0 = load(bodies.energy[tile_i].E_0) / (n * n);
+            e_0 = load(bodies.energy[tile_i].E_0);
+            if (substeps > 1) e_0 = e_0 / (n * n);
             if (restarts != 0) e_0 = select(mask_from_bits(restarts), lane{}, e_0);
         }
         // A torque leaves L half a kick beyond the L of this drift: the energy of the flight after it is not known yet.
-        const Vec3<lane> tau_T = load(tile.tau_T);
-        tile.kicked = bits(clamped);
-        if (any(abs(tau_T.x) + abs(tau_T.y) + abs(tau_T.z) > lane{}))
-            tile.kicked = static_cast<uint16_t>(tile.kicked | bits(abs(tau_T.x) + abs(tau_T.y) + abs(tau_T.z) > lane{}));
-        clamped_count += count_bits(bits(clamped));
+        if (restarts != 0) {
+            const Vec3<lane> tau_T = load(tile.tau_T);
+            tile.kicked = static_cast<uint16_t>(clamped | bits(abs(tau_T.x) + abs(tau_T.y) + abs(tau_T.z) > lane{}));
+        }
 
-        mask good = is_finite(angle_sq), turning = good;
-        for (int substep_i = 1; any(turning); ++substep_i) {
-            const Vec3<lane> w = scaled(j, y);
+        mask turning = good;
+        for (int substep_i = 1;; ++substep_i) {
             const lane H = dot(y, w) * splat<lane>(scalar(0.5)), C = length_sq(y) * splat<lane>(scalar(0.5));
             Vec3<lane> c = solve_turn<order>(j, y, H, C);
             if constexpr (energy_return) {
@@ -135,34 +159,41 @@ int integrate_A_moser_veselov(const BodyView& bodies, scalar h, const FlightCloc
             }
             c = select(turning, c, Vec3<lane>{});
             good = both(good, length_sq(c) <= splat<lane>(1));  // false for NaN too; a good turn has |c| near 1/4 or less
+            if (!any(good)) break;
             c = select(good, c, Vec3<lane>{});
-            if constexpr (compensate)
+            // A body that left the range keeps its last good pose in every digit: none that waited in A_low enters.
+            Mat3<lane> A = load(tile.A);
+            if constexpr (compensate) {
+                Mat3<lane> A_low = load(bodies.compensation[tile_i].A_low);
                 add_compensated(A, A_low, body_turn(A, c));
-            else
+                store(bodies.compensation[tile_i].A_low, A_low);
+            } else {
                 A = A + body_turn(A, c);
+            }
+            if (any(opposite(good))) A = select(good, A, load(tile.A));
+            store(tile.A, A);
 
-            turning = both(turning, n > splat<lane>(static_cast<scalar>(substep_i)));
-            if (substep_i >= substeps_max || !any(turning)) break;
-            y = transpose_times(A, L) * step;
+            if (substep_i == substeps) break;
+            turning = n > splat<lane>(static_cast<scalar>(substep_i));
+            y = y_of(step);
+            w = scaled(j, y);
         }
-        // Every polar_interval steps; every step where it has substeps. An immovable body keeps its A to the bit.
-        const lane one = splat<lane>(1);
-        const mask polar_due = both(load(tile.inv_I_scale) > lane{}, polar_step ? one > lane{} : n > one);
-        if (any(polar_due)) {
-            // With compensation the correction enters at the next step, with the digits it has.
-            const Mat3<lane> correction = select(polar_due, polar_correction(A), Mat3<lane>{});
-            if constexpr (compensate)
-                A_low = A_low + correction;
-            else
-                A = A + correction;
-        }
-
-        // A body that left the range keeps the pose it had, in every digit: none that waited in A_low enters.
-        if (bits(good) != all_lanes) A = select(good, A, load(tile.A));
-        store(tile.A, A);
-        if constexpr (compensate) store(bodies.compensation[tile_i].A_low, A_low);
-        if constexpr (energy_return) store(bodies.energy[tile_i].E_0, e_0 * (n * n));
         mark_bad(tile.bad, good);
+        // Every polar_interval steps; every step where it has substeps. An immovable body keeps its A to the bit.
+        if (polar_step || substeps > 1) {
+            const lane one = splat<lane>(1);
+            const mask polar_due = both(both(good, load(tile.inv_I_scale) > lane{}), polar_step ? one > lane{} : n > one);
+            const Mat3<lane> A = load(tile.A), correction = select(polar_due, polar_correction(A), Mat3<lane>{});
+            // With compensation the correction enters at the next step, with the digits it has.
+            if constexpr (compensate)
+                store(bodies.compensation[tile_i].A_low, load(bodies.compensation[tile_i].A_low) + correction);
+            else
+                store(tile.A, A + correction);
+        }
+        if constexpr (energy_return) {
+            if (substeps > 1) e_0 = e_0 * (n * n);
+            store(bodies.energy[tile_i].E_0, e_0);
+        }
     }
     return clamped_count;
 }

@@ -6,10 +6,11 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// The classical Runge-Kutta method of order 4 on the nine numbers of A (Eq. 10), then one polar step.
+/// The classical Runge-Kutta method of order 4 on the nine numbers of A (Eq. 10), then polar steps back to a rotation: one,
+/// rarely two.
 ///
 /// Order:      4. Keeps L; the energy drifts with h^5.
-/// Valid for:  |omega| h < 1 rad; beyond it, where one polar step does not reach a rotation, the body does not turn.
+/// Valid for:  |omega| h < 1 rad; beyond it, where limits::polar_steps_max do not reach a rotation, the body does not turn.
 /// Cost:       444 flops a body, no division, no root, no trigonometry.
 /// Source:     Kutta 1901; Eq. 10 of Hecker 1997.
 struct Rk4Polar {

@@ -39,7 +39,7 @@ scalar inv_M_of(const BodyView& bodies, int slot) {
 
 SymmetricMatrix inv_I_world_of(const BodyView& bodies, int slot) {
     const Place at = place_of(slot);
-    return lane_of(bodies.rotation[at.tile].inv_I_world, at.lane);
+    return lane_of(bodies.translation[at.tile].inv_I_world, at.lane);
 }
 
 scalar magnitude_of(const Vector& a, const Vector& b) { return abs(a.x * b.x) + abs(a.y * b.y) + abs(a.z * b.z); }

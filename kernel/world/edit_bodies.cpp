@@ -4,6 +4,7 @@
 #include "../base/checks.h"
 #include "../base/limits.h"
 #include "../body/freeze_bad_bodies.h"
+#include "../body/kinematics.h"
 #include "../body/refresh_auxiliary.h"
 #include "../solve/impulse.h"
 
@@ -46,7 +47,7 @@ void write_checked_state(const BodyView& bodies, int slot, const BodyState& stat
         set_lane(bodies.translation[at.tile].r_CM, at.lane, state.r_CM + positive_zero);
         set_lane(bodies.translation[at.tile].v_CM, at.lane, state.v_CM + positive_zero);
     }
-    refresh_auxiliary_of(bodies, slot);
+    refresh_omega_of(bodies, slot);
     INGOT_ASSERT(!is_frozen(bodies, slot));
 }
 
@@ -78,7 +79,7 @@ void set_motion(const BodyView& bodies, int slot, const Motion& motion) {
     set_lane(rotation.L, at.lane, motion.L);
     rotation.kicked = static_cast<uint16_t>(rotation.kicked | (1u << at.lane));
     if (bodies.translation != nullptr) set_lane(bodies.translation[at.tile].v_CM, at.lane, motion.v_CM);
-    refresh_auxiliary_of(bodies, slot);
+    refresh_omega_of(bodies, slot);
 }
 
 }  // namespace
@@ -94,11 +95,14 @@ Status check_definition(const BodyDef& def, bool scene_translates, bool scene_ha
         inv_I_body = {1 / def.mass.I_body.x, 1 / def.mass.I_body.y, 1 / def.mass.I_body.z};
     }
     Status status = check_state(def.state, inv_I_body);
-    if (status == Status::ok) status = check_shape(def.shape);
-    if (status == Status::ok) status = check_restitution(def.restitution);
     if (status != Status::ok) return status;
     if (!scene_translates && !(is_zero(def.state.r_CM) && is_zero(def.state.v_CM))) return Status::not_in_scene;
     return def.shape.kind == ShapeKind::none || scene_has_shape ? Status::ok : Status::not_in_scene;
+}
+
+Status check_surface(const BodyDef& def) {
+    const Status status = check_shape(def.shape);
+    return status == Status::ok ? check_restitution(def.restitution) : status;
 }
 
 void write_body(const BodyView& bodies, int slot, const BodyDef& def) {
@@ -178,7 +182,7 @@ Result<scalar> collide_bodies(const BodyView& bodies, int slot_A, int slot_B, co
         const Place at = place_of(slot);
         const TranslationTile& translation = bodies.translation[at.tile];
         const RotationTile& rotation = bodies.rotation[at.tile];
-        return CollidingBody{translation.inv_M[at.lane], lane_of(rotation.inv_I_world, at.lane), lane_of(translation.v_CM, at.lane),
+        return CollidingBody{translation.inv_M[at.lane], inverse_inertia_world(lane_of(rotation.A, at.lane), inv_I_body_of(bodies, slot)), lane_of(translation.v_CM, at.lane),
                              lane_of(rotation.omega, at.lane), P - lane_of(translation.r_CM, at.lane)};
     };
     const CollidingBody A = colliding(slot_A), B = colliding(slot_B);

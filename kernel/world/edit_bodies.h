@@ -10,6 +10,8 @@ namespace ingot { inline namespace INGOT_ABI {
 
 /// Everything about a definition that does not depend on the scene's capacity.
 Status check_definition(const BodyDef& def, bool scene_translates, bool scene_has_shape);
+/// Shape and restitution, for scenes that have surfaces.
+Status check_surface(const BodyDef& def);
 /// Writes a checked definition into a slot.
 void write_body(const BodyView& bodies, int slot, const BodyDef& def);
 

@@ -3,6 +3,7 @@
 
 #include "../collide/shapes.h"
 #include "../motion/driven_flight.h"
+#include "../motion/exact_elliptic.h"
 #include "../motion/lie_midpoint.h"
 #include "../motion/listing1_euler.h"
 #include "../motion/moser_veselov.h"

@@ -21,10 +21,15 @@ uint64_t hash_number(uint64_t hash, scalar x) {
     return hash;
 }
 
+/// A lane of so many rows, one after the other.
+uint64_t hash_rows(uint64_t hash, const scalar* first, int rows) {
+    for (int row_i = 0; row_i < rows; ++row_i) hash = hash_number(hash, first[row_i * lanes]);
+    return hash;
+}
+
 template <unsigned rows>
 uint64_t hash_lane(uint64_t hash, const scalar (&numbers)[rows][lanes], int lane_i) {
-    for (unsigned row_i = 0; row_i < rows; ++row_i) hash = hash_number(hash, numbers[row_i][lane_i]);
-    return hash;
+    return hash_rows(hash, &numbers[0][lane_i], static_cast<int>(rows));
 }
 
 }  // namespace

@@ -33,9 +33,10 @@ StepReport step(World<S>& world, scalar h) {
         const ContactView contacts = storage.contact_view();
         const scalar rest_speed = limits::rest_speed_factor * h * sqrt(length_sq(storage.gravity));
         find_contacts<typename S::shapes>(bodies, storage.surface_view(), contacts, report);
+        refresh_inv_I_world(bodies);                                      // Eq. 20
         prepare_contact_rows(contacts, bodies);
         solve_impacts(contacts, bodies, rest_speed, report);              // Fig. 4
-        if constexpr (S::rotation::as_printed) refresh_auxiliary(bodies);
+        if constexpr (S::rotation::as_printed) refresh_omega(bodies);
     }
 
     if constexpr (has_field<S> && !flies_in_field<S>)
@@ -74,7 +75,7 @@ StepReport step(World<S>& world, scalar h) {
         if constexpr (S::translates) integrate_r(bodies, h, storage.gravity);
     }
 
-    refresh_auxiliary(bodies);                                            // Eq. 20, then Eq. 18
+    refresh_omega(bodies);                                                // Eq. 18
     clear_forces(bodies);
     count(report.bodies_frozen, freeze_bad_bodies(bodies));
     if constexpr (has_field<S>) storage.advance_time(h);

@@ -43,7 +43,9 @@ public:
     ///         place or velocity where it does not translate); bad_shape (a half space that can move).
     /// Cost:   O(1), or O(max_bodies) after removals.
     Result<BodyId> add(const BodyDef& def) {
-        const Status status = check_definition(def, S::translates, has_shapes<S> && S::shapes::has(def.shape.kind));
+        Status status = Status::ok;
+        if constexpr (has_shapes<S>) status = check_surface(def);
+        if (status == Status::ok) status = check_definition(def, S::translates, has_shapes<S> && S::shapes::has(def.shape.kind));
         if (status != Status::ok) return {status, {}};
         const int slot = free_slot();
         if (slot == max_bodies) return {Status::no_room, {}};

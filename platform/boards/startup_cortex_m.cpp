@@ -65,7 +65,7 @@ __attribute__((section(".vectors"), used)) const Vectors vectors = {
     }};
 
 /// Not __FILE__, which would put the path of the checkout, and its length, into flash.
-constexpr const char* this_file = "startup.cpp";
+constexpr const char* this_file = "startup_cortex_m.cpp";
 
 /// Must come before any function that may save a floating-point register.
 inline void switch_fpu_on() {
@@ -74,10 +74,19 @@ inline void switch_fpu_on() {
     constexpr uint32_t full_access_cp10_cp11 = 0xF00000;
     reg(cpacr) = reg(cpacr) | full_access_cp10_cp11;
     // Round to nearest, denormals kept, NaNs propagated: the reset state, unless a boot loader left another.
-    __asm__ volatile("dsb\n\tisb\n\tvmsr fpscr, %0" : : "r"(0) : "memory");
+#ifdef __ARM_FEATURE_MVE
+    constexpr uint32_t fpscr_reset = 4u << 16;  // LTPSIZE: loops without a predicated tail, on which the plain ones insist
+#else
+    constexpr uint32_t fpscr_reset = 0;
+#endif
+    __asm__ volatile("dsb\n\tisb\n\tvmsr fpscr, %0" : : "r"(fpscr_reset) : "memory");
 #endif
 }
 
+#if __ARM_ARCH == 8 && !defined(__ARM_ARCH_8M_BASE__)
+/// Armv8-M with the main extension has a register for it.
+inline void switch_stack_guard_on() { __asm__ volatile("msr msplim, %0" : : "r"(ingot_stack_low) : "memory"); }
+#else
 /// Forbids the memory below the stack to all access, so that an overflow faults at the first word beyond.
 ///
 /// On silicon nothing answers there and the bus faults by itself. QEMU's MPS2 boards answer everywhere, with zeros, and a
@@ -101,6 +110,7 @@ inline void switch_stack_guard_on() {
     __asm__ volatile("dsb\n\tisb" : : : "memory");
 #endif
 }
+#endif
 
 void write_register(const char* name, uint32_t value) {
     console_write(name);
@@ -140,14 +150,19 @@ extern "C" __attribute__((naked, weak)) void HardFault_Handler() {
 /// Reports a HardFault. frame: address of what the core pushed, r0 r1 r2 r3 r12 lr pc xpsr, if it could.
 extern "C" __attribute__((used)) void ingot_hard_fault(uint32_t frame) {
     constexpr uint32_t frame_lr = 5 * 4, frame_pc = 6 * 4, frame_bytes = 8 * 4;
-    if (frame >= address_of(ingot_stack_low) && frame + frame_bytes <= address_of(ingot_stack_high)) {
+#if __ARM_ARCH >= 7
+    constexpr uint32_t cfsr = 0xE000ED28;  // configurable fault status: which of MemManage, BusFault, UsageFault, and why
+    const bool past_limit = (reg(cfsr) & 1u << 20) != 0;  // STKOF: then nothing was pushed either
+#else
+    constexpr bool past_limit = false;
+#endif
+    if (!past_limit && frame >= address_of(ingot_stack_low) && frame + frame_bytes <= address_of(ingot_stack_high)) {
         write_register("HardFault at pc ", reg(frame + frame_pc));
         write_register(", lr ", reg(frame + frame_lr));
     } else {
         write_register("HardFault with the stack pointer out of the stack: ", frame);
     }
 #if __ARM_ARCH >= 7
-    constexpr uint32_t cfsr = 0xE000ED28;  // configurable fault status: which of MemManage, BusFault, UsageFault, and why
     write_register(", CFSR ", reg(cfsr));
 #endif
     console_write("\n");

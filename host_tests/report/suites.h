@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// What is measured, suite by suite; each adds its rows.
+#pragma once
+
+#include "progress.h"
+#include "rows.h"
+#include "settings.h"
+#include "variant.h"
+
+namespace report {
+
+/// Free bodies of the tables, by every method, step and scalar; their cost; the order they show; an hour of the book case.
+void run_rotation(const Settings& settings, const std::vector<Variant>& variants, Rows& rows);
+/// Heavy tops and swinging torques, by every flight.
+void run_driven(const Settings& settings, const std::vector<Variant>& variants, Rows& rows);
+/// Energy and orthogonality against time.
+void run_drift(const Settings& settings, const std::vector<Variant>& variants, Rows& rows);
+/// The whole public step of 1 to 65536 bodies, and its floor.
+void run_throughput(const Settings& settings, const std::vector<Variant>& variants, Rows& rows);
+/// Instructions, flash and RAM on emulated cores, from the tables that the cross builds keep and check.
+void run_mcu(Rows& rows);
+/// Bullet and ODE in the same run; nothing in a build without them.
+void run_peers(const Settings& settings, const std::vector<Variant>& variants, Rows& rows);
+
+/// A row for every error of a flight; `row` has the rest.
+void add_errors(const FlightErrors& errors, Row row, Rows& rows);
+
+/// Of the builds, those that give each result once: the bits do not depend on lanes.
+std::vector<const Variant*> one_per_scalar(const std::vector<Variant>& variants);
+
+}  // namespace report

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// Jacobi's elliptic functions of one body, for the exact step.
+#pragma once
+
+#include "../base/limits.h"
+#include "../math/sqrt.h"
+#include "../math/trig.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// sn, cn, dn of one argument.
+struct Jacobi {
+    scalar sn, cn, dn;
+};
+
+/// The functions of one parameter m = 1 - mc: the arithmetic-geometric mean, done once, serves every argument.
+///
+/// Valid for: 0 <= m < 1 with mc >= epsilon^2, |u| <= 500. Bound: limits::agm_steps_max steps; 8 are the most that were seen.
+/// Source:    Gauss and Landen; the descent through cotangents, without an arc sine, is Bulirsch's (Numerische Mathematik 7, 1965).
+class JacobiOf {
+public:
+    explicit JacobiOf(scalar mc) {
+        scalar a = 1, g = sqrt(mc);
+        for (; count_ < limits::agm_steps_max; ++count_) {
+            a_[count_] = a;
+            g_[count_] = g;
+            mean_ = (a + g) * scalar(0.5);
+            if (abs(a - g) <= sqrt_epsilon * a) break;
+            g = sqrt(a * g);
+            a = mean_;
+        }
+        if (count_ == limits::agm_steps_max) --count_;
+    }
+
+    Jacobi operator()(scalar u) const {
+        const SinCos phase = sin_cos(u * mean_);
+        if (phase.sin == 0) return {0, phase.cos, 1};
+        scalar cotangent = phase.cos / phase.sin, c = mean_ * cotangent, dn = 1;
+        for (int step_i = count_; step_i >= 0; --step_i) {
+            cotangent *= c;
+            c *= dn;
+            dn = (g_[step_i] + cotangent) / (a_[step_i] + cotangent);
+            cotangent = c / a_[step_i];
+        }
+        const scalar sine = 1 / sqrt(c * c + 1);
+        const scalar sn = phase.sin < 0 ? -sine : sine;
+        return {sn, c * sn, dn};
+    }
+
+private:
+    static constexpr scalar sqrt_epsilon = INGOT_DOUBLE ? scalar(1.5e-8) : scalar(3.5e-4);
+    scalar a_[limits::agm_steps_max] = {}, g_[limits::agm_steps_max] = {};
+    scalar mean_ = 1;
+    int count_ = 0;
+};
+
+/// The functions of a sum of two arguments.
+INGOT_INLINE Jacobi sum_of(const Jacobi& p, const Jacobi& q, scalar m) {
+    const scalar inverse = 1 / (1 - m * (p.sn * p.sn) * (q.sn * q.sn));
+    return {(p.sn * q.cn * q.dn + q.sn * p.cn * p.dn) * inverse, (p.cn * q.cn - p.sn * q.sn * p.dn * q.dn) * inverse,
+            (p.dn * q.dn - m * p.sn * q.sn * p.cn * q.cn) * inverse};
+}
+
+} }  // namespace ingot
