@@ -15,7 +15,8 @@ set(freestanding "stdint\\.h|stddef\\.h|float\\.h|limits\\.h")
 # A stage is a .h/.cpp pair of these rooms; what it may include of its own room is shared vocabulary, not another stage.
 # integrate_r is there for driven_flight, which is made of stages.
 set(motion_shares acceleration flight_clock turn moser_veselov moser_veselov_series moser_veselov_stage force_field driven_tile elliptic_functions integrate_r)
-set(collide_shares contact shapes bounds collide_shapes)
+set(collide_shares contact shapes bounds collide_shapes convex_hull placed_shape manifold manifold_points contact_geometry
+  narrow_phase)
 set(solve_shares contact_rows impulse)
 
 set(broken "")

@@ -75,4 +75,19 @@ inline constexpr scalar bounce_speed_min = scalar(0.01);    ///< m/s; slower imp
 /// digits in float.
 inline constexpr scalar block_diagonal = scalar(1.01);
 
+// Narrow phase (collide/). Fractions of a length are of the smallest half extent of both shapes, unless another is named.
+/// An edge axis is taken when it separates better than every face by this fraction: nearly parallel edges have no normal of
+/// their own, and the face's manifold has the crossing of the edges among its points.
+inline constexpr scalar edge_preference = scalar(0.01);
+/// The face or edge of the step before is kept until another separates better by this fraction.
+inline constexpr scalar axis_hysteresis = scalar(0.005);
+/// Corners this far outside the face they lie on, as a fraction of its half extent, count as inside and are moved to its rim:
+/// equal boxes on top of each other keep their corners whatever the rounding.
+inline constexpr scalar corner_slack = scalar(1e-3);
+/// sin^2 of the angle below which two edges are parallel and make no axis: its rounding would exceed edge_preference.
+inline constexpr scalar parallel_sin_sq = scalar(1e-5);
+/// A capsule lies along a face or an edge, with two points, up to this sin^2 of the angle between them.
+inline constexpr scalar lying_sin_sq = scalar(0.01);
+inline constexpr scalar lying_cos = scalar(0.995);  ///< of the angle between the normal of such a point and that of the manifold
+
 } } }  // namespace ingot::limits

@@ -20,11 +20,4 @@ struct Manifold {
     ManifoldPoint points[points_max];
 };
 
-/// Two bodies, and where they touch. Sorted by (body_A, body_B), each pair once.
-struct ContactManifold {
-    uint16_t body_A, body_B;  ///< slots
-    Manifold manifold;
-    scalar e, mu;             ///< of the pair
-};
-
 } }  // namespace ingot

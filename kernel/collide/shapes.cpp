@@ -4,8 +4,10 @@
 namespace ingot { inline namespace INGOT_ABI {
 
 scalar bounding_radius(const Shape& shape) {
-    if (shape.kind == ShapeKind::sphere) return shape.size.x;
+    if (shape.kind == ShapeKind::sphere || shape.kind == ShapeKind::hull) return shape.size.x;
     if (shape.kind == ShapeKind::box) return sqrt(length_sq(shape.size));
+    if (shape.kind == ShapeKind::capsule) return shape.size.x + shape.size.y;
+    if (shape.kind == ShapeKind::cylinder) return sqrt(shape.size.x * shape.size.x + shape.size.y * shape.size.y);
     return 0;
 }
 
@@ -19,9 +21,13 @@ Status check_shape(const Shape& shape) {
     if (!is_finite(shape.size) || !is_finite(shape.offset)) return Status::not_finite;
     switch (shape.kind) {
         case ShapeKind::none: return Status::ok;
-        case ShapeKind::sphere: return is_size(shape.size.x) ? Status::ok : Status::bad_shape;
+        case ShapeKind::sphere:
+        case ShapeKind::hull: return is_size(shape.size.x) ? Status::ok : Status::bad_shape;
         case ShapeKind::box:
             return is_size(shape.size.x) && is_size(shape.size.y) && is_size(shape.size.z) ? Status::ok : Status::bad_shape;
+        case ShapeKind::capsule:
+        case ShapeKind::cylinder:
+            return is_size(shape.size.x) && is_size(shape.size.y) ? Status::ok : Status::bad_shape;
         case ShapeKind::half_space:
             if (abs(length_sq(shape.size) - 1) > limits::unit_length) return Status::bad_direction;
             return abs(shape.offset) <= limits::position_max ? Status::ok : Status::out_of_range;

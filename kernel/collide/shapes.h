@@ -7,12 +7,15 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-enum class ShapeKind : uint8_t { none, sphere, box, half_space };
+enum class ShapeKind : uint8_t { none, sphere, box, half_space, capsule, cylinder, hull };
 
-/// The surface of a body in its own frame (origin at the centre of mass, principal axes). Made from Sphere, Box or HalfSpace.
+/// The surface of a body in its own frame (origin at the centre of mass, principal axes). Made from Sphere, Box, HalfSpace,
+/// Capsule, Cylinder or Hull.
 struct Shape {
     ShapeKind kind;
-    Vector size;    ///< sphere: radius, 0, 0; box: half extents; half space: outward unit normal
+    /// sphere: radius, 0, 0; box: half extents; half space: outward unit normal; capsule, cylinder: radius, half length, 0;
+    /// hull: radius of the ball about the origin that holds it, 0, 0
+    Vector size;
     scalar offset;  ///< half space: distance of its face from the origin along the normal; else 0
 };
 
@@ -36,6 +39,29 @@ struct HalfSpace {
     Vector normal;
     scalar offset;
     constexpr operator Shape() const { return {kind, normal, offset}; }
+};
+
+/// All points no further than the radius from a stretch of the z axis. radius and half_length (of the straight part) in m, each
+/// limits::size_min .. size_max.
+struct Capsule {
+    static constexpr ShapeKind kind = ShapeKind::capsule;
+    scalar radius, half_length;
+    constexpr operator Shape() const { return {kind, {radius, half_length, 0}, 0}; }
+};
+
+/// A cylinder about the origin, its axis along z. radius and half_length in m, each limits::size_min .. size_max.
+struct Cylinder {
+    static constexpr ShapeKind kind = ShapeKind::cylinder;
+    scalar radius, half_length;
+    constexpr operator Shape() const { return {kind, {radius, half_length, 0}, 0}; }
+};
+
+/// A convex polyhedron: its form is a ConvexHull, kept by whoever places the shape; the radius of the ball about the origin
+/// that holds it is ConvexHull::radius, limits::size_min .. size_max.
+struct Hull {
+    static constexpr ShapeKind kind = ShapeKind::hull;
+    scalar radius;
+    constexpr operator Shape() const { return {kind, {radius, 0, 0}, 0}; }
 };
 
 /// The shapes a scene names: `using shapes = ingot::Shapes<ingot::Sphere, ingot::HalfSpace>;`. Only their tests are linked.

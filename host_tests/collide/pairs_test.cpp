@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+// What every manifold keeps, whatever the shapes.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "collide/placed.h"
+
+namespace {
+
+using namespace ingot_collide;
+using ingot_oracle::Convex;
+using ingot_oracle::signed_distance;
+
+constexpr double u = ingot::epsilon / 2;
+
+Shape shape_of(ShapeKind kind, RandomInput& random) {
+    const auto length = [&] { return static_cast<scalar>(std::exp(random.real(-1.5, 1))); };
+    switch (kind) {
+        case ShapeKind::sphere: return ingot::Sphere{length()};
+        case ShapeKind::capsule: return ingot::Capsule{length(), length()};
+        case ShapeKind::cylinder: return ingot::Cylinder{length(), length()};
+        default: return ingot::Box{{length(), length(), length()}};
+    }
+}
+
+/// Turned at random, or along the axes, or nearly so.
+Eigen::Matrix3d orientation(RandomInput& random) {
+    const int kind = random.integer(0, 5);
+    if (kind == 0) return Eigen::Matrix3d::Identity();
+    if (kind == 1) return turned(random.direction(), 1e-6);
+    if (kind == 2) return turned(random.direction(), 1e-3);
+    if (kind == 3) return turned(Eigen::Vector3d::Unit(random.integer(0, 2)), 0.25 * 3.14159265358979 * random.integer(1, 7));
+    return random.rotation();
+}
+
+/// Two shapes at a distance between deep overlap and just beyond the margin.
+std::array<PlacedShape, 2> pair_of(ShapeKind a, ShapeKind b, RandomInput& random, double wanted) {
+    const Shape shape_A = shape_of(a, random), shape_B = shape_of(b, random);
+    const Eigen::Matrix3d A = orientation(random), B = orientation(random);
+    const Eigen::Vector3d at = random.vector(3);
+    const Eigen::Vector3d towards = random.integer(0, 2) == 0 ? Eigen::Vector3d(B.col(random.integer(0, 2))) : random.direction();
+    PlacedShape placed_A = placed(shape_A, at, A), placed_B = placed(shape_B, at, B);
+    double away = size_of(placed_A) + size_of(placed_B);
+    for (int i = 0; i < 12; ++i) {  // to the wanted distance, nearly
+        placed_A.r = to_vector(Eigen::Vector3d(at + towards * away));
+        away -= static_cast<double>(signed_distance(oracle_of(placed_A), oracle_of(placed_B))) - wanted;
+    }
+    return {placed_A, placed_B};
+}
+
+struct Kinds {
+    ShapeKind a, b;
+    const char* name;
+};
+void PrintTo(const Kinds& kinds, std::ostream* out) { *out << kinds.name; }
+
+/// How far a manifold may be from what is exact: the choices in limits that stand for nearly parallel features.
+struct Slack {
+    long double separation, depth, surface;
+};
+Slack slack_of(const PlacedShape& A, const PlacedShape& B) {
+    const long double size = size_of(A) + size_of(B), rounding = 32 * ingot::epsilon * size;
+    Slack slack{rounding, rounding, rounding};
+    const auto has = [&](ShapeKind kind) { return A.shape.kind == kind || B.shape.kind == kind; };
+    if (has(ShapeKind::box) && !has(ShapeKind::sphere)) {
+        slack.depth += ingot::limits::edge_preference * size;
+        slack.surface += ingot::limits::corner_slack * size;
+        slack.separation += ingot::limits::corner_slack * size;
+    }
+    if (has(ShapeKind::capsule)) {
+        slack.separation += ingot::limits::flatness * size;
+        slack.surface += (1 - ingot::limits::lying_cos) * size;
+        slack.depth += ingot::limits::flatness * size;
+    }
+    if (has(ShapeKind::cylinder)) {
+        const long double prism = (1 - std::cos(3.14159265358979L / 48)) * size;
+        slack.separation += prism, slack.depth += prism, slack.surface += prism;
+    }
+    return slack;
+}
+
+class Pair : public ::testing::TestWithParam<Kinds> {};
+
+/// Points exist where shapes overlap, are where both surfaces are, and moving A along n by the depth ends the overlap.
+TEST_P(Pair, meets_the_oracle) {
+    RandomInput random(1401);
+    const Kinds kinds = GetParam();
+    long double worst_s = 0, worst_depth = 0, worst_surface = 0, worst_left = 0;
+    int touching = 0, missed = 0, points = 0;
+    for (int i = 0; i < 3000; ++i) {
+        const scalar margin = scalar(0.05);
+        const double wanted = i % 3 == 0 ? -random.real(0, 0.8) : i % 3 == 1 ? random.real(-0.02, 0.07) : random.real(-1e-5, 1e-5);
+        const auto [A, B] = pair_of(kinds.a, kinds.b, random, wanted);
+        const Convex a = oracle_of(A), b = oracle_of(B);
+        const long double exact_s = signed_distance(a, b);
+        const Slack slack = slack_of(A, B);
+        Manifold m{};
+        ASSERT_TRUE(collide(A, B, margin, m));
+        ASSERT_LE(m.count, 4);
+        ASSERT_NEAR(static_cast<double>(exact(m.n).norm()), 1, 16 * u) << i;
+        if (m.count == 0) {
+            ASSERT_GT(exact_s, -slack.separation) << i;
+            missed += exact_s <= margin - slack.separation;
+            continue;
+        }
+        ++touching;
+        points += m.count;
+        const long double s = least(m);
+        ASSERT_LE(s, margin);
+        // No point is nearer than the shapes are; where they overlap none is deeper than it must be, but for the preferences.
+        ASSERT_GE(s, (exact_s < 0 ? exact_s * (1 + 0.02L) : exact_s) - slack.depth) << i << " exact " << exact_s;
+        worst_depth = std::max(worst_depth, exact_s - s);
+        if (exact_s > -slack.separation && m.count > 0) worst_s = std::max(worst_s, s - exact_s);
+        const V n = exact(m.n);
+        const long double left = -signed_distance(a.moved(-s * n), b);
+        ASSERT_LE(left, slack.separation + (s < 0 ? -0.01L * s : 0)) << i << " s " << s << " exact " << exact_s << " count " << m.count;
+        worst_left = std::max(worst_left, left);
+        for (int k = 0; k < m.count; ++k) {
+            const V P = exact(m.points[k].P);
+            const V half = n * (static_cast<long double>(m.points[k].separation) / 2);
+            // For overlaps the points are on the surfaces, but not on the side where the other shape is nearest.
+            const long double off_A = signed_distance(ingot_oracle::point(P + half, 0), a),
+                              off_B = signed_distance(ingot_oracle::point(P - half, 0), b);
+            worst_surface = std::max({worst_surface, std::abs(off_A), std::abs(off_B)});
+            ASSERT_LE(std::abs(off_A), slack.surface) << i << " point " << k << " of " << m.count << " s " << m.points[k].separation;
+            ASSERT_LE(std::abs(off_B), slack.surface) << i << " point " << k << " of " << m.count << " s " << m.points[k].separation;
+        }
+    }
+    std::printf("%s: %d touching, %.2f points, %d apart without a point, s %.2Lg, deeper %.2Lg, left %.2Lg, off the surface %.2Lg\n",
+                kinds.name, touching, static_cast<double>(points) / touching, missed, worst_s, worst_depth, worst_left, worst_surface);
+}
+
+/// Swapped shapes of one kind: the same separations, and n the other way.
+TEST_P(Pair, can_be_swapped) {
+    const Kinds kinds = GetParam();
+    if (kinds.a != kinds.b) GTEST_SKIP();
+    RandomInput random(1402);
+    for (int i = 0; i < 3000; ++i) {
+        const auto [A, B] = pair_of(kinds.a, kinds.b, random, random.real(-0.5, 0.05));
+        Manifold m{}, w{};
+        collide(A, B, scalar(0.05), m), collide(B, A, scalar(0.05), w);
+        if (m.count == 0 || w.count == 0) continue;
+        const double tolerance = static_cast<double>(slack_of(A, B).depth);
+        ASSERT_NEAR(static_cast<double>(least(m)), static_cast<double>(least(w)), tolerance) << i;
+    }
+}
+
+/// Both shapes moved and turned together: the same manifold, moved and turned.
+TEST_P(Pair, moves_along) {
+    RandomInput random(1403);
+    const Kinds kinds = GetParam();
+    int other_features = 0;
+    for (int i = 0; i < 3000; ++i) {
+        const auto [A, B] = pair_of(kinds.a, kinds.b, random, random.real(-0.3, 0.04));
+        const Eigen::Matrix3d T = random.rotation();
+        const auto along = [&](PlacedShape s) {
+            s.r = to_vector(Eigen::Vector3d(T * exact(s.r).cast<double>()));
+            s.A = to_matrix(Eigen::Matrix3d(T * exact(s.A).cast<double>()));
+            return s;
+        };
+        Manifold m{}, w{};
+        collide(A, B, scalar(0.05), m), collide(along(A), along(B), scalar(0.05), w);
+        if (m.count == 0 || w.count == 0) continue;
+        const double size = size_of(A) + size_of(B) + 6;
+        if (m.points[0].feature != w.points[0].feature || m.count != w.count) {
+            ++other_features;
+            ASSERT_NEAR(static_cast<double>(least(m)), static_cast<double>(least(w)), static_cast<double>(slack_of(A, B).depth)) << i;
+            continue;
+        }
+        ASSERT_NEAR(static_cast<double>(least(m)), static_cast<double>(least(w)), 64 * u * size) << i;
+    }
+    ASSERT_LT(other_features, 300);  // ties of shapes along the axes
+}
+
+/// Coincident centres, NaN, infinities, huge and tiny sizes: bounded time, at most four points, and a unit normal when finite.
+TEST_P(Pair, survives_what_is_degenerate) {
+    RandomInput random(1404);
+    const Kinds kinds = GetParam();
+    const double sizes[] = {1e-6, 1e-3, 1, 1e3, 1e6};
+    for (int i = 0; i < 2000; ++i) {
+        const auto sized = [&](ShapeKind kind) {
+            Shape shape = shape_of(kind, random);
+            const auto scale = static_cast<scalar>(sizes[random.integer(0, 4)]);
+            const auto fit = [&](scalar x) { return std::min(std::max(x * scale, ingot::limits::size_min), ingot::limits::size_max); };
+            shape.size = {fit(shape.size.x), shape.size.y > 0 ? fit(shape.size.y) : 0, shape.size.z > 0 ? fit(shape.size.z) : 0};
+            return shape;
+        };
+        PlacedShape A = placed(sized(kinds.a), {0, 0, 0}, orientation(random)), B = placed(sized(kinds.b), {0, 0, 0}, orientation(random));
+        if (i % 2 == 0) A.r = to_vector(Eigen::Vector3d(random.direction() * std::abs(random.of_any_size(-60, 3))));
+        if (i % 5 == 1) A.r = B.r = {scalar(1e9), scalar(-1e9), scalar(1e9)};
+        Manifold m{};
+        collide(A, B, scalar(0.01), m);
+        ASSERT_NEAR(static_cast<double>(exact(m.n).norm()), 1, 32 * u) << i;
+        if (i % 2 != 0) { ASSERT_GT(m.count, 0) << i; }
+        for (int k = 0; k < m.count; ++k) ASSERT_TRUE(ingot::is_finite(m.points[k].P) && ingot::is_finite(m.points[k].separation)) << i;
+
+        scalar* numbers[] = {&A.r.x, &A.A.c0.y, &A.shape.size.x, &B.r.z, &B.A.c2.z, &B.shape.size.x};
+        *numbers[random.integer(0, 5)] = i % 3 == 0 ? std::numeric_limits<scalar>::quiet_NaN() : std::numeric_limits<scalar>::infinity();
+        Manifold bad{}, again{};
+        collide(A, B, scalar(0.01), bad, &m);
+        collide(A, B, scalar(0.01), again, &m);
+        ASSERT_TRUE(bad.count >= 0 && bad.count <= 4) << i;
+        ASSERT_EQ(bad.count, again.count);
+    }
+}
+
+using K = ShapeKind;
+INSTANTIATE_TEST_SUITE_P(All, Pair,
+                         ::testing::Values(Kinds{K::sphere, K::sphere, "sphere_sphere"}, Kinds{K::sphere, K::capsule, "sphere_capsule"},
+                                           Kinds{K::sphere, K::box, "sphere_box"}, Kinds{K::sphere, K::cylinder, "sphere_cylinder"},
+                                           Kinds{K::capsule, K::capsule, "capsule_capsule"},
+                                           Kinds{K::capsule, K::box, "capsule_box"}, Kinds{K::box, K::box, "box_box"}),
+                         [](const auto& of) { return std::string(of.param.name); });
+
+}  // namespace

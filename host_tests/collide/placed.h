@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// Shapes at random places, for the kernel and for the oracle.
+#pragma once
+
+#include <ingot/collide/narrow_phase.h>
+
+#include <array>
+#include <string>
+
+#include "collide/convex_oracle.h"
+#include "reference/kernel_types.h"
+#include "reference/random_input.h"
+
+namespace ingot_collide {
+
+using ingot::Manifold;
+using ingot::PlacedShape;
+using ingot::scalar;
+using ingot::Shape;
+using ingot::ShapeKind;
+using ingot_reference::RandomInput;
+using ingot_reference::to_matrix;
+using ingot_reference::to_vector;
+using V = ingot_oracle::V;
+
+inline V exact(const ingot::Vector& v) { return {v.x, v.y, v.z}; }
+inline Eigen::Matrix<long double, 3, 3> exact(const ingot::Matrix& A) {
+    Eigen::Matrix<long double, 3, 3> m;
+    m << exact(A.c0), exact(A.c1), exact(A.c2);
+    return m;
+}
+
+/// Of the numbers the kernel is given, exactly. `prism_sides`: for cylinders.
+inline ingot_oracle::Convex oracle_of(const PlacedShape& s, int prism_sides = 48) {
+    const V r = exact(s.r);
+    const auto A = exact(s.A);
+    const long double x = s.shape.size.x, y = s.shape.size.y;
+    switch (s.shape.kind) {
+        case ShapeKind::sphere: return ingot_oracle::point(r, x);
+        case ShapeKind::capsule: return ingot_oracle::segment(r - A.col(2) * y, r + A.col(2) * y, x);
+        case ShapeKind::box: return ingot_oracle::box(r, A, exact(s.shape.size));
+        case ShapeKind::cylinder: return ingot_oracle::prism(r, A, x, y, prism_sides);
+        case ShapeKind::hull: {
+            std::vector<V> corners;
+            for (int i = 0; i < s.hull->vertex_count; ++i) corners.push_back(r + A * exact(s.hull->vertices[i]));
+            std::vector<std::vector<int>> loops;
+            for (int i = 0; i < s.hull->face_count; ++i) {
+                const ingot::HullFace& face = s.hull->faces[i];
+                const std::uint8_t* loop = s.hull->loops + face.loop_first;
+                loops.emplace_back(loop, loop + face.loop_count);
+            }
+            return ingot_oracle::polyhedron(corners, loops);
+        }
+        default: return {};
+    }
+}
+
+inline PlacedShape placed(const Shape& shape, const Eigen::Vector3d& r = Eigen::Vector3d::Zero(),
+                          const Eigen::Matrix3d& A = Eigen::Matrix3d::Identity()) {
+    return {shape, to_vector(r), to_matrix(A), nullptr};
+}
+
+inline double size_of(const PlacedShape& s) { return static_cast<double>(ingot::bounding_radius(s.shape)); }
+
+inline Eigen::Matrix3d turned(const Eigen::Vector3d& axis, double angle) {
+    return Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix();
+}
+
+/// The routine of two kinds, in either order.
+inline bool collide(const PlacedShape& A, const PlacedShape& B, scalar margin, Manifold& manifold, const Manifold* before = nullptr) {
+    using K = ShapeKind;
+    const auto are = [&](K a, K b) { return A.shape.kind == a && B.shape.kind == b; };
+#define INGOT_PAIR(a, b) \
+    if (are(K::a, K::b)) return ingot::collide_##a##_##b(A, B, margin, manifold, before), true
+    INGOT_PAIR(sphere, sphere);
+    INGOT_PAIR(sphere, capsule);
+    INGOT_PAIR(sphere, box);
+    INGOT_PAIR(sphere, cylinder);
+    INGOT_PAIR(sphere, half_space);
+    INGOT_PAIR(capsule, capsule);
+    INGOT_PAIR(capsule, box);
+    INGOT_PAIR(capsule, half_space);
+    INGOT_PAIR(box, box);
+    INGOT_PAIR(box, half_space);
+#undef INGOT_PAIR
+    return false;
+}
+
+inline long double least(const Manifold& m) {
+    long double s = HUGE_VALL;
+    for (int i = 0; i < m.count; ++i) s = std::min<long double>(s, m.points[i].separation);
+    return s;
+}
+
+}  // namespace ingot_collide

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Small geometry that several routines of the narrow phase share.
+#pragma once
+
+#include "manifold_points.h"
+#include "placed_shape.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+INGOT_INLINE scalar clamped(scalar x, scalar limit) { return x > limit ? limit : x < -limit ? -limit : x; }
+INGOT_INLINE Vector clamped(const Vector& x, const Vector& limit) {
+    return {clamped(x.x, limit.x), clamped(x.y, limit.y), clamped(x.z, limit.z)};
+}
+INGOT_INLINE scalar component(const Vector& v, int i) { return i == 0 ? v.x : i == 1 ? v.y : v.z; }
+INGOT_INLINE Vector unit_axis(int i, scalar sign) { return {i == 0 ? sign : 0, i == 1 ? sign : 0, i == 2 ? sign : 0}; }
+INGOT_INLINE scalar smallest_of(const Vector& v) {
+    const scalar least = v.x < v.y ? v.x : v.y;
+    return least < v.z ? least : v.z;
+}
+
+/// A half space in the world: all points with n . r <= d, seen from a point near what touches it.
+struct WorldFace {
+    Vector n;
+    scalar height;  ///< of the point above the face
+};
+
+INGOT_INLINE WorldFace face_below(const PlacedShape& half_space, const Vector& point) {
+    const Vector n = half_space.A * half_space.shape.size;
+    return {n, dot(n, point - half_space.r) - half_space.shape.offset};
+}
+
+/// The manifold of a ball around the point c and something whose nearest point is q: n from q to c.
+/// reach: the radius of the ball and, where q is on the axis of something round, its radius too.
+INGOT_INLINE void round_point(const Vector& n, const Vector& q, scalar distance, scalar reach, scalar radius_B, scalar margin,
+                              Manifold& manifold) {
+    const scalar s = distance - reach;
+    if (s <= margin)
+        one_point(n, q + n * (radius_B + s * scalar(0.5)), s, 0, manifold);
+    else
+        no_points(n, manifold);
+}
+
+} }  // namespace ingot

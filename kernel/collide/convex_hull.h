@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// A convex polyhedron as the narrow phase reads it, from arrays in flash.
+#pragma once
+
+#include "../math/vec3.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// A face: all points of the hull have n . r <= offset.
+struct HullFace {
+    Vector n;             ///< unit, outward
+    scalar offset;        ///< m
+    uint8_t loop_first;   ///< its corners in ConvexHull::loops, counter-clockwise as seen from outside
+    uint8_t loop_count;
+};
+
+/// An edge from vertex a to vertex b, with face_left on the left as seen from outside.
+struct HullEdge {
+    uint8_t a, b, face_left, face_right;
+};
+
+/// Views of constant arrays; the frame is the hull's own. Made by HullOf::view(), see hull_of_points.h.
+struct ConvexHull {
+    const Vector* vertices;
+    const HullFace* faces;
+    const HullEdge* edges;
+    const uint8_t* loops;
+    uint8_t vertex_count, face_count, edge_count;
+    Vector centre;   ///< m, a point well inside
+    scalar radius;   ///< m, of the ball about the origin that holds the hull
+};
+
+} }  // namespace ingot

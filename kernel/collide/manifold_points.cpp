@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "manifold_points.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+namespace {
+
+/// Twice the signed area of the triangle a b c.
+scalar area(const Candidate& a, const Candidate& b, const Candidate& c) {
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+/// Which candidates were chosen, in the order of the choice.
+struct Choice {
+    int chosen[Manifold::points_max];
+    int count;
+
+    bool has(int i) const {
+        bool found = false;
+        for (int k = 0; k < count; ++k) found |= chosen[k] == i;
+        return found;
+    }
+};
+
+/// Adds the candidate of the largest weight above zero; what was chosen at this turn in the step before weighs more.
+template <class Weight>
+bool add_heaviest(const Candidate* candidates, int count, scalar preference, const Before& before, Choice& choice, Weight weight) {
+    int best = -1;
+    scalar best_weight = 0;
+    for (int i = 0; i < count; ++i) {
+        if (choice.has(i)) continue;
+        scalar w = weight(candidates[i]);
+        if (before.had(choice.count, candidates[i].feature)) w = w * preference;
+        if (w > best_weight) {
+            best = i;
+            best_weight = w;
+        }
+    }
+    if (best < 0) return false;
+    choice.chosen[choice.count++] = best;
+    return true;
+}
+
+Choice spanning(const Candidate* candidates, int count, scalar tolerance, const Before& before) {
+    Choice choice{};
+    scalar least = scalar_max;
+    for (int i = 0; i < count; ++i) {
+        const scalar s = before.had(0, candidates[i].feature) ? candidates[i].separation - tolerance : candidates[i].separation;
+        if (s < least) {
+            choice.chosen[0] = i;
+            least = s;
+        }
+    }
+    choice.count = 1;
+    const Candidate& a = candidates[choice.chosen[0]];
+    if (!add_heaviest(candidates, count, scalar(1.21), before, choice,
+                      [&](const Candidate& p) { return (p.x - a.x) * (p.x - a.x) + (p.y - a.y) * (p.y - a.y); }))
+        return choice;
+    const Candidate& b = candidates[choice.chosen[1]];
+    if (!add_heaviest(candidates, count, scalar(1.1), before, choice, [&](const Candidate& p) { return abs(area(a, b, p)); }))
+        return choice;
+    const Candidate& c = candidates[choice.chosen[2]];
+    const scalar turn = area(a, b, c) < 0 ? scalar(-1) : scalar(1);
+    (void)add_heaviest(candidates, count, scalar(1.1), before, choice, [&](const Candidate& p) {
+        const scalar ab = -turn * area(a, b, p), bc = -turn * area(b, c, p), ca = -turn * area(c, a, p);
+        const scalar most = ab > bc ? ab : bc;
+        return most > ca ? most : ca;
+    });
+    return choice;
+}
+
+}  // namespace
+
+void keep_points(const Candidate* candidates, int count, const ContactFrame& frame, scalar tolerance, const Before& before,
+                 Manifold& manifold) {
+    Choice choice{{0, 1, 2, 3}, count};
+    if (count > Manifold::points_max) choice = spanning(candidates, count, tolerance, before);
+    manifold.n = frame.n;
+    manifold.count = choice.count;
+    for (int i = 0; i < choice.count; ++i) {
+        const Candidate& p = candidates[choice.chosen[i]];
+        const Vector P = frame.origin + (frame.e_x * p.x + frame.e_y * p.y + frame.n * p.z);
+        manifold.points[i] = {P, p.separation, p.feature};
+    }
+}
+
+} }  // namespace ingot
