@@ -66,6 +66,7 @@ inline constexpr int substeps = 4;                ///< of a step; each is solved
 inline constexpr int sweeps = 3;                  ///< over all contacts in a substep
 inline constexpr int sweeps_of_young = 12;        ///< while more than a quarter of the contacts are younger than four steps
 inline constexpr int level_passes_max = 32;       ///< that look for the distance of bodies from the ground
+inline constexpr scalar unbounded = scalar(1e30);           ///< m; further than any body is
 inline constexpr scalar contact_margin = scalar(0.02);      ///< m; shapes this far apart, and what they travel in a step, have a manifold
 inline constexpr scalar touching_gap = scalar(1e-3);        ///< m; points this far apart are stopped as if they touched, and drawn together
 inline constexpr scalar position_share = scalar(0.4);       ///< of an overlap, taken back in a substep

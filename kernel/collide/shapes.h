@@ -7,7 +7,8 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-enum class ShapeKind : uint8_t { none, sphere, box, half_space, capsule, cylinder, hull };
+/// In this order the routines of the narrow phase take their two shapes.
+enum class ShapeKind : uint8_t { none, sphere, capsule, box, cylinder, hull, half_space };
 
 /// The surface of a body in its own frame (origin at the centre of mass, principal axes). Made from Sphere, Box, HalfSpace,
 /// Capsule, Cylinder or Hull.

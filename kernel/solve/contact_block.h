@@ -49,14 +49,4 @@ struct ContactBlock {
 
 inline constexpr uint16_t no_manifold = 65535;
 
-/// What is kept of a manifold from step to step.
-struct ManifoldMemory {
-    uint16_t body_A, body_B;
-    uint16_t count, steps;
-    uint32_t feature[block_rows];
-    scalar j[block_rows], j_before[block_rows];
-    Vector j_friction, j_reference;  ///< world
-    scalar j_twist;
-};
-
 } }  // namespace ingot

@@ -9,8 +9,8 @@ namespace {
 
 constexpr uint16_t unreached = 65535;
 
-uint16_t local_A(const SolverView& solver, int manifold_i) { return solver.local_of[solver.manifolds[manifold_i].body_A]; }
-uint16_t local_B(const SolverView& solver, int manifold_i) { return solver.local_of[solver.manifolds[manifold_i].body_B]; }
+uint16_t local_A(const SolverView& solver, int manifold_i) { return solver.local_of[solver.pairs[manifold_i].body_A]; }
+uint16_t local_B(const SolverView& solver, int manifold_i) { return solver.local_of[solver.pairs[manifold_i].body_B]; }
 
 /// Makes the levels of a manifold's bodies differ by at most one; true if that changed one.
 bool relax(SolverView& solver, int manifold_i) {

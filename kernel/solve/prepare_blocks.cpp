@@ -8,45 +8,24 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
-const ContactManifold no_contact = {0, 0, {{0, 0, 1}, 0, {}}, 0, 0};
+constexpr ManifoldRecord no_contact = {{{0, 0, 1}, 0, {}}, 0, 0, {}, {}, {}, {}, 0, 0, 0};
 
-/// The memory of the same two bodies; both lists are sorted by them.
-const ManifoldMemory* memory_of(const SolverView& solver, const ContactManifold& contact) {
-    int first = 0, last = *solver.memory_count;
-    const auto key = [](uint16_t A, uint16_t B) { return static_cast<uint32_t>(A) << 16 | B; };
-    const uint32_t wanted = key(contact.body_A, contact.body_B);
-    while (first < last) {
-        const int middle = (first + last) / 2;
-        const ManifoldMemory& memory = solver.memory[middle];
-        if (key(memory.body_A, memory.body_B) < wanted)
-            first = middle + 1;
-        else
-            last = middle;
-    }
-    if (first == *solver.memory_count) return nullptr;
-    const ManifoldMemory& memory = solver.memory[first];
-    return key(memory.body_A, memory.body_B) == wanted ? &memory : nullptr;
+const ManifoldRecord& record_of(const SolverView& solver, uint16_t manifold_i) {
+    return manifold_i == no_manifold ? no_contact : solver.records[solver.pairs[manifold_i].record];
 }
 
-void recall(ContactBlock& block, int lane_i, const ContactManifold& contact, const ManifoldMemory* memory) {
-    for (int row = 0; row < block_rows; ++row) block.j[row][lane_i] = block.j_before[row][lane_i] = 0;
-    block.j_twist[lane_i] = block.steps[lane_i] = 0;
-    for (int axis = 0; axis < 2; ++axis) block.j_friction[axis][lane_i] = block.j_reference[axis][lane_i] = 0;
-    if (memory == nullptr) return;
-    for (int row = 0; row < contact.manifold.count; ++row) {
-        for (int old = 0; old < memory->count; ++old) {
-            if (memory->feature[old] != contact.manifold.points[row].feature) continue;
-            block.j[row][lane_i] = memory->j[old];
-            block.j_before[row][lane_i] = memory->j_before[old];
-        }
+void recall(ContactBlock& block, int lane_i, const ManifoldRecord& record) {
+    for (int row = 0; row < block_rows; ++row) {
+        block.j[row][lane_i] = record.j[row];
+        block.j_before[row][lane_i] = record.j_before[row];
     }
     const Vector t_1 = lane_of(block.t_1, lane_i), t_2 = lane_of(block.t_2, lane_i);
-    block.j_friction[0][lane_i] = dot(memory->j_friction, t_1);
-    block.j_friction[1][lane_i] = dot(memory->j_friction, t_2);
-    block.j_reference[0][lane_i] = dot(memory->j_reference, t_1);
-    block.j_reference[1][lane_i] = dot(memory->j_reference, t_2);
-    block.j_twist[lane_i] = memory->j_twist;
-    block.steps[lane_i] = static_cast<scalar>(memory->steps);
+    block.j_friction[0][lane_i] = dot(record.j_friction, t_1);
+    block.j_friction[1][lane_i] = dot(record.j_friction, t_2);
+    block.j_reference[0][lane_i] = dot(record.j_reference, t_1);
+    block.j_reference[1][lane_i] = dot(record.j_reference, t_2);
+    block.j_twist[lane_i] = record.j_twist;
+    block.steps[lane_i] = static_cast<scalar>(record.substeps);
 }
 
 /// A body as the rows need it, of each lane.
@@ -64,7 +43,7 @@ struct BlockInput {
         void put(int lane_i, const BodyView& bodies, int slot) {
             const Place at = place_of(slot);
             set_lane(r_CM, lane_i, lane_of(bodies.translation[at.tile].r_CM, at.lane));
-            set_lane(inv_I_world, lane_i, lane_of(bodies.rotation[at.tile].inv_I_world, at.lane));
+            set_lane(inv_I_world, lane_i, lane_of(bodies.translation[at.tile].inv_I_world, at.lane));
             inv_M[lane_i] = bodies.translation[at.tile].inv_M[at.lane];
         }
         RowBody loaded() const {
@@ -106,15 +85,16 @@ void prepare_block(const SolverView& solver, const BodyView& bodies, int block_i
     for (int lane_i = 0; lane_i < lanes; ++lane_i) {
         const int position = block_i * lanes + lane_i;
         const bool spare = position >= solver.manifold_count;
-        const ContactManifold& contact = spare ? no_contact : solver.manifolds[solver.order[position]];
         block.manifold[lane_i] = spare ? no_manifold : solver.order[position];
-        block.body_A[lane_i] = spare ? 0 : solver.local_of[contact.body_A];
-        block.body_B[lane_i] = spare ? 0 : solver.local_of[contact.body_B];
+        const ManifoldRecord& contact = record_of(solver, block.manifold[lane_i]);
+        const BodyPair pair = spare ? BodyPair{} : solver.pairs[block.manifold[lane_i]];
+        block.body_A[lane_i] = spare ? 0 : solver.local_of[pair.body_A];
+        block.body_B[lane_i] = spare ? 0 : solver.local_of[pair.body_B];
         block.mu[lane_i] = contact.mu;
         block.e[lane_i] = contact.e;
         if (!spare) {
-            in.A.put(lane_i, bodies, contact.body_A);
-            in.B.put(lane_i, bodies, contact.body_B);
+            in.A.put(lane_i, bodies, pair.body_A);
+            in.B.put(lane_i, bodies, pair.body_B);
         }
         set_lane(in.n, lane_i, contact.manifold.n);
         for (int row = 0; row < contact.manifold.count; ++row) {
@@ -207,12 +187,7 @@ void prepare_block(const SolverView& solver, const BodyView& bodies, int block_i
         store(block.j_sweep[row], lane{});
     }
 
-    for (int lane_i = 0; lane_i < lanes; ++lane_i) {
-        const uint16_t manifold_i = block.manifold[lane_i];
-        const bool spare = manifold_i == no_manifold;
-        const ContactManifold& contact = spare ? no_contact : solver.manifolds[manifold_i];
-        recall(block, lane_i, contact, spare ? nullptr : memory_of(solver, contact));
-    }
+    for (int lane_i = 0; lane_i < lanes; ++lane_i) recall(block, lane_i, record_of(solver, block.manifold[lane_i]));
 }
 
 }  // namespace
@@ -227,26 +202,20 @@ void remember_impulses(const SolverView& solver) {
         for (int lane_i = 0; lane_i < lanes; ++lane_i) {
             const uint16_t manifold_i = block.manifold[lane_i];
             if (manifold_i == no_manifold) continue;
-            const ContactManifold& contact = solver.manifolds[manifold_i];
-            ManifoldMemory& memory = solver.memory[manifold_i];
-            memory.body_A = contact.body_A;
-            memory.body_B = contact.body_B;
-            memory.count = static_cast<uint16_t>(contact.manifold.count);
-            const scalar steps = block.steps[lane_i] + limits::substeps;
-            memory.steps = static_cast<uint16_t>(steps < 1000 ? steps : scalar(1000));
+            ManifoldRecord& record = solver.records[solver.pairs[manifold_i].record];
+            const scalar substeps = block.steps[lane_i];
+            record.substeps = static_cast<uint16_t>(substeps < 1000 ? substeps : scalar(1000));
             for (int row = 0; row < block_rows; ++row) {
-                const bool there = row < contact.manifold.count;
-                memory.feature[row] = there ? contact.manifold.points[row].feature : 0;
-                memory.j[row] = there ? block.j[row][lane_i] : 0;
-                memory.j_before[row] = there ? block.j_before[row][lane_i] : 0;
+                const bool there = row < record.manifold.count;
+                record.j[row] = there ? block.j[row][lane_i] : 0;
+                record.j_before[row] = there ? block.j_before[row][lane_i] : 0;
             }
             const Vector t_1 = lane_of(block.t_1, lane_i), t_2 = lane_of(block.t_2, lane_i);
-            memory.j_friction = t_1 * block.j_friction[0][lane_i] + t_2 * block.j_friction[1][lane_i];
-            memory.j_reference = t_1 * block.j_reference[0][lane_i] + t_2 * block.j_reference[1][lane_i];
-            memory.j_twist = block.j_twist[lane_i];
+            record.j_friction = t_1 * block.j_friction[0][lane_i] + t_2 * block.j_friction[1][lane_i];
+            record.j_reference = t_1 * block.j_reference[0][lane_i] + t_2 * block.j_reference[1][lane_i];
+            record.j_twist = block.j_twist[lane_i];
         }
     }
-    *solver.memory_count = static_cast<uint16_t>(solver.manifold_count);
 }
 
 } }  // namespace ingot

@@ -47,8 +47,8 @@ void take_in_bodies(SolverView& solver, const BodyView& bodies, const Vector& gr
     solver.body_count = 1;
     for (int slot = 0; slot < bodies.tile_count * lanes; ++slot) solver.local_of[slot] = 0;
     for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i) {
-        (void)take_in(solver, bodies, gravity, solver.manifolds[manifold_i].body_A);
-        (void)take_in(solver, bodies, gravity, solver.manifolds[manifold_i].body_B);
+        (void)take_in(solver, bodies, gravity, solver.pairs[manifold_i].body_A);
+        (void)take_in(solver, bodies, gravity, solver.pairs[manifold_i].body_B);
     }
 }
 
@@ -74,7 +74,7 @@ void drift_bodies(const SolverView& solver, const BodyView& bodies, scalar h) {
         const scalar smooth = 2 * h * history.a[3];
         const bool hit = length_sq(change) > smooth * smooth;
         const Vector dp = vector_of(body.dp) + (hit ? v : v - change * scalar(0.5)) * h;
-        const Vector turn = lane_of(bodies.rotation[at.tile].inv_I_world, at.lane) * L * h;
+        const Vector turn = lane_of(bodies.translation[at.tile].inv_I_world, at.lane) * L * h;
         set4(body.dp, dp);
         set4(body.dth, vector_of(body.dth) + turn, hit ? scalar(1) : scalar(0));
         set4(history.dth_push, vector_of(history.dth_push) - turn);

@@ -2,6 +2,7 @@
 // Everything the many-body solver works on, without its capacities.
 #pragma once
 
+#include "../collide/manifold_record.h"
 #include "contact_block.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -12,11 +13,9 @@ struct Visit {
 };
 
 struct SolverView {
-    const ContactManifold* manifolds;
+    const BodyPair* pairs;     ///< that touch, sorted by slots
+    ManifoldRecord* records;   ///< of the pairs
     int manifold_count;
-
-    ManifoldMemory* memory;    ///< as many as manifolds were in the step before, in the same order
-    uint16_t* memory_count;
 
     ContactBlock* blocks;      ///< room for manifold capacity / lanes, rounded up
     Visit* visits;             ///< room for manifold capacity + blocks

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "../collide/all_pairs.h"
 #include "../collide/shapes.h"
 #include "../motion/driven_flight.h"
 #include "../motion/exact_elliptic.h"
@@ -27,6 +28,8 @@ struct Scene {
     static constexpr bool translates   = false;
     static constexpr int  max_contacts = 0;      ///< points of contact in one step, 0 .. 65535
     static constexpr int  max_manifolds = 0;     ///< pairs of bodies that touch in one step, 0 .. 65534: friction, stacks, piles
+    static constexpr int  max_pairs    = 0;      ///< pairs of bodies whose bounds overlap in one step; 0: twice max_manifolds
+    using broad_phase = AllPairs;                ///< or another that finds such pairs
     using shapes   = Shapes<>;
     using rotation = MoserVeselov;               ///< or another method of motion/
     using force_field = NoForceField;            ///< or one of motion/force_fields.h, or your own

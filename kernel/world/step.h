@@ -8,7 +8,7 @@
 #include "../motion/integrate_v.h"
 #include "../solve/contact_rows.h"
 #include "../solve/solve_contact_forces.h"
-#include "../collide/find_manifolds.h"
+#include "../collide/update_manifolds.h"
 #include "../solve/solve_impacts.h"
 #include "../solve/solve_manifolds.h"
 #include "world.h"
@@ -54,7 +54,11 @@ StepReport step(World<S>& world, scalar h) {
         const auto drivers = storage.drivers(storage.gravity_or_none());
         count(report.spins_clamped, S::flight::template fly<typename S::rotation>(bodies, drivers, h, clock));
     } else if constexpr (stacks<S>) {
-        find_manifolds<typename S::shapes>(bodies, storage.surface_view(), h, {storage.manifolds, &storage.manifold_count, S::max_manifolds}, report);
+        refresh_bounds(bodies, storage.surface_view(), h, storage.bounds);
+        PairSink found = storage.pair_sink();
+        S::broad_phase::find_pairs(bodies, storage.bounds, storage, found);
+        update_manifolds<typename S::shapes>(bodies, storage.surface_view(), h, found, storage.manifold_view(), report);
+        refresh_inv_I_world(bodies);                                      // Eq. 20
         SolverView solver = storage.solver();
         solve_manifolds(solver, bodies, storage.gravity, h, report);
 

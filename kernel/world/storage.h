@@ -13,6 +13,9 @@
 namespace ingot { inline namespace INGOT_ABI {
 
 template <class S>
+inline constexpr int pair_capacity = S::max_pairs != 0 ? S::max_pairs : 2 * S::max_manifolds;
+
+template <class S>
 inline constexpr int tile_capacity = (S::max_bodies + lanes - 1) / lanes;
 
 template <class S, bool present>
@@ -94,17 +97,21 @@ struct ManifoldPart {
     ContactBlock blocks[block_capacity] = {};
     SolverBody solver_bodies[body_capacity] = {};
     SolverBodyHistory histories[body_capacity] = {};
-    ContactManifold manifolds[manifold_capacity] = {};
-    ManifoldMemory memory[manifold_capacity] = {};
+    BoundsTile bounds[tile_capacity<S>] = {};
+    BodyPair found_pairs[pair_capacity<S>] = {};
+    BodyPair pairs[manifold_capacity] = {};
+    ManifoldRecord records[manifold_capacity] = {};
     uint32_t colours_of_body[body_capacity] = {};
     uint16_t level_of_body[body_capacity] = {}, slot_of[body_capacity] = {};
     uint16_t local_of[static_cast<unsigned>(tile_capacity<S> * lanes)] = {};
     uint16_t order[manifold_capacity] = {}, other_order[manifold_capacity] = {}, level[manifold_capacity] = {};
     Visit visits[manifold_capacity + block_capacity] = {};
-    uint16_t manifold_count = 0, memory_count = 0;
+    uint16_t manifold_count = 0, records_used = 0, first_free_record = 0;
 
+    PairSink pair_sink() { return {found_pairs, pair_capacity<S>, 0, 0}; }
+    ManifoldView manifold_view() { return {pairs, &manifold_count, records, &records_used, &first_free_record, S::max_manifolds}; }
     SolverView solver() {
-        return {manifolds, manifold_count, memory, &memory_count, blocks, visits, order, level, other_order,
+        return {pairs, records, manifold_count, blocks, visits, order, level, other_order,
                 solver_bodies, histories, slot_of, local_of, level_of_body, colours_of_body, 0, 0, 0};
     }
 };

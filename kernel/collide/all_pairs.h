@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "body_pairs.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// Every pair whose bounds overlap and of which one can move, sorted by slots.
+///
+/// Tests `lanes` bodies at once. Cost: n^2 / (2 lanes) tests of boxes, the least there is up to a few hundred bodies.
+/// Full: pairs of the lowest slots are kept.
+void find_all_pairs(const BodyView& bodies, const BoundsTile* bounds, PairSink& sink);
+
+/// `using broad_phase = ingot::AllPairs;`
+struct AllPairs {
+    template <int max_bodies>
+    struct Memory {};
+    template <class M>
+    static void find_pairs(const BodyView& bodies, const BoundsTile* bounds, M&, PairSink& sink) {
+        find_all_pairs(bodies, bounds, sink);
+    }
+};
+
+} }  // namespace ingot

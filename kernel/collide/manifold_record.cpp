@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "manifold_record.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+void hold_records(const ManifoldView& manifolds, PairSink& found) {
+    int found_i = 0;
+    for (int held_i = 0; held_i < *manifolds.count; ++held_i) {
+        const BodyPair& held = manifolds.pairs[held_i];
+        while (found_i < found.count && found.pairs[found_i].key() < held.key()) ++found_i;
+        if (found_i < found.count && found.pairs[found_i].key() == held.key())
+            found.pairs[found_i].record = held.record;
+        else
+            give_back(manifolds, held.record);
+    }
+    *manifolds.count = 0;
+}
+
+uint16_t take_record(const ManifoldView& manifolds) {
+    uint16_t record = no_record;
+    if (*manifolds.first_free != 0) {
+        record = static_cast<uint16_t>(*manifolds.first_free - 1);
+        *manifolds.first_free = manifolds.records[record].next_free;
+    } else if (*manifolds.records_used < manifolds.capacity) {
+        record = (*manifolds.records_used)++;
+    } else {
+        return no_record;
+    }
+    manifolds.records[record] = {};
+    return record;
+}
+
+void give_back(const ManifoldView& manifolds, uint16_t record) {
+    manifolds.records[record].next_free = *manifolds.first_free;
+    *manifolds.first_free = static_cast<uint16_t>(record + 1);
+}
+
+void carry_impulses(ManifoldRecord& record, const Manifold& before) {
+    scalar j[Manifold::points_max] = {}, j_before[Manifold::points_max] = {};
+    for (int point_i = 0; point_i < record.manifold.count; ++point_i) {
+        for (int old_i = 0; old_i < before.count; ++old_i) {
+            if (before.points[old_i].feature != record.manifold.points[point_i].feature) continue;
+            j[point_i] = record.j[old_i];
+            j_before[point_i] = record.j_before[old_i];
+        }
+    }
+    for (int point_i = 0; point_i < Manifold::points_max; ++point_i) {
+        record.j[point_i] = j[point_i];
+        record.j_before[point_i] = j_before[point_i];
+    }
+}
+
+} }  // namespace ingot

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "body_pairs.h"
+#include "manifold.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// What a world keeps of two bodies that touch, for as long as they do: where, and with what impulses.
+struct ManifoldRecord {
+    Manifold manifold;
+    scalar mu, e;                                        ///< of the pair
+    scalar j[Manifold::points_max];                      ///< N s, of the normals in the last substep
+    scalar j_before[Manifold::points_max];               ///< N s, in the one before
+    Vector j_friction, j_reference;                      ///< N s, world; the reference is its slow mean
+    scalar j_twist;                                      ///< N m s
+    uint16_t substeps;                                   ///< it has lived, up to 1000
+    uint16_t next_free;                                  ///< index + 1 of the next free record; 0: none
+};
+
+/// The contacts of a world, without their capacity.
+struct ManifoldView {
+    BodyPair* pairs;              ///< that touch, sorted by slots; room for as many as records
+    uint16_t* count;
+    ManifoldRecord* records;      ///< of the pairs, in no order
+    uint16_t* records_used;       ///< records in use or free again; those beyond never were
+    uint16_t* first_free;         ///< index + 1
+    int capacity;
+};
+
+/// Gives a record to each found pair that has none from the step before, and takes back records of pairs that are found no more.
+/// Both lists are sorted; the work is one walk along them.
+void hold_records(const ManifoldView& manifolds, PairSink& found);
+
+/// A record for a pair that begins to touch, all zero; no_record when there is none left.
+uint16_t take_record(const ManifoldView& manifolds);
+void give_back(const ManifoldView& manifolds, uint16_t record);
+
+/// The impulses of points whose features lived on go with them; new points start from zero.
+void carry_impulses(ManifoldRecord& record, const Manifold& before);
+
+} }  // namespace ingot
