@@ -69,6 +69,8 @@ inline constexpr int level_passes_max = 32;       ///< that look for the distanc
 inline constexpr scalar unbounded = scalar(1e30);           ///< m; further than any body is
 inline constexpr scalar contact_margin = scalar(0.02);      ///< m; shapes this far apart, and what they travel in a step, have a manifold
 inline constexpr scalar touching_gap = scalar(1e-3);        ///< m; points this far apart are stopped as if they touched, and drawn together
+/// m/s; a point that carries nothing and approaches more slowly than this is left out of a solve. The position sweep takes back what that adds.
+inline constexpr scalar approach_slack = scalar(1e-6);
 inline constexpr scalar position_share = scalar(0.4);       ///< of an overlap, taken back in a substep
 inline constexpr scalar push_speed_max = scalar(3);         ///< m/s, at which deep overlaps are taken back
 inline constexpr scalar bounce_speed_min = scalar(0.01);    ///< m/s; slower impacts do not bounce

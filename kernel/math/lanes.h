@@ -63,7 +63,73 @@ INGOT_INLINE mask mask_from_bits(uint16_t b) {
     return m;
 }
 
+#if INGOT_LANES == 4 || INGOT_LANES == 8
+typedef scalar quad __attribute__((vector_size(4 * sizeof(scalar))));
+
+/// Rows of four numbers become columns, and the other way round.
+INGOT_INLINE void transpose(quad& a, quad& b, quad& c, quad& d) {
+    const quad ab_0 = __builtin_shufflevector(a, b, 0, 4, 1, 5), ab_2 = __builtin_shufflevector(a, b, 2, 6, 3, 7);
+    const quad cd_0 = __builtin_shufflevector(c, d, 0, 4, 1, 5), cd_2 = __builtin_shufflevector(c, d, 2, 6, 3, 7);
+    a = __builtin_shufflevector(ab_0, cd_0, 0, 1, 4, 5);
+    b = __builtin_shufflevector(ab_0, cd_0, 2, 3, 6, 7);
+    c = __builtin_shufflevector(ab_2, cd_2, 0, 1, 4, 5);
+    d = __builtin_shufflevector(ab_2, cd_2, 2, 3, 6, 7);
+}
 #endif
+
+#endif
+
+/// Four numbers from each of `lanes` places, one place per lane.
+struct LaneQuad {
+    lane at[4];
+};
+
+/// place(lane_i) points to the four numbers of a lane.
+template <class Place>
+INGOT_INLINE LaneQuad gather4(const Place& place) {
+    LaneQuad to;
+#if INGOT_LANES == 4 || INGOT_LANES == 8
+    quad rows[lanes];
+    for (int lane_i = 0; lane_i < lanes; ++lane_i) __builtin_memcpy(&rows[lane_i], place(lane_i), sizeof(quad));
+    for (int lane_i = 0; lane_i < lanes; lane_i += 4) transpose(rows[lane_i], rows[lane_i + 1], rows[lane_i + 2], rows[lane_i + 3]);
+    for (int i = 0; i < 4; ++i) {
+#if INGOT_LANES == 8
+        to.at[i] = __builtin_shufflevector(rows[i], rows[4 + i], 0, 1, 2, 3, 4, 5, 6, 7);
+#else
+        to.at[i] = rows[i];
+#endif
+    }
+#else
+    scalar rows[4][lanes];
+    for (int lane_i = 0; lane_i < lanes; ++lane_i)
+        for (int i = 0; i < 4; ++i) rows[i][lane_i] = place(lane_i)[i];
+    for (int i = 0; i < 4; ++i) to.at[i] = load(rows[i]);
+#endif
+    return to;
+}
+
+/// The reverse. Lanes that share a place must hold the same numbers.
+template <class Place>
+INGOT_INLINE void scatter4(const LaneQuad& from, const Place& place) {
+#if INGOT_LANES == 4 || INGOT_LANES == 8
+    quad rows[lanes];
+    for (int i = 0; i < 4; ++i) {
+#if INGOT_LANES == 8
+        rows[i] = __builtin_shufflevector(from.at[i], from.at[i], 0, 1, 2, 3);
+        rows[4 + i] = __builtin_shufflevector(from.at[i], from.at[i], 4, 5, 6, 7);
+#else
+        rows[i] = from.at[i];
+#endif
+    }
+    for (int lane_i = 0; lane_i < lanes; lane_i += 4) transpose(rows[lane_i], rows[lane_i + 1], rows[lane_i + 2], rows[lane_i + 3]);
+    for (int lane_i = 0; lane_i < lanes; ++lane_i) __builtin_memcpy(place(lane_i), &rows[lane_i], sizeof(quad));
+#else
+    scalar rows[4][lanes];
+    for (int i = 0; i < 4; ++i) store(rows[i], from.at[i]);
+    for (int lane_i = 0; lane_i < lanes; ++lane_i)
+        for (int i = 0; i < 4; ++i) place(lane_i)[i] = rows[i][lane_i];
+#endif
+}
 
 /// The same value in every lane.
 template <class T>

@@ -23,6 +23,15 @@ struct Sym4 {
     INGOT_INLINE lane& operator()(int row, int column) { return at[index(row, column)]; }
 };
 
+INGOT_INLINE Sym4 load_sym4(const scalar (&rows)[10][lanes]) {
+    Sym4 m;
+    for (int entry = 0; entry < 10; ++entry) m.at[entry] = load(rows[entry]);
+    return m;
+}
+INGOT_INLINE void store(scalar (&rows)[10][lanes], const Sym4& m) {
+    for (int entry = 0; entry < 10; ++entry) store(rows[entry], m.at[entry]);
+}
+
 INGOT_INLINE lane least(lane a, lane b) { return select(a < b, a, b); }
 INGOT_INLINE lane greatest(lane a, lane b) { return select(a > b, a, b); }
 
@@ -63,13 +72,41 @@ INGOT_INLINE Row4 solve_row_by_row(const Sym4& K, const Row4& w, const Row4& bef
     return l;
 }
 
-/// l >= 0 with w + K (l - before) >= 0 and one of the two zero in each row; K is the compliance, B the inverse of K with 1.01 of its
-/// diagonal. A row that `pulls` takes any sign.
-///
-/// The unconstrained solution first; while an impulse is negative, the most negative row is dropped from B by a rank-one change. Rows
-/// that are not used have a zero row in B, and K = 1 on the diagonal. Bound: 4 drops, 6 rounds.
-/// Source: active set by symmetric sweeps; the start over is ours.
-INGOT_INLINE Row4 solve_block(const Sym4& K, const Sym4& B, const Row4& w, const Row4& before, const mask (&pulls)[block_rows]) {
+/// A solution with some rows out, as `inverse` says: it has zero rows for them, and the inverse of the rest elsewhere.
+struct Attempt {
+    Row4 l;
+    mask fails;  ///< a row pulls that may not, or one that is out approaches
+};
+INGOT_INLINE Attempt solve_with(const Sym4& K, const Sym4& inverse, Row4 w, const Row4& before, const mask (&pulls)[block_rows], scalar slack) {
+    mask out[block_rows];
+    Row4 base = before;
+    for (int row = 0; row < block_rows; ++row) out[row] = opposite(inverse(row, row) > lane{});
+    const bool some_out = any(either(either(out[0], out[1]), either(out[2], out[3])));
+    if (some_out) {
+        for (int row = 0; row < block_rows; ++row) base.at[row] = select(out[row], lane{}, before.at[row]);
+        for (int row = 0; row < block_rows; ++row)
+            for (int c = 0; c < block_rows; ++c) w.at[row] = w.at[row] + K(row, c) * (base.at[c] - before.at[c]);
+    }
+    Attempt attempt;
+    attempt.fails = splat<lane>(1) < lane{};
+    for (int row = 0; row < block_rows; ++row) {
+        lane d{};
+        for (int c = 0; c < block_rows; ++c) d = d + inverse(row, c) * w.at[c];
+        attempt.l.at[row] = base.at[row] - d;
+        attempt.fails = either(attempt.fails, both(attempt.l.at[row] < lane{}, opposite(pulls[row])));
+    }
+    if (!some_out) return attempt;
+    for (int row = 0; row < block_rows; ++row) {
+        lane u = w.at[row];
+        for (int c = 0; c < block_rows; ++c) u = u + K(row, c) * (attempt.l.at[c] - base.at[c]);
+        attempt.fails = either(attempt.fails, both(out[row], either(pulls[row], u < splat<lane>(-slack))));
+    }
+    return attempt;
+}
+
+/// The search for the rows that are out: from none, the most negative is dropped from the inverse by a rank-one change while there is one.
+INGOT_INLINE Row4 drop_rows(const Sym4& K, const Sym4& B, Sym4& left, const Row4& w, const Row4& before, const mask (&pulls)[block_rows]) {
+    const lane one = splat<lane>(1);
     Row4 l;
     lane lowest{};
     for (int row = 0; row < block_rows; ++row) {
@@ -78,13 +115,9 @@ INGOT_INLINE Row4 solve_block(const Sym4& K, const Sym4& B, const Row4& w, const
         l.at[row] = before.at[row] - d;
         lowest = least(lowest, select(pulls[row], lane{}, l.at[row]));
     }
-    mask negative = lowest < lane{};
-    if (!any(negative)) return l;
-
-    const lane one = splat<lane>(1);
+    left = B;
+    mask negative = lowest < lane{}, dropped[block_rows] = {};
     const mask was_negative = negative;
-    Sym4 left = B;
-    mask dropped[block_rows] = {};
     for (int drop_i = 0; drop_i < block_rows && any(negative); ++drop_i) {
         mask is[block_rows], found = one < lane{};
         lane column[block_rows] = {}, diagonal = one, l_row{};
@@ -125,6 +158,26 @@ INGOT_INLINE Row4 solve_block(const Sym4& K, const Sym4& B, const Row4& w, const
         for (int row = 0; row < block_rows; ++row) l.at[row] = select(astray, again.at[row], l.at[row]);
     }
     return l;
+}
+
+/// l >= 0 with w + K (l - before) >= 0 and one of the two zero in each row. A row that `pulls` takes any sign.
+///
+/// K is the compliance of the rows, B the inverse of K with 1.01 of its diagonal, `held` the inverse without the rows that were out at the
+/// last visit: when they still are, one product of held and w is the answer. Else the search begins anew, and held keeps what it finds.
+/// Rows that are not used have zero rows in B and held, 1 on the diagonal of K, and w = 0.
+/// slack: speed, or length, at which a row that is out may approach unnoticed. Bound: 4 drops, 6 rounds.
+/// Source: active set by symmetric sweeps; what is held, and the start over, are ours.
+INGOT_INLINE Row4 solve_block(const scalar (&K_rows)[10][lanes], const scalar (&B_rows)[10][lanes], scalar (&held)[10][lanes], const Row4& w,
+                              const Row4& before, const mask (&pulls)[block_rows], scalar slack, mask active) {
+    const Sym4 K = load_sym4(K_rows);
+    Attempt attempt = solve_with(K, load_sym4(held), w, before, pulls, slack);
+    attempt.fails = both(attempt.fails, active);
+    if (!any(attempt.fails)) return attempt.l;
+    Sym4 left;
+    const Row4 found = drop_rows(K, load_sym4(B_rows), left, w, before, pulls);
+    for (int row = 0; row < block_rows; ++row) attempt.l.at[row] = select(attempt.fails, found.at[row], attempt.l.at[row]);
+    for (int entry = 0; entry < 10; ++entry) store(held[entry], select(attempt.fails, left.at[entry], load(held[entry])));
+    return attempt.l;
 }
 
 } }  // namespace ingot

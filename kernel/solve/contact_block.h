@@ -25,6 +25,7 @@ struct ContactBlock {
 
     Levers normal[block_rows];
     scalar K[10][lanes], B[10][lanes];           ///< compliance of the normals, and its inverse with 1.01 of the diagonal
+    scalar held[10][lanes], held_position[10][lanes];  ///< B without the rows that were out at the last visit; see solve_block
     scalar separation[block_rows][lanes];        ///< m, at the begin of the step
     scalar target[block_rows][lanes];            ///< m/s, of the substep
     scalar position[block_rows][lanes];          ///< m, of a point that bounced: where it is at the end of the substep
@@ -33,10 +34,11 @@ struct ContactBlock {
     scalar j_before[block_rows][lanes];          ///< of the substep before
 
     Levers friction[2];                          ///< at the middle of the points, along t_1 and t_2
+    scalar K_friction[2][lanes];                 ///< of the pair: 11, 22
     scalar inv_K_friction[3][lanes];             ///< of the pair: 11, 12, 22
     scalar j_friction[2][lanes], j_reference[2][lanes];
     scalar k_twist_A[3][lanes], k_twist_B[3][lanes];  ///< inv_I_world n, and its opposite
-    scalar inv_K_twist[lanes];
+    scalar K_twist[lanes], inv_K_twist[lanes];
     scalar j_twist[lanes];                       ///< N m s
     scalar mu[lanes], twist_radius[lanes];       ///< friction torque <= mu N radius
     scalar e[lanes];                             ///< restitution

@@ -67,14 +67,22 @@ int lowest_free(uint32_t used) {
     return colours;
 }
 
-/// Adds manifolds order[begin .. end), which are of one colour, to the blocks.
-void add_visits(SolverView& solver, int begin, int end) {
-    for (int position = begin; position < end;) {
-        const int block = position / lanes, first_lane = position % lanes;
-        const int last = block * lanes + lanes < end ? block * lanes + lanes : end;
-        const unsigned bits = ((1u << (last - position)) - 1u) << first_lane;
+/// Lets the next colour begin in a block of its own, if room is left for all manifolds that are still to come: `lanes` manifolds to a visit then,
+/// and none that shares its block with another colour. The order of the manifolds is the same either way.
+void begin_block(SolverView& solver, int still_to_come) {
+    const int pad = (lanes - solver.lane_count % lanes) % lanes;
+    if (solver.lane_count + pad + still_to_come > solver.lane_capacity) return;
+    for (int lane_i = 0; lane_i < pad; ++lane_i) solver.order[solver.lane_count++] = no_manifold;
+}
+
+/// Adds manifolds from_order[0 .. count), which share no body that can move, to the blocks.
+void add_visits(SolverView& solver, const uint16_t* from_order, int count) {
+    for (int i = 0; i < count;) {
+        const int block = solver.lane_count / lanes, first_lane = solver.lane_count % lanes;
+        const int room = lanes - first_lane, taken = count - i < room ? count - i : room;
+        const unsigned bits = ((1u << taken) - 1u) << first_lane;
         solver.visits[solver.visit_count++] = {static_cast<uint16_t>(block), static_cast<uint16_t>(bits)};
-        position = last;
+        for (int end = i + taken; i < end; ++i) solver.order[solver.lane_count++] = from_order[i];
     }
 }
 
@@ -101,16 +109,31 @@ void color_level(SolverView& solver, int begin, int end) {
         place[colour] = sum;
         sum += count[colour];
     }
+    uint16_t* const by_colour = solver.level_order;
     for (int i = begin; i < end; ++i) {
         const uint16_t manifold_i = solver.other_order[i];
-        solver.order[place[solver.level[manifold_i]]++] = manifold_i;
+        by_colour[place[solver.level[manifold_i]]++] = manifold_i;
     }
     int position = begin;
     for (int colour = 0; colour < colours; ++colour) {
-        add_visits(solver, position, position + count[colour]);
+        if (count[colour] == 0) continue;
+        begin_block(solver, solver.manifold_count - position);
+        add_visits(solver, by_colour + position, count[colour]);
         position += count[colour];
     }
-    for (; position < end; ++position) add_visits(solver, position, position + 1);  // a body with more: one at a time
+    for (; position < end; ++position) add_visits(solver, by_colour + position, 1);  // a body with more: one at a time
+}
+
+/// A visit with all lanes stores whole vectors: the lanes of a block that hold no manifold join the only visit it has. They write the zeros
+/// of the body that cannot move.
+void take_spare_lanes_along(SolverView& solver) {
+    for (int visit_i = 0; visit_i < solver.visit_count; ++visit_i) {
+        Visit& visit = solver.visits[visit_i];
+        unsigned spare = 0;
+        for (int lane_i = 0; lane_i < lanes; ++lane_i)
+            if (solver.order[visit.block * lanes + lane_i] == no_manifold) spare |= 1u << lane_i;
+        if ((visit.lane_bits | spare) == all_lanes) visit.lane_bits = all_lanes;
+    }
 }
 
 }  // namespace
@@ -119,7 +142,7 @@ void order_manifolds(SolverView& solver) {
     find_levels(solver);
     sort_by_level(solver);
     solver.visit_count = 0;
-    solver.block_count = (solver.manifold_count + lanes - 1) / lanes;
+    solver.lane_count = 0;
     int begin = 0;
     while (begin < solver.manifold_count) {
         const uint16_t level = solver.level[solver.other_order[begin]];
@@ -128,6 +151,9 @@ void order_manifolds(SolverView& solver) {
         color_level(solver, begin, end);
         begin = end;
     }
+    while (solver.lane_count % lanes != 0) solver.order[solver.lane_count++] = no_manifold;
+    solver.block_count = solver.lane_count / lanes;
+    take_spare_lanes_along(solver);
 }
 
 } }  // namespace ingot

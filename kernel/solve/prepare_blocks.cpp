@@ -84,8 +84,8 @@ void prepare_block(const SolverView& solver, const BodyView& bodies, int block_i
     BlockInput in{};
     for (int lane_i = 0; lane_i < lanes; ++lane_i) {
         const int position = block_i * lanes + lane_i;
-        const bool spare = position >= solver.manifold_count;
-        block.manifold[lane_i] = spare ? no_manifold : solver.order[position];
+        block.manifold[lane_i] = solver.order[position];
+        const bool spare = block.manifold[lane_i] == no_manifold;
         const ManifoldRecord& contact = record_of(solver, block.manifold[lane_i]);
         const BodyPair pair = spare ? BodyPair{} : solver.pairs[block.manifold[lane_i]];
         block.body_A[lane_i] = spare ? 0 : solver.local_of[pair.body_A];
@@ -162,7 +162,10 @@ void prepare_block(const SolverView& solver, const BodyView& bodies, int block_i
         for (int c = row; c < block_rows; ++c) {
             const mask there = both(used[row] > lane{}, used[c] > lane{});
             store(block.K[Sym4::index(row, c)], K(row, c));
-            store(block.B[Sym4::index(row, c)], select(there, B4(row, c), lane{}));
+            const lane inverse_entry = select(there, B4(row, c), lane{});
+            store(block.B[Sym4::index(row, c)], inverse_entry);
+            store(block.held[Sym4::index(row, c)], inverse_entry);
+            store(block.held_position[Sym4::index(row, c)], inverse_entry);
         }
     }
 
@@ -172,12 +175,15 @@ void prepare_block(const SolverView& solver, const BodyView& bodies, int block_i
     const lane k11 = compliance(block.friction[0], block.friction[0], inv_M), k22 = compliance(block.friction[1], block.friction[1], inv_M);
     const lane k12 = compliance(block.friction[0], block.friction[1], lane{});
     const lane inv_det = one / select(any_point, k11 * k22 - k12 * k12, one);
+    store(block.K_friction[0], k11);
+    store(block.K_friction[1], k22);
     store(block.inv_K_friction[0], select(any_point, k22 * inv_det, lane{}));
     store(block.inv_K_friction[1], select(any_point, -k12 * inv_det, lane{}));
     store(block.inv_K_friction[2], select(any_point, k11 * inv_det, lane{}));
 
     const Vec3<lane> k_A = select(movable_A, A.inv_I_world * n, Vec3<lane>{}), k_B = select(movable_B, B.inv_I_world * -n, Vec3<lane>{});
     const lane k_twist = dot(k_A, n) - dot(k_B, n);
+    store(block.K_twist, k_twist);
     store(block.k_twist_A, k_A);
     store(block.k_twist_B, k_B);
     const mask turns = both(any_point, k_twist > lane{});

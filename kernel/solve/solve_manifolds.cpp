@@ -36,7 +36,8 @@ uint16_t take_in(SolverView& solver, const BodyView& bodies, const Vector& gravi
     set4(body.v_CM, lane_of(bodies.translation[at.tile].v_CM, at.lane), inv_M);
     set4(body.L, lane_of(bodies.rotation[at.tile].L, at.lane));
     const Vector a = lane_of(bodies.translation[at.tile].F_T, at.lane) * inv_M + gravity;
-    set4(history.a, a, sqrt(length_sq(a)));
+    set4(body.dp, {}, sqrt(length_sq(a)));
+    set4(history.a, a);
     set4(history.tau, lane_of(bodies.rotation[at.tile].tau_T, at.lane));
     return solver.local_of[slot];
 }
@@ -65,18 +66,21 @@ void kick_bodies(const SolverView& solver, scalar h) {
 }
 
 /// dp += h v, by the trapezoid where the velocity changed smoothly, so that steady acceleration is exact.
-void drift_bodies(const SolverView& solver, const BodyView& bodies, scalar h) {
+void drift_bodies(SolverView& solver, const BodyView& bodies, scalar h) {
+    solver.some_hit = false;
     for (int body_i = 1; body_i < solver.body_count; ++body_i) {
         SolverBody& body = solver.bodies[body_i];
         SolverBodyHistory& history = solver.histories[body_i];
         const Place at = place_of(solver.slot_of[body_i]);
         const Vector v = vector_of(body.v_CM), change = v - vector_of(history.v_begin), L = vector_of(body.L);
-        const scalar smooth = 2 * h * history.a[3];
+        const scalar smooth = 2 * h * body.dp[3];
         const bool hit = length_sq(change) > smooth * smooth;
         const Vector dp = vector_of(body.dp) + (hit ? v : v - change * scalar(0.5)) * h;
         const Vector turn = lane_of(bodies.translation[at.tile].inv_I_world, at.lane) * L * h;
-        set4(body.dp, dp);
-        set4(body.dth, vector_of(body.dth) + turn, hit ? scalar(1) : scalar(0));
+        solver.some_hit = solver.some_hit || hit;
+        set4(body.dp, dp, body.dp[3]);
+        set4(body.dth, vector_of(body.dth) + turn);
+        body.L[3] = hit ? scalar(1) : scalar(0);
         set4(history.dth_push, vector_of(history.dth_push) - turn);
         set4(history.L_sum, vector_of(history.L_sum) + L);
     }

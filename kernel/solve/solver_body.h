@@ -9,17 +9,17 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// What sweeps gather and scatter. World axes. An immovable body is all zero, and stays so.
+/// What sweeps gather and scatter: four quads, a cache line in float. World axes. An immovable body is all zero, and stays so.
 struct alignas(4 * sizeof(scalar)) SolverBody {
-    scalar v_CM[4];  ///< m/s, and inv_M, kg^-1
-    scalar L[4];     ///< kg m^2/s
-    scalar dp[4];    ///< m, displacement of the centre of mass since the step began
-    scalar dth[4];   ///< rad, small rotation since then; its last number is 1 where the body was hit in the substep before
+    scalar v_CM[4];  ///< m/s; last: inv_M, kg^-1
+    scalar L[4];     ///< kg m^2/s; last: 1 where the body was hit in the substep before
+    scalar dp[4];    ///< m, displacement of the centre of mass since the step began; last: m s^-2, of gravity and forces
+    scalar dth[4];   ///< rad, small rotation since then
 };
 
 /// The rest, which only loops over bodies use.
 struct alignas(4 * sizeof(scalar)) SolverBodyHistory {
-    scalar a[4];          ///< m s^-2, of gravity and forces; last: its length
+    scalar a[4];          ///< m s^-2, of gravity and forces
     scalar tau[4];        ///< N m
     scalar v_begin[4];    ///< of the substep
     scalar v_sweep[4];    ///< before the sweep at hand
@@ -30,50 +30,23 @@ struct alignas(4 * sizeof(scalar)) SolverBodyHistory {
     scalar dth_push[4];   ///< rad, the part of dth that position sweeps made
 };
 
-#if INGOT_LANES == 1
+/// One of the four quads.
+using QuadOfBody = scalar (SolverBody::*)[4];
 
-INGOT_INLINE Vec3<lane> gather(const SolverBody* bodies, const uint16_t* index, scalar (SolverBody::*part)[4]) {
-    const scalar* from = bodies[*index].*part;
-    return {from[0], from[1], from[2]};
+INGOT_INLINE LaneQuad gather(const SolverBody* bodies, const uint16_t* index, QuadOfBody part) {
+    return gather4([&](int lane_i) { return static_cast<const scalar*>(bodies[index[lane_i]].*part); });
 }
-INGOT_INLINE void scatter(SolverBody* bodies, const uint16_t* index, scalar (SolverBody::*part)[4], const Vec3<lane>& value) {
-    scalar* to = bodies[*index].*part;
-    to[0] = value.x;
-    to[1] = value.y;
-    to[2] = value.z;
+/// Lanes that share a body do so only in the body that cannot move, whose numbers stay zero.
+INGOT_INLINE void scatter(SolverBody* bodies, const uint16_t* index, QuadOfBody part, const LaneQuad& value) {
+    scatter4(value, [&](int lane_i) { return static_cast<scalar*>(bodies[index[lane_i]].*part); });
 }
-
-#else
-
-INGOT_INLINE Vec3<lane> gather(const SolverBody* bodies, const uint16_t* index, scalar (SolverBody::*part)[4]) {
-    Vec3<lane> value;
-    for (int lane_i = 0; lane_i < lanes; ++lane_i) {
-        const scalar* from = bodies[index[lane_i]].*part;
-        value.x[lane_i] = from[0];
-        value.y[lane_i] = from[1];
-        value.z[lane_i] = from[2];
-    }
-    return value;
-}
-INGOT_INLINE void scatter(SolverBody* bodies, const uint16_t* index, scalar (SolverBody::*part)[4], const Vec3<lane>& value) {
-    for (int lane_i = 0; lane_i < lanes; ++lane_i) {
-        scalar* to = bodies[index[lane_i]].*part;
-        to[0] = value.x[lane_i];
-        to[1] = value.y[lane_i];
-        to[2] = value.z[lane_i];
-    }
-}
-
-#endif
-
 /// Writes only the lanes named by bits.
-INGOT_INLINE void scatter_some(SolverBody* bodies, const uint16_t* index, uint16_t lane_bits, scalar (SolverBody::*part)[4], const Vec3<lane>& value) {
-    scalar rows[3][lanes];
-    store(rows, value);
+INGOT_INLINE void scatter_some(SolverBody* bodies, const uint16_t* index, uint16_t lane_bits, QuadOfBody part, const LaneQuad& value) {
+    scalar rows[4][lanes];
+    for (int i = 0; i < 4; ++i) store(rows[i], value.at[i]);
     for (int lane_i = 0; lane_i < lanes; ++lane_i) {
         if ((lane_bits >> lane_i & 1u) == 0) continue;
-        scalar* to = bodies[index[lane_i]].*part;
-        for (int axis = 0; axis < 3; ++axis) to[axis] = rows[axis][lane_i];
+        for (int i = 0; i < 4; ++i) (bodies[index[lane_i]].*part)[i] = rows[i][lane_i];
     }
 }
 

@@ -19,9 +19,9 @@ struct SolverView {
 
     ContactBlock* blocks;      ///< room for manifold capacity / lanes, rounded up
     Visit* visits;             ///< room for manifold capacity + blocks
-    uint16_t* order;           ///< of manifolds, by level and colour
+    uint16_t* order;           ///< of manifolds, by level and colour: what each lane of each block holds, or no_manifold
     uint16_t* level;           ///< by manifold
-    uint16_t* other_order;     ///< for sorting
+    uint16_t *other_order, *level_order;  ///< for sorting
 
     SolverBody* bodies;        ///< [0] stands for all that cannot move and for spare lanes
     SolverBodyHistory* histories;
@@ -31,6 +31,8 @@ struct SolverView {
     uint32_t* colours_of_body; ///< by solver body, within the level at hand
     int body_count;            ///< solver bodies in use, [0] included
     int visit_count, block_count;
+    int lane_count, lane_capacity;  ///< of all blocks
+    bool some_hit;             ///< a body was hit in the substep before
 };
 
 } }  // namespace ingot

@@ -3,72 +3,11 @@
 
 #include "../base/limits.h"
 #include "../math/sqrt.h"
+#include "block_rows.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
-
-INGOT_INLINE Sym4 load_sym4(const scalar (&rows)[10][lanes]) {
-    Sym4 m;
-    for (int entry = 0; entry < 10; ++entry) m.at[entry] = load(rows[entry]);
-    return m;
-}
-INGOT_INLINE Row4 load_row4(const scalar (&rows)[block_rows][lanes]) {
-    Row4 r;
-    for (int row = 0; row < block_rows; ++row) r.at[row] = load(rows[row]);
-    return r;
-}
-
-/// The two bodies of each lane of a block while it is visited.
-struct Pair {
-    Vec3<lane> v_A, L_A, v_B, L_B;
-};
-
-INGOT_INLINE Pair gather_pair(const SolverView& solver, const ContactBlock& block, scalar (SolverBody::*linear)[4], scalar (SolverBody::*angular)[4]) {
-    return {gather(solver.bodies, block.body_A, linear), gather(solver.bodies, block.body_A, angular),
-            gather(solver.bodies, block.body_B, linear), gather(solver.bodies, block.body_B, angular)};
-}
-
-/// Writes back the lanes of the visit. The body that stands for all immovable ones is written with the zeros it had.
-INGOT_INLINE void scatter_pair(const SolverView& solver, const ContactBlock& block, uint16_t lane_bits, const Pair& pair,
-                               scalar (SolverBody::*linear)[4], scalar (SolverBody::*angular)[4]) {
-    if (lane_bits == all_lanes) {
-        scatter(solver.bodies, block.body_A, linear, pair.v_A);
-        scatter(solver.bodies, block.body_A, angular, pair.L_A);
-        scatter(solver.bodies, block.body_B, linear, pair.v_B);
-        scatter(solver.bodies, block.body_B, angular, pair.L_B);
-        return;
-    }
-    scatter_some(solver.bodies, block.body_A, lane_bits, linear, pair.v_A);
-    scatter_some(solver.bodies, block.body_A, lane_bits, angular, pair.L_A);
-    scatter_some(solver.bodies, block.body_B, lane_bits, linear, pair.v_B);
-    scatter_some(solver.bodies, block.body_B, lane_bits, angular, pair.L_B);
-}
-
-/// Speed of A against B along a row: direction . (v_A - v_B) + L_A.k_A - L_B.k_B.
-INGOT_INLINE lane angular_speed(const Levers& levers, const Pair& pair) {
-    return dot(pair.L_A, load(levers.k_A)) + dot(pair.L_B, load(levers.k_B));
-}
-
-INGOT_INLINE void add_linear(Pair& pair, const Vec3<lane>& impulse, lane inv_M_A, lane inv_M_B) {
-    pair.v_A += impulse * inv_M_A;
-    pair.v_B -= impulse * inv_M_B;
-}
-
-INGOT_INLINE void add_angular(Pair& pair, const Levers& levers, lane j) {
-    pair.L_A += load(levers.J_A) * j;
-    pair.L_B += load(levers.J_B) * j;
-}
-
-/// Length of the friction impulse cut to the cone.
-INGOT_INLINE void cut_to_cone(lane& j_1, lane& j_2, lane limit) {
-    const lane length_sq_of = j_1 * j_1 + j_2 * j_2;
-    const mask slides = length_sq_of > limit * limit;
-    if (!any(slides)) return;
-    const lane cut = select(slides, limit / sqrt(select(slides, length_sq_of, splat<lane>(1))), splat<lane>(1));
-    j_1 = j_1 * cut;
-    j_2 = j_2 * cut;
-}
 
 INGOT_INLINE Vec3<lane> gather_history(const SolverView& solver, const uint16_t* index, scalar (SolverBodyHistory::*part)[4]) {
     scalar rows[3][lanes];
@@ -77,28 +16,15 @@ INGOT_INLINE Vec3<lane> gather_history(const SolverView& solver, const uint16_t*
     return load(rows);
 }
 
-INGOT_INLINE lane row_speed(const Levers& levers, const Vec3<lane>& direction, const Pair& pair) {
-    return dot(direction, pair.v_A - pair.v_B) + angular_speed(levers, pair);
-}
-
-INGOT_INLINE lane sum_of(const Row4& row) { return (row.at[0] + row.at[1]) + (row.at[2] + row.at[3]); }
-
-INGOT_INLINE lane clamped(lane x, lane limit) { return least(greatest(x, -limit), limit); }
-
-/// Where a point is now: its separation at the begin of the step, and what displacements have made of it.
-INGOT_INLINE lane separation_now(const ContactBlock& block, int row, const Vec3<lane>& n, const Pair& displaced) {
-    return load(block.separation[row]) + dot(n, displaced.v_A - displaced.v_B) + dot(displaced.L_A, load(block.normal[row].J_A)) +
-           dot(displaced.L_B, load(block.normal[row].J_B));
-}
-
 /// Points of a block that restitution throws back within the substep.
 INGOT_INLINE void predict_bounces(ContactBlock& block, const SolverView& solver, const Vec3<lane>& n, const lane (&separation)[block_rows], scalar h) {
-    const Pair motion = gather_pair(solver, block, &SolverBody::v_CM, &SolverBody::L);
-    const Pair forces = {gather_history(solver, block.body_A, &SolverBodyHistory::a), gather_history(solver, block.body_A, &SolverBodyHistory::tau),
-                         gather_history(solver, block.body_B, &SolverBodyHistory::a), gather_history(solver, block.body_B, &SolverBodyHistory::tau)};
+    const BodyPairLanes motion = gather_bodies(solver, block, &SolverBody::v_CM, &SolverBody::L);
+    const BodyPairLanes forces = {gather_history(solver, block.body_A, &SolverBodyHistory::a), gather_history(solver, block.body_A, &SolverBodyHistory::tau),
+                                  gather_history(solver, block.body_B, &SolverBodyHistory::a), gather_history(solver, block.body_B, &SolverBodyHistory::tau), {}};
+    const lane approach = dot(n, motion.linear_A - motion.linear_B), pull = dot(n, forces.linear_A - forces.linear_B);
     const lane step = splat<lane>(h), half = splat<lane>(scalar(0.5)), two = splat<lane>(2), one = splat<lane>(1), e = load(block.e);
     for (int row = 0; row < block_rows; ++row) {
-        const lane s = separation[row], speed = row_speed(block.normal[row], n, motion), a = row_speed(block.normal[row], n, forces);
+        const lane s = separation[row], speed = row_speed(block.normal[row], approach, motion), a = row_speed(block.normal[row], pull, forces);
         const mask meets = s + speed * step + a * step * step * half < lane{};
         const mask apart = s > lane{};
         const lane root = sqrt(greatest(speed * speed - two * a * s, lane{}));
@@ -119,120 +45,130 @@ void predict_contacts(const SolverView& solver, scalar h) {
     const lane inv_h = splat<lane>(1 / h);
     for (int block_i = 0; block_i < solver.block_count; ++block_i) {
         ContactBlock& block = solver.blocks[block_i];
-        const Pair displaced = gather_pair(solver, block, &SolverBody::dp, &SolverBody::dth);
+        const BodyPairLanes displaced = gather_bodies(solver, block, &SolverBody::dp, &SolverBody::dth);
         const Vec3<lane> n = load(block.n);
+        const lane apart = dot(n, displaced.linear_A - displaced.linear_B);
         lane separation[block_rows];
         for (int row = 0; row < block_rows; ++row) {
-            separation[row] = separation_now(block, row, n, displaced);
+            separation[row] = separation_now(block, row, apart, displaced);
             store(block.target[row], -greatest(separation[row] - splat<lane>(limits::touching_gap), lane{}) * inv_h);
         }
         if (any(load(block.e) > lane{})) predict_bounces(block, solver, n, separation, h);
     }
 }
 
+namespace {
+
+/// What is given again of the normals' impulses: of bodies that were hit, no more than gravity explains; of points that bounce, nothing.
+INGOT_INLINE Row4 impulses_kept(const SolverView& solver, const ContactBlock& block, const BodyPairLanes& pair, scalar h) {
+    const Row4 j = load_row4(block.j);
+    Row4 kept = j;
+    if (solver.some_hit) {
+        const mask hit = pair.last[1] + pair.last[3] > lane{};
+        if (any(hit)) {
+            const lane g = greatest(gather(solver.bodies, block.body_A, &SolverBody::dp).at[3], gather(solver.bodies, block.body_B, &SolverBody::dp).at[3]);
+            const lane allowance = splat<lane>(2 * h) * g;
+            for (int row = 0; row < block_rows; ++row) {
+                const lane most = splat<lane>(2) * load(block.j_before[row]) + allowance / load(block.K[Sym4::index(row, row)]);
+                kept.at[row] = select(hit, least(j.at[row], most), j.at[row]);
+            }
+        }
+    }
+    if (any(load(block.e) > lane{}))
+        for (int row = 0; row < block_rows; ++row) kept.at[row] = select(load(block.bounces[row]) > lane{}, lane{}, kept.at[row]);
+    return kept;
+}
+
+/// Friction is drawn a tenth towards its slow mean, which follows it; where it slides, and while it is young, the mean is what it is.
+struct Smoothed {
+    lane j, reference;
+};
+INGOT_INLINE Smoothed smoothed(lane j, lane reference, mask young) {
+    const lane tenth = splat<lane>(scalar(0.1));
+    const lane drawn = j - tenth * (j - reference);
+    return {select(young, j, drawn), select(young, j, reference + tenth * (drawn - reference))};
+}
+
+}  // namespace
+
 void warm_start(const SolverView& solver, scalar h) {
-    const lane tenth = splat<lane>(scalar(0.1)), two = splat<lane>(2);
     for (int visit_i = 0; visit_i < solver.visit_count; ++visit_i) {
         const Visit visit = solver.visits[visit_i];
         ContactBlock& block = solver.blocks[visit.block];
         const mask active = mask_from_bits(visit.lane_bits);
         const Vec3<lane> n = load(block.n);
-        Pair pair = gather_pair(solver, block, &SolverBody::v_CM, &SolverBody::L);
+        const lane inv_M_A = load(block.inv_M_A), inv_M_B = load(block.inv_M_B);
+        BodyPairLanes pair = gather_bodies(solver, block, &SolverBody::v_CM, &SolverBody::L);
 
-        // Of bodies that were hit, no more than gravity explains.
-        scalar hit_rows[lanes], g_rows[lanes];
-        for (int lane_i = 0; lane_i < lanes; ++lane_i) {
-            const uint16_t A = block.body_A[lane_i], B = block.body_B[lane_i];
-            hit_rows[lane_i] = solver.bodies[A].dth[3] + solver.bodies[B].dth[3];
-            const scalar g_A = solver.histories[A].a[3], g_B = solver.histories[B].a[3];
-            g_rows[lane_i] = g_A > g_B ? g_A : g_B;
-        }
-        const mask hit = load(hit_rows) > lane{};
-        const lane allowance = two * splat<lane>(h) * load(g_rows);
-        lane sum{};
+        const Row4 j = impulses_kept(solver, block, pair, h);
         for (int row = 0; row < block_rows; ++row) {
-            const lane j = load(block.j[row]), K = load(block.K[Sym4::index(row, row)]);
-            const lane most = two * load(block.j_before[row]) + allowance / K;
-            const lane kept = select(load(block.bounces[row]) > lane{}, lane{}, select(hit, least(j, most), j));
-            store(block.j[row], select(active, kept, j));
-            store(block.j_before[row], select(active, kept, load(block.j_before[row])));
-            sum = sum + kept;
-            add_angular(pair, block.normal[row], kept);
+            store(block.j[row], select(active, j.at[row], load(block.j[row])));
+            store(block.j_before[row], select(active, j.at[row], load(block.j_before[row])));
+            add_angular(pair, block.normal[row], j.at[row]);
         }
-        add_linear(pair, n * sum, load(block.inv_M_A), load(block.inv_M_B));
+        const lane sum = sum_of(j);
+        add_linear(pair, n * sum, inv_M_A, inv_M_B);
 
-        lane t_1 = load(block.j_friction[0]), t_2 = load(block.j_friction[1]);
-        lane ref_1 = load(block.j_reference[0]), ref_2 = load(block.j_reference[1]);
-        const lane limit = load(block.mu) * sum;
-        const mask slides = t_1 * t_1 + t_2 * t_2 >= splat<lane>(scalar(0.998)) * limit * limit;
-        const lane steps = load(block.steps);
-        const mask young = either(slides, steps < splat<lane>(4));
-        t_1 = t_1 - tenth * (t_1 - ref_1);
-        t_2 = t_2 - tenth * (t_2 - ref_2);
-        ref_1 = select(young, load(block.j_friction[0]), ref_1 + tenth * (t_1 - ref_1));
-        ref_2 = select(young, load(block.j_friction[1]), ref_2 + tenth * (t_2 - ref_2));
-        t_1 = select(young, load(block.j_friction[0]), t_1);
-        t_2 = select(young, load(block.j_friction[1]), t_2);
-        cut_to_cone(t_1, t_2, limit);
-        const lane twist = clamped(load(block.j_twist), limit * load(block.twist_radius));
-        store(block.j_friction[0], select(active, t_1, load(block.j_friction[0])));
-        store(block.j_friction[1], select(active, t_2, load(block.j_friction[1])));
-        store(block.j_reference[0], select(active, ref_1, load(block.j_reference[0])));
-        store(block.j_reference[1], select(active, ref_2, load(block.j_reference[1])));
-        store(block.j_twist, select(active, twist, load(block.j_twist)));
+        const lane limit = load(block.mu) * sum, steps = load(block.steps);
+        const lane before_1 = load(block.j_friction[0]), before_2 = load(block.j_friction[1]);
+        const lane reference_1 = load(block.j_reference[0]), reference_2 = load(block.j_reference[1]);
+        const mask slides = before_1 * before_1 + before_2 * before_2 >= splat<lane>(scalar(0.998)) * limit * limit;
+        const mask young = either(slides, steps < splat<lane>(limits::substeps));
+        const Smoothed along_1 = smoothed(before_1, reference_1, young), along_2 = smoothed(before_2, reference_2, young);
+        lane j_1 = along_1.j, j_2 = along_2.j;
+        cut_to_cone(j_1, j_2, limit);
+        const lane twist_before = load(block.j_twist), twist = clamped(twist_before, limit * load(block.twist_radius));
+        store(block.j_friction[0], select(active, j_1, before_1));
+        store(block.j_friction[1], select(active, j_2, before_2));
+        store(block.j_reference[0], select(active, along_1.reference, reference_1));
+        store(block.j_reference[1], select(active, along_2.reference, reference_2));
+        store(block.j_twist, select(active, twist, twist_before));
         store(block.steps, select(active, steps + splat<lane>(1), steps));
-        add_linear(pair, load(block.t_1) * t_1 + load(block.t_2) * t_2, load(block.inv_M_A), load(block.inv_M_B));
-        add_angular(pair, block.friction[0], t_1);
-        add_angular(pair, block.friction[1], t_2);
-        pair.L_A += n * select(load(block.inv_M_A) > lane{}, twist, lane{});
-        pair.L_B -= n * select(load(block.inv_M_B) > lane{}, twist, lane{});
-        scatter_pair(solver, block, visit.lane_bits, pair, &SolverBody::v_CM, &SolverBody::L);
+        add_linear(pair, load(block.t_1) * j_1 + load(block.t_2) * j_2, inv_M_A, inv_M_B);
+        add_angular(pair, block.friction[0], j_1);
+        add_angular(pair, block.friction[1], j_2);
+        add_twist(pair, n, twist, inv_M_A, inv_M_B);
+        scatter_bodies(solver, block, visit.lane_bits, pair, &SolverBody::v_CM, &SolverBody::L);
     }
 }
 
 namespace {
 
-/// Solves the rows of one visit; the lanes of it are stored.
+/// Solves the rows of one visit: normals, twist, friction; the lanes of it are stored.
 INGOT_INLINE void visit_velocities(const SolverView& solver, ContactBlock& block, uint16_t lane_bits) {
     const mask active = mask_from_bits(lane_bits);
     const Vec3<lane> n = load(block.n);
     const lane inv_M_A = load(block.inv_M_A), inv_M_B = load(block.inv_M_B);
-    Pair pair = gather_pair(solver, block, &SolverBody::v_CM, &SolverBody::L);
+    BodyPairLanes pair = gather_bodies(solver, block, &SolverBody::v_CM, &SolverBody::L);
 
-    const Sym4 K = load_sym4(block.K), B = load_sym4(block.B);
-    const lane approach = dot(n, pair.v_A - pair.v_B);
+    const lane approach = dot(n, pair.linear_A - pair.linear_B);
     const Row4 before = load_row4(block.j);
     Row4 w;
-    for (int row = 0; row < block_rows; ++row) {
-        const lane u = approach + angular_speed(block.normal[row], pair) - load(block.target[row]);
-        w.at[row] = select(B(row, row) > lane{}, u, lane{});
-    }
+    for (int row = 0; row < block_rows; ++row) w.at[row] = row_speed(block.normal[row], approach, pair) - load(block.target[row]);
     const mask none[block_rows] = {};
-    const Row4 j = solve_block(K, B, w, before, none);
+    const Row4 j = solve_block(block.K, block.B, block.held, w, before, none, limits::approach_slack, active);
     lane total{}, given{}, change{};
     for (int row = 0; row < block_rows; ++row) {
         const lane d = j.at[row] - before.at[row];
         add_angular(pair, block.normal[row], d);
         given = given + d;
         total = total + j.at[row];
-        change = change + d * d * K(row, row);
+        change = change + d * d * load(block.K[Sym4::index(row, row)]);
         store(block.j[row], select(active, j.at[row], before.at[row]));
     }
     add_linear(pair, n * given, inv_M_A, inv_M_B);
 
     const lane limit = load(block.mu) * total;
-    const mask turns_A = inv_M_A > lane{}, turns_B = inv_M_B > lane{};
-    const lane spin = dot(pair.L_A, load(block.k_twist_A)) + dot(pair.L_B, load(block.k_twist_B));
-    const lane twist_before = load(block.j_twist), inv_K_twist = load(block.inv_K_twist);
-    const lane twist = clamped(twist_before - spin * inv_K_twist, limit * load(block.twist_radius));
+    const lane spin = dot(pair.angular_A, load(block.k_twist_A)) + dot(pair.angular_B, load(block.k_twist_B));
+    const lane twist_before = load(block.j_twist);
+    const lane twist = clamped(twist_before - spin * load(block.inv_K_twist), limit * load(block.twist_radius));
     const lane twisted = twist - twist_before;
-    pair.L_A += n * select(turns_A, twisted, lane{});
-    pair.L_B -= n * select(turns_B, twisted, lane{});
+    add_twist(pair, n, twisted, inv_M_A, inv_M_B);
     store(block.j_twist, select(active, twist, twist_before));
-    change = change + select(inv_K_twist > lane{}, twisted * twisted / select(inv_K_twist > lane{}, inv_K_twist, splat<lane>(1)), lane{});
+    change = change + twisted * twisted * load(block.K_twist);
 
-    const Vec3<lane> t_1 = load(block.t_1), t_2 = load(block.t_2);
-    const lane u_1 = row_speed(block.friction[0], t_1, pair), u_2 = row_speed(block.friction[1], t_2, pair);
+    const Vec3<lane> t_1 = load(block.t_1), t_2 = load(block.t_2), slip = pair.linear_A - pair.linear_B;
+    const lane u_1 = row_speed(block.friction[0], dot(t_1, slip), pair), u_2 = row_speed(block.friction[1], dot(t_2, slip), pair);
     const lane i11 = load(block.inv_K_friction[0]), i12 = load(block.inv_K_friction[1]), i22 = load(block.inv_K_friction[2]);
     const lane j_1 = load(block.j_friction[0]), j_2 = load(block.j_friction[1]);
     lane next_1 = j_1 - (i11 * u_1 + i12 * u_2), next_2 = j_2 - (i12 * u_1 + i22 * u_2);
@@ -243,19 +179,20 @@ INGOT_INLINE void visit_velocities(const SolverView& solver, ContactBlock& block
     add_angular(pair, block.friction[1], d_2);
     store(block.j_friction[0], select(active, next_1, j_1));
     store(block.j_friction[1], select(active, next_2, j_2));
-    const lane det = i11 * i22 - i12 * i12;
-    const lane inv_det = select(det > lane{}, splat<lane>(1) / select(det > lane{}, det, splat<lane>(1)), lane{});
-    change = change + (d_1 * d_1 * i22 + d_2 * d_2 * i11) * inv_det;
+    change = change + (d_1 * d_1 * load(block.K_friction[0]) + d_2 * d_2 * load(block.K_friction[1]));
     store(block.change, select(active, change, load(block.change)));
-    scatter_pair(solver, block, lane_bits, pair, &SolverBody::v_CM, &SolverBody::L);
+    scatter_bodies(solver, block, lane_bits, pair, &SolverBody::v_CM, &SolverBody::L);
 }
 
-/// The sum does not depend on lanes: position p is added to the p mod 8-th of eight sums.
+/// The sum does not depend on lanes: the k-th manifold is added to the k mod 8-th of eight sums.
 scalar sum_of_changes(const SolverView& solver) {
     scalar sums[8] = {};
-    for (int position = 0; position < solver.manifold_count; ++position) {
-        scalar& sum = sums[position % 8];
-        sum = sum + solver.blocks[position / lanes].change[position % lanes];
+    unsigned manifold = 0;
+    for (int visit_i = 0; visit_i < solver.visit_count; ++visit_i) {
+        const Visit visit = solver.visits[visit_i];
+        const scalar* const change = solver.blocks[visit.block].change;
+        for (unsigned lane_i = 0, left = visit.lane_bits; left != 0; ++lane_i, left >>= 1)
+            if ((left & 1u) != 0 && solver.blocks[visit.block].manifold[lane_i] != no_manifold) sums[manifold++ % 8] += change[lane_i];
     }
     return ((sums[0] + sums[1]) + (sums[2] + sums[3])) + ((sums[4] + sums[5]) + (sums[6] + sums[7]));
 }
@@ -342,28 +279,27 @@ void position_sweep(const SolverView& solver, scalar h) {
         const Visit visit = solver.visits[visit_i];
         ContactBlock& block = solver.blocks[visit.block];
         const Vec3<lane> n = load(block.n);
-        Pair displaced = gather_pair(solver, block, &SolverBody::dp, &SolverBody::dth);
+        BodyPairLanes pair = gather_bodies(solver, block, &SolverBody::dp, &SolverBody::dth);
+        const lane apart = dot(n, pair.linear_A - pair.linear_B);
         Row4 w;
         mask pulls[block_rows], off = splat<lane>(1) < lane{};
         for (int row = 0; row < block_rows; ++row) {
-            const lane s = separation_now(block, row, n, displaced);
+            const lane s = separation_now(block, row, apart, pair);
             const mask bounces = load(block.bounces[row]) > lane{}, pressed = load(block.j[row]) > lane{};
             const lane wanted = select(either(pressed, s < lane{}), greatest(s * share, deepest), s);
-            w.at[row] = select(bounces, s - load(block.position[row]), wanted);
             pulls[row] = either(bounces, pressed);
-            w.at[row] = select(load(block.B[Sym4::index(row, row)]) > lane{}, w.at[row], lane{});
+            w.at[row] = select(bounces, s - load(block.position[row]), wanted);
             off = either(off, either(pulls[row], w.at[row] < lane{}));
         }
         if (!any(off)) continue;
         const Row4 before = {};
-        Row4 q = solve_block(load_sym4(block.K), load_sym4(block.B), w, before, pulls);
+        Row4 q = solve_block(block.K, block.B, block.held_position, w, before, pulls, limits::approach_slack * h, mask_from_bits(visit.lane_bits));
         for (int row = 0; row < block_rows; ++row) {
             q.at[row] = select(off, q.at[row], lane{});
-            displaced.L_A += load(block.normal[row].k_A) * q.at[row];
-            displaced.L_B += load(block.normal[row].k_B) * q.at[row];
+            turn_by_push(pair, block.normal[row], q.at[row]);
         }
-        add_linear(displaced, n * sum_of(q), load(block.inv_M_A), load(block.inv_M_B));
-        scatter_pair(solver, block, visit.lane_bits, displaced, &SolverBody::dp, &SolverBody::dth);
+        add_linear(pair, n * sum_of(q), load(block.inv_M_A), load(block.inv_M_B));
+        scatter_bodies(solver, block, visit.lane_bits, pair, &SolverBody::dp, &SolverBody::dth);
     }
 }
 

@@ -91,7 +91,8 @@ struct SurfacePart<S, false> {};
 template <class S, bool present>
 struct ManifoldPart {
     static constexpr unsigned manifold_capacity = static_cast<unsigned>(S::max_manifolds);
-    static constexpr unsigned block_capacity = (manifold_capacity + lanes - 1) / lanes;
+    static constexpr unsigned full_blocks = (manifold_capacity + lanes - 1) / lanes;
+    static constexpr unsigned block_capacity = lanes == 1 ? full_blocks : full_blocks + full_blocks / 2 + 2;  // see order_manifolds
     static constexpr unsigned body_capacity = static_cast<unsigned>(S::max_bodies) + 1;
 
     ContactBlock blocks[block_capacity] = {};
@@ -104,15 +105,16 @@ struct ManifoldPart {
     uint32_t colours_of_body[body_capacity] = {};
     uint16_t level_of_body[body_capacity] = {}, slot_of[body_capacity] = {};
     uint16_t local_of[static_cast<unsigned>(tile_capacity<S> * lanes)] = {};
-    uint16_t order[manifold_capacity] = {}, other_order[manifold_capacity] = {}, level[manifold_capacity] = {};
+    uint16_t order[block_capacity * lanes] = {};
+    uint16_t other_order[manifold_capacity] = {}, level_order[manifold_capacity] = {}, level[manifold_capacity] = {};
     Visit visits[manifold_capacity + block_capacity] = {};
     uint16_t manifold_count = 0, records_used = 0, first_free_record = 0;
 
     PairSink pair_sink() { return {found_pairs, pair_capacity<S>, 0, 0}; }
     ManifoldView manifold_view() { return {pairs, &manifold_count, records, &records_used, &first_free_record, S::max_manifolds}; }
     SolverView solver() {
-        return {pairs, records, manifold_count, blocks, visits, order, level, other_order,
-                solver_bodies, histories, slot_of, local_of, level_of_body, colours_of_body, 0, 0, 0};
+        return {pairs, records, manifold_count, blocks, visits, order, level, other_order, level_order,
+                solver_bodies, histories, slot_of, local_of, level_of_body, colours_of_body, 0, 0, 0, 0, static_cast<int>(block_capacity * lanes), false};
     }
 };
 template <class S>

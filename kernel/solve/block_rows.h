@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// What the sweeps over blocks share: the two bodies of each lane, and rows read and applied.
+#pragma once
+
+#include "../math/sqrt.h"
+#include "solver_view.h"
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpsabi"  // see lanes.h
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// The two bodies of each lane while a block is visited: v_CM and L of the velocity sweep, dp and dth of its mirror image.
+/// `last` keeps the fourth numbers of their quads.
+struct BodyPairLanes {
+    Vec3<lane> linear_A, angular_A, linear_B, angular_B;
+    lane last[4];
+};
+
+INGOT_INLINE Vec3<lane> vector_of(const LaneQuad& from) { return {from.at[0], from.at[1], from.at[2]}; }
+
+INGOT_INLINE BodyPairLanes gather_bodies(const SolverView& solver, const ContactBlock& block, QuadOfBody linear, QuadOfBody angular) {
+    const LaneQuad linear_A = gather(solver.bodies, block.body_A, linear), angular_A = gather(solver.bodies, block.body_A, angular);
+    const LaneQuad linear_B = gather(solver.bodies, block.body_B, linear), angular_B = gather(solver.bodies, block.body_B, angular);
+    return {vector_of(linear_A), vector_of(angular_A), vector_of(linear_B), vector_of(angular_B),
+            {linear_A.at[3], angular_A.at[3], linear_B.at[3], angular_B.at[3]}};
+}
+
+/// Writes back the lanes of the visit.
+INGOT_INLINE void scatter_bodies(const SolverView& solver, const ContactBlock& block, uint16_t lane_bits, const BodyPairLanes& pair,
+                                 QuadOfBody linear, QuadOfBody angular) {
+    const LaneQuad linear_A = {{pair.linear_A.x, pair.linear_A.y, pair.linear_A.z, pair.last[0]}};
+    const LaneQuad angular_A = {{pair.angular_A.x, pair.angular_A.y, pair.angular_A.z, pair.last[1]}};
+    const LaneQuad linear_B = {{pair.linear_B.x, pair.linear_B.y, pair.linear_B.z, pair.last[2]}};
+    const LaneQuad angular_B = {{pair.angular_B.x, pair.angular_B.y, pair.angular_B.z, pair.last[3]}};
+    if (lane_bits == all_lanes) {
+        scatter(solver.bodies, block.body_A, linear, linear_A);
+        scatter(solver.bodies, block.body_A, angular, angular_A);
+        scatter(solver.bodies, block.body_B, linear, linear_B);
+        scatter(solver.bodies, block.body_B, angular, angular_B);
+        return;
+    }
+    scatter_some(solver.bodies, block.body_A, lane_bits, linear, linear_A);
+    scatter_some(solver.bodies, block.body_A, lane_bits, angular, angular_A);
+    scatter_some(solver.bodies, block.body_B, lane_bits, linear, linear_B);
+    scatter_some(solver.bodies, block.body_B, lane_bits, angular, angular_B);
+}
+
+/// Speed along a row: direction . (v_A - v_B) + L_A.k_A + L_B.k_B.
+INGOT_INLINE lane row_speed(const Levers& row, lane linear_speed, const BodyPairLanes& pair) {
+    return linear_speed + dot(pair.angular_A, load(row.k_A)) + dot(pair.angular_B, load(row.k_B));
+}
+/// Displacement along a row: direction . (dp_A - dp_B) + dth_A.J_A + dth_B.J_B.
+INGOT_INLINE lane row_displacement(const Levers& row, lane linear_displacement, const BodyPairLanes& pair) {
+    return linear_displacement + dot(pair.angular_A, load(row.J_A)) + dot(pair.angular_B, load(row.J_B));
+}
+
+INGOT_INLINE void add_linear(BodyPairLanes& pair, const Vec3<lane>& impulse, lane inv_M_A, lane inv_M_B) {
+    pair.linear_A += impulse * inv_M_A;
+    pair.linear_B -= impulse * inv_M_B;
+}
+/// An impulse j along a row changes angular momenta by J j.
+INGOT_INLINE void add_angular(BodyPairLanes& pair, const Levers& row, lane j) {
+    pair.angular_A += load(row.J_A) * j;
+    pair.angular_B += load(row.J_B) * j;
+}
+/// A push q along a row turns bodies by k q.
+INGOT_INLINE void turn_by_push(BodyPairLanes& pair, const Levers& row, lane q) {
+    pair.angular_A += load(row.k_A) * q;
+    pair.angular_B += load(row.k_B) * q;
+}
+/// An angular impulse about n; what cannot move takes none.
+INGOT_INLINE void add_twist(BodyPairLanes& pair, const Vec3<lane>& n, lane twist, lane inv_M_A, lane inv_M_B) {
+    pair.angular_A += n * select(inv_M_A > lane{}, twist, lane{});
+    pair.angular_B -= n * select(inv_M_B > lane{}, twist, lane{});
+}
+
+INGOT_INLINE lane clamped(lane x, lane limit) { return least(greatest(x, -limit), limit); }
+
+/// Length of the friction impulse cut to the cone.
+INGOT_INLINE void cut_to_cone(lane& j_1, lane& j_2, lane limit) {
+    const lane length_sq_of = j_1 * j_1 + j_2 * j_2;
+    const mask slides = length_sq_of > limit * limit;
+    if (!any(slides)) return;
+    const lane cut = select(slides, limit / sqrt(select(slides, length_sq_of, splat<lane>(1))), splat<lane>(1));
+    j_1 = j_1 * cut;
+    j_2 = j_2 * cut;
+}
+
+INGOT_INLINE Row4 load_row4(const scalar (&rows)[block_rows][lanes]) {
+    return {{load(rows[0]), load(rows[1]), load(rows[2]), load(rows[3])}};
+}
+INGOT_INLINE lane sum_of(const Row4& row) { return (row.at[0] + row.at[1]) + (row.at[2] + row.at[3]); }
+
+/// Where a point is now: its separation at the begin of the step, and what displacements have made of it.
+INGOT_INLINE lane separation_now(const ContactBlock& block, int row, lane linear_displacement, const BodyPairLanes& displaced) {
+    return load(block.separation[row]) + row_displacement(block.normal[row], linear_displacement, displaced);
+}
+
+} }  // namespace ingot
+
+#pragma GCC diagnostic pop
