@@ -65,6 +65,11 @@ inline constexpr scalar rest_speed_factor = 2;
 inline constexpr int substeps = 4;                ///< of a step; each is solved and displaced by itself
 inline constexpr int sweeps = 3;                  ///< over all contacts in a substep
 inline constexpr int sweeps_of_young = 12;        ///< while more than a quarter of the contacts are younger than four steps
+inline constexpr int few_manifolds = 64;            ///< up to so many may take
+inline constexpr int sweeps_of_few = 32;            ///< sweeps in a substep
+/// m/s; a sweep that corrects no speed by more than this is the last of its substep. Contacts at rest then cost one sweep. What is left adds up to
+/// less than 0.1 mm in a minute.
+inline constexpr scalar settled_speed = scalar(1.5e-6);
 inline constexpr int level_passes_max = 32;       ///< that look for the distance of bodies from the ground
 inline constexpr scalar unbounded = scalar(1e30);           ///< m; further than any body is
 inline constexpr scalar contact_margin = scalar(0.02);      ///< m; shapes this far apart, and what they travel in a step, have a manifold

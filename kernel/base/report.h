@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "config.h"
 #include "status.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -24,6 +25,7 @@ struct [[nodiscard]] StepReport {
     uint16_t impact_waves;       ///< rounds of simultaneous impacts that were resolved
     uint16_t impacts_left;       ///< contacts still approaching after limits::impact_waves_max
     uint16_t sweeps;             ///< sweeps over contacts, in all
+    scalar residual;             ///< m/s; the largest speed that the last sweep over manifolds still corrected
     uint16_t sweeps_unfinished;  ///< solves that stopped at limits::contact_sweeps_max
 
     /// True when the step did all it was asked for, in full.

@@ -77,12 +77,15 @@ struct Attempt {
     Row4 l;
     mask fails;  ///< a row pulls that may not, or one that is out approaches
 };
-INGOT_INLINE Attempt solve_with(const Sym4& K, const Sym4& inverse, Row4 w, const Row4& before, const mask (&pulls)[block_rows], scalar slack) {
+INGOT_INLINE Attempt solve_with(const scalar (&K_rows)[10][lanes], const scalar (&inverse_rows)[10][lanes], Row4 w, const Row4& before,
+                                const mask (&pulls)[block_rows], scalar slack) {
+    const Sym4 inverse = load_sym4(inverse_rows);
     mask out[block_rows];
     Row4 base = before;
     for (int row = 0; row < block_rows; ++row) out[row] = opposite(inverse(row, row) > lane{});
     const bool some_out = any(either(either(out[0], out[1]), either(out[2], out[3])));
     if (some_out) {
+        const Sym4 K = load_sym4(K_rows);
         for (int row = 0; row < block_rows; ++row) base.at[row] = select(out[row], lane{}, before.at[row]);
         for (int row = 0; row < block_rows; ++row)
             for (int c = 0; c < block_rows; ++c) w.at[row] = w.at[row] + K(row, c) * (base.at[c] - before.at[c]);
@@ -96,6 +99,7 @@ INGOT_INLINE Attempt solve_with(const Sym4& K, const Sym4& inverse, Row4 w, cons
         attempt.fails = either(attempt.fails, both(attempt.l.at[row] < lane{}, opposite(pulls[row])));
     }
     if (!some_out) return attempt;
+    const Sym4 K = load_sym4(K_rows);
     for (int row = 0; row < block_rows; ++row) {
         lane u = w.at[row];
         for (int c = 0; c < block_rows; ++c) u = u + K(row, c) * (attempt.l.at[c] - base.at[c]);
@@ -169,12 +173,11 @@ INGOT_INLINE Row4 drop_rows(const Sym4& K, const Sym4& B, Sym4& left, const Row4
 /// Source: active set by symmetric sweeps; what is held, and the start over, are ours.
 INGOT_INLINE Row4 solve_block(const scalar (&K_rows)[10][lanes], const scalar (&B_rows)[10][lanes], scalar (&held)[10][lanes], const Row4& w,
                               const Row4& before, const mask (&pulls)[block_rows], scalar slack, mask active) {
-    const Sym4 K = load_sym4(K_rows);
-    Attempt attempt = solve_with(K, load_sym4(held), w, before, pulls, slack);
+    Attempt attempt = solve_with(K_rows, held, w, before, pulls, slack);
     attempt.fails = both(attempt.fails, active);
     if (!any(attempt.fails)) return attempt.l;
     Sym4 left;
-    const Row4 found = drop_rows(K, load_sym4(B_rows), left, w, before, pulls);
+    const Row4 found = drop_rows(load_sym4(K_rows), load_sym4(B_rows), left, w, before, pulls);
     for (int row = 0; row < block_rows; ++row) attempt.l.at[row] = select(attempt.fails, found.at[row], attempt.l.at[row]);
     for (int entry = 0; entry < 10; ++entry) store(held[entry], select(attempt.fails, left.at[entry], load(held[entry])));
     return attempt.l;

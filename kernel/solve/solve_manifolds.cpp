@@ -86,23 +86,25 @@ void drift_bodies(SolverView& solver, const BodyView& bodies, scalar h) {
     }
 }
 
-/// Fixed sweeps, many while contacts are young.
-int sweeps_due(const SolverView& solver) {
+/// The most sweeps a substep may take: more while many contacts are young, and where contacts are few: chains are long then, and sweeps cheap.
+int sweeps_allowed(const SolverView& solver) {
+    if (solver.manifold_count <= limits::few_manifolds) return limits::sweeps_of_few;
     int young = 0;
-    for (int block_i = 0; block_i < solver.block_count; ++block_i)
-        for (int lane_i = 0; lane_i < lanes; ++lane_i)
-            if (solver.blocks[block_i].manifold[lane_i] != no_manifold && solver.blocks[block_i].steps[lane_i] < 4 * limits::substeps) ++young;
+    for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i)
+        if (solver.records[solver.pairs[manifold_i].record].substeps < 4 * limits::substeps) ++young;
     return 4 * young > solver.manifold_count ? limits::sweeps_of_young : limits::sweeps;
 }
 
-void solve_velocities(const SolverView& solver, int sweeps) {
+/// Sweeps until nothing changes by more than limits::settled_speed. Returns how many.
+int solve_velocities(const SolverView& solver, int sweeps_max, scalar& residual) {
     scalar size_before = 0;
-    for (int sweep_i = 1; sweep_i <= sweeps; ++sweep_i) {
-        if (sweep_i < sweeps) begin_sweep(solver);
-        const scalar size = velocity_sweep(solver, sweep_i % 2 != 0);
-        if (sweep_i == sweeps) break;
-        const scalar beta = sweep_i > 1 && size <= size_before && size_before > 0 ? size / size_before : 0;
-        size_before = size;
+    for (int sweep_i = 1;; ++sweep_i) {
+        if (sweep_i < sweeps_max) begin_sweep(solver);
+        const SweepResult result = velocity_sweep(solver, sweep_i % 2 != 0);
+        residual = result.residual;
+        if (sweep_i == sweeps_max || residual <= limits::settled_speed) return sweep_i;
+        const scalar beta = sweep_i > 1 && result.size <= size_before && size_before > 0 ? result.size / size_before : 0;
+        size_before = result.size;
         extrapolate(solver, beta);
     }
 }
@@ -114,17 +116,16 @@ void solve_manifolds(SolverView& solver, const BodyView& bodies, const Vector& g
     order_manifolds(solver);
     prepare_blocks(solver, bodies);
 
-    const int sweeps = sweeps_due(solver);
+    const int sweeps_max = sweeps_allowed(solver);
     const scalar h_substep = h / limits::substeps;
     for (int substep_i = 0; substep_i < limits::substeps; ++substep_i) {
         predict_contacts(solver, h_substep);
         kick_bodies(solver, h_substep);
         warm_start(solver, h_substep);
-        solve_velocities(solver, sweeps);
+        count(report.sweeps, solve_velocities(solver, sweeps_max, report.residual));
         drift_bodies(solver, bodies, h_substep);
         position_sweep(solver, h_substep);
     }
-    count(report.sweeps, sweeps * limits::substeps);
     remember_impulses(solver);
 }
 

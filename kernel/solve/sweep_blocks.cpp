@@ -134,9 +134,16 @@ void warm_start(const SolverView& solver, scalar h) {
 
 namespace {
 
+/// Stores where active; `whole`: everywhere.
+template <bool whole>
+INGOT_INLINE void store_if(scalar (&to)[lanes], mask active, lane value) {
+    store(to, whole ? value : select(active, value, load(to)));
+}
+
 /// Solves the rows of one visit: normals, twist, friction; the lanes of it are stored.
-INGOT_INLINE void visit_velocities(const SolverView& solver, ContactBlock& block, uint16_t lane_bits) {
-    const mask active = mask_from_bits(lane_bits);
+template <bool whole>
+INGOT_INLINE void visit_velocities(const SolverView& solver, ContactBlock& block, uint16_t lane_bits, lane& residual) {
+    const mask active = whole ? splat<lane>(1) > lane{} : mask_from_bits(lane_bits);
     const Vec3<lane> n = load(block.n);
     const lane inv_M_A = load(block.inv_M_A), inv_M_B = load(block.inv_M_B);
     BodyPairLanes pair = gather_bodies(solver, block, &SolverBody::v_CM, &SolverBody::L);
@@ -147,14 +154,15 @@ INGOT_INLINE void visit_velocities(const SolverView& solver, ContactBlock& block
     for (int row = 0; row < block_rows; ++row) w.at[row] = row_speed(block.normal[row], approach, pair) - load(block.target[row]);
     const mask none[block_rows] = {};
     const Row4 j = solve_block(block.K, block.B, block.held, w, before, none, limits::approach_slack, active);
-    lane total{}, given{}, change{};
+    lane total{}, given{}, change{}, fastest{};
     for (int row = 0; row < block_rows; ++row) {
-        const lane d = j.at[row] - before.at[row];
+        const lane d = j.at[row] - before.at[row], speed = d * load(block.K[Sym4::index(row, row)]);
         add_angular(pair, block.normal[row], d);
         given = given + d;
         total = total + j.at[row];
-        change = change + d * d * load(block.K[Sym4::index(row, row)]);
-        store(block.j[row], select(active, j.at[row], before.at[row]));
+        change = change + d * speed;
+        fastest = greatest(fastest, abs(speed));
+        store_if<whole>(block.j[row], active, j.at[row]);
     }
     add_linear(pair, n * given, inv_M_A, inv_M_B);
 
@@ -164,7 +172,7 @@ INGOT_INLINE void visit_velocities(const SolverView& solver, ContactBlock& block
     const lane twist = clamped(twist_before - spin * load(block.inv_K_twist), limit * load(block.twist_radius));
     const lane twisted = twist - twist_before;
     add_twist(pair, n, twisted, inv_M_A, inv_M_B);
-    store(block.j_twist, select(active, twist, twist_before));
+    store_if<whole>(block.j_twist, active, twist);
     change = change + twisted * twisted * load(block.K_twist);
 
     const Vec3<lane> t_1 = load(block.t_1), t_2 = load(block.t_2), slip = pair.linear_A - pair.linear_B;
@@ -177,10 +185,14 @@ INGOT_INLINE void visit_velocities(const SolverView& solver, ContactBlock& block
     add_linear(pair, t_1 * d_1 + t_2 * d_2, inv_M_A, inv_M_B);
     add_angular(pair, block.friction[0], d_1);
     add_angular(pair, block.friction[1], d_2);
-    store(block.j_friction[0], select(active, next_1, j_1));
-    store(block.j_friction[1], select(active, next_2, j_2));
-    change = change + (d_1 * d_1 * load(block.K_friction[0]) + d_2 * d_2 * load(block.K_friction[1]));
-    store(block.change, select(active, change, load(block.change)));
+    store_if<whole>(block.j_friction[0], active, next_1);
+    store_if<whole>(block.j_friction[1], active, next_2);
+    const lane speed_1 = d_1 * load(block.K_friction[0]), speed_2 = d_2 * load(block.K_friction[1]);
+    change = change + (d_1 * speed_1 + d_2 * speed_2);
+    fastest = greatest(fastest, greatest(abs(speed_1), abs(speed_2)));
+    fastest = greatest(fastest, abs(twisted * load(block.K_twist)) * load(block.twist_radius));
+    residual = greatest(residual, select(active, fastest, residual));
+    store_if<whole>(block.change, active, change);
     scatter_bodies(solver, block, lane_bits, pair, &SolverBody::v_CM, &SolverBody::L);
 }
 
@@ -199,12 +211,19 @@ scalar sum_of_changes(const SolverView& solver) {
 
 }  // namespace
 
-scalar velocity_sweep(const SolverView& solver, bool up) {
+SweepResult velocity_sweep(const SolverView& solver, bool up) {
+    lane residual{};
     for (int visit_i = 0; visit_i < solver.visit_count; ++visit_i) {
         const Visit visit = solver.visits[up ? visit_i : solver.visit_count - 1 - visit_i];
-        visit_velocities(solver, solver.blocks[visit.block], visit.lane_bits);
+        if (visit.lane_bits == all_lanes)
+            visit_velocities<true>(solver, solver.blocks[visit.block], all_lanes, residual);
+        else
+            visit_velocities<false>(solver, solver.blocks[visit.block], visit.lane_bits, residual);
     }
-    return sum_of_changes(solver);
+    scalar of_lanes[lanes], largest = 0;
+    store(of_lanes, residual);
+    for (const scalar one : of_lanes) largest = one > largest ? one : largest;
+    return {sum_of_changes(solver), largest};
 }
 
 namespace {

@@ -16,9 +16,14 @@ void predict_contacts(const SolverView& solver, scalar h);
 /// a slow mean of itself, which quietens its ringing.
 void warm_start(const SolverView& solver, scalar h);
 
+/// What a sweep changed.
+struct SweepResult {
+    scalar size;      ///< J; sum of (change of impulse)^2 times compliance
+    scalar residual;  ///< m/s; the largest speed that an impulse took away
+};
+
 /// Makes every contact's velocity right for the moment: normals as one block, then twist, then the friction pair on its cone.
-/// Returns: the sum of (change of impulse)^2 times compliance, in units of energy.
-scalar velocity_sweep(const SolverView& solver, bool up);
+SweepResult velocity_sweep(const SolverView& solver, bool up);
 
 /// Remembers impulses and motions before a sweep, for extrapolate.
 void begin_sweep(const SolverView& solver);
