@@ -75,6 +75,8 @@ inline constexpr scalar unbounded = scalar(1e30);           ///< m; further than
 inline constexpr scalar contact_margin = scalar(0.02);      ///< m; shapes this far apart, and what they travel in a step, have a manifold
 inline constexpr scalar touching_gap = scalar(1e-3);        ///< m; points this far apart are stopped as if they touched, and drawn together
 /// m/s; a point that carries nothing and approaches more slowly than this is left out of a solve. The position sweep takes back what that adds.
+/// Bodies that have moved by less than this against each other, as a fraction of their size and in radians, keep their manifold.
+inline constexpr scalar recycled_slip = scalar(1e-3);
 inline constexpr scalar approach_slack = scalar(1e-6);
 inline constexpr scalar position_share = scalar(0.4);       ///< of an overlap, taken back in a substep
 inline constexpr scalar push_speed_max = scalar(3);         ///< m/s, at which deep overlaps are taken back

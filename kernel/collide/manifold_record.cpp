@@ -27,6 +27,7 @@ uint16_t take_record(const ManifoldView& manifolds) {
         return no_record;
     }
     manifolds.records[record] = {};
+    if (manifolds.anchors != nullptr) manifolds.anchors[record].margin = 0;
     return record;
 }
 
@@ -36,6 +37,9 @@ void give_back(const ManifoldView& manifolds, uint16_t record) {
 }
 
 void carry_impulses(ManifoldRecord& record, const Manifold& before) {
+    bool same = record.manifold.count == before.count;
+    for (int point_i = 0; point_i < before.count; ++point_i) same = same && before.points[point_i].feature == record.manifold.points[point_i].feature;
+    if (same) return;
     scalar j[Manifold::points_max] = {}, j_before[Manifold::points_max] = {};
     for (int point_i = 0; point_i < record.manifold.count; ++point_i) {
         for (int old_i = 0; old_i < before.count; ++old_i) {

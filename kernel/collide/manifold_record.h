@@ -3,6 +3,7 @@
 
 #include "body_pairs.h"
 #include "manifold.h"
+#include "recycle.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -23,6 +24,7 @@ struct ManifoldView {
     BodyPair* pairs;              ///< that touch, sorted by slots; room for as many as records
     uint16_t* count;
     ManifoldRecord* records;      ///< of the pairs, in no order
+    ManifoldAnchors* anchors;     ///< by record; null where a scene renews none
     uint16_t* records_used;       ///< records in use or free again; those beyond never were
     uint16_t* first_free;         ///< index + 1
     int capacity;

@@ -7,6 +7,7 @@
 #include "../math/sqrt.h"
 #include "manifold_record.h"
 #include "narrow_phase.h"
+#include "recycle.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -46,6 +47,32 @@ void collide_shapes(const PlacedShape& A, const PlacedShape& B, scalar margin, M
 #undef INGOT_PAIR
 }
 
+/// The furthest that points may have slipped for a manifold to be renewed from its anchors; 0 where a new search costs no more.
+INGOT_INLINE scalar slip_allowed(const Surface& A, const Surface& B) {
+    if (A.shape.kind == ShapeKind::sphere || B.shape.kind == ShapeKind::sphere) return 0;
+    const scalar R_A = A.bounding_radius, R_B = B.bounding_radius;
+    const scalar R = R_A == 0 ? R_B : R_B == 0 || R_A < R_B ? R_A : R_B;
+    return limits::recycled_slip * R;
+}
+
+/// The manifold of a pair, renewed or found, in the order of the slots.
+template <class Shapes>
+void update_manifold(const BodyView& bodies, const SurfaceView& surfaces, const BodyPair& pair, scalar margin, ManifoldAnchors* anchors,
+                     const Manifold& before, Manifold& manifold) {
+    const Surface &surface_A = surfaces.surfaces[pair.body_A], &surface_B = surfaces.surfaces[pair.body_B];
+    const PlacedShape A = placed_shape(bodies, surfaces, pair.body_A), B = placed_shape(bodies, surfaces, pair.body_B);
+    const scalar slip = anchors != nullptr ? slip_allowed(surface_A, surface_B) : 0;
+    manifold = before;
+    if (before.count > 0 && slip > 0 && renew_from_anchors(A, B, slip, margin, *anchors, manifold)) return;
+
+    const bool swap = surface_B.shape.kind < surface_A.shape.kind;
+    Manifold seen = before;
+    if (swap) seen.n = -seen.n;
+    collide_shapes<Shapes>(swap ? B : A, swap ? A : B, margin, manifold, seen);
+    if (swap) manifold.n = -manifold.n;
+    if (slip > 0) anchor(A, B, manifold, margin, *anchors);
+}
+
 /// Manifolds of all found pairs, those of the step before renewed. Pairs that do not touch are let go.
 ///
 /// Full: contacts that are held stay, new ones are refused in the order of slots, and counted in contacts_lost.
@@ -55,30 +82,24 @@ void update_manifolds(const BodyView& bodies, const SurfaceView& surfaces, scala
     hold_records(manifolds, found);
     for (int pair_i = 0; pair_i < found.count; ++pair_i) {
         BodyPair pair = found.pairs[pair_i];
-        const Surface &surface_A = surfaces.surfaces[pair.body_A], &surface_B = surfaces.surfaces[pair.body_B];
-        const bool swap = surface_B.shape.kind < surface_A.shape.kind;
-        const PlacedShape A = placed_shape(bodies, surfaces, swap ? pair.body_B : pair.body_A);
-        const PlacedShape B = placed_shape(bodies, surfaces, swap ? pair.body_A : pair.body_B);
-
-        Manifold before{}, manifold{};
-        if (pair.record != no_record) before = manifolds.records[pair.record].manifold;
-        if (swap) before.n = -before.n;
-        collide_shapes<Shapes>(A, B, margin_of(bodies, surfaces, pair, h), manifold, before);
-        if (swap) manifold.n = -manifold.n;
-        if (manifold.count == 0) {
-            if (pair.record != no_record) give_back(manifolds, pair.record);
-            continue;
-        }
-        if (pair.record == no_record) pair.record = take_record(manifolds);
+        const bool held = pair.record != no_record;
+        if (!held) pair.record = take_record(manifolds);
         if (pair.record == no_record) {
             count(report.contacts_lost);
             continue;
         }
         ManifoldRecord& record = manifolds.records[pair.record];
-        record.manifold = manifold;
-        carry_impulses(record, before);
-        record.e = surface_A.e > surface_B.e ? surface_A.e : surface_B.e;
-        record.mu = sqrt(surface_A.mu * surface_B.mu);
+        ManifoldAnchors* const anchors = manifolds.anchors != nullptr ? &manifolds.anchors[pair.record] : nullptr;
+        const Manifold before = record.manifold;
+        update_manifold<Shapes>(bodies, surfaces, pair, margin_of(bodies, surfaces, pair, h), anchors, before, record.manifold);
+        if (record.manifold.count == 0) {
+            give_back(manifolds, pair.record);
+            continue;
+        }
+        const Surface &A = surfaces.surfaces[pair.body_A], &B = surfaces.surfaces[pair.body_B];
+        record.e = A.e > B.e ? A.e : B.e;
+        record.mu = sqrt(A.mu * B.mu);
+        if (held) carry_impulses(record, before);
         manifolds.pairs[(*manifolds.count)++] = pair;
     }
     count(report.contacts, *manifolds.count);

@@ -29,6 +29,7 @@ struct Scene {
     static constexpr int  max_contacts = 0;      ///< points of contact in one step, 0 .. 65535
     static constexpr int  max_manifolds = 0;     ///< pairs of bodies that touch in one step, 0 .. 65534: friction, stacks, piles
     static constexpr int  max_pairs    = 0;      ///< pairs of bodies whose bounds overlap in one step; 0: twice max_manifolds
+    static constexpr bool renews_manifolds = true;   ///< where bodies hardly move, manifolds are moved along with them and not searched anew
     using broad_phase = AllPairs;                ///< or another that finds such pairs
     using shapes   = Shapes<>;
     using rotation = MoserVeselov;               ///< or another method of motion/

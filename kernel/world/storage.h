@@ -89,7 +89,17 @@ template <class S>
 struct SurfacePart<S, false> {};
 
 template <class S, bool present>
-struct ManifoldPart {
+struct AnchorPart {
+    ManifoldAnchors anchors[static_cast<unsigned>(S::max_manifolds)] = {};
+    ManifoldAnchors* manifold_anchors() { return anchors; }
+};
+template <class S>
+struct AnchorPart<S, false> {
+    ManifoldAnchors* manifold_anchors() { return nullptr; }
+};
+
+template <class S, bool present>
+struct ManifoldPart : AnchorPart<S, S::renews_manifolds> {
     static constexpr unsigned manifold_capacity = static_cast<unsigned>(S::max_manifolds);
     static constexpr unsigned full_blocks = (manifold_capacity + lanes - 1) / lanes;
     static constexpr unsigned block_capacity = lanes == 1 ? full_blocks : full_blocks + full_blocks / 2 + 2;  // see order_manifolds
@@ -111,7 +121,7 @@ struct ManifoldPart {
     uint16_t manifold_count = 0, records_used = 0, first_free_record = 0;
 
     PairSink pair_sink() { return {found_pairs, pair_capacity<S>, 0, 0}; }
-    ManifoldView manifold_view() { return {pairs, &manifold_count, records, &records_used, &first_free_record, S::max_manifolds}; }
+    ManifoldView manifold_view() { return {pairs, &manifold_count, records, this->manifold_anchors(), &records_used, &first_free_record, S::max_manifolds}; }
     SolverView solver() {
         return {pairs, records, manifold_count, blocks, visits, order, level, other_order, level_order,
                 solver_bodies, histories, slot_of, local_of, level_of_body, colours_of_body, 0, 0, 0, 0, static_cast<int>(block_capacity * lanes), false};
