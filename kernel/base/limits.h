@@ -70,6 +70,8 @@ inline constexpr int sweeps_of_few = 32;            ///< sweeps in a substep
 /// m/s; a sweep that corrects no speed by more than this is the last of its substep. Contacts at rest then cost one sweep. What is left adds up to
 /// less than 0.1 mm in a minute.
 inline constexpr scalar settled_speed = scalar(1.5e-6);
+inline constexpr scalar settled_gap = scalar(2e-8);      ///< m; a contact with no more than this to be taken back is not displaced
+inline constexpr scalar settled_turn = 2 * epsilon;       ///< rad; corrections that round to nothing
 inline constexpr int level_passes_max = 32;       ///< that look for the distance of bodies from the ground
 inline constexpr scalar unbounded = scalar(1e30);           ///< m; further than any body is
 inline constexpr scalar contact_margin = scalar(0.02);      ///< m; shapes this far apart, and what they travel in a step, have a manifold

@@ -5,19 +5,19 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// Every pair whose bounds overlap and of which one can move, sorted by slots.
+/// Every pair whose wide bounds overlap and of which one can move, sorted by slots.
 ///
 /// Tests `lanes` bodies at once. Cost: n^2 / (2 lanes) tests of boxes, the least there is up to a few hundred bodies.
 /// Full: pairs of the lowest slots are kept.
-void find_all_pairs(const BodyView& bodies, const BoundsTile* bounds, PairSink& sink);
+void find_all_pairs(const BodyView& bodies, const BoundsTile* bounds, const PairList& pairs);
 
 /// `using broad_phase = ingot::AllPairs;`
 struct AllPairs {
     template <int max_bodies>
     struct Memory {};
     template <class M>
-    static void find_pairs(const BodyView& bodies, const BoundsTile* bounds, M&, PairSink& sink) {
-        find_all_pairs(bodies, bounds, sink);
+    static void find_pairs(const BodyView& bodies, const BoundsTile* bounds, M&, const PairList& pairs) {
+        find_all_pairs(bodies, bounds, pairs);
     }
 };
 

@@ -8,11 +8,26 @@ namespace ingot { inline namespace INGOT_ABI {
 /// Boxes along the world axes that hold `lanes` bodies, wherever they get within the step. A lane without a shape holds the empty box, which
 /// overlaps nothing; a half space holds the whole world.
 struct alignas(tile_alignment) BoundsTile {
-    scalar low[3][lanes], high[3][lanes];  ///< m
+    scalar low[3][lanes], high[3][lanes];            ///< m, in this step
+    scalar wide_low[3][lanes], wide_high[3][lanes];  ///< m, with a skin around; pairs are searched for by these
+    scalar spin_reach[lanes];                        ///< m, that spin can add to a point of the body in this step
 };
 
 /// Bounds of every body, enlarged by half of limits::contact_margin and by what velocity and spin can add within h: two bodies whose
 /// boxes are apart do not touch in this step. Needs omega. Cost: about 40 flops a body.
-void refresh_bounds(const BodyView& bodies, const SurfaceView& surfaces, scalar h, BoundsTile* bounds);
+///
+/// Returns: whether a body has left its wide bounds. If so, all wide bounds are new, and pairs must be searched for again; if not, the pairs of the
+/// last search still hold all that may touch.
+bool refresh_bounds(const BodyView& bodies, const SurfaceView& surfaces, scalar h, BoundsTile* bounds);
+
+/// True where the bounds of this step overlap.
+INGOT_INLINE bool bounds_overlap(const BoundsTile* bounds, int slot_A, int slot_B) {
+    const Place A = place_of(slot_A), B = place_of(slot_B);
+    bool overlap = true;
+    for (int axis = 0; axis < 3; ++axis)
+        overlap = overlap && bounds[A.tile].low[axis][A.lane] <= bounds[B.tile].high[axis][B.lane] &&
+                  bounds[B.tile].low[axis][B.lane] <= bounds[A.tile].high[axis][A.lane];
+    return overlap;
+}
 
 } }  // namespace ingot

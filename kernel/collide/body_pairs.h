@@ -15,19 +15,18 @@ struct BodyPair {
     uint32_t key() const { return static_cast<uint32_t>(body_A) << 16 | body_B; }
 };
 
-/// Where a broad phase puts what it finds. It goes on counting what no longer fits.
-struct PairSink {
+/// The pairs of the last search, sorted by slots, without their capacity.
+struct PairList {
     BodyPair* pairs;
     int capacity;
-    int count;
-    int lost;
+    uint16_t* count;
+    uint16_t* lost;   ///< in the last search: no room
 
-    INGOT_INLINE void add(int A, int B) {
-        if (count == capacity) {
-            ++lost;
-            return;
-        }
-        pairs[count++] = {static_cast<uint16_t>(A < B ? A : B), static_cast<uint16_t>(A < B ? B : A), no_record};
+    INGOT_INLINE void add(int A, int B) const {
+        if (*count < capacity)
+            pairs[(*count)++] = {static_cast<uint16_t>(A), static_cast<uint16_t>(B), no_record};
+        else if (*lost < 65535)
+            ++*lost;
     }
 };
 

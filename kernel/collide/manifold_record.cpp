@@ -3,17 +3,16 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-void hold_records(const ManifoldView& manifolds, PairSink& found) {
+void hold_records(const ManifoldView& manifolds, const PairList& found) {
     int found_i = 0;
     for (int held_i = 0; held_i < *manifolds.count; ++held_i) {
-        const BodyPair& held = manifolds.pairs[held_i];
-        while (found_i < found.count && found.pairs[found_i].key() < held.key()) ++found_i;
-        if (found_i < found.count && found.pairs[found_i].key() == held.key())
+        BodyPair& held = manifolds.pairs[held_i];
+        while (found_i < *found.count && found.pairs[found_i].key() < held.key()) ++found_i;
+        if (found_i < *found.count && found.pairs[found_i].key() == held.key())
             found.pairs[found_i].record = held.record;
         else
             give_back(manifolds, held.record);
     }
-    *manifolds.count = 0;
 }
 
 uint16_t take_record(const ManifoldView& manifolds) {
@@ -31,9 +30,10 @@ uint16_t take_record(const ManifoldView& manifolds) {
     return record;
 }
 
-void give_back(const ManifoldView& manifolds, uint16_t record) {
+void give_back(const ManifoldView& manifolds, uint16_t& record) {
     manifolds.records[record].next_free = *manifolds.first_free;
     *manifolds.first_free = static_cast<uint16_t>(record + 1);
+    record = no_record;
 }
 
 void carry_impulses(ManifoldRecord& record, const Manifold& before) {

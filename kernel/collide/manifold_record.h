@@ -30,13 +30,14 @@ struct ManifoldView {
     int capacity;
 };
 
-/// Gives a record to each found pair that has none from the step before, and takes back records of pairs that are found no more.
+/// After a search: found pairs that touched in the step before have their record, and records of pairs that are found no more are free.
 /// Both lists are sorted; the work is one walk along them.
-void hold_records(const ManifoldView& manifolds, PairSink& found);
+void hold_records(const ManifoldView& manifolds, const PairList& found);
 
 /// A record for a pair that begins to touch, all zero; no_record when there is none left.
 uint16_t take_record(const ManifoldView& manifolds);
-void give_back(const ManifoldView& manifolds, uint16_t record);
+/// The pair touches no more.
+void give_back(const ManifoldView& manifolds, uint16_t& record);
 
 /// The impulses of points whose features lived on go with them; new points start from zero.
 void carry_impulses(ManifoldRecord& record, const Manifold& before);

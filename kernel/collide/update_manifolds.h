@@ -11,6 +11,11 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
+INGOT_INLINE BodyFrame frame_of(const BodyView& bodies, int slot) {
+    const Place at = place_of(slot);
+    return {lane_of(bodies.translation[at.tile].r_CM, at.lane), lane_of(bodies.rotation[at.tile].A, at.lane)};
+}
+
 INGOT_INLINE PlacedShape placed_shape(const BodyView& bodies, const SurfaceView& surfaces, int slot) {
     const Place at = place_of(slot);
     return {surfaces.surfaces[slot].shape, lane_of(bodies.translation[at.tile].r_CM, at.lane),
@@ -18,14 +23,10 @@ INGOT_INLINE PlacedShape placed_shape(const BodyView& bodies, const SurfaceView&
 }
 
 /// How far apart two bodies may be and still have a manifold: what they can travel towards each other in the step, and a little.
-INGOT_INLINE scalar margin_of(const BodyView& bodies, const SurfaceView& surfaces, const BodyPair& pair, scalar h) {
+INGOT_INLINE scalar margin_of(const BodyView& bodies, const BoundsTile* bounds, const BodyPair& pair, scalar h) {
     const Place A = place_of(pair.body_A), B = place_of(pair.body_B);
-    const auto spin = [&](const Place& at, int slot) {
-        const scalar turn = sqrt(length_sq(lane_of(bodies.rotation[at.tile].omega, at.lane))) * h;
-        return (turn < 2 ? turn : scalar(2)) * surfaces.surfaces[slot].bounding_radius;
-    };
     const Vector v = lane_of(bodies.translation[A.tile].v_CM, A.lane) - lane_of(bodies.translation[B.tile].v_CM, B.lane);
-    return limits::contact_margin + sqrt(length_sq(v)) * h + spin(A, pair.body_A) + spin(B, pair.body_B);
+    return limits::contact_margin + sqrt(length_sq(v)) * h + bounds[A.tile].spin_reach[A.lane] + bounds[B.tile].spin_reach[B.lane];
 }
 
 /// The routine for the two shapes; A has the kind that comes first. Only the routines of shapes that the scene names are linked.
@@ -47,42 +48,50 @@ void collide_shapes(const PlacedShape& A, const PlacedShape& B, scalar margin, M
 #undef INGOT_PAIR
 }
 
-/// The furthest that points may have slipped for a manifold to be renewed from its anchors; 0 where a new search costs no more.
-INGOT_INLINE scalar slip_allowed(const Surface& A, const Surface& B) {
-    if (A.shape.kind == ShapeKind::sphere || B.shape.kind == ShapeKind::sphere) return 0;
-    const scalar R_A = A.bounding_radius, R_B = B.bounding_radius;
-    const scalar R = R_A == 0 ? R_B : R_B == 0 || R_A < R_B ? R_A : R_B;
-    return limits::recycled_slip * R;
+/// Balls are found as quickly as they would be renewed.
+INGOT_INLINE bool worth_renewing(const Surface& A, const Surface& B) {
+    return A.shape.kind != ShapeKind::sphere && B.shape.kind != ShapeKind::sphere;
 }
 
-/// The manifold of a pair, renewed or found, in the order of the slots.
+/// The manifold of the step before, moved along with the bodies; false if it has to be found anew.
+INGOT_INLINE bool renew_manifold(const BodyView& bodies, const SurfaceView& surfaces, const BodyPair& pair, scalar margin,
+                                 const ManifoldAnchors& anchors, Manifold& manifold) {
+    const Surface &A = surfaces.surfaces[pair.body_A], &B = surfaces.surfaces[pair.body_B];
+    if (!worth_renewing(A, B)) return false;
+    const scalar R_A = A.bounding_radius, R_B = B.bounding_radius;  // 0: a half space
+    const scalar R = R_A == 0 ? R_B : R_B == 0 || R_A < R_B ? R_A : R_B;
+    return renew_from_anchors(frame_of(bodies, pair.body_A), frame_of(bodies, pair.body_B), limits::recycled_slip * R, margin, anchors, manifold);
+}
+
+/// The manifold of a pair, found by the routine for its shapes; `manifold` is that of the step before, or zero.
 template <class Shapes>
-void update_manifold(const BodyView& bodies, const SurfaceView& surfaces, const BodyPair& pair, scalar margin, ManifoldAnchors* anchors,
-                     const Manifold& before, Manifold& manifold) {
+void find_manifold(const BodyView& bodies, const SurfaceView& surfaces, const BodyPair& pair, scalar margin, ManifoldAnchors* anchors,
+                   Manifold& manifold) {
     const Surface &surface_A = surfaces.surfaces[pair.body_A], &surface_B = surfaces.surfaces[pair.body_B];
     const PlacedShape A = placed_shape(bodies, surfaces, pair.body_A), B = placed_shape(bodies, surfaces, pair.body_B);
-    const scalar slip = anchors != nullptr ? slip_allowed(surface_A, surface_B) : 0;
-    manifold = before;
-    if (before.count > 0 && slip > 0 && renew_from_anchors(A, B, slip, margin, *anchors, manifold)) return;
-
     const bool swap = surface_B.shape.kind < surface_A.shape.kind;
-    Manifold seen = before;
-    if (swap) seen.n = -seen.n;
-    collide_shapes<Shapes>(swap ? B : A, swap ? A : B, margin, manifold, seen);
+    Manifold before = manifold;
+    if (swap) before.n = -before.n;
+    collide_shapes<Shapes>(swap ? B : A, swap ? A : B, margin, manifold, before);
     if (swap) manifold.n = -manifold.n;
-    if (slip > 0) anchor(A, B, manifold, margin, *anchors);
+    if (anchors != nullptr && worth_renewing(surface_A, surface_B))
+        anchor(frame_of(bodies, pair.body_A), frame_of(bodies, pair.body_B), manifold, margin, *anchors);
 }
 
-/// Manifolds of all found pairs, those of the step before renewed. Pairs that do not touch are let go.
+/// Manifolds of all pairs of the last search, those of the step before renewed; manifolds.pairs are those that touch.
 ///
 /// Full: contacts that are held stay, new ones are refused in the order of slots, and counted in contacts_lost.
 template <class Shapes>
-void update_manifolds(const BodyView& bodies, const SurfaceView& surfaces, scalar h, PairSink& found, const ManifoldView& manifolds,
-                      StepReport& report) {
-    hold_records(manifolds, found);
-    for (int pair_i = 0; pair_i < found.count; ++pair_i) {
-        BodyPair pair = found.pairs[pair_i];
+void update_manifolds(const BodyView& bodies, const SurfaceView& surfaces, const BoundsTile* bounds, scalar h, const PairList& found,
+                      const ManifoldView& manifolds, StepReport& report) {
+    *manifolds.count = 0;
+    for (int pair_i = 0; pair_i < *found.count; ++pair_i) {
+        BodyPair& pair = found.pairs[pair_i];
         const bool held = pair.record != no_record;
+        if (!bounds_overlap(bounds, pair.body_A, pair.body_B)) {
+            if (held) give_back(manifolds, pair.record);
+            continue;
+        }
         if (!held) pair.record = take_record(manifolds);
         if (pair.record == no_record) {
             count(report.contacts_lost);
@@ -90,20 +99,23 @@ void update_manifolds(const BodyView& bodies, const SurfaceView& surfaces, scala
         }
         ManifoldRecord& record = manifolds.records[pair.record];
         ManifoldAnchors* const anchors = manifolds.anchors != nullptr ? &manifolds.anchors[pair.record] : nullptr;
-        const Manifold before = record.manifold;
-        update_manifold<Shapes>(bodies, surfaces, pair, margin_of(bodies, surfaces, pair, h), anchors, before, record.manifold);
-        if (record.manifold.count == 0) {
-            give_back(manifolds, pair.record);
-            continue;
+        const scalar margin = margin_of(bodies, bounds, pair, h);
+        if (!(held && anchors != nullptr && renew_manifold(bodies, surfaces, pair, margin, *anchors, record.manifold))) {
+            const Manifold before = record.manifold;
+            find_manifold<Shapes>(bodies, surfaces, pair, margin, anchors, record.manifold);
+            if (record.manifold.count == 0) {
+                give_back(manifolds, pair.record);
+                continue;
+            }
+            carry_impulses(record, before);
+            const Surface &A = surfaces.surfaces[pair.body_A], &B = surfaces.surfaces[pair.body_B];
+            record.e = A.e > B.e ? A.e : B.e;
+            record.mu = sqrt(A.mu * B.mu);
         }
-        const Surface &A = surfaces.surfaces[pair.body_A], &B = surfaces.surfaces[pair.body_B];
-        record.e = A.e > B.e ? A.e : B.e;
-        record.mu = sqrt(A.mu * B.mu);
-        if (held) carry_impulses(record, before);
         manifolds.pairs[(*manifolds.count)++] = pair;
     }
     count(report.contacts, *manifolds.count);
-    count(report.contacts_lost, found.lost);
+    count(report.contacts_lost, *found.lost);
 }
 
 } }  // namespace ingot

@@ -152,6 +152,9 @@ INGOT_INLINE constexpr scalar abs(scalar x) { return __builtin_fabs(x); }
 #else
 INGOT_INLINE constexpr scalar abs(scalar x) { return __builtin_fabsf(x); }
 #endif
+INGOT_INLINE lane least(lane a, lane b) { return select(a < b, a, b); }
+INGOT_INLINE lane greatest(lane a, lane b) { return select(a > b, a, b); }
+
 /// True where x is neither NaN nor infinite. Comparisons only: no unit raises a flag, and without a unit they are cheap.
 INGOT_INLINE constexpr bool is_finite(scalar x) { return abs(x) <= scalar_max; }
 

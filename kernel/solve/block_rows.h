@@ -75,6 +75,12 @@ INGOT_INLINE void add_twist(BodyPairLanes& pair, const Vec3<lane>& n, lane twist
     pair.angular_B -= n * select(inv_M_B > lane{}, twist, lane{});
 }
 
+/// Stores where active; `whole`: everywhere.
+template <bool whole>
+INGOT_INLINE void store_if(scalar (&to)[lanes], mask active, lane value) {
+    store(to, whole ? value : select(active, value, load(to)));
+}
+
 INGOT_INLINE lane clamped(lane x, lane limit) { return least(greatest(x, -limit), limit); }
 
 /// Length of the friction impulse cut to the cone.

@@ -32,9 +32,6 @@ INGOT_INLINE void store(scalar (&rows)[10][lanes], const Sym4& m) {
     for (int entry = 0; entry < 10; ++entry) store(rows[entry], m.at[entry]);
 }
 
-INGOT_INLINE lane least(lane a, lane b) { return select(a < b, a, b); }
-INGOT_INLINE lane greatest(lane a, lane b) { return select(a > b, a, b); }
-
 /// The inverse of a positive definite matrix, by the symmetric sweep operator. Cost: 4 divisions, about 120 flops.
 INGOT_INLINE Sym4 inverse(Sym4 m) {
     for (int pivot = 0; pivot < block_rows; ++pivot) {

@@ -57,11 +57,9 @@ void kick_bodies(const SolverView& solver, scalar h) {
     for (int body_i = 1; body_i < solver.body_count; ++body_i) {
         SolverBody& body = solver.bodies[body_i];
         SolverBodyHistory& history = solver.histories[body_i];
-        for (int axis = 0; axis < 3; ++axis) {
-            history.v_begin[axis] = body.v_CM[axis];
-            body.v_CM[axis] = body.v_CM[axis] + history.a[axis] * h;
-            body.L[axis] = body.L[axis] + history.tau[axis] * h;
-        }
+        for (int i = 0; i < 4; ++i) history.v_begin[i] = body.v_CM[i];  // the fourth of a and tau is 0
+        for (int i = 0; i < 4; ++i) body.v_CM[i] = body.v_CM[i] + history.a[i] * h;
+        for (int i = 0; i < 4; ++i) body.L[i] = body.L[i] + history.tau[i] * h;
     }
 }
 
@@ -81,7 +79,6 @@ void drift_bodies(SolverView& solver, const BodyView& bodies, scalar h) {
         set4(body.dp, dp, body.dp[3]);
         set4(body.dth, vector_of(body.dth) + turn);
         body.L[3] = hit ? scalar(1) : scalar(0);
-        set4(history.dth_push, vector_of(history.dth_push) - turn);
         set4(history.L_sum, vector_of(history.L_sum) + L);
     }
 }
@@ -132,16 +129,14 @@ void solve_manifolds(SolverView& solver, const BodyView& bodies, const Vector& g
 void write_contact_motion(const SolverView& solver, const BodyView& bodies, const Vector& gravity, scalar h) {
     for (int body_i = 1; body_i < solver.body_count; ++body_i) {
         const SolverBody& body = solver.bodies[body_i];
-        SolverBodyHistory& history = solver.histories[body_i];
+        const SolverBodyHistory& history = solver.histories[body_i];
         const Place at = place_of(solver.slot_of[body_i]);
         const Vector v = vector_of(body.v_CM), L = vector_of(body.L), dp = vector_of(body.dp);
         RotationTile& rotation = bodies.rotation[at.tile];
         TranslationTile& translation = bodies.translation[at.tile];
         const uint16_t bit = static_cast<uint16_t>(1u << at.lane);
-        set4(history.dth_push, vector_of(history.dth_push) + vector_of(body.dth));
         if (!is_finite(v) || !is_finite(L) || !is_finite(dp) || !is_finite(vector_of(body.dth))) {
             rotation.bad = static_cast<uint16_t>(rotation.bad | bit);
-            set4(history.dth_push, {});
             continue;
         }
         const Vector a = (v - dp * (1 / h)) * (2 / h), L_mean = vector_of(history.L_sum) * (scalar(1) / limits::substeps);
@@ -153,11 +148,13 @@ void write_contact_motion(const SolverView& solver, const BodyView& bodies, cons
     }
 }
 
-void turn_by_corrections(const SolverView& solver, const BodyView& bodies) {
+void turn_by_corrections(const SolverView& solver, const BodyView& bodies, scalar h) {
     for (int body_i = 1; body_i < solver.body_count; ++body_i) {
-        const Vector push = vector_of(solver.histories[body_i].dth_push);
-        if (!(length_sq(push) > 0)) continue;
         const Place at = place_of(solver.slot_of[body_i]);
+        const Vector L_sum = vector_of(solver.histories[body_i].L_sum);
+        const Vector drift = lane_of(bodies.translation[at.tile].inv_I_world, at.lane) * L_sum * (h / limits::substeps);
+        const Vector push = vector_of(solver.bodies[body_i].dth) - drift;
+        if (!(length_sq(push) > limits::settled_turn * limits::settled_turn)) continue;
         RotationTile& rotation = bodies.rotation[at.tile];
         if ((rotation.bad >> at.lane & 1u) != 0) continue;
         const Matrix A = lane_of(rotation.A, at.lane);

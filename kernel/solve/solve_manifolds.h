@@ -23,6 +23,6 @@ void solve_manifolds(SolverView& solver, const BodyView& bodies, const Vector& g
 void write_contact_motion(const SolverView& solver, const BodyView& bodies, const Vector& gravity, scalar h);
 
 /// The small turns by which overlaps were taken back. Comes after the rotation.
-void turn_by_corrections(const SolverView& solver, const BodyView& bodies);
+void turn_by_corrections(const SolverView& solver, const BodyView& bodies, scalar h);
 
 } }  // namespace ingot

@@ -27,7 +27,6 @@ struct alignas(4 * sizeof(scalar)) SolverBodyHistory {
     scalar P_v[4];        ///< conjugate direction
     scalar P_L[4];
     scalar L_sum[4];      ///< of the substeps: the drift of A goes by the mean
-    scalar dth_push[4];   ///< rad, the part of dth that position sweeps made
 };
 
 /// One of the four quads.

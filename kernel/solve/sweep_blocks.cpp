@@ -91,19 +91,19 @@ INGOT_INLINE Smoothed smoothed(lane j, lane reference, mask young) {
 
 }  // namespace
 
-void warm_start(const SolverView& solver, scalar h) {
-    for (int visit_i = 0; visit_i < solver.visit_count; ++visit_i) {
-        const Visit visit = solver.visits[visit_i];
-        ContactBlock& block = solver.blocks[visit.block];
-        const mask active = mask_from_bits(visit.lane_bits);
+namespace {
+
+template <bool whole>
+INGOT_INLINE void warm_start_visit(const SolverView& solver, ContactBlock& block, uint16_t lane_bits, scalar h) {
+        const mask active = whole ? splat<lane>(1) > lane{} : mask_from_bits(lane_bits);
         const Vec3<lane> n = load(block.n);
         const lane inv_M_A = load(block.inv_M_A), inv_M_B = load(block.inv_M_B);
         BodyPairLanes pair = gather_bodies(solver, block, &SolverBody::v_CM, &SolverBody::L);
 
         const Row4 j = impulses_kept(solver, block, pair, h);
         for (int row = 0; row < block_rows; ++row) {
-            store(block.j[row], select(active, j.at[row], load(block.j[row])));
-            store(block.j_before[row], select(active, j.at[row], load(block.j_before[row])));
+            store_if<whole>(block.j[row], active, j.at[row]);
+            store_if<whole>(block.j_before[row], active, j.at[row]);
             add_angular(pair, block.normal[row], j.at[row]);
         }
         const lane sum = sum_of(j);
@@ -118,27 +118,32 @@ void warm_start(const SolverView& solver, scalar h) {
         lane j_1 = along_1.j, j_2 = along_2.j;
         cut_to_cone(j_1, j_2, limit);
         const lane twist_before = load(block.j_twist), twist = clamped(twist_before, limit * load(block.twist_radius));
-        store(block.j_friction[0], select(active, j_1, before_1));
-        store(block.j_friction[1], select(active, j_2, before_2));
-        store(block.j_reference[0], select(active, along_1.reference, reference_1));
-        store(block.j_reference[1], select(active, along_2.reference, reference_2));
-        store(block.j_twist, select(active, twist, twist_before));
-        store(block.steps, select(active, steps + splat<lane>(1), steps));
+        store_if<whole>(block.j_friction[0], active, j_1);
+        store_if<whole>(block.j_friction[1], active, j_2);
+        store_if<whole>(block.j_reference[0], active, along_1.reference);
+        store_if<whole>(block.j_reference[1], active, along_2.reference);
+        store_if<whole>(block.j_twist, active, twist);
+        store_if<whole>(block.steps, active, steps + splat<lane>(1));
         add_linear(pair, load(block.t_1) * j_1 + load(block.t_2) * j_2, inv_M_A, inv_M_B);
         add_angular(pair, block.friction[0], j_1);
         add_angular(pair, block.friction[1], j_2);
         add_twist(pair, n, twist, inv_M_A, inv_M_B);
-        scatter_bodies(solver, block, visit.lane_bits, pair, &SolverBody::v_CM, &SolverBody::L);
+        scatter_bodies(solver, block, lane_bits, pair, &SolverBody::v_CM, &SolverBody::L);
+}
+
+}  // namespace
+
+void warm_start(const SolverView& solver, scalar h) {
+    for (int visit_i = 0; visit_i < solver.visit_count; ++visit_i) {
+        const Visit visit = solver.visits[visit_i];
+        if (visit.lane_bits == all_lanes)
+            warm_start_visit<true>(solver, solver.blocks[visit.block], all_lanes, h);
+        else
+            warm_start_visit<false>(solver, solver.blocks[visit.block], visit.lane_bits, h);
     }
 }
 
 namespace {
-
-/// Stores where active; `whole`: everywhere.
-template <bool whole>
-INGOT_INLINE void store_if(scalar (&to)[lanes], mask active, lane value) {
-    store(to, whole ? value : select(active, value, load(to)));
-}
 
 /// Solves the rows of one visit: normals, twist, friction; the lanes of it are stored.
 template <bool whole>
@@ -294,6 +299,7 @@ void extrapolate(const SolverView& solver, scalar beta) {
 
 void position_sweep(const SolverView& solver, scalar h) {
     const lane share = splat<lane>(limits::position_share), deepest = splat<lane>(-limits::push_speed_max * h);
+    const lane settled = splat<lane>(-limits::settled_gap);
     for (int visit_i = 0; visit_i < solver.visit_count; ++visit_i) {
         const Visit visit = solver.visits[visit_i];
         ContactBlock& block = solver.blocks[visit.block];
@@ -308,7 +314,7 @@ void position_sweep(const SolverView& solver, scalar h) {
             const lane wanted = select(either(pressed, s < lane{}), greatest(s * share, deepest), s);
             pulls[row] = either(bounces, pressed);
             w.at[row] = select(bounces, s - load(block.position[row]), wanted);
-            off = either(off, either(pulls[row], w.at[row] < lane{}));
+            off = either(off, select(pulls[row], -abs(w.at[row]), w.at[row]) < settled);
         }
         if (!any(off)) continue;
         const Row4 before = {};

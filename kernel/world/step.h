@@ -54,10 +54,13 @@ StepReport step(World<S>& world, scalar h) {
         const auto drivers = storage.drivers(storage.gravity_or_none());
         count(report.spins_clamped, S::flight::template fly<typename S::rotation>(bodies, drivers, h, clock));
     } else if constexpr (stacks<S>) {
-        refresh_bounds(bodies, storage.surface_view(), h, storage.bounds);
-        PairSink found = storage.pair_sink();
-        S::broad_phase::find_pairs(bodies, storage.bounds, storage, found);
-        update_manifolds<typename S::shapes>(bodies, storage.surface_view(), h, found, storage.manifold_view(), report);
+        const PairList pairs = storage.pair_list();
+        const ManifoldView manifolds = storage.manifold_view();
+        if (refresh_bounds(bodies, storage.surface_view(), h, storage.bounds)) {
+            S::broad_phase::find_pairs(bodies, storage.bounds, storage, pairs);
+            hold_records(manifolds, pairs);
+        }
+        update_manifolds<typename S::shapes>(bodies, storage.surface_view(), storage.bounds, h, pairs, manifolds, report);
         refresh_inv_I_world(bodies);                                      // Eq. 20
         SolverView solver = storage.solver();
         solve_manifolds(solver, bodies, storage.gravity, h, report);
@@ -68,7 +71,7 @@ StepReport step(World<S>& world, scalar h) {
         const FlightClock clock{storage.steps, storage.h_changes_to(h), h / 2};
         count(report.spins_clamped, S::rotation::integrate_A(bodies, h, clock));
         integrate_r(bodies, h, storage.gravity);
-        turn_by_corrections(solver, bodies);
+        turn_by_corrections(solver, bodies, h);
     } else {
         integrate_L(bodies, h);
         if constexpr (S::translates) integrate_v(bodies, h, storage.gravity);

@@ -118,9 +118,10 @@ struct ManifoldPart : AnchorPart<S, S::renews_manifolds> {
     uint16_t order[block_capacity * lanes] = {};
     uint16_t other_order[manifold_capacity] = {}, level_order[manifold_capacity] = {}, level[manifold_capacity] = {};
     Visit visits[manifold_capacity + block_capacity] = {};
+    uint16_t found_count = 0, pairs_lost = 0;
     uint16_t manifold_count = 0, records_used = 0, first_free_record = 0;
 
-    PairSink pair_sink() { return {found_pairs, pair_capacity<S>, 0, 0}; }
+    PairList pair_list() { return {found_pairs, pair_capacity<S>, &found_count, &pairs_lost}; }
     ManifoldView manifold_view() { return {pairs, &manifold_count, records, this->manifold_anchors(), &records_used, &first_free_record, S::max_manifolds}; }
     SolverView solver() {
         return {pairs, records, manifold_count, blocks, visits, order, level, other_order, level_order,
