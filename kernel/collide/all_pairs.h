@@ -11,14 +11,12 @@ namespace ingot { inline namespace INGOT_ABI {
 /// Full: pairs of the lowest slots are kept.
 void find_all_pairs(const BodyView& bodies, const BoundsTile* bounds, const PairList& pairs);
 
-/// `using broad_phase = ingot::AllPairs;`
+/// `using broad_phase = ingot::AllPairs;`, for up to a few hundred bodies.
 struct AllPairs {
-    template <int max_bodies>
-    struct Memory {};
-    template <class M>
-    static void find_pairs(const BodyView& bodies, const BoundsTile* bounds, M&, const PairList& pairs) {
-        find_all_pairs(bodies, bounds, pairs);
-    }
+    template <int max_bodies, int max_pairs>
+    struct Memory {
+        void find_pairs(const BodyView& bodies, const BoundsTile* bounds, const PairList& pairs) { find_all_pairs(bodies, bounds, pairs); }
+    };
 };
 
 } }  // namespace ingot

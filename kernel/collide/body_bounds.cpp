@@ -31,9 +31,10 @@ void set_bounds(BoundsTile& bounds, int lane_i, const Vector& low, const Vector&
 }
 
 constexpr Vector everywhere = {limits::unbounded, limits::unbounded, limits::unbounded};
+constexpr Vector nowhere = everywhere * scalar(2);  ///< empty bounds begin there; so that not even a half space overlaps them
 
 void bound(const BodyView& bodies, const Surface& surface, Place at, scalar h, BoundsTile& tile) {
-    if (surface.shape.kind == ShapeKind::none) return set_bounds(tile, at.lane, everywhere, -everywhere);
+    if (surface.shape.kind == ShapeKind::none) return set_bounds(tile, at.lane, nowhere, -nowhere);
     if (surface.shape.kind == ShapeKind::half_space) return set_bounds(tile, at.lane, -everywhere, everywhere);
     const Vector r = lane_of(bodies.translation[at.tile].r_CM, at.lane), v = lane_of(bodies.translation[at.tile].v_CM, at.lane);
     const scalar turn = sqrt(length_sq(lane_of(bodies.rotation[at.tile].omega, at.lane))) * h;
@@ -67,7 +68,7 @@ bool refresh_bounds(const BodyView& bodies, const SurfaceView& surfaces, scalar 
             if (slot < surfaces.slot_count)
                 bound(bodies, surfaces.surfaces[slot], {tile_i, lane_i}, h, tile);
             else
-                set_bounds(tile, lane_i, everywhere, -everywhere);
+                set_bounds(tile, lane_i, nowhere, -nowhere);
         }
         for (int axis = 0; axis < 3; ++axis) {
             left = either(left, load(tile.low[axis]) < load(tile.wide_low[axis]));

@@ -152,8 +152,12 @@ INGOT_INLINE constexpr scalar abs(scalar x) { return __builtin_fabs(x); }
 #else
 INGOT_INLINE constexpr scalar abs(scalar x) { return __builtin_fabsf(x); }
 #endif
+INGOT_INLINE constexpr scalar least(scalar a, scalar b) { return a < b ? a : b; }
+INGOT_INLINE constexpr scalar greatest(scalar a, scalar b) { return a > b ? a : b; }
+#if INGOT_LANES > 1
 INGOT_INLINE lane least(lane a, lane b) { return select(a < b, a, b); }
 INGOT_INLINE lane greatest(lane a, lane b) { return select(a > b, a, b); }
+#endif
 
 /// True where x is neither NaN nor infinite. Comparisons only: no unit raises a flag, and without a unit they are cheap.
 INGOT_INLINE constexpr bool is_finite(scalar x) { return abs(x) <= scalar_max; }

@@ -93,11 +93,6 @@ INGOT_INLINE void cut_to_cone(lane& j_1, lane& j_2, lane limit) {
     j_2 = j_2 * cut;
 }
 
-INGOT_INLINE Row4 load_row4(const scalar (&rows)[block_rows][lanes]) {
-    return {{load(rows[0]), load(rows[1]), load(rows[2]), load(rows[3])}};
-}
-INGOT_INLINE lane sum_of(const Row4& row) { return (row.at[0] + row.at[1]) + (row.at[2] + row.at[3]); }
-
 /// Where a point is now: its separation at the begin of the step, and what displacements have made of it.
 INGOT_INLINE lane separation_now(const ContactBlock& block, int row, lane linear_displacement, const BodyPairLanes& displaced) {
     return load(block.separation[row]) + row_displacement(block.normal[row], linear_displacement, displaced);

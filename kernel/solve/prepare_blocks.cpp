@@ -79,9 +79,34 @@ INGOT_INLINE lane compliance(const Levers& row, const Levers& other, lane inv_M)
     return inv_M + dot(load(row.k_A), load(other.J_A)) + dot(load(row.k_B), load(other.J_B));
 }
 
+/// Compliance of the normals and its inverse.
+template <int rows>
+void prepare_normals(ContactBlock& block, const lane (&used)[block_rows], lane inv_M) {
+    const lane one = splat<lane>(1);
+    Sym4 K, stiffened;
+    for (int row = 0; row < rows; ++row)
+        for (int c = row; c < rows; ++c)
+            K(row, c) = select(both(used[row] > lane{}, used[c] > lane{}), compliance(block.normal[row], block.normal[c], inv_M), row == c ? one : lane{});
+    const lane factor = select(used[block_rows - 1] > lane{}, splat<lane>(limits::block_diagonal), one);  // fewer points: full rank
+    stiffened = K;
+    for (int row = 0; row < rows; ++row) stiffened(row, row) = K(row, row) * factor;
+    const Sym4 B = inverse<rows>(stiffened);
+    for (int row = 0; row < rows; ++row) {
+        for (int c = row; c < rows; ++c) {
+            const int entry = Sym4::index(row, c);
+            const lane inverse_entry = select(both(used[row] > lane{}, used[c] > lane{}), B(row, c), lane{});
+            store(block.K[entry], K(row, c));
+            store(block.B[entry], inverse_entry);
+            store(block.held[entry], inverse_entry);
+            store(block.held_position[entry], inverse_entry);
+        }
+    }
+}
+
 void prepare_block(const SolverView& solver, const BodyView& bodies, int block_i) {
     ContactBlock& block = solver.blocks[block_i];
     BlockInput in{};
+    block.rows = 1;
     for (int lane_i = 0; lane_i < lanes; ++lane_i) {
         const int position = block_i * lanes + lane_i;
         block.manifold[lane_i] = solver.order[position];
@@ -96,6 +121,7 @@ void prepare_block(const SolverView& solver, const BodyView& bodies, int block_i
             in.A.put(lane_i, bodies, pair.body_A);
             in.B.put(lane_i, bodies, pair.body_B);
         }
+        if (contact.manifold.count > 1) block.rows = block_rows;
         set_lane(in.n, lane_i, contact.manifold.n);
         for (int row = 0; row < contact.manifold.count; ++row) {
             in.used[row][lane_i] = 1;
@@ -147,27 +173,10 @@ void prepare_block(const SolverView& solver, const BodyView& bodies, int block_i
     for (int row = 0; row < block_rows; ++row) radius = radius + weight[row] * sqrt(length_sq(P[row] - middle));
     store(block.twist_radius, radius * inv_weights);
 
-    Sym4 K;
-    for (int row = 0; row < block_rows; ++row) {
-        for (int c = row; c < block_rows; ++c) {
-            const mask there = both(used[row] > lane{}, used[c] > lane{});
-            K(row, c) = select(there, compliance(block.normal[row], block.normal[c], inv_M), row == c ? one : lane{});
-        }
-    }
-    Sym4 stiffened = K;
-    const lane factor = select(used[block_rows - 1] > lane{}, splat<lane>(limits::block_diagonal), one);  // fewer points: full rank
-    for (int row = 0; row < block_rows; ++row) stiffened(row, row) = K(row, row) * factor;
-    const Sym4 B4 = inverse(stiffened);
-    for (int row = 0; row < block_rows; ++row) {
-        for (int c = row; c < block_rows; ++c) {
-            const mask there = both(used[row] > lane{}, used[c] > lane{});
-            store(block.K[Sym4::index(row, c)], K(row, c));
-            const lane inverse_entry = select(there, B4(row, c), lane{});
-            store(block.B[Sym4::index(row, c)], inverse_entry);
-            store(block.held[Sym4::index(row, c)], inverse_entry);
-            store(block.held_position[Sym4::index(row, c)], inverse_entry);
-        }
-    }
+    if (block.rows == 1)
+        prepare_normals<1>(block, used, inv_M);
+    else
+        prepare_normals<block_rows>(block, used, inv_M);
 
     store_levers(block.friction[0], A, B, lever_A(middle, t_1), lever_B(middle, t_1));
     store_levers(block.friction[1], A, B, lever_A(middle, t_2), lever_B(middle, t_2));

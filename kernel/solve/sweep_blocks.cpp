@@ -23,7 +23,7 @@ INGOT_INLINE void predict_bounces(ContactBlock& block, const SolverView& solver,
                                   gather_history(solver, block.body_B, &SolverBodyHistory::a), gather_history(solver, block.body_B, &SolverBodyHistory::tau), {}};
     const lane approach = dot(n, motion.linear_A - motion.linear_B), pull = dot(n, forces.linear_A - forces.linear_B);
     const lane step = splat<lane>(h), half = splat<lane>(scalar(0.5)), two = splat<lane>(2), one = splat<lane>(1), e = load(block.e);
-    for (int row = 0; row < block_rows; ++row) {
+    for (int row = 0; row < block.rows; ++row) {
         const lane s = separation[row], speed = row_speed(block.normal[row], approach, motion), a = row_speed(block.normal[row], pull, forces);
         const mask meets = s + speed * step + a * step * step * half < lane{};
         const mask apart = s > lane{};
@@ -49,7 +49,7 @@ void predict_contacts(const SolverView& solver, scalar h) {
         const Vec3<lane> n = load(block.n);
         const lane apart = dot(n, displaced.linear_A - displaced.linear_B);
         lane separation[block_rows];
-        for (int row = 0; row < block_rows; ++row) {
+        for (int row = 0; row < block.rows; ++row) {
             separation[row] = separation_now(block, row, apart, displaced);
             store(block.target[row], -greatest(separation[row] - splat<lane>(limits::touching_gap), lane{}) * inv_h);
         }
@@ -60,22 +60,23 @@ void predict_contacts(const SolverView& solver, scalar h) {
 namespace {
 
 /// What is given again of the normals' impulses: of bodies that were hit, no more than gravity explains; of points that bounce, nothing.
+template <int rows>
 INGOT_INLINE Row4 impulses_kept(const SolverView& solver, const ContactBlock& block, const BodyPairLanes& pair, scalar h) {
-    const Row4 j = load_row4(block.j);
-    Row4 kept = j;
+    Row4 kept;
+    for (int row = 0; row < rows; ++row) kept.at[row] = load(block.j[row]);
     if (solver.some_hit) {
         const mask hit = pair.last[1] + pair.last[3] > lane{};
         if (any(hit)) {
             const lane g = greatest(gather(solver.bodies, block.body_A, &SolverBody::dp).at[3], gather(solver.bodies, block.body_B, &SolverBody::dp).at[3]);
             const lane allowance = splat<lane>(2 * h) * g;
-            for (int row = 0; row < block_rows; ++row) {
+            for (int row = 0; row < rows; ++row) {
                 const lane most = splat<lane>(2) * load(block.j_before[row]) + allowance / load(block.K[Sym4::index(row, row)]);
-                kept.at[row] = select(hit, least(j.at[row], most), j.at[row]);
+                kept.at[row] = select(hit, least(kept.at[row], most), kept.at[row]);
             }
         }
     }
     if (any(load(block.e) > lane{}))
-        for (int row = 0; row < block_rows; ++row) kept.at[row] = select(load(block.bounces[row]) > lane{}, lane{}, kept.at[row]);
+        for (int row = 0; row < rows; ++row) kept.at[row] = select(load(block.bounces[row]) > lane{}, lane{}, kept.at[row]);
     return kept;
 }
 
@@ -93,42 +94,45 @@ INGOT_INLINE Smoothed smoothed(lane j, lane reference, mask young) {
 
 namespace {
 
-template <bool whole>
+template <int rows, bool whole>
 INGOT_INLINE void warm_start_visit(const SolverView& solver, ContactBlock& block, uint16_t lane_bits, scalar h) {
-        const mask active = whole ? splat<lane>(1) > lane{} : mask_from_bits(lane_bits);
-        const Vec3<lane> n = load(block.n);
-        const lane inv_M_A = load(block.inv_M_A), inv_M_B = load(block.inv_M_B);
-        BodyPairLanes pair = gather_bodies(solver, block, &SolverBody::v_CM, &SolverBody::L);
+    const mask active = whole ? splat<lane>(1) > lane{} : mask_from_bits(lane_bits);
+    const Vec3<lane> n = load(block.n);
+    const lane inv_M_A = load(block.inv_M_A), inv_M_B = load(block.inv_M_B);
+    BodyPairLanes pair = gather_bodies(solver, block, &SolverBody::v_CM, &SolverBody::L);
 
-        const Row4 j = impulses_kept(solver, block, pair, h);
-        for (int row = 0; row < block_rows; ++row) {
-            store_if<whole>(block.j[row], active, j.at[row]);
-            store_if<whole>(block.j_before[row], active, j.at[row]);
-            add_angular(pair, block.normal[row], j.at[row]);
-        }
-        const lane sum = sum_of(j);
-        add_linear(pair, n * sum, inv_M_A, inv_M_B);
+    const Row4 j = impulses_kept<rows>(solver, block, pair, h);
+    for (int row = 0; row < rows; ++row) {
+        store_if<whole>(block.j[row], active, j.at[row]);
+        store_if<whole>(block.j_before[row], active, j.at[row]);
+        add_angular(pair, block.normal[row], j.at[row]);
+    }
+    lane sum{};
+    for (int row = 0; row < rows; ++row) sum = sum + j.at[row];
+    add_linear(pair, n * sum, inv_M_A, inv_M_B);
 
-        const lane limit = load(block.mu) * sum, steps = load(block.steps);
-        const lane before_1 = load(block.j_friction[0]), before_2 = load(block.j_friction[1]);
-        const lane reference_1 = load(block.j_reference[0]), reference_2 = load(block.j_reference[1]);
-        const mask slides = before_1 * before_1 + before_2 * before_2 >= splat<lane>(scalar(0.998)) * limit * limit;
-        const mask young = either(slides, steps < splat<lane>(limits::substeps));
-        const Smoothed along_1 = smoothed(before_1, reference_1, young), along_2 = smoothed(before_2, reference_2, young);
-        lane j_1 = along_1.j, j_2 = along_2.j;
-        cut_to_cone(j_1, j_2, limit);
-        const lane twist_before = load(block.j_twist), twist = clamped(twist_before, limit * load(block.twist_radius));
-        store_if<whole>(block.j_friction[0], active, j_1);
-        store_if<whole>(block.j_friction[1], active, j_2);
-        store_if<whole>(block.j_reference[0], active, along_1.reference);
-        store_if<whole>(block.j_reference[1], active, along_2.reference);
+    const lane limit = load(block.mu) * sum, steps = load(block.steps);
+    const lane before_1 = load(block.j_friction[0]), before_2 = load(block.j_friction[1]);
+    const lane reference_1 = load(block.j_reference[0]), reference_2 = load(block.j_reference[1]);
+    const mask slides = before_1 * before_1 + before_2 * before_2 >= splat<lane>(scalar(0.998)) * limit * limit;
+    const mask young = either(slides, steps < splat<lane>(limits::substeps));
+    const Smoothed along_1 = smoothed(before_1, reference_1, young), along_2 = smoothed(before_2, reference_2, young);
+    lane j_1 = along_1.j, j_2 = along_2.j;
+    cut_to_cone(j_1, j_2, limit);
+    store_if<whole>(block.j_friction[0], active, j_1);
+    store_if<whole>(block.j_friction[1], active, j_2);
+    store_if<whole>(block.j_reference[0], active, along_1.reference);
+    store_if<whole>(block.j_reference[1], active, along_2.reference);
+    store_if<whole>(block.steps, active, steps + splat<lane>(1));
+    add_linear(pair, load(block.t_1) * j_1 + load(block.t_2) * j_2, inv_M_A, inv_M_B);
+    add_angular(pair, block.friction[0], j_1);
+    add_angular(pair, block.friction[1], j_2);
+    if constexpr (rows > 1) {
+        const lane twist = clamped(load(block.j_twist), limit * load(block.twist_radius));
         store_if<whole>(block.j_twist, active, twist);
-        store_if<whole>(block.steps, active, steps + splat<lane>(1));
-        add_linear(pair, load(block.t_1) * j_1 + load(block.t_2) * j_2, inv_M_A, inv_M_B);
-        add_angular(pair, block.friction[0], j_1);
-        add_angular(pair, block.friction[1], j_2);
         add_twist(pair, n, twist, inv_M_A, inv_M_B);
-        scatter_bodies(solver, block, lane_bits, pair, &SolverBody::v_CM, &SolverBody::L);
+    }
+    scatter_bodies(solver, block, lane_bits, pair, &SolverBody::v_CM, &SolverBody::L);
 }
 
 }  // namespace
@@ -136,17 +140,20 @@ INGOT_INLINE void warm_start_visit(const SolverView& solver, ContactBlock& block
 void warm_start(const SolverView& solver, scalar h) {
     for (int visit_i = 0; visit_i < solver.visit_count; ++visit_i) {
         const Visit visit = solver.visits[visit_i];
-        if (visit.lane_bits == all_lanes)
-            warm_start_visit<true>(solver, solver.blocks[visit.block], all_lanes, h);
+        ContactBlock& block = solver.blocks[visit.block];
+        const bool whole = visit.lane_bits == all_lanes;
+        if (block.rows == 1)
+            whole ? warm_start_visit<1, true>(solver, block, visit.lane_bits, h) : warm_start_visit<1, false>(solver, block, visit.lane_bits, h);
         else
-            warm_start_visit<false>(solver, solver.blocks[visit.block], visit.lane_bits, h);
+            whole ? warm_start_visit<block_rows, true>(solver, block, visit.lane_bits, h)
+                  : warm_start_visit<block_rows, false>(solver, block, visit.lane_bits, h);
     }
 }
 
 namespace {
 
 /// Solves the rows of one visit: normals, twist, friction; the lanes of it are stored.
-template <bool whole>
+template <int rows, bool whole>
 INGOT_INLINE void visit_velocities(const SolverView& solver, ContactBlock& block, uint16_t lane_bits, lane& residual) {
     const mask active = whole ? splat<lane>(1) > lane{} : mask_from_bits(lane_bits);
     const Vec3<lane> n = load(block.n);
@@ -154,13 +161,15 @@ INGOT_INLINE void visit_velocities(const SolverView& solver, ContactBlock& block
     BodyPairLanes pair = gather_bodies(solver, block, &SolverBody::v_CM, &SolverBody::L);
 
     const lane approach = dot(n, pair.linear_A - pair.linear_B);
-    const Row4 before = load_row4(block.j);
-    Row4 w;
-    for (int row = 0; row < block_rows; ++row) w.at[row] = row_speed(block.normal[row], approach, pair) - load(block.target[row]);
+    Row4 before, w;
+    for (int row = 0; row < rows; ++row) {
+        before.at[row] = load(block.j[row]);
+        w.at[row] = row_speed(block.normal[row], approach, pair) - load(block.target[row]);
+    }
     const mask none[block_rows] = {};
-    const Row4 j = solve_block(block.K, block.B, block.held, w, before, none, limits::approach_slack, active);
+    const Row4 j = solve_block<rows>(block.K, block.B, block.held, w, before, none, limits::approach_slack, active);
     lane total{}, given{}, change{}, fastest{};
-    for (int row = 0; row < block_rows; ++row) {
+    for (int row = 0; row < rows; ++row) {
         const lane d = j.at[row] - before.at[row], speed = d * load(block.K[Sym4::index(row, row)]);
         add_angular(pair, block.normal[row], d);
         given = given + d;
@@ -172,13 +181,16 @@ INGOT_INLINE void visit_velocities(const SolverView& solver, ContactBlock& block
     add_linear(pair, n * given, inv_M_A, inv_M_B);
 
     const lane limit = load(block.mu) * total;
-    const lane spin = dot(pair.angular_A, load(block.k_twist_A)) + dot(pair.angular_B, load(block.k_twist_B));
-    const lane twist_before = load(block.j_twist);
-    const lane twist = clamped(twist_before - spin * load(block.inv_K_twist), limit * load(block.twist_radius));
-    const lane twisted = twist - twist_before;
-    add_twist(pair, n, twisted, inv_M_A, inv_M_B);
-    store_if<whole>(block.j_twist, active, twist);
-    change = change + twisted * twisted * load(block.K_twist);
+    if constexpr (rows > 1) {  // one point has no lever to resist a twist with
+        const lane spin = dot(pair.angular_A, load(block.k_twist_A)) + dot(pair.angular_B, load(block.k_twist_B));
+        const lane twist_before = load(block.j_twist);
+        const lane twist = clamped(twist_before - spin * load(block.inv_K_twist), limit * load(block.twist_radius));
+        const lane twisted = twist - twist_before;
+        add_twist(pair, n, twisted, inv_M_A, inv_M_B);
+        store_if<whole>(block.j_twist, active, twist);
+        change = change + twisted * twisted * load(block.K_twist);
+        fastest = greatest(fastest, abs(twisted * load(block.K_twist)) * load(block.twist_radius));
+    }
 
     const Vec3<lane> t_1 = load(block.t_1), t_2 = load(block.t_2), slip = pair.linear_A - pair.linear_B;
     const lane u_1 = row_speed(block.friction[0], dot(t_1, slip), pair), u_2 = row_speed(block.friction[1], dot(t_2, slip), pair);
@@ -195,7 +207,6 @@ INGOT_INLINE void visit_velocities(const SolverView& solver, ContactBlock& block
     const lane speed_1 = d_1 * load(block.K_friction[0]), speed_2 = d_2 * load(block.K_friction[1]);
     change = change + (d_1 * speed_1 + d_2 * speed_2);
     fastest = greatest(fastest, greatest(abs(speed_1), abs(speed_2)));
-    fastest = greatest(fastest, abs(twisted * load(block.K_twist)) * load(block.twist_radius));
     residual = greatest(residual, select(active, fastest, residual));
     store_if<whole>(block.change, active, change);
     scatter_bodies(solver, block, lane_bits, pair, &SolverBody::v_CM, &SolverBody::L);
@@ -220,10 +231,13 @@ SweepResult velocity_sweep(const SolverView& solver, bool up) {
     lane residual{};
     for (int visit_i = 0; visit_i < solver.visit_count; ++visit_i) {
         const Visit visit = solver.visits[up ? visit_i : solver.visit_count - 1 - visit_i];
-        if (visit.lane_bits == all_lanes)
-            visit_velocities<true>(solver, solver.blocks[visit.block], all_lanes, residual);
+        ContactBlock& block = solver.blocks[visit.block];
+        const bool whole = visit.lane_bits == all_lanes;
+        if (block.rows == 1)
+            whole ? visit_velocities<1, true>(solver, block, visit.lane_bits, residual) : visit_velocities<1, false>(solver, block, visit.lane_bits, residual);
         else
-            visit_velocities<false>(solver, solver.blocks[visit.block], visit.lane_bits, residual);
+            whole ? visit_velocities<block_rows, true>(solver, block, visit.lane_bits, residual)
+                  : visit_velocities<block_rows, false>(solver, block, visit.lane_bits, residual);
     }
     scalar of_lanes[lanes], largest = 0;
     store(of_lanes, residual);
@@ -297,34 +311,49 @@ void extrapolate(const SolverView& solver, scalar beta) {
     }
 }
 
-void position_sweep(const SolverView& solver, scalar h) {
+namespace {
+
+template <int rows>
+INGOT_INLINE void visit_positions(const SolverView& solver, ContactBlock& block, uint16_t lane_bits, scalar h) {
     const lane share = splat<lane>(limits::position_share), deepest = splat<lane>(-limits::push_speed_max * h);
     const lane settled = splat<lane>(-limits::settled_gap);
+    const Vec3<lane> n = load(block.n);
+    BodyPairLanes pair = gather_bodies(solver, block, &SolverBody::dp, &SolverBody::dth);
+    const lane apart = dot(n, pair.linear_A - pair.linear_B);
+    Row4 w;
+    mask pulls[block_rows], off = splat<lane>(1) < lane{};
+    for (int row = 0; row < rows; ++row) {
+        const lane s = separation_now(block, row, apart, pair);
+        const mask bounces = load(block.bounces[row]) > lane{}, pressed = load(block.j[row]) > lane{};
+        const lane wanted = select(either(pressed, s < lane{}), greatest(s * share, deepest), s);
+        pulls[row] = either(bounces, pressed);
+        w.at[row] = select(bounces, s - load(block.position[row]), wanted);
+        off = either(off, select(pulls[row], -abs(w.at[row]), w.at[row]) < settled);
+    }
+    if (!any(off)) return;
+    const Row4 none = {};
+    const mask active = mask_from_bits(lane_bits);
+    const Row4 q = solve_block<rows>(block.K, block.B, block.held_position, w, none, pulls, limits::approach_slack * h, active);
+    lane sum{};
+    for (int row = 0; row < rows; ++row) {
+        const lane push = select(off, q.at[row], lane{});
+        turn_by_push(pair, block.normal[row], push);
+        sum = sum + push;
+    }
+    add_linear(pair, n * sum, load(block.inv_M_A), load(block.inv_M_B));
+    scatter_bodies(solver, block, lane_bits, pair, &SolverBody::dp, &SolverBody::dth);
+}
+
+}  // namespace
+
+void position_sweep(const SolverView& solver, scalar h) {
     for (int visit_i = 0; visit_i < solver.visit_count; ++visit_i) {
         const Visit visit = solver.visits[visit_i];
         ContactBlock& block = solver.blocks[visit.block];
-        const Vec3<lane> n = load(block.n);
-        BodyPairLanes pair = gather_bodies(solver, block, &SolverBody::dp, &SolverBody::dth);
-        const lane apart = dot(n, pair.linear_A - pair.linear_B);
-        Row4 w;
-        mask pulls[block_rows], off = splat<lane>(1) < lane{};
-        for (int row = 0; row < block_rows; ++row) {
-            const lane s = separation_now(block, row, apart, pair);
-            const mask bounces = load(block.bounces[row]) > lane{}, pressed = load(block.j[row]) > lane{};
-            const lane wanted = select(either(pressed, s < lane{}), greatest(s * share, deepest), s);
-            pulls[row] = either(bounces, pressed);
-            w.at[row] = select(bounces, s - load(block.position[row]), wanted);
-            off = either(off, select(pulls[row], -abs(w.at[row]), w.at[row]) < settled);
-        }
-        if (!any(off)) continue;
-        const Row4 before = {};
-        Row4 q = solve_block(block.K, block.B, block.held_position, w, before, pulls, limits::approach_slack * h, mask_from_bits(visit.lane_bits));
-        for (int row = 0; row < block_rows; ++row) {
-            q.at[row] = select(off, q.at[row], lane{});
-            turn_by_push(pair, block.normal[row], q.at[row]);
-        }
-        add_linear(pair, n * sum_of(q), load(block.inv_M_A), load(block.inv_M_B));
-        scatter_bodies(solver, block, visit.lane_bits, pair, &SolverBody::dp, &SolverBody::dth);
+        if (block.rows == 1)
+            visit_positions<1>(solver, block, visit.lane_bits, h);
+        else
+            visit_positions<block_rows>(solver, block, visit.lane_bits, h);
     }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "../collide/all_pairs.h"
+#include "../collide/sorted_tree.h"
 #include "../collide/shapes.h"
 #include "../motion/driven_flight.h"
 #include "../motion/exact_elliptic.h"
@@ -30,7 +31,7 @@ struct Scene {
     static constexpr int  max_manifolds = 0;     ///< pairs of bodies that touch in one step, 0 .. 65534: friction, stacks, piles
     static constexpr int  max_pairs    = 0;      ///< pairs of bodies whose bounds overlap in one step; 0: twice max_manifolds
     static constexpr bool renews_manifolds = true;   ///< where bodies hardly move, manifolds are moved along with them and not searched anew
-    using broad_phase = AllPairs;                ///< or another that finds such pairs
+    using broad_phase = AllPairs;                ///< or SortedTree, for many bodies
     using shapes   = Shapes<>;
     using rotation = MoserVeselov;               ///< or another method of motion/
     using force_field = NoForceField;            ///< or one of motion/force_fields.h, or your own

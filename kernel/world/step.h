@@ -57,7 +57,7 @@ StepReport step(World<S>& world, scalar h) {
         const PairList pairs = storage.pair_list();
         const ManifoldView manifolds = storage.manifold_view();
         if (refresh_bounds(bodies, storage.surface_view(), h, storage.bounds)) {
-            S::broad_phase::find_pairs(bodies, storage.bounds, storage, pairs);
+            storage.find_pairs(bodies, storage.bounds, pairs);
             hold_records(manifolds, pairs);
         }
         update_manifolds<typename S::shapes>(bodies, storage.surface_view(), storage.bounds, h, pairs, manifolds, report);
