@@ -32,6 +32,7 @@ INGOT_INLINE scalar margin_of(const BodyView& bodies, const BoundsTile* bounds, 
 /// The routine for the two shapes; A has the kind that comes first. Only the routines of shapes that the scene names are linked.
 template <class Shapes>
 void collide_shapes(const PlacedShape& A, const PlacedShape& B, scalar margin, Manifold& manifold, const Manifold& before) {
+    manifold.count = 0;
 #define INGOT_PAIR(a, b)                                                             \
     if constexpr (Shapes::has(ShapeKind::a) && Shapes::has(ShapeKind::b))            \
         if (A.shape.kind == ShapeKind::a && B.shape.kind == ShapeKind::b) return collide_##a##_##b(A, B, margin, manifold, &before)
@@ -63,19 +64,25 @@ INGOT_INLINE bool renew_manifold(const BodyView& bodies, const SurfaceView& surf
     return renew_from_anchors(frame_of(bodies, pair.body_A), frame_of(bodies, pair.body_B), limits::recycled_slip * R, margin, anchors, manifold);
 }
 
-/// The manifold of a pair, found by the routine for its shapes; `manifold` is that of the step before, or zero.
+/// The manifold of a pair, found by the routine for its shapes.
 template <class Shapes>
-void find_manifold(const BodyView& bodies, const SurfaceView& surfaces, const BodyPair& pair, scalar margin, ManifoldAnchors* anchors,
+void find_manifold(const BodyView& bodies, const SurfaceView& surfaces, const BodyPair& pair, scalar margin, const Manifold& before,
                    Manifold& manifold) {
-    const Surface &surface_A = surfaces.surfaces[pair.body_A], &surface_B = surfaces.surfaces[pair.body_B];
-    const PlacedShape A = placed_shape(bodies, surfaces, pair.body_A), B = placed_shape(bodies, surfaces, pair.body_B);
-    const bool swap = surface_B.shape.kind < surface_A.shape.kind;
-    Manifold before = manifold;
-    if (swap) before.n = -before.n;
-    collide_shapes<Shapes>(swap ? B : A, swap ? A : B, margin, manifold, before);
-    if (swap) manifold.n = -manifold.n;
-    if (anchors != nullptr && worth_renewing(surface_A, surface_B))
-        anchor(frame_of(bodies, pair.body_A), frame_of(bodies, pair.body_B), manifold, margin, *anchors);
+    const bool swap = surfaces.surfaces[pair.body_B].shape.kind < surfaces.surfaces[pair.body_A].shape.kind;
+    const PlacedShape A = placed_shape(bodies, surfaces, swap ? pair.body_B : pair.body_A);
+    const PlacedShape B = placed_shape(bodies, surfaces, swap ? pair.body_A : pair.body_B);
+    if (!swap) return collide_shapes<Shapes>(A, B, margin, manifold, before);
+    Manifold seen = before;
+    seen.n = -seen.n;
+    collide_shapes<Shapes>(A, B, margin, manifold, seen);
+    manifold.n = -manifold.n;
+}
+
+/// Restitution of a pair is the greater of the two; friction their geometric mean.
+INGOT_INLINE void mix_materials(const SurfaceView& surfaces, const BodyPair& pair, ManifoldRecord& record) {
+    const Surface &A = surfaces.surfaces[pair.body_A], &B = surfaces.surfaces[pair.body_B];
+    record.e = A.e > B.e ? A.e : B.e;
+    record.mu = sqrt(A.mu * B.mu);
 }
 
 /// Manifolds of all pairs of the last search, those of the step before renewed; manifolds.pairs are those that touch.
@@ -92,26 +99,35 @@ void update_manifolds(const BodyView& bodies, const SurfaceView& surfaces, const
             if (held) give_back(manifolds, pair.record);
             continue;
         }
+        const scalar margin = margin_of(bodies, bounds, pair, h);
+        if (held && manifolds.anchors != nullptr) {
+            if (renew_manifold(bodies, surfaces, pair, margin, manifolds.anchors[pair.record], manifolds.records[pair.record].manifold)) {
+                manifolds.pairs[(*manifolds.count)++] = pair;
+                continue;
+            }
+        }
+        Manifold before, found_now;
+        before.n = {};
+        before.count = 0;
+        if (held) before = manifolds.records[pair.record].manifold;
+        find_manifold<Shapes>(bodies, surfaces, pair, margin, before, found_now);
+        if (found_now.count == 0) {
+            if (held) give_back(manifolds, pair.record);
+            continue;
+        }
         if (!held) pair.record = take_record(manifolds);
         if (pair.record == no_record) {
             count(report.contacts_lost);
             continue;
         }
         ManifoldRecord& record = manifolds.records[pair.record];
-        ManifoldAnchors* const anchors = manifolds.anchors != nullptr ? &manifolds.anchors[pair.record] : nullptr;
-        const scalar margin = margin_of(bodies, bounds, pair, h);
-        if (!(held && anchors != nullptr && renew_manifold(bodies, surfaces, pair, margin, *anchors, record.manifold))) {
-            const Manifold before = record.manifold;
-            find_manifold<Shapes>(bodies, surfaces, pair, margin, anchors, record.manifold);
-            if (record.manifold.count == 0) {
-                give_back(manifolds, pair.record);
-                continue;
-            }
+        record.manifold = found_now;
+        if (held)
             carry_impulses(record, before);
-            const Surface &A = surfaces.surfaces[pair.body_A], &B = surfaces.surfaces[pair.body_B];
-            record.e = A.e > B.e ? A.e : B.e;
-            record.mu = sqrt(A.mu * B.mu);
-        }
+        else
+            mix_materials(surfaces, pair, record);
+        if (manifolds.anchors != nullptr && worth_renewing(surfaces.surfaces[pair.body_A], surfaces.surfaces[pair.body_B]))
+            anchor(frame_of(bodies, pair.body_A), frame_of(bodies, pair.body_B), found_now, margin, manifolds.anchors[pair.record]);
         manifolds.pairs[(*manifolds.count)++] = pair;
     }
     count(report.contacts, *manifolds.count);

@@ -2,6 +2,7 @@
 // What the sweeps over blocks share: the two bodies of each lane, and rows read and applied.
 #pragma once
 
+#include "../base/limits.h"
 #include "../math/sqrt.h"
 #include "solver_view.h"
 
@@ -93,9 +94,11 @@ INGOT_INLINE void cut_to_cone(lane& j_1, lane& j_2, lane limit) {
     j_2 = j_2 * cut;
 }
 
+INGOT_INLINE mask bounces(const ContactRow& row) { return load(row.landing) < splat<lane>(limits::unbounded); }
+
 /// Where a point is now: its separation at the begin of the step, and what displacements have made of it.
 INGOT_INLINE lane separation_now(const ContactBlock& block, int row, lane linear_displacement, const BodyPairLanes& displaced) {
-    return load(block.separation[row]) + row_displacement(block.normal[row], linear_displacement, displaced);
+    return load(block.row[row].separation) + row_displacement(block.row[row].levers, linear_displacement, displaced);
 }
 
 } }  // namespace ingot

@@ -176,11 +176,11 @@ INGOT_INLINE Row4 drop_rows(const Sym4& K, const Sym4& B, Sym4& left, const Row4
 /// l >= 0 with w + K (l - before) >= 0 and one of the two zero in each row. A row that `pulls` takes any sign.
 ///
 /// K is the compliance of the rows, B the inverse of K with 1.01 of its diagonal, `held` the inverse without the rows that were out at the
-/// last visit: when they still are, one product of held and w is the answer. Else the search begins anew, and held keeps what it finds.
+/// last visit: when they still are, one product of held and w is the answer. Else the search begins anew; with `hold`, held keeps what it finds.
 /// Rows that are not used have zero rows in B and held, and 1 on the diagonal of K; with or without them, the others come out the same to the bit.
 /// slack: speed, or length, at which a row that is out may approach unnoticed. Bound: 4 drops, 6 rounds.
 /// Source: active set by symmetric sweeps; what is held, and the start over, are ours.
-template <int rows>
+template <int rows, bool hold>
 INGOT_INLINE Row4 solve_block(const scalar (&K_rows)[10][lanes], const scalar (&B_rows)[10][lanes], scalar (&held)[10][lanes], const Row4& w,
                               const Row4& before, const mask (&pulls)[block_rows], scalar slack, mask active) {
     Attempt attempt = solve_with<rows>(K_rows, held, w, before, pulls, slack);
@@ -189,7 +189,9 @@ INGOT_INLINE Row4 solve_block(const scalar (&K_rows)[10][lanes], const scalar (&
     Sym4 left;
     const Row4 found = drop_rows<rows>(load_sym4(K_rows), load_sym4(B_rows), left, w, before, pulls);
     for (int row = 0; row < rows; ++row) attempt.l.at[row] = select(attempt.fails, found.at[row], attempt.l.at[row]);
-    for (int entry = 0; entry < 10; ++entry) store(held[entry], select(attempt.fails, left.at[entry], load(held[entry])));
+    if constexpr (hold)
+        for (int row = 0; row < rows; ++row)
+            for (int c = row; c < rows; ++c) store(held[Sym4::index(row, c)], select(attempt.fails, left(row, c), load(held[Sym4::index(row, c)])));
     return attempt.l;
 }
 

@@ -15,17 +15,17 @@ const ManifoldRecord& record_of(const SolverView& solver, uint16_t manifold_i) {
 }
 
 void recall(ContactBlock& block, int lane_i, const ManifoldRecord& record) {
-    for (int row = 0; row < block_rows; ++row) {
-        block.j[row][lane_i] = record.j[row];
-        block.j_before[row][lane_i] = record.j_before[row];
+    for (int row = 0; row < block.rows; ++row) {
+        block.row[row].j[lane_i] = record.j[row];
+        block.row[row].j_before[lane_i] = record.j_before[row];
     }
     const Vector t_1 = lane_of(block.t_1, lane_i), t_2 = lane_of(block.t_2, lane_i);
-    block.j_friction[0][lane_i] = dot(record.j_friction, t_1);
-    block.j_friction[1][lane_i] = dot(record.j_friction, t_2);
-    block.j_reference[0][lane_i] = dot(record.j_reference, t_1);
-    block.j_reference[1][lane_i] = dot(record.j_reference, t_2);
-    block.j_twist[lane_i] = record.j_twist;
-    block.steps[lane_i] = static_cast<scalar>(record.substeps);
+    block.friction.j[0][lane_i] = dot(record.j_friction, t_1);
+    block.friction.j[1][lane_i] = dot(record.j_friction, t_2);
+    block.friction.reference[0][lane_i] = dot(record.j_reference, t_1);
+    block.friction.reference[1][lane_i] = dot(record.j_reference, t_2);
+    block.twist.j[lane_i] = record.j_twist;
+    block.substeps[lane_i] = static_cast<scalar>(record.substeps);
 }
 
 /// A body as the rows need it, of each lane.
@@ -86,8 +86,9 @@ void prepare_normals(ContactBlock& block, const lane (&used)[block_rows], lane i
     Sym4 K, stiffened;
     for (int row = 0; row < rows; ++row)
         for (int c = row; c < rows; ++c)
-            K(row, c) = select(both(used[row] > lane{}, used[c] > lane{}), compliance(block.normal[row], block.normal[c], inv_M), row == c ? one : lane{});
-    const lane factor = select(used[block_rows - 1] > lane{}, splat<lane>(limits::block_diagonal), one);  // fewer points: full rank
+            K(row, c) = select(both(used[row] > lane{}, used[c] > lane{}), compliance(block.row[row].levers, block.row[c].levers, inv_M), row == c ? one : lane{});
+    const mask singular = rows == block_rows ? used[rows - 1] > lane{} : one < lane{};  // fewer points have full rank
+    const lane factor = select(singular, splat<lane>(limits::block_diagonal), one);
     stiffened = K;
     for (int row = 0; row < rows; ++row) stiffened(row, row) = K(row, row) * factor;
     const Sym4 B = inverse<rows>(stiffened);
@@ -98,7 +99,6 @@ void prepare_normals(ContactBlock& block, const lane (&used)[block_rows], lane i
             store(block.K[entry], K(row, c));
             store(block.B[entry], inverse_entry);
             store(block.held[entry], inverse_entry);
-            store(block.held_position[entry], inverse_entry);
         }
     }
 }
@@ -133,7 +133,7 @@ void prepare_block(const SolverView& solver, const BodyView& bodies, int block_i
     const Vec3<lane> n = load(in.n);
     Vec3<lane> P[block_rows];
     lane used[block_rows], separation[block_rows];
-    for (int row = 0; row < block_rows; ++row) {
+    for (int row = 0; row < block.rows; ++row) {
         P[row] = load(in.P[row]);
         used[row] = load(in.used[row]);
         separation[row] = load(in.separation[row]);
@@ -156,13 +156,12 @@ void prepare_block(const SolverView& solver, const BodyView& bodies, int block_i
     lane weights{};
     const lane margin = splat<lane>(limits::contact_margin);
     lane weight[block_rows];
-    for (int row = 0; row < block_rows; ++row) {
+    for (int row = 0; row < block.rows; ++row) {
         const mask there = used[row] > lane{};
-        store_levers(block.normal[row], A, B, select(there, lever_A(P[row], n), Vec3<lane>{}), select(there, lever_B(P[row], n), Vec3<lane>{}));
-        store(block.separation[row], separation[row]);
-        store(block.target[row], lane{});
-        store(block.position[row], lane{});
-        store(block.bounces[row], lane{});
+        store_levers(block.row[row].levers, A, B, select(there, lever_A(P[row], n), Vec3<lane>{}), select(there, lever_B(P[row], n), Vec3<lane>{}));
+        store(block.row[row].separation, separation[row]);
+        store(block.row[row].target, lane{});
+        store(block.row[row].landing, splat<lane>(limits::unbounded));
         weight[row] = used[row] * greatest(lane{}, least(one, splat<lane>(2) - separation[row] / margin)) + used[row] * splat<lane>(scalar(1e-6));
         middle += P[row] * weight[row];
         weights = weights + weight[row];
@@ -170,38 +169,36 @@ void prepare_block(const SolverView& solver, const BodyView& bodies, int block_i
     const lane inv_weights = one / select(weights > lane{}, weights, one);
     middle = middle * inv_weights;
     lane radius{};
-    for (int row = 0; row < block_rows; ++row) radius = radius + weight[row] * sqrt(length_sq(P[row] - middle));
-    store(block.twist_radius, radius * inv_weights);
+    for (int row = 0; row < block.rows; ++row) radius = radius + weight[row] * sqrt(length_sq(P[row] - middle));
+    store(block.twist.radius, radius * inv_weights);
 
     if (block.rows == 1)
         prepare_normals<1>(block, used, inv_M);
     else
         prepare_normals<block_rows>(block, used, inv_M);
 
-    store_levers(block.friction[0], A, B, lever_A(middle, t_1), lever_B(middle, t_1));
-    store_levers(block.friction[1], A, B, lever_A(middle, t_2), lever_B(middle, t_2));
+    store_levers(block.friction.levers[0], A, B, lever_A(middle, t_1), lever_B(middle, t_1));
+    store_levers(block.friction.levers[1], A, B, lever_A(middle, t_2), lever_B(middle, t_2));
     const mask any_point = used[0] > lane{};
-    const lane k11 = compliance(block.friction[0], block.friction[0], inv_M), k22 = compliance(block.friction[1], block.friction[1], inv_M);
-    const lane k12 = compliance(block.friction[0], block.friction[1], lane{});
+    const lane k11 = compliance(block.friction.levers[0], block.friction.levers[0], inv_M), k22 = compliance(block.friction.levers[1], block.friction.levers[1], inv_M);
+    const lane k12 = compliance(block.friction.levers[0], block.friction.levers[1], lane{});
     const lane inv_det = one / select(any_point, k11 * k22 - k12 * k12, one);
-    store(block.K_friction[0], k11);
-    store(block.K_friction[1], k22);
-    store(block.inv_K_friction[0], select(any_point, k22 * inv_det, lane{}));
-    store(block.inv_K_friction[1], select(any_point, -k12 * inv_det, lane{}));
-    store(block.inv_K_friction[2], select(any_point, k11 * inv_det, lane{}));
+    store(block.friction.K[0], k11);
+    store(block.friction.K[1], k22);
+    store(block.friction.inv_K[0], select(any_point, k22 * inv_det, lane{}));
+    store(block.friction.inv_K[1], select(any_point, -k12 * inv_det, lane{}));
+    store(block.friction.inv_K[2], select(any_point, k11 * inv_det, lane{}));
 
     const Vec3<lane> k_A = select(movable_A, A.inv_I_world * n, Vec3<lane>{}), k_B = select(movable_B, B.inv_I_world * -n, Vec3<lane>{});
     const lane k_twist = dot(k_A, n) - dot(k_B, n);
-    store(block.K_twist, k_twist);
-    store(block.k_twist_A, k_A);
-    store(block.k_twist_B, k_B);
+    store(block.twist.K, k_twist);
+    store(block.twist.k_A, k_A);
+    store(block.twist.k_B, k_B);
     const mask turns = both(any_point, k_twist > lane{});
-    store(block.inv_K_twist, select(turns, one / select(turns, k_twist, one), lane{}));
-    for (int row = 0; row < 7; ++row) {
-        store(block.direction[row], lane{});
-        store(block.j_sweep[row], lane{});
-    }
-
+    store(block.twist.inv_K, select(turns, one / select(turns, k_twist, one), lane{}));
+    for (int row = 0; row < block.rows; ++row) store(block.row[row].direction, lane{});
+    for (int axis = 0; axis < 2; ++axis) store(block.friction.direction[axis], lane{});
+    store(block.twist.direction, lane{});
     for (int lane_i = 0; lane_i < lanes; ++lane_i) recall(block, lane_i, record_of(solver, block.manifold[lane_i]));
 }
 
@@ -218,17 +215,17 @@ void remember_impulses(const SolverView& solver) {
             const uint16_t manifold_i = block.manifold[lane_i];
             if (manifold_i == no_manifold) continue;
             ManifoldRecord& record = solver.records[solver.pairs[manifold_i].record];
-            const scalar substeps = block.steps[lane_i];
+            const scalar substeps = block.substeps[lane_i];
             record.substeps = static_cast<uint16_t>(substeps < 1000 ? substeps : scalar(1000));
             for (int row = 0; row < block_rows; ++row) {
                 const bool there = row < record.manifold.count;
-                record.j[row] = there ? block.j[row][lane_i] : 0;
-                record.j_before[row] = there ? block.j_before[row][lane_i] : 0;
+                record.j[row] = there ? block.row[row].j[lane_i] : 0;
+                record.j_before[row] = there ? block.row[row].j_before[lane_i] : 0;
             }
             const Vector t_1 = lane_of(block.t_1, lane_i), t_2 = lane_of(block.t_2, lane_i);
-            record.j_friction = t_1 * block.j_friction[0][lane_i] + t_2 * block.j_friction[1][lane_i];
-            record.j_reference = t_1 * block.j_reference[0][lane_i] + t_2 * block.j_reference[1][lane_i];
-            record.j_twist = block.j_twist[lane_i];
+            record.j_friction = t_1 * block.friction.j[0][lane_i] + t_2 * block.friction.j[1][lane_i];
+            record.j_reference = t_1 * block.friction.reference[0][lane_i] + t_2 * block.friction.reference[1][lane_i];
+            record.j_twist = block.twist.j[lane_i];
         }
     }
 }

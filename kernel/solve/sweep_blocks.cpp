@@ -24,7 +24,7 @@ INGOT_INLINE void predict_bounces(ContactBlock& block, const SolverView& solver,
     const lane approach = dot(n, motion.linear_A - motion.linear_B), pull = dot(n, forces.linear_A - forces.linear_B);
     const lane step = splat<lane>(h), half = splat<lane>(scalar(0.5)), two = splat<lane>(2), one = splat<lane>(1), e = load(block.e);
     for (int row = 0; row < block.rows; ++row) {
-        const lane s = separation[row], speed = row_speed(block.normal[row], approach, motion), a = row_speed(block.normal[row], pull, forces);
+        const lane s = separation[row], speed = row_speed(block.row[row].levers, approach, motion), a = row_speed(block.row[row].levers, pull, forces);
         const mask meets = s + speed * step + a * step * step * half < lane{};
         const mask apart = s > lane{};
         const lane root = sqrt(greatest(speed * speed - two * a * s, lane{}));
@@ -33,9 +33,8 @@ INGOT_INLINE void predict_bounces(ContactBlock& block, const SolverView& solver,
         const lane impact = speed + a * when, leaving = -e * impact, rest = step - when;
         const lane rest_speed = greatest(splat<lane>(limits::bounce_speed_min), two * abs(a) * step);
         const mask bounces = both(both(meets, -impact > rest_speed), both(e > lane{}, load(block.B[Sym4::index(row, row)]) > lane{}));
-        store(block.target[row], select(bounces, leaving + a * rest, load(block.target[row])));
-        store(block.position[row], select(bounces, leaving * rest + a * rest * rest * half, lane{}));
-        store(block.bounces[row], select(bounces, one, lane{}));
+        store(block.row[row].target, select(bounces, leaving + a * rest, load(block.row[row].target)));
+        store(block.row[row].landing, select(bounces, leaving * rest + a * rest * rest * half, splat<lane>(limits::unbounded)));
     }
 }
 
@@ -51,7 +50,7 @@ void predict_contacts(const SolverView& solver, scalar h) {
         lane separation[block_rows];
         for (int row = 0; row < block.rows; ++row) {
             separation[row] = separation_now(block, row, apart, displaced);
-            store(block.target[row], -greatest(separation[row] - splat<lane>(limits::touching_gap), lane{}) * inv_h);
+            store(block.row[row].target, -greatest(separation[row] - splat<lane>(limits::touching_gap), lane{}) * inv_h);
         }
         if (any(load(block.e) > lane{})) predict_bounces(block, solver, n, separation, h);
     }
@@ -63,20 +62,20 @@ namespace {
 template <int rows>
 INGOT_INLINE Row4 impulses_kept(const SolverView& solver, const ContactBlock& block, const BodyPairLanes& pair, scalar h) {
     Row4 kept;
-    for (int row = 0; row < rows; ++row) kept.at[row] = load(block.j[row]);
+    for (int row = 0; row < rows; ++row) kept.at[row] = load(block.row[row].j);
     if (solver.some_hit) {
         const mask hit = pair.last[1] + pair.last[3] > lane{};
         if (any(hit)) {
             const lane g = greatest(gather(solver.bodies, block.body_A, &SolverBody::dp).at[3], gather(solver.bodies, block.body_B, &SolverBody::dp).at[3]);
             const lane allowance = splat<lane>(2 * h) * g;
             for (int row = 0; row < rows; ++row) {
-                const lane most = splat<lane>(2) * load(block.j_before[row]) + allowance / load(block.K[Sym4::index(row, row)]);
+                const lane most = splat<lane>(2) * load(block.row[row].j_before) + allowance / load(block.K[Sym4::index(row, row)]);
                 kept.at[row] = select(hit, least(kept.at[row], most), kept.at[row]);
             }
         }
     }
     if (any(load(block.e) > lane{}))
-        for (int row = 0; row < rows; ++row) kept.at[row] = select(load(block.bounces[row]) > lane{}, lane{}, kept.at[row]);
+        for (int row = 0; row < rows; ++row) kept.at[row] = select(bounces(block.row[row]), lane{}, kept.at[row]);
     return kept;
 }
 
@@ -103,33 +102,33 @@ INGOT_INLINE void warm_start_visit(const SolverView& solver, ContactBlock& block
 
     const Row4 j = impulses_kept<rows>(solver, block, pair, h);
     for (int row = 0; row < rows; ++row) {
-        store_if<whole>(block.j[row], active, j.at[row]);
-        store_if<whole>(block.j_before[row], active, j.at[row]);
-        add_angular(pair, block.normal[row], j.at[row]);
+        store_if<whole>(block.row[row].j, active, j.at[row]);
+        store_if<whole>(block.row[row].j_before, active, j.at[row]);
+        add_angular(pair, block.row[row].levers, j.at[row]);
     }
     lane sum{};
     for (int row = 0; row < rows; ++row) sum = sum + j.at[row];
     add_linear(pair, n * sum, inv_M_A, inv_M_B);
 
-    const lane limit = load(block.mu) * sum, steps = load(block.steps);
-    const lane before_1 = load(block.j_friction[0]), before_2 = load(block.j_friction[1]);
-    const lane reference_1 = load(block.j_reference[0]), reference_2 = load(block.j_reference[1]);
+    const lane limit = load(block.mu) * sum, steps = load(block.substeps);
+    const lane before_1 = load(block.friction.j[0]), before_2 = load(block.friction.j[1]);
+    const lane reference_1 = load(block.friction.reference[0]), reference_2 = load(block.friction.reference[1]);
     const mask slides = before_1 * before_1 + before_2 * before_2 >= splat<lane>(scalar(0.998)) * limit * limit;
     const mask young = either(slides, steps < splat<lane>(limits::substeps));
     const Smoothed along_1 = smoothed(before_1, reference_1, young), along_2 = smoothed(before_2, reference_2, young);
     lane j_1 = along_1.j, j_2 = along_2.j;
     cut_to_cone(j_1, j_2, limit);
-    store_if<whole>(block.j_friction[0], active, j_1);
-    store_if<whole>(block.j_friction[1], active, j_2);
-    store_if<whole>(block.j_reference[0], active, along_1.reference);
-    store_if<whole>(block.j_reference[1], active, along_2.reference);
-    store_if<whole>(block.steps, active, steps + splat<lane>(1));
+    store_if<whole>(block.friction.j[0], active, j_1);
+    store_if<whole>(block.friction.j[1], active, j_2);
+    store_if<whole>(block.friction.reference[0], active, along_1.reference);
+    store_if<whole>(block.friction.reference[1], active, along_2.reference);
+    store_if<whole>(block.substeps, active, steps + splat<lane>(1));
     add_linear(pair, load(block.t_1) * j_1 + load(block.t_2) * j_2, inv_M_A, inv_M_B);
-    add_angular(pair, block.friction[0], j_1);
-    add_angular(pair, block.friction[1], j_2);
+    add_angular(pair, block.friction.levers[0], j_1);
+    add_angular(pair, block.friction.levers[1], j_2);
     if constexpr (rows > 1) {
-        const lane twist = clamped(load(block.j_twist), limit * load(block.twist_radius));
-        store_if<whole>(block.j_twist, active, twist);
+        const lane twist = clamped(load(block.twist.j), limit * load(block.twist.radius));
+        store_if<whole>(block.twist.j, active, twist);
         add_twist(pair, n, twist, inv_M_A, inv_M_B);
     }
     scatter_bodies(solver, block, lane_bits, pair, &SolverBody::v_CM, &SolverBody::L);
@@ -163,48 +162,48 @@ INGOT_INLINE void visit_velocities(const SolverView& solver, ContactBlock& block
     const lane approach = dot(n, pair.linear_A - pair.linear_B);
     Row4 before, w;
     for (int row = 0; row < rows; ++row) {
-        before.at[row] = load(block.j[row]);
-        w.at[row] = row_speed(block.normal[row], approach, pair) - load(block.target[row]);
+        before.at[row] = load(block.row[row].j);
+        w.at[row] = row_speed(block.row[row].levers, approach, pair) - load(block.row[row].target);
     }
     const mask none[block_rows] = {};
-    const Row4 j = solve_block<rows>(block.K, block.B, block.held, w, before, none, limits::approach_slack, active);
+    const Row4 j = solve_block<rows, true>(block.K, block.B, block.held, w, before, none, limits::approach_slack, active);
     lane total{}, given{}, change{}, fastest{};
     for (int row = 0; row < rows; ++row) {
         const lane d = j.at[row] - before.at[row], speed = d * load(block.K[Sym4::index(row, row)]);
-        add_angular(pair, block.normal[row], d);
+        add_angular(pair, block.row[row].levers, d);
         given = given + d;
         total = total + j.at[row];
         change = change + d * speed;
         fastest = greatest(fastest, abs(speed));
-        store_if<whole>(block.j[row], active, j.at[row]);
+        store_if<whole>(block.row[row].j, active, j.at[row]);
     }
     add_linear(pair, n * given, inv_M_A, inv_M_B);
 
     const lane limit = load(block.mu) * total;
     if constexpr (rows > 1) {  // one point has no lever to resist a twist with
-        const lane spin = dot(pair.angular_A, load(block.k_twist_A)) + dot(pair.angular_B, load(block.k_twist_B));
-        const lane twist_before = load(block.j_twist);
-        const lane twist = clamped(twist_before - spin * load(block.inv_K_twist), limit * load(block.twist_radius));
+        const lane spin = dot(pair.angular_A, load(block.twist.k_A)) + dot(pair.angular_B, load(block.twist.k_B));
+        const lane twist_before = load(block.twist.j);
+        const lane twist = clamped(twist_before - spin * load(block.twist.inv_K), limit * load(block.twist.radius));
         const lane twisted = twist - twist_before;
         add_twist(pair, n, twisted, inv_M_A, inv_M_B);
-        store_if<whole>(block.j_twist, active, twist);
-        change = change + twisted * twisted * load(block.K_twist);
-        fastest = greatest(fastest, abs(twisted * load(block.K_twist)) * load(block.twist_radius));
+        store_if<whole>(block.twist.j, active, twist);
+        change = change + twisted * twisted * load(block.twist.K);
+        fastest = greatest(fastest, abs(twisted * load(block.twist.K)) * load(block.twist.radius));
     }
 
     const Vec3<lane> t_1 = load(block.t_1), t_2 = load(block.t_2), slip = pair.linear_A - pair.linear_B;
-    const lane u_1 = row_speed(block.friction[0], dot(t_1, slip), pair), u_2 = row_speed(block.friction[1], dot(t_2, slip), pair);
-    const lane i11 = load(block.inv_K_friction[0]), i12 = load(block.inv_K_friction[1]), i22 = load(block.inv_K_friction[2]);
-    const lane j_1 = load(block.j_friction[0]), j_2 = load(block.j_friction[1]);
+    const lane u_1 = row_speed(block.friction.levers[0], dot(t_1, slip), pair), u_2 = row_speed(block.friction.levers[1], dot(t_2, slip), pair);
+    const lane i11 = load(block.friction.inv_K[0]), i12 = load(block.friction.inv_K[1]), i22 = load(block.friction.inv_K[2]);
+    const lane j_1 = load(block.friction.j[0]), j_2 = load(block.friction.j[1]);
     lane next_1 = j_1 - (i11 * u_1 + i12 * u_2), next_2 = j_2 - (i12 * u_1 + i22 * u_2);
     cut_to_cone(next_1, next_2, limit);
     const lane d_1 = next_1 - j_1, d_2 = next_2 - j_2;
     add_linear(pair, t_1 * d_1 + t_2 * d_2, inv_M_A, inv_M_B);
-    add_angular(pair, block.friction[0], d_1);
-    add_angular(pair, block.friction[1], d_2);
-    store_if<whole>(block.j_friction[0], active, next_1);
-    store_if<whole>(block.j_friction[1], active, next_2);
-    const lane speed_1 = d_1 * load(block.K_friction[0]), speed_2 = d_2 * load(block.K_friction[1]);
+    add_angular(pair, block.friction.levers[0], d_1);
+    add_angular(pair, block.friction.levers[1], d_2);
+    store_if<whole>(block.friction.j[0], active, next_1);
+    store_if<whole>(block.friction.j[1], active, next_2);
+    const lane speed_1 = d_1 * load(block.friction.K[0]), speed_2 = d_2 * load(block.friction.K[1]);
     change = change + (d_1 * speed_1 + d_2 * speed_2);
     fastest = greatest(fastest, greatest(abs(speed_1), abs(speed_2)));
     residual = greatest(residual, select(active, fastest, residual));
@@ -247,20 +246,6 @@ SweepResult velocity_sweep(const SolverView& solver, bool up) {
 
 namespace {
 
-/// Impulses of a block as conjugate gradients see them: four normals, the pair, the twist.
-INGOT_INLINE void load_impulses(const ContactBlock& block, lane (&j)[7]) {
-    for (int row = 0; row < block_rows; ++row) j[row] = load(block.j[row]);
-    j[4] = load(block.j_friction[0]);
-    j[5] = load(block.j_friction[1]);
-    j[6] = load(block.j_twist);
-}
-INGOT_INLINE void store_impulses(ContactBlock& block, const lane (&j)[7]) {
-    for (int row = 0; row < block_rows; ++row) store(block.j[row], j[row]);
-    store(block.j_friction[0], j[4]);
-    store(block.j_friction[1], j[5]);
-    store(block.j_twist, j[6]);
-}
-
 void copy4(scalar (&to)[4], const scalar (&from)[4]) {
     for (int i = 0; i < 4; ++i) to[i] = from[i];
 }
@@ -280,9 +265,9 @@ void go_on(scalar (&now)[4], const scalar (&before)[4], scalar (&P)[4], scalar b
 void begin_sweep(const SolverView& solver) {
     for (int block_i = 0; block_i < solver.block_count; ++block_i) {
         ContactBlock& block = solver.blocks[block_i];
-        lane j[7];
-        load_impulses(block, j);
-        for (int row = 0; row < 7; ++row) store(block.j_sweep[row], j[row]);
+        for (int row = 0; row < block.rows; ++row) store(block.row[row].j_sweep, load(block.row[row].j));
+        for (int axis = 0; axis < 2; ++axis) store(block.friction.j_sweep[axis], load(block.friction.j[axis]));
+        if (block.rows > 1) store(block.twist.j_sweep, load(block.twist.j));
     }
     for (int body_i = 1; body_i < solver.body_count; ++body_i) {
         copy4(solver.histories[body_i].v_sweep, solver.bodies[body_i].v_CM);
@@ -292,16 +277,16 @@ void begin_sweep(const SolverView& solver) {
 
 void extrapolate(const SolverView& solver, scalar beta) {
     const lane b = splat<lane>(beta);
+    const auto go_on_lanes = [&](scalar (&j)[lanes], const scalar (&j_sweep)[lanes], scalar (&direction)[lanes]) {
+        const lane now = load(j), along = b * load(direction) + (now - load(j_sweep));
+        store(direction, along);
+        store(j, now + b * along);
+    };
     for (int block_i = 0; block_i < solver.block_count; ++block_i) {
         ContactBlock& block = solver.blocks[block_i];
-        lane j[7];
-        load_impulses(block, j);
-        for (int row = 0; row < 7; ++row) {
-            const lane direction = b * load(block.direction[row]) + (j[row] - load(block.j_sweep[row]));
-            store(block.direction[row], direction);
-            j[row] = j[row] + b * direction;
-        }
-        store_impulses(block, j);
+        for (int row = 0; row < block.rows; ++row) go_on_lanes(block.row[row].j, block.row[row].j_sweep, block.row[row].direction);
+        for (int axis = 0; axis < 2; ++axis) go_on_lanes(block.friction.j[axis], block.friction.j_sweep[axis], block.friction.direction[axis]);
+        if (block.rows > 1) go_on_lanes(block.twist.j, block.twist.j_sweep, block.twist.direction);
     }
     for (int body_i = 1; body_i < solver.body_count; ++body_i) {
         SolverBody& body = solver.bodies[body_i];
@@ -324,20 +309,20 @@ INGOT_INLINE void visit_positions(const SolverView& solver, ContactBlock& block,
     mask pulls[block_rows], off = splat<lane>(1) < lane{};
     for (int row = 0; row < rows; ++row) {
         const lane s = separation_now(block, row, apart, pair);
-        const mask bounces = load(block.bounces[row]) > lane{}, pressed = load(block.j[row]) > lane{};
+        const mask lands = bounces(block.row[row]), pressed = load(block.row[row].j) > lane{};
         const lane wanted = select(either(pressed, s < lane{}), greatest(s * share, deepest), s);
-        pulls[row] = either(bounces, pressed);
-        w.at[row] = select(bounces, s - load(block.position[row]), wanted);
+        pulls[row] = either(lands, pressed);
+        w.at[row] = select(lands, s - load(block.row[row].landing), wanted);
         off = either(off, select(pulls[row], -abs(w.at[row]), w.at[row]) < settled);
     }
     if (!any(off)) return;
     const Row4 none = {};
     const mask active = mask_from_bits(lane_bits);
-    const Row4 q = solve_block<rows>(block.K, block.B, block.held_position, w, none, pulls, limits::approach_slack * h, active);
+    const Row4 q = solve_block<rows, false>(block.K, block.B, block.held, w, none, pulls, limits::approach_slack * h, active);
     lane sum{};
     for (int row = 0; row < rows; ++row) {
         const lane push = select(off, q.at[row], lane{});
-        turn_by_push(pair, block.normal[row], push);
+        turn_by_push(pair, block.row[row].levers, push);
         sum = sum + push;
     }
     add_linear(pair, n * sum, load(block.inv_M_A), load(block.inv_M_B));
