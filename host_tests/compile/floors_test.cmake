@@ -8,8 +8,11 @@ set(math_may base)
 set(body_may base math)
 set(motion_may base math body)
 set(collide_may base math body)
+set(pairs_may base math body collide)
+set(contact_may base math body collide pairs)
 set(solve_may base math body collide)
-set(world_may base math body motion collide solve)
+set(blocks_may base math body collide pairs contact)
+set(world_may base math body motion collide pairs contact solve blocks)
 set(freestanding "stdint\\.h|stddef\\.h|float\\.h|limits\\.h")
 
 # A stage is a .h/.cpp pair of these rooms; what it may include of its own room is shared vocabulary, not another stage.
@@ -17,7 +20,12 @@ set(freestanding "stdint\\.h|stddef\\.h|float\\.h|limits\\.h")
 set(motion_shares acceleration flight_clock turn moser_veselov moser_veselov_series moser_veselov_stage force_field driven_tile elliptic_functions integrate_r)
 set(collide_shares contact shapes bounds collide_shapes convex_hull placed_shape manifold manifold_points contact_geometry
   narrow_phase)
+set(pairs_shares body_bounds body_pairs)
+set(contact_shares manifold_record manifold_anchors)
 set(solve_shares contact_rows impulse)
+# solve_manifolds conducts the stages of a substep.
+set(blocks_shares block_solve contact_block block_rows solver_body solver_view conjugate_gradients order_manifolds predict_contacts prepare_blocks
+  sweep_positions sweep_velocities warm_start)
 
 set(broken "")
 file(GLOB_RECURSE files RELATIVE ${HOUSE} ${HOUSE}/kernel/*.h ${HOUSE}/kernel/*.cpp ${HOUSE}/platform/*.h ${HOUSE}/platform/*.cpp)

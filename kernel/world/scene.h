@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../collide/all_pairs.h"
-#include "../collide/sorted_tree.h"
+#include "../pairs/all_pairs.h"
+#include "../pairs/sorted_tree.h"
 #include "../collide/shapes.h"
 #include "../motion/driven_flight.h"
 #include "../motion/exact_elliptic.h"

@@ -8,9 +8,9 @@
 #include "../motion/integrate_v.h"
 #include "../solve/contact_rows.h"
 #include "../solve/solve_contact_forces.h"
-#include "../collide/update_manifolds.h"
+#include "../contact/update_manifolds.h"
 #include "../solve/solve_impacts.h"
-#include "../solve/solve_manifolds.h"
+#include "../blocks/solve_manifolds.h"
 #include "world.h"
 
 namespace ingot { inline namespace INGOT_ABI {

@@ -7,7 +7,7 @@
 
 #include "../body/body_tiles.h"
 #include "../collide/find_contacts.h"
-#include "../solve/solver_view.h"
+#include "../blocks/solver_view.h"
 #include "scene.h"
 
 namespace ingot { inline namespace INGOT_ABI {

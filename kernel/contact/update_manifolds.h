@@ -6,8 +6,8 @@
 #include "../base/report.h"
 #include "../math/sqrt.h"
 #include "manifold_record.h"
-#include "narrow_phase.h"
-#include "recycle.h"
+#include "../collide/narrow_phase.h"
+#include "manifold_anchors.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 

@@ -3,9 +3,13 @@
 
 #include "../base/limits.h"
 #include "../math/rotation.h"
+#include "conjugate_gradients.h"
 #include "order_manifolds.h"
+#include "predict_contacts.h"
 #include "prepare_blocks.h"
-#include "sweep_blocks.h"
+#include "sweep_positions.h"
+#include "sweep_velocities.h"
+#include "warm_start.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -97,7 +101,7 @@ int solve_velocities(const SolverView& solver, int sweeps_max, scalar& residual)
     scalar size_before = 0;
     for (int sweep_i = 1;; ++sweep_i) {
         if (sweep_i < sweeps_max) begin_sweep(solver);
-        const SweepResult result = velocity_sweep(solver, sweep_i % 2 != 0);
+        const SweepResult result = sweep_velocities(solver, sweep_i % 2 != 0);
         residual = result.residual;
         if (sweep_i == sweeps_max || residual <= limits::settled_speed) return sweep_i;
         const scalar beta = sweep_i > 1 && result.size <= size_before && size_before > 0 ? result.size / size_before : 0;
@@ -121,7 +125,7 @@ void solve_manifolds(SolverView& solver, const BodyView& bodies, const Vector& g
         warm_start(solver, h_substep);
         count(report.sweeps, solve_velocities(solver, sweeps_max, report.residual));
         drift_bodies(solver, bodies, h_substep);
-        position_sweep(solver, h_substep);
+        sweep_positions(solver, h_substep);
     }
     remember_impulses(solver);
 }

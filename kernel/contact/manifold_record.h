@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "body_pairs.h"
-#include "manifold.h"
-#include "recycle.h"
+#include "../pairs/body_pairs.h"
+#include "../collide/manifold.h"
+#include "manifold_anchors.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "../math/mat3.h"
-#include "manifold.h"
+#include "../collide/manifold.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "recycle.h"
+#include "manifold_anchors.h"
 
 #include "../base/limits.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "bounds.h"
+#include "../collide/bounds.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 

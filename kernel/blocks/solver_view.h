@@ -2,7 +2,7 @@
 // Everything the many-body solver works on, without its capacities.
 #pragma once
 
-#include "../collide/manifold_record.h"
+#include "../contact/manifold_record.h"
 #include "contact_block.h"
 
 namespace ingot { inline namespace INGOT_ABI {
