@@ -15,7 +15,7 @@ constexpr size_t rounded_up(size_t bytes, size_t alignment) { return (bytes + al
 // Rows of `lanes` numbers, and two bytes a tile for each set of marks; a tile is as wide as the vectors it is loaded into.
 constexpr size_t row = sizeof(scalar) * lanes;
 constexpr size_t mark = 2;
-constexpr size_t rotation_tile = rounded_up((9 + 3 + 3 + 3 + 1 + 3) * row + 2 * mark, row);      // A L tau_T ratio scale omega
+constexpr size_t rotation_tile = rounded_up((9 + 3 + 3 + 3 + 1) * row + 2 * mark, row);          // A L tau_T ratio scale
 constexpr size_t compensation_tile = 9 * row;                                                     // A_low
 constexpr size_t energy_tile = 1 * row;                                                           // E_0
 constexpr size_t translation_tile = rounded_up((3 + 3 + 3 + 1 + 6) * row + mark, row);            // r_CM v_CM F_T inv_M inv_I_world

@@ -27,7 +27,7 @@ std::string stages() {
     if (ingot::collides<S>) names += "solve_contact_forces ";
     names += S::rotation::name;
     if (S::translates) names += " integrate_r";
-    return names + " refresh_auxiliary";
+    return names;
 }
 
 struct File {

@@ -50,7 +50,6 @@ public:
     explicit FlyerOnStage(const ingot_reference::FreeBodyCase& body) {
         for (int lane_i = 0; lane_i < ingot::lanes; ++lane_i) ingot::set_identity_body(view(), lane_i);
         ingot::write_body(view(), 0, definition_of(body));
-        ingot::refresh_omega(view());
     }
 
     void step(ingot::scalar h) {
@@ -58,7 +57,6 @@ public:
             ingot::integrate_A_listing1(view(), h);
         else
             (void)Rotation::integrate_A(view(), h, {steps_, steps_ == 0});
-        ingot::refresh_omega(view());
         ++steps_;
     }
     ingot::BodyState state() { return ingot::read_state(view(), 0); }

@@ -30,8 +30,8 @@ std::string flips_text(double flips, double of_table) {
 
 Table throughput_table(const Rows& rows) {
     Table table{"Cost of a body as their number grows",
-                "ns of one body in one step of the default method: status checks, gravity, momentum, rotation, translation, "
-                "auxiliary state. Floor: the "
+                "ns of one body in one step of the default method: status checks, gravity, momentum, rotation, translation. "
+                "Floor: the "
                 "operations of that step at two vector operations a cycle of this core's measured clock, on vectors of at most "
                 "32 bytes; memory: what a body "
                 "takes in the world of 4096, which is read once and for the most part written once a step.",

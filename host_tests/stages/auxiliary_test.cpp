@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The auxiliary state (Eqs. 18 and 20) and the motion of points of a body (Eqs. 10 to 13).
 #include <gtest/gtest.h>
+#include <ingot/body/auxiliary.h>
 #include <ingot/body/kinematics.h>
-#include <ingot/body/refresh_auxiliary.h>
+
+#include <limits>
 
 #include "reference/eigen_free_body.h"
 #include "reference/kernel_types.h"
@@ -20,7 +22,7 @@ using Square = Eigen::Matrix<long double, 3, 3>;
 
 constexpr double u = static_cast<double>(roundoff<scalar>);
 
-TEST(RefreshAuxiliary, is_the_similarity_transform_and_the_spin_of_L) {
+TEST(Auxiliary, is_the_similarity_transform_and_the_spin_of_L) {
     RandomInput random(121);
     const int slots = 3 * ingot::lanes + 1;
     for (int round = 0; round < 50; ++round) {
@@ -34,10 +36,8 @@ TEST(RefreshAuxiliary, is_the_similarity_transform_and_the_spin_of_L) {
             tiles.write(slot, def);
             defs.push_back(def);
             ingot::set_lane(tiles.translation(slot).inv_I_world, slot % ingot::lanes, ingot::SymmetricMatrix{});
-            ingot::set_lane(tiles.rotation(slot).omega, slot % ingot::lanes, ingot::Vector{});
         }
-        ingot::refresh_omega(tiles.view());
-    ingot::refresh_inv_I_world(tiles.view());
+        ingot::refresh_inv_I_world(tiles.view());
         for (int slot = 0; slot < slots; ++slot) {
             const ingot::BodyState s = tiles.state(slot);
             const Square A = to_eigen<long double>(s.A);
@@ -51,45 +51,38 @@ TEST(RefreshAuxiliary, is_the_similarity_transform_and_the_spin_of_L) {
             const Column L = to_eigen<long double>(s.L);
             const Column omega = inv_I * L;
             // A^T L: 3 roundings; 1 / I and its scaling, and their product with it: 3; A times that: 3
-            ASSERT_LE(
-                worst_relative_error(to_eigen<long double>(ingot::lane_of(tiles.rotation(slot).omega, slot % ingot::lanes)),
-                                     omega, Column(A.cwiseAbs() * J.asDiagonal() * A.cwiseAbs().transpose() * L.cwiseAbs())),
-                gamma<scalar>(9));
+            ASSERT_LE(worst_relative_error(to_eigen<long double>(ingot::omega_of(tiles.view(), slot)), omega,
+                                           Column(A.cwiseAbs() * J.asDiagonal() * A.cwiseAbs().transpose() * L.cwiseAbs())),
+                      gamma<scalar>(9));
         }
     }
 }
 
-TEST(RefreshAuxiliary, of_one_slot_has_the_bits_of_all) {
-    RandomInput random(122);
-    const int slots = ingot::lanes + 1;
-    Tiles all(slots), one(slots);
-    for (int slot = 0; slot < slots; ++slot) {
-        ingot::BodyDef def = definition(1, random.moments(1));
-        def.state.A = to_matrix(random.rotation());
-        def.state.L = to_vector(random.vector(5));
-        all.write(slot, def);
-        one.write(slot, def);
-    }
-    ingot::refresh_omega(all.view());
-    ingot::refresh_inv_I_world(all.view());
-    for (int slot = 0; slot < slots; ++slot) {
-        const int lane_i = slot % ingot::lanes;
-        ingot::set_lane(one.rotation(slot).omega, lane_i, ingot::Vector{});
-        ingot::refresh_omega_of(one.view(), slot);
-        EXPECT_EQ(to_eigen(ingot::lane_of(one.rotation(slot).omega, lane_i)),
-                  to_eigen(ingot::lane_of(all.rotation(slot).omega, lane_i)));
+/// Half above limits::spin_runaway and half below, in every lane; a spin that is no number counts as above.
+TEST(Auxiliary, spins_that_ran_away_are_marked) {
+    const int slots = 2 * ingot::lanes + 1;
+    for (int parity : {0, 1}) {
+        Tiles tiles(slots);
+        const auto runs_away = [&](int slot) { return slot % 2 == parity; };
+        for (int slot = 0; slot < slots; ++slot) {
+            tiles.write(slot, definition(1, Eigen::Vector3d(2, 2, 2)));
+            const scalar omega = ingot::limits::spin_runaway * (runs_away(slot) ? scalar(1.001) : scalar(0.999));
+            ingot::set_lane(tiles.rotation(slot).L, slot % ingot::lanes, ingot::Vector{0, 2 * omega, 0});
+        }
+        if (runs_away(slots - 1)) tiles.rotation(slots - 1).L[0][(slots - 1) % ingot::lanes] = std::numeric_limits<scalar>::quiet_NaN();
+        ingot::mark_runaway_spins(tiles.view());
+        for (int slot = 0; slot < slots; ++slot) EXPECT_EQ(ingot::is_frozen(tiles.view(), slot), runs_away(slot)) << "slot " << slot;
     }
 }
 
-TEST(RefreshAuxiliary, immovable_bodies_have_neither) {
+TEST(Auxiliary, immovable_bodies_have_neither) {
     Tiles tiles(1);
     ingot::BodyDef wall{};
     wall.immovable = true;
     tiles.write(0, wall);
-    ingot::refresh_omega(tiles.view());
     ingot::refresh_inv_I_world(tiles.view());
     EXPECT_EQ(to_eigen(ingot::lane_of(tiles.translation(0).inv_I_world, 0)), Eigen::Matrix3d(Eigen::Matrix3d::Zero()));
-    EXPECT_EQ(to_eigen(ingot::lane_of(tiles.rotation(0).omega, 0)), Eigen::Vector3d(0, 0, 0));
+    EXPECT_EQ(to_eigen(ingot::omega_of(tiles.view(), 0)), Eigen::Vector3d(0, 0, 0));
 }
 
 /// Eq. 17 and Eq. 18 are inverses of each other.

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <ingot/body/freeze_bad_bodies.h>
-#include <ingot/body/refresh_auxiliary.h>
+#include <ingot/body/auxiliary.h>
 #include <ingot/world/edit_bodies.h>
 
 #include <vector>

@@ -24,7 +24,6 @@ struct alignas(tile_alignment) RotationTile {
     /// Immovable and empty lanes: scale 0, ratios 1/3.
     scalar inv_I_ratio[3][lanes];
     scalar inv_I_scale[lanes];     ///< kg^-1 m^-2
-    scalar omega[3][lanes];        ///< rad s^-1, world; auxiliary, from L (Eq. 18)
     uint16_t kicked;               ///< bit per lane: L was changed by something other than free flight
     uint16_t bad;                  ///< bit per lane: a stage met a value that is not finite; see freeze_bad_bodies
 };

@@ -11,22 +11,7 @@ Status check_vector(const Vector& v, scalar limit) {
     return abs(v.x) <= limit && abs(v.y) <= limit && abs(v.z) <= limit ? Status::ok : Status::out_of_range;
 }
 
-Status check_mass_properties(const MassProperties& mass) {
-    const Vector I = mass.I_body;
-    if (!is_finite(mass.M) || !is_finite(I)) return Status::not_finite;
-    if (!(mass.M >= limits::mass_min && mass.M <= limits::mass_max)) return Status::bad_mass;
-    const scalar moments[3] = {I.x, I.y, I.z};
-    const scalar trace = I.x + I.y + I.z;
-    scalar smallest = I.x, largest = I.x;
-    for (scalar moment : moments) {
-        if (!(moment >= limits::inertia_min && moment <= limits::inertia_max)) return Status::bad_inertia;
-        const scalar excess = moment - (trace - moment);
-        if (excess > limits::triangle_inequality * trace) return Status::bad_inertia;
-        smallest = moment < smallest ? moment : smallest;
-        largest = moment > largest ? moment : largest;
-    }
-    return largest <= limits::inertia_ratio_max * smallest ? Status::ok : Status::bad_inertia;
-}
+Status check_mass_properties(const MassProperties& mass) { return solids::check_moments(mass.M, mass.I_body); }
 
 Status check_rotation(const Matrix& A) {
     if (!is_finite(A)) return Status::not_finite;
@@ -43,10 +28,6 @@ Status check_state(const BodyState& state, const Vector& inv_I_body) {
     if (!is_finite(state.L)) return Status::not_finite;
     const Vector omega_body = scaled(inv_I_body, transpose_times(state.A, state.L));
     return is_finite(omega_body) ? check_vector(omega_body, limits::spin_max) : Status::out_of_range;
-}
-
-Status check_step(scalar h) {
-    return h >= limits::step_min && h <= limits::step_max ? Status::ok : Status::bad_step;
 }
 
 Matrix nearest_rotation(const Matrix& A) {

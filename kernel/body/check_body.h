@@ -2,6 +2,7 @@
 // The door: what a body must be before it may enter a world. Ranges stand in base/limits.h.
 #pragma once
 
+#include "../base/limits.h"
 #include "mass_properties.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -29,7 +30,9 @@ Status check_state(const BodyState& state, const Vector& inv_I_body);
 Status check_vector(const Vector& v, scalar limit);
 
 /// Errors: bad_step.
-Status check_step(scalar h);
+constexpr Status check_step(scalar h) {
+    return h >= limits::step_min && h <= limits::step_max ? Status::ok : Status::bad_step;
+}
 
 /// The rotation next to A. An A orthonormal to rounding is returned bitwise; -0 becomes +0 in every entry.
 Matrix nearest_rotation(const Matrix& A);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "energy_momentum.h"
 
+#include "auxiliary.h"
+
 namespace ingot { inline namespace INGOT_ABI {
 
 Vector linear_momentum_of(const BodyView& bodies, int slot) {
@@ -15,7 +17,7 @@ Vector linear_momentum_of(const BodyView& bodies, int slot) {
 scalar kinetic_energy_of(const BodyView& bodies, int slot) {
     const Place at = place_of(slot);
     const RotationTile& rotation = bodies.rotation[at.tile];
-    scalar twice = dot(lane_of(rotation.L, at.lane), lane_of(rotation.omega, at.lane));
+    scalar twice = dot(lane_of(rotation.L, at.lane), omega_of(bodies, slot));
     if (bodies.translation != nullptr)
         twice += dot(lane_of(bodies.translation[at.tile].v_CM, at.lane), linear_momentum_of(bodies, slot));
     return twice * scalar(0.5);

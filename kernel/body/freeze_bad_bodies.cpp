@@ -5,22 +5,24 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
+void zero_rows(scalar (*rows)[lanes], int lane_i, int count) {
+    for (int row_i = 0; row_i < count; ++row_i) rows[row_i][lane_i] = 0;
+}
+
 /// Neither force nor torque moves the body any more.
 void make_immovable(const BodyView& bodies, Place at) {
-    const scalar third = scalar(1) / 3;
     RotationTile& rotation = bodies.rotation[at.tile];
-    set_lane(rotation.inv_I_ratio, at.lane, Vector{third, third, third});
+    for (auto& row : rotation.inv_I_ratio) row[at.lane] = scalar(1) / 3;
     rotation.inv_I_scale[at.lane] = 0;
-    set_lane(rotation.L, at.lane, Vector{});
-    set_lane(rotation.omega, at.lane, Vector{});
-    set_lane(rotation.tau_T, at.lane, Vector{});
-    if (bodies.compensation != nullptr) set_lane(bodies.compensation[at.tile].A_low, at.lane, Matrix{});
+    zero_rows(rotation.L, at.lane, 3);
+    zero_rows(rotation.tau_T, at.lane, 3);
+    if (bodies.compensation != nullptr) zero_rows(bodies.compensation[at.tile].A_low, at.lane, 9);
     if (bodies.energy != nullptr) bodies.energy[at.tile].E_0[at.lane] = 0;
     if (bodies.translation != nullptr) {
         TranslationTile& translation = bodies.translation[at.tile];
         translation.inv_M[at.lane] = 0;
-        set_lane(translation.v_CM, at.lane, Vector{});
-        set_lane(translation.F_T, at.lane, Vector{});
+        zero_rows(translation.v_CM, at.lane, 3);
+        zero_rows(translation.F_T, at.lane, 3);
     }
 }
 

@@ -12,6 +12,15 @@ namespace ingot { inline namespace INGOT_ABI {
 /// Returns: the number of bodies frozen by this call.
 int freeze_bad_bodies(const BodyView& bodies);
 
+/// True when a body is marked: freeze_bad_bodies may have something to do.
+inline bool any_bad_bodies(const BodyView& bodies) {
+    for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) {
+        if (bodies.rotation[tile_i].bad != 0) return true;
+        if (bodies.translation != nullptr && bodies.translation[tile_i].bad != 0) return true;
+    }
+    return false;
+}
+
 /// True while the body of the slot is frozen.
 bool is_frozen(const BodyView& bodies, int slot);
 

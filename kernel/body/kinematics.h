@@ -42,6 +42,18 @@ INGOT_INLINE constexpr Sym3<T> inverse_inertia_world(const Mat3<T>& A, const Vec
     return rotated_diagonal(A, inv_I_body);
 }
 
+/// omega = A Ibar^-1 A^T L (Eqs. 18 and 20). Units: inv_I_body kg^-1 m^-2 (principal axes), L in world axes; result rad s^-1.
+template <class T>
+INGOT_INLINE constexpr Vec3<T> spin_of(const Mat3<T>& A, const Vec3<T>& inv_I_body, const Vec3<T>& L) {
+    return A * scaled(inv_I_body, transpose_times(A, L));
+}
+
+/// True where the spin omega, in any axes, has not run away: limits::spin_runaway. False for NaN.
+template <class T>
+INGOT_INLINE constexpr auto is_within_runaway(const Vec3<T>& omega) {
+    return length_sq(omega) <= splat<T>(limits::spin_runaway * limits::spin_runaway);
+}
+
 /// Angular momentum of a body that spins with omega: L = A Ibar A^T omega (Eqs. 17 and 2).
 ///
 /// Units:   I_body kg m^2 (principal moments), omega rad s^-1 in world axes; result kg m^2 s^-1 in world axes.

@@ -305,20 +305,21 @@ constexpr Result<MassDistribution> solid_mesh(scalar density, const Vector* vert
 
 namespace solids {
 
-/// What World::add asks of mass and moments: see check_mass_properties (body/check_body.h), which answers the same.
+/// What World::add asks of mass and moments: see check_mass_properties (body/check_body.h).
 constexpr Status check_moments(scalar M, const Vector& I) {
     if (!is_finite(M) || !is_finite(I)) return Status::not_finite;
     if (!(M >= limits::mass_min && M <= limits::mass_max)) return Status::bad_mass;
-    const scalar moments[3] = {I.x, I.y, I.z};
-    const scalar trace = I.x + I.y + I.z;
+    const scalar others[2] = {I.y, I.z};
     scalar smallest = I.x, largest = I.x;
-    for (scalar moment : moments) {
-        if (!(moment >= limits::inertia_min && moment <= limits::inertia_max)) return Status::bad_inertia;
-        if (moment - (trace - moment) > limits::triangle_inequality * trace) return Status::bad_inertia;
+    for (scalar moment : others) {
         smallest = moment < smallest ? moment : smallest;
         largest = moment > largest ? moment : largest;
     }
-    return largest <= limits::inertia_ratio_max * smallest ? Status::ok : Status::bad_inertia;
+    const bool in_range = smallest >= limits::inertia_min && largest <= limits::inertia_max;
+    if (!in_range || !(largest <= limits::inertia_ratio_max * smallest)) return Status::bad_inertia;
+    // Of the three it is the largest moment that may pass the sum of the others.
+    const scalar trace = I.x + I.y + I.z, excess = largest - (trace - largest);
+    return excess > limits::triangle_inequality * trace ? Status::bad_inertia : Status::ok;
 }
 
 }  // namespace solids

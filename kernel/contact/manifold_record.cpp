@@ -36,6 +36,21 @@ void give_back(const ManifoldView& manifolds, uint16_t& record) {
     record = no_record;
 }
 
+void forget_contacts(const ManifoldView& manifolds, const PairList& found, BoundsTile* bounds, int slot) {
+    for (int pair_i = 0; pair_i < *found.count; ++pair_i) {
+        BodyPair& pair = found.pairs[pair_i];
+        if (pair.record != no_record && (pair.body_A == slot || pair.body_B == slot)) give_back(manifolds, pair.record);
+    }
+    // `pairs` must not lead back to a record that is free: a search before the next update reads it.
+    int kept = 0;
+    for (int pair_i = 0; pair_i < *manifolds.count; ++pair_i) {
+        const BodyPair pair = manifolds.pairs[pair_i];
+        if (pair.body_A != slot && pair.body_B != slot) manifolds.pairs[kept++] = pair;
+    }
+    *manifolds.count = static_cast<uint16_t>(kept);
+    forget_bounds(bounds, slot);
+}
+
 void carry_impulses(ManifoldRecord& record, const Manifold& before) {
     bool same = record.manifold.count == before.count;
     for (int point_i = 0; point_i < before.count; ++point_i) same = same && before.points[point_i].feature == record.manifold.points[point_i].feature;

@@ -39,6 +39,9 @@ uint16_t take_record(const ManifoldView& manifolds);
 /// The pair touches no more.
 void give_back(const ManifoldView& manifolds, uint16_t& record);
 
+/// A body leaves its slot: nothing is kept of its contacts, and whoever takes the slot next is searched for anew.
+void forget_contacts(const ManifoldView& manifolds, const PairList& found, BoundsTile* bounds, int slot);
+
 /// The impulses of points whose features lived on go with them; new points start from zero.
 void carry_impulses(ManifoldRecord& record, const Manifold& before);
 

@@ -134,7 +134,7 @@ INGOT_INLINE void scatter4(const LaneQuad& from, const Place& place) {
 /// The same value in every lane.
 template <class T>
 INGOT_INLINE constexpr T splat(scalar value) {
-    return T{} + value;
+    return value - T{};  // 0 + value would be an addition at run time, which turns -0 into +0; this is value
 }
 
 /// True where both, where either is true, where it is not. (Operators do not fit: && is for bool, & for vectors.)

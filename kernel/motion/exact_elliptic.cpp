@@ -155,7 +155,7 @@ int ExactElliptic::integrate_A(const BodyView& bodies, scalar h, const FlightClo
             const Matrix turned = exact_turn(A, inv_I_body, L, h, clamped);
             const Matrix A_next = turned + polar_correction(turned);  // every step: what is left of roundings walks less
             clamped_count += clamped ? 1 : 0;
-            if (is_finite(A_next))
+            if (is_finite(A_next) && is_within_runaway(spin_of(A, inv_I_body, L)))
                 set_lane(tile.A, lane_i, A_next);
             else
                 tile.bad = static_cast<uint16_t>(tile.bad | (1u << lane_i));

@@ -15,8 +15,8 @@ namespace ingot { inline namespace INGOT_ABI {
 ///     static int integrate_A(const BodyView&, scalar h, const FlightClock&);   // bodies whose turn was clamped
 /// integrate_A turns every body as it would turn freely, for h seconds, with the angular momentum L - kick_ahead tau_T. After
 /// an integrate_L of the whole step, kick_ahead = h/2 makes that the L of mid-step, and the driven step kick-drift-kick, of
-/// second order. It keeps L bitwise. h may be negative: compositions go back and forth. A body whose A would not be finite
-/// keeps it and is marked bad.
+/// second order. It keeps L bitwise. h may be negative: compositions go back and forth. A body whose A would not be finite,
+/// or whose spin passes limits::spin_runaway, keeps its A and is marked bad.
 struct FlightClock {
     uint32_t steps;         ///< taken so far; the polar step is due every limits::polar_interval of them
     bool h_changed;         ///< since the last step: energies kept in units of h begin anew

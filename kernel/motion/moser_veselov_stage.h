@@ -47,7 +47,7 @@ INGOT_INLINE Vec3<lane> solve_turn(const Vec3<lane>& j, const Vec3<lane>& y, lan
     const Vec3<lane> a = j + (j * modified.S_minus_1 + Vec3<lane>{modified.D, modified.D, modified.D});
     // (I2 - I3)/I1 of the modified moments, written without a difference of inverses: near-symmetric bodies lose nothing.
     const lane w = (modified.S_minus_1 + splat<lane>(1)) / (a.x * a.y * a.z);
-    const Vec3<lane> k = {a.x * a.x * ((j.z - j.y) * w), a.y * a.y * ((j.x - j.z) * w), a.z * a.z * ((j.y - j.x) * w)};
+    const Vec3<lane> k = scaled(scaled(a, a), Vec3<lane>{j.z - j.y, j.x - j.z, j.y - j.x} * w);
     const Vec3<lane> q = scaled(a, y) * splat<lane>(scalar(0.5));
 
     const lane tolerance = splat<lane>(epsilon / 4);
@@ -56,8 +56,8 @@ INGOT_INLINE Vec3<lane> solve_turn(const Vec3<lane>& j, const Vec3<lane>& y, lan
     int sweeps_left = limits::sweeps_max;
     do {
         const lane al = splat<lane>(1) + dot(c, c);
-        const Vec3<lane> next = {q.x * al + k.x * (c.y * c.z), q.y * al + k.y * (c.z * c.x), q.z * al + k.z * (c.x * c.y)};
-        const lane change = abs(next.x - c.x) + abs(next.y - c.y) + abs(next.z - c.z);
+        const Vec3<lane> next = q * al + scaled(k, Vec3<lane>{c.y * c.z, c.z * c.x, c.x * c.y}), step = next - c;
+        const lane change = abs(step.x) + abs(step.y) + abs(step.z);
         c = select(unsettled, next, c);
         unsettled = both(unsettled, change > tolerance * al);
     } while (any(unsettled) && --sweeps_left > 0);
@@ -150,6 +150,7 @@ int integrate_A_moser_veselov(const BodyView& bodies, scalar h, const FlightCloc
         }
 
         mask turning = good;
+        scalar taken = 0;
         for (int substep_i = 1;; ++substep_i) {
             const lane H = dot(y, w) * splat<lane>(scalar(0.5)), C = length_sq(y) * splat<lane>(scalar(0.5));
             Vec3<lane> c = solve_turn<order>(j, y, H, C);
@@ -162,19 +163,14 @@ int integrate_A_moser_veselov(const BodyView& bodies, scalar h, const FlightCloc
             if (!any(good)) break;
             c = select(good, c, Vec3<lane>{});
             // A body that left the range keeps its last good pose in every digit: none that waited in A_low enters.
-            Mat3<lane> A = load(tile.A);
-            if constexpr (compensate) {
-                Mat3<lane> A_low = load(bodies.compensation[tile_i].A_low);
-                add_compensated(A, A_low, body_turn(A, c));
-                store(bodies.compensation[tile_i].A_low, A_low);
-            } else {
-                A = A + body_turn(A, c);
-            }
-            if (any(opposite(good))) A = select(good, A, load(tile.A));
-            store(tile.A, A);
+            if constexpr (compensate)
+                turn_body<true>(tile.A, bodies.compensation[tile_i].A_low, c, good);
+            else
+                turn_body<false>(tile.A, nullptr, c, good);
 
             if (substep_i == substeps) break;
-            turning = n > splat<lane>(static_cast<scalar>(substep_i));
+            taken += 1;
+            turning = n > splat<lane>(taken);
             y = y_of(step);
             w = scaled(j, y);
         }

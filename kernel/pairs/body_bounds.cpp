@@ -2,6 +2,7 @@
 #include "body_bounds.h"
 
 #include "../base/limits.h"
+#include "../body/auxiliary.h"
 #include "../math/sqrt.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -37,7 +38,7 @@ void bound(const BodyView& bodies, const Surface& surface, Place at, scalar h, B
     if (surface.shape.kind == ShapeKind::none) return set_bounds(tile, at.lane, nowhere, -nowhere);
     if (surface.shape.kind == ShapeKind::half_space) return set_bounds(tile, at.lane, -everywhere, everywhere);
     const Vector r = lane_of(bodies.translation[at.tile].r_CM, at.lane), v = lane_of(bodies.translation[at.tile].v_CM, at.lane);
-    const scalar turn = sqrt(length_sq(lane_of(bodies.rotation[at.tile].omega, at.lane))) * h;
+    const scalar turn = sqrt(length_sq(omega_of(bodies, at.tile * lanes + at.lane))) * h;
     const scalar spin_reach = (turn < 2 ? turn : scalar(2)) * surface.bounding_radius;  // no point is further from where it was than the diameter
     tile.spin_reach[at.lane] = spin_reach;
     const scalar more = limits::contact_margin / 2 + spin_reach;
@@ -58,6 +59,12 @@ void widen(BoundsTile& tile, lane inv_M) {
 }
 
 }  // namespace
+
+void forget_bounds(BoundsTile* bounds, int slot) {
+    const Place at = place_of(slot);
+    set_lane(bounds[at.tile].wide_low, at.lane, nowhere);
+    set_lane(bounds[at.tile].wide_high, at.lane, -nowhere);
+}
 
 bool refresh_bounds(const BodyView& bodies, const SurfaceView& surfaces, scalar h, BoundsTile* bounds) {
     mask left = splat<lane>(1) < lane{};

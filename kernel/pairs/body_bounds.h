@@ -20,6 +20,9 @@ struct alignas(tile_alignment) BoundsTile {
 /// last search still hold all that may touch.
 bool refresh_bounds(const BodyView& bodies, const SurfaceView& surfaces, scalar h, BoundsTile* bounds);
 
+/// The next body in this slot leaves its wide bounds, whatever it is.
+void forget_bounds(BoundsTile* bounds, int slot);
+
 /// True where the bounds of this step overlap.
 INGOT_INLINE bool bounds_overlap(const BoundsTile* bounds, int slot_A, int slot_B) {
     const Place A = place_of(slot_A), B = place_of(slot_B);

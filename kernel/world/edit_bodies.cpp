@@ -3,9 +3,9 @@
 
 #include "../base/checks.h"
 #include "../base/limits.h"
+#include "../body/auxiliary.h"
 #include "../body/freeze_bad_bodies.h"
 #include "../body/kinematics.h"
-#include "../body/refresh_auxiliary.h"
 #include "../solve/impulse.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -47,7 +47,6 @@ void write_checked_state(const BodyView& bodies, int slot, const BodyState& stat
         set_lane(bodies.translation[at.tile].r_CM, at.lane, state.r_CM + positive_zero);
         set_lane(bodies.translation[at.tile].v_CM, at.lane, state.v_CM + positive_zero);
     }
-    refresh_omega_of(bodies, slot);
     INGOT_ASSERT(!is_frozen(bodies, slot));
 }
 
@@ -79,7 +78,6 @@ void set_motion(const BodyView& bodies, int slot, const Motion& motion) {
     set_lane(rotation.L, at.lane, motion.L);
     rotation.kicked = static_cast<uint16_t>(rotation.kicked | (1u << at.lane));
     if (bodies.translation != nullptr) set_lane(bodies.translation[at.tile].v_CM, at.lane, motion.v_CM);
-    refresh_omega_of(bodies, slot);
 }
 
 }  // namespace
@@ -92,7 +90,8 @@ Status check_definition(const BodyDef& def, bool scene_translates, bool scene_ha
         const Status status = check_mass_properties(def.mass);
         if (status != Status::ok) return status;
         if (def.shape.kind == ShapeKind::half_space) return Status::bad_shape;
-        inv_I_body = {1 / def.mass.I_body.x, 1 / def.mass.I_body.y, 1 / def.mass.I_body.z};
+        const ScaledInverseInertia inverse = scaled_inverse_inertia(def.mass.I_body);
+        inv_I_body = inverse.ratio * inverse.scale;
     }
     Status status = check_state(def.state, inv_I_body);
     if (status != Status::ok) return status;
@@ -183,7 +182,7 @@ Result<scalar> collide_bodies(const BodyView& bodies, int slot_A, int slot_B, co
         const TranslationTile& translation = bodies.translation[at.tile];
         const RotationTile& rotation = bodies.rotation[at.tile];
         return CollidingBody{translation.inv_M[at.lane], inverse_inertia_world(lane_of(rotation.A, at.lane), inv_I_body_of(bodies, slot)), lane_of(translation.v_CM, at.lane),
-                             lane_of(rotation.omega, at.lane), P - lane_of(translation.r_CM, at.lane)};
+                             omega_of(bodies, slot), P - lane_of(translation.r_CM, at.lane)};
     };
     const CollidingBody A = colliding(slot_A), B = colliding(slot_B);
     const scalar j = collision_impulse(A, B, n, e);

@@ -59,6 +59,13 @@ template <class S>
 constexpr bool check_scene() {
     static_assert(S::max_bodies >= 1 && S::max_bodies <= 65536, "a scene holds 1 to 65536 bodies: set max_bodies");
     static_assert(S::max_contacts >= 0 && S::max_contacts <= 65535, "a scene holds 0 to 65535 contacts: set max_contacts");
+    static_assert(S::max_manifolds >= 0 && S::max_manifolds <= 65534, "a scene holds 0 to 65534 manifolds: set max_manifolds");
+    static_assert(!(collides<S> && stacks<S>), "a scene has impacts without friction, max_contacts, or contacts with friction, max_manifolds: set one of them");
+    static_assert(!stacks<S> || (S::max_pairs >= 0 && S::max_pairs <= 65535 && 2 * S::max_manifolds <= 65535 + S::max_pairs),
+                  "a scene holds up to 65535 pairs, twice max_manifolds unless it says otherwise: set max_pairs");
+    static_assert(!stacks<S> || S::max_bodies <= 65535, "bodies with contacts are up to 65535: set max_bodies");
+    static_assert(!stacks<S> || !S::rotation::as_printed, "Listing 1 has no contacts with friction: name another rotation, or max_contacts");
+    static_assert(!stacks<S> || S::translates, "bodies that touch move: set translates = true, or max_manifolds = 0");
     static_assert(!collides<S> || S::translates, "bodies that collide move: set translates = true, or max_contacts = 0");
     static_assert(flies_in_field<S> || S::flight::order == 2,
                   "a flight of order 4 is for scenes with a force_field, without contacts, and not for Listing 1: leave it out");

@@ -2,7 +2,6 @@
 // The step is the table of contents of the kernel, and the only place where a scene's features are asked for.
 #pragma once
 
-#include "../body/refresh_auxiliary.h"
 #include "../motion/integrate_L.h"
 #include "../motion/integrate_r.h"
 #include "../motion/integrate_v.h"
@@ -36,7 +35,6 @@ StepReport step(World<S>& world, scalar h) {
         refresh_inv_I_world(bodies);                                      // Eq. 20
         prepare_contact_rows(contacts, bodies);
         solve_impacts(contacts, bodies, rest_speed, report);              // Fig. 4
-        if constexpr (S::rotation::as_printed) refresh_omega(bodies);
     }
 
     if constexpr (has_field<S> && !flies_in_field<S>)
@@ -47,7 +45,7 @@ StepReport step(World<S>& world, scalar h) {
             drift_r(bodies, h);
             integrate_v(bodies, h, storage.gravity);                      // Eq. 14
         }
-        integrate_A_listing1(bodies, h);                                  // Eq. 10, then Eq. 1
+        integrate_A_listing1(bodies, h);                                  // Eqs. 20, 18, 10, then Eq. 1
         integrate_L(bodies, h);                                           // Eq. 16
     } else if constexpr (flies_in_field<S>) {                             // kicks and free flights
         const FlightClock clock{storage.steps, storage.h_changes_to(h)};
@@ -82,9 +80,9 @@ StepReport step(World<S>& world, scalar h) {
         if constexpr (S::translates) integrate_r(bodies, h, storage.gravity);
     }
 
-    refresh_omega(bodies);                                                // Eq. 18
+    if constexpr (S::rotation::as_printed || flies_in_field<S>) mark_runaway_spins(bodies);
     clear_forces(bodies);
-    count(report.bodies_frozen, freeze_bad_bodies(bodies));
+    if (any_bad_bodies(bodies)) count(report.bodies_frozen, freeze_bad_bodies(bodies));
     if constexpr (has_field<S>) storage.advance_time(h);
     ++storage.steps;
     return report;

@@ -3,6 +3,7 @@
 
 #include "../base/ids.h"
 #include "../base/limits.h"
+#include "../body/auxiliary.h"
 #include "../body/energy_momentum.h"
 #include "../body/freeze_bad_bodies.h"
 #include "edit_bodies.h"
@@ -67,6 +68,7 @@ public:
         set_identity_body(storage_.bodies(), slot.value);
         if constexpr (has_shapes<S>) storage_.surfaces[slot.value] = {};
         if constexpr (collides<S>) storage_.contact_count = 0;
+        if constexpr (stacks<S>) forget_contacts(storage_.manifold_view(), storage_.pair_list(), storage_.bounds, slot.value);
         return Status::ok;
     }
 
@@ -116,8 +118,7 @@ public:
     Result<Vector> omega(BodyId id) const {
         const Result<int> slot = find(id);
         if (!slot.ok()) return {slot.status, {}};
-        const Place at = place_of(slot.value);
-        return {Status::ok, lane_of(storage_.rotation[at.tile].omega, at.lane)};
+        return {Status::ok, omega_of(storage_.bodies(), slot.value)};
     }
 
     // Forces of the next step; they are summed, act over the whole of it, and are gone after it.
