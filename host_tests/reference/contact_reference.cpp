@@ -421,7 +421,10 @@ ContactSolution solve_contacts(const ContactProblem& problem, double tolerance) 
     // mass w_mode shrinks by 1 / (1 + stiffness w_mode / w)): so up, down, and round again.
     constexpr double ladder[] = {1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e5, 1e3, 1e1};
     constexpr int rungs = static_cast<int>(sizeof ladder / sizeof ladder[0]);
-    for (int round = 0; round < 12 * rungs && best > tolerance; ++round) {
+    constexpr int polish = 2;  // rungs after the bar is met: where friction is slight, its direction lags behind the residual
+    int rounds_left = 12 * rungs;
+    for (int round = 0; rounds_left > 0; ++round, --rounds_left) {
+        if (best <= tolerance) rounds_left = std::min(rounds_left, polish);
         const Law law(assembly, ladder[round % rungs]);
         VectorXd trial = y;
         bool solved = solve_inner(BodyEquation(assembly, law, p, nullptr), trial, solution.iterations);
