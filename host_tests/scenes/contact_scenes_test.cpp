@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+// The contact scenes as they are defined: bodies that a world takes, no overlaps, and what the exact solution of one step from
+// rest says of their thresholds. The kernel does no step here.
+#include "contact/all_contact_scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "contact/exact_problem.h"
+#include "reference/ball_and_brick.h"
+
+namespace {
+
+using namespace scenes;
+using namespace ingot_reference;
+
+constexpr bool is_double = sizeof(scalar) == 8;
+
+/// Sizes and places are given to the scalar's digits: 10 m and less, a few roundings. Bodies touch within this, m.
+constexpr double place = is_double ? 1e-12 : 1e-5;
+
+/// Speed after a step of what rests, m/s, where free fall makes 0.16: the solver's own bar, or slopes of places over 0.1 m times
+/// g h, amplified by what stands on what.
+constexpr double rest = is_double ? 1e-9 : 1e-3;
+
+double fastest(const ContactProblem& problem, const ContactSolution& solution) {
+    double most = 0;
+    for (std::size_t i = 0; i < problem.bodies.size(); ++i) most = std::max({most, solution.v_CM[i].norm(), solution.omega[i].norm()});
+    return most;
+}
+
+/// The fastest body after one exact step.
+double fastest_after(const ContactProblem& problem, const char* name) {
+    const ContactSolution solution = solve_contacts(problem);
+    EXPECT_TRUE(solution.converged) << name << " residual " << solution.residual;
+    EXPECT_LE(contact_defects(problem, solution).worst(), 1e-9) << name;
+    return fastest(problem, solution);
+}
+
+template <class Scene>
+double fastest_in() {
+    return fastest_after(exact_problem_of<Scene>(place), Scene::name);
+}
+
+void expect_valid(const PlacedBody& body, const char* name, int body_i) {
+    using ingot::Status;
+    if (!body.def.immovable) {
+        EXPECT_EQ(check_mass_properties(body.def.mass), Status::ok) << name << " " << body_i;
+        const Vector I = body.def.mass.I_body;
+        EXPECT_EQ(check_state(body.def.state, {1 / I.x, 1 / I.y, 1 / I.z}), Status::ok) << name << " " << body_i;
+    }
+    EXPECT_TRUE(body.is_hull || check_shape(body.def.shape) == Status::ok) << name << " " << body_i;
+    EXPECT_TRUE(body.mu >= 0 && body.def.restitution >= 0 && body.def.restitution <= 1) << name << " " << body_i;
+    EXPECT_LE(ingot::orthogonality_error(body.def.state.A), 16 * ingot::epsilon) << name << " " << body_i;
+}
+
+/// Bodies that a world takes, immovable ones first, none inside another by more than `deepest`.
+template <class Scene>
+void expect_well_made(double deepest = place) {
+    const std::vector<PlacedBody> bodies = bodies_of<Scene>();
+    std::vector<Surface> surfaces;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        expect_valid(bodies[i], Scene::name, static_cast<int>(i));
+        surfaces.emplace_back(bodies[i]);
+        EXPECT_FALSE(bodies[i].def.immovable && i > 0 && !bodies[i - 1].def.immovable) << Scene::name << " " << i;
+        for (std::size_t j = 0; j < i; ++j) {
+            if (bodies[i].def.immovable && bodies[j].def.immovable) continue;
+            EXPECT_LE(overlap_of(surfaces[i], surfaces[j]), deepest) << Scene::name << " " << j << " " << i;
+        }
+    }
+}
+
+TEST(ContactScenes, are_well_made) {
+    expect_well_made<Pyramid<10>>();
+    expect_well_made<Pyramid<20>>();
+    expect_well_made<Tower<20>>();
+    expect_well_made<MassRatio<1, 1000>>();
+    expect_well_made<MassRatio<9, 1000>>();
+    expect_well_made<TenBoxes<true>>();
+    expect_well_made<TenBoxes<false>>();
+    expect_well_made<Overhang<1>>();
+    expect_well_made<Sliver<true>>();
+    expect_well_made<Sliver<false>>();
+    expect_well_made<SpherePile<4>>();
+    expect_well_made<SpherePile<8>>();
+    expect_well_made<PitOfBoxes>();
+    expect_well_made<FallingPlanks>();
+    expect_well_made<SlabOnTiles>();
+    expect_well_made<Incline<70>>();
+    expect_well_made<Bounce<100>>();
+    expect_well_made<Cradle<5, 2, 1>>();
+    expect_well_made<BoxDroppedFlat<50>>();
+    expect_well_made<CardHouse<3, 60>>();
+    expect_well_made<Arch<13, 200, 60>>();
+    expect_well_made<Dominoes<20>>();
+    expect_well_made<SlidingRod<60, 200>>();
+    expect_well_made<SpinningBar>();
+    expect_well_made<SimRolling>(5e-5);  // as defined: 2e-5 and twice that deep
+    expect_well_made<SimBouncing>();
+    expect_well_made<Sim666<false>>();
+    expect_well_made<Sim666<true>>();
+}
+
+TEST(ContactScenes, have_the_bodies_their_names_say) {
+    static_assert(Pyramid<10>::cube_count == 55 && Pyramid<20>::cube_count == 210 && Pyramid<30>::cube_count == 465, "base");
+    static_assert(SpherePile<8>::body_count == 5 + 512 && PitOfBoxes::body_count == 5 + 125, "walls and bodies");
+    static_assert(CardHouse<3, 60>::pair_count == 6 && CardHouse<3, 60>::across_count == 3, "three levels");
+    static_assert(SimRolling::body_count == 27 && SimBouncing::body_count == 50 && Sim666<true>::body_count == 217, "SimBenchmark");
+    double energy = 0;
+    for (const PlacedBody& body : bodies_of<SimBouncing>())
+        if (!body.def.immovable) energy += static_cast<double>(body.def.mass.M) * 9.81 * static_cast<double>(body.def.state.r_CM.z);
+    EXPECT_NEAR(energy, 24034.5, 1e-2);
+    for (int i = 0; i < 1000; ++i) EXPECT_LE(ingot::orthogonality_error(scattered_rotation(i)), 16 * ingot::epsilon);
+}
+
+/// I_body of a hull from its mesh, by the kernel's own integral, which the tables of polyhedra check.
+TEST(ContactScenes, stones_of_the_arch_have_the_mass_of_their_corners) {
+    const PlacedBody stone = Arch<13, 200, 60>::body(4);
+    ingot::MeshTriangle triangles[12];
+    for (int face_i = 0; face_i < 6; ++face_i) {
+        const int(&f)[4] = hexahedron_face[face_i];
+        triangles[2 * face_i] = {f[0], f[1], f[2]};
+        triangles[2 * face_i + 1] = {f[0], f[2], f[3]};
+    }
+    const ingot::MassDistribution solid = ingot::solid_mesh(2000, stone.corner, 8, triangles, 12).value;
+    const double u = 64 * static_cast<double>(ingot::epsilon), I = static_cast<double>(solid.I.xx);
+    EXPECT_NEAR(double(solid.M), double(stone.def.mass.M), u * double(solid.M));
+    EXPECT_NEAR(double(solid.I.xx), double(stone.def.mass.I_body.x), u * I);
+    EXPECT_NEAR(double(solid.I.yy), double(stone.def.mass.I_body.y), u * I);
+    EXPECT_NEAR(double(solid.I.zz), double(stone.def.mass.I_body.z), u * I);
+    EXPECT_LE(ingot_reference::to_eigen(solid.r_CM).norm(), u);
+}
+
+TEST(ContactScenes, stacks_rest_in_the_exact_solution) {
+    EXPECT_LE(fastest_in<Pyramid<10>>(), rest);
+    EXPECT_LE(fastest_in<Pyramid<20>>(), rest);
+    EXPECT_LE(fastest_in<Tower<20>>(), rest);
+    EXPECT_LE(fastest_in<Tower<40>>(), rest);
+    EXPECT_LE((fastest_in<MassRatio<1, 1000>>()), rest);
+    EXPECT_LE((fastest_in<MassRatio<1, 1000000>>()), rest);
+    EXPECT_LE((fastest_in<MassRatio<9, 1000>>()), rest);
+    EXPECT_LE(fastest_in<TenBoxes<true>>(), rest);
+    EXPECT_LE(fastest_in<TenBoxes<false>>(), rest);
+    EXPECT_LE(fastest_in<Sliver<true>>(), rest);
+    EXPECT_LE(fastest_in<Sliver<false>>(), rest);
+}
+
+TEST(ContactScenes, pyramid_of_210_is_solved_with_400_pairs) {
+    const ContactProblem problem = exact_problem_of<Pyramid<20>>(place);
+    EXPECT_EQ(problem.points.size(), 4u * (20 + 2 * 190));
+    const ContactSolution solution = solve_contacts(problem);
+    double ground = 0;
+    for (std::size_t i = 0; i < problem.points.size(); ++i)
+        if (problem.points[i].body_B == 0) ground += solution.impulse[i].z();
+    EXPECT_NEAR(ground, 210 * 9.81 / 60, 1e-6 * ground);
+}
+
+TEST(ContactScenes, overhang_tips_past_the_edge) {
+    EXPECT_LE(fastest_in<Overhang<-1>>(), rest);
+    EXPECT_GE(fastest_in<Overhang<1>>(), 1e-4);  // 3/5 g h 2 mm / m: 2e-4 rad/s
+}
+
+TEST(ContactScenes, incline_sticks_at_mu_07_and_slides_at_04) {
+    EXPECT_LE(fastest_in<Incline<70>>(), rest);
+    const double slides = 9.81 / 60 * (0.5 - 0.4 * std::sqrt(0.75));
+    EXPECT_NEAR(fastest_in<Incline<40>>(), slides, is_double ? 1e-10 : 1e-7);
+}
+
+TEST(ContactScenes, boxes_topple_where_the_slope_is_steeper_than_they_are_wide) {
+    for (const scalar factor : {scalar(0.98), scalar(1.02)}) {
+        const scalar height = 2, width = factor * 2 * scalar(0.75);
+        const std::vector<PlacedBody> bodies = {box_that_may_topple(0, three_four, width, height), box_that_may_topple(1, three_four, width, height)};
+        const double speed = fastest_after(exact_problem(bodies, {0, 0, -9.81}, 1.0 / 60, place), "topple");
+        EXPECT_TRUE(factor > 1 ? speed <= rest : speed > 5 * (is_double ? 1e-4 : rest / 5)) << factor << " " << speed;
+    }
+}
+
+template <int degrees>
+void expect_plank_threshold() {
+    using Plank = LeaningPlank<degrees>;
+    EXPECT_NEAR(static_cast<double>(Plank::mu_least), static_cast<double>(leaning_plank_mu(static_cast<long double>(Plank::angle))), 0.02);
+    for (const scalar factor : {scalar(0.98), scalar(1.02)}) {
+        std::vector<PlacedBody> bodies;
+        for (int body_i = 0; body_i < Plank::body_count; ++body_i) bodies.push_back(Plank::body(body_i, factor * Plank::mu_least));
+        // The pair of the plank and the ground takes their mu; with the wall, 0.
+        const double speed = fastest_after(exact_problem(bodies, {0, 0, -9.81}, 1.0 / 60, place), Plank::name);
+        EXPECT_TRUE(factor > 1 ? speed <= rest : speed > 2e-3) << degrees << " " << factor << " " << speed;
+    }
+}
+
+TEST(ContactScenes, planks_lean_above_their_least_friction) {
+    expect_plank_threshold<45>();
+    expect_plank_threshold<60>();
+}
+
+TEST(ContactScenes, card_houses) {
+    std::printf("card house, one level: mu 0.2 %g 0.25 %g 0.3 %g 0.6 %g\n", fastest_in<CardHouse<1, 20>>(), fastest_in<CardHouse<1, 25>>(), fastest_in<CardHouse<1, 30>>(), fastest_in<CardHouse<1, 60>>());
+    std::printf("card house, three: mu 0.2 %g 0.25 %g 0.3 %g 0.4 %g 0.5 %g 0.6 %g\n", fastest_in<CardHouse<3, 20>>(), fastest_in<CardHouse<3, 25>>(), fastest_in<CardHouse<3, 30>>(), fastest_in<CardHouse<3, 40>>(), fastest_in<CardHouse<3, 50>>(), fastest_in<CardHouse<3, 60>>());
+}
+
+TEST(ContactScenes, arches) {
+    std::printf("arch t 200: mu .6 %g .4 %g .3 %g\n", fastest_in<Arch<13, 200, 60>>(), fastest_in<Arch<13, 200, 40>>(), fastest_in<Arch<13, 200, 30>>());
+    std::printf("arch mu .7: t 80 %g 90 %g 95 %g 100 %g 105 %g 110 %g 120 %g\n", fastest_in<Arch<13, 80, 70>>(), fastest_in<Arch<13, 90, 70>>(), fastest_in<Arch<13, 95, 70>>(), fastest_in<Arch<13, 100, 70>>(), fastest_in<Arch<13, 105, 70>>(), fastest_in<Arch<13, 110, 70>>(), fastest_in<Arch<13, 120, 70>>());
+}
+
+}  // namespace
