@@ -314,6 +314,13 @@ double residual_of(const Assembly& assembly, const VectorXd& p, const VectorXd& 
     return worst;
 }
 
+/// Rounding of the impulses, as the velocity it makes, m/s: 1e6 kg on 1 kg leave the light one 3e-11.
+double grain_of(const Assembly& assembly, const VectorXd& p) {
+    double most = 0;
+    for (int row_i = 0; row_i < assembly.row_count(); ++row_i) most = std::max(most, std::abs(p(row_i)) * assembly.row(row_i).w);
+    return std::numeric_limits<double>::epsilon() * most;
+}
+
 /// One inner problem of the augmented Lagrangian: y = sum of g p'(y), where p' is the map of p and of u(y).
 class BodyEquation {
 public:
@@ -374,7 +381,8 @@ bool solve_inner(const BodyEquation& equation, VectorXd& y, int& systems) {
             trial_defect = equation.defect(trial);
             if (trial_defect.norm() <= (1 - 1e-4 * t) * size) break;
         }
-        if (t <= 1e-4) return size <= 1e-6 * at_start || size <= 1e-12 * (1e-3 + y.norm());
+        const bool small = size <= 1e-6 * at_start || size <= 1e-12 * (1e-3 + y.norm());
+        if (t <= 1e-4 || (small && trial_defect.norm() > 0.5 * size)) return small;
         y = trial;
         defect = trial_defect;
     }
@@ -412,29 +420,38 @@ void apply_impulses(const ContactProblem& problem, ContactSolution& solution) {
         push_both(problem.patches[i], solution.patch_impulse[i], solution.patch_twist[i] * problem.patches[i].n);
 }
 
-ContactSolution solve_contacts(const ContactProblem& problem, double tolerance) {
+ContactSolution solve_contacts(const ContactProblem& problem, double tolerance, const ContactSolution* guess) {
     const Assembly assembly(problem);
     VectorXd p = VectorXd::Zero(assembly.row_count()), y = VectorXd::Zero(6 * assembly.body_count()), best_p = p;
     ContactSolution solution;
-    double best = residual_of(assembly, p, assembly.u(y));
+    if (guess != nullptr) {
+        p = assembly.read(*guess);
+        y = assembly.pushed(p);
+        best_p = p;
+    }
+    double best = residual_of(assembly, p, assembly.u(y)), last = best;
     // Soft points converge everywhere and remove rounding, stiff ones reach the heavy body on the light one (a mode of inverse
-    // mass w_mode shrinks by 1 / (1 + stiffness w_mode / w)): so up, down, and round again.
-    constexpr double ladder[] = {1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e5, 1e3, 1e1};
-    constexpr int rungs = static_cast<int>(sizeof ladder / sizeof ladder[0]);
+    // mass w_mode shrinks by 1 / (1 + stiffness w_mode / w)): stiffness rises while progress is slow, falls where rounding ends
+    // it, and so on. Where Newton fails it stays below for a while.
+    constexpr double softest = 1e1, stiffest = 1e8;
     constexpr int polish = 2;  // rungs after the bar is met: where friction is slight, its direction lags behind the residual
-    int rounds_left = 12 * rungs;
-    for (int round = 0; rounds_left > 0; ++round, --rounds_left) {
-        if (best <= tolerance) rounds_left = std::min(rounds_left, polish);
-        const Law law(assembly, ladder[round % rungs]);
+    double stiffness = softest, ceiling = stiffest;
+    bool rising = true;
+    for (int rungs_left = 300; rungs_left > 0; --rungs_left) {
+        if (best <= std::max(tolerance, grain_of(assembly, p))) rungs_left = std::min(rungs_left, polish);
+        const Law law(assembly, stiffness);
         VectorXd trial = y;
-        bool solved = solve_inner(BodyEquation(assembly, law, p, nullptr), trial, solution.iterations);
         const VectorXd* bounds_of = nullptr;
-        if (!solved) {  // with the friction bounds of the impulses at hand it is a convex problem
+        bool solved = solve_inner(BodyEquation(assembly, law, p, nullptr), trial, solution.iterations);
+        if (!solved && stiffness <= softest) {  // with the friction bounds of the impulses at hand it is a convex problem
             bounds_of = &p;
             trial = y;
             solved = solve_inner(BodyEquation(assembly, law, p, bounds_of), trial, solution.iterations);
         }
-        if (!solved) continue;
+        if (!solved) {
+            stiffness = ceiling = std::max(softest, stiffness / 4);
+            continue;
+        }
         p = law.mapped(p, assembly.u(trial), bounds_of);
         y = assembly.pushed(p);
         const double residual = residual_of(assembly, p, assembly.u(y));
@@ -442,10 +459,17 @@ ContactSolution solve_contacts(const ContactProblem& problem, double tolerance) 
             best = residual;
             best_p = p;
         }
+        const bool slow = residual > 0.1 * last, at_rounding = residual > 0.9 * last && residual < 1e-6;
+        if (stiffness >= stiffest || at_rounding) rising = false;
+        if (stiffness <= softest) rising = true;
+        ceiling = std::min(stiffest, 2 * ceiling);
+        if (slow) stiffness = rising ? std::min(ceiling, 10 * stiffness) : std::max(softest, stiffness / 100);
+        last = residual;
     }
     assembly.write(best_p, solution);
     solution.residual = contact_residual(problem, solution);
-    solution.converged = solution.residual <= 10 * tolerance;  // the velocities written are summed in another order
+    // Ten: the velocities written are summed in another order.
+    solution.converged = solution.residual <= 10 * std::max(tolerance, grain_of(assembly, best_p));
     return solution;
 }
 

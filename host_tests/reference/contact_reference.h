@@ -70,7 +70,7 @@ struct ContactSolution {
     std::vector<double> patch_twist;      ///< N m s, about n, on A
     double residual = 0;                  ///< m/s, see contact_residual
     int iterations = 0;                   ///< linear systems solved
-    bool converged = false;               ///< residual <= tolerance
+    bool converged = false;               ///< residual within the tolerance, or the rounding of the impulses
 };
 
 /// By how much impulses and velocities miss the laws, each in m/s (an impulse counts times the inverse mass it meets at its
@@ -92,8 +92,9 @@ ContactSolution solve_contacts_without_friction(const ContactProblem& problem);
 
 /// With friction: augmented Lagrangian on the bodies, whose inner systems are solved by a semi-smooth Newton method on the
 /// laws of Alart and Curnier (Comput. Methods Appl. Mech. Eng. 92, 1991). Multiplier updates remove the penalty altogether,
-/// so the laws hold to `tolerance`, m/s, however many redundant points there are.
-ContactSolution solve_contacts(const ContactProblem& problem, double tolerance = 1e-11);
+/// so the laws hold to `tolerance`, m/s, however many redundant points there are. `guess`: impulses to start from, of the same
+/// points, such as those of the step before; they decide how long it takes, and which of many equivalent impulses come out.
+ContactSolution solve_contacts(const ContactProblem& problem, double tolerance = 1e-11, const ContactSolution* guess = nullptr);
 
 /// For impulses from anywhere: the laws checked one by one. The velocities and impulses of `solution` are looked at, no more.
 ContactDefects contact_defects(const ContactProblem& problem, const ContactSolution& solution);
