@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "random_input.h"
+
 namespace ingot_reference {
 
 namespace {
@@ -48,7 +50,8 @@ struct Row {
     double u_free;  ///< m/s (rad/s for a twist), less bound or drive
     double w;       ///< g.g: inverse mass at the point
 
-    double u(const VectorXd& y) const { return u_free + g_A.dot(y.segment<6>(6 * body_A)) + g_B.dot(y.segment<6>(6 * body_B)); }
+    double change_of_u(const VectorXd& y) const { return g_A.dot(y.segment<6>(6 * body_A)) + g_B.dot(y.segment<6>(6 * body_B)); }
+    double u(const VectorXd& y) const { return u_free + change_of_u(y); }
     void push(VectorXd& y, double p) const {
         y.segment<6>(6 * body_A) += p * g_A;
         y.segment<6>(6 * body_B) += p * g_B;
@@ -364,9 +367,9 @@ private:
     const VectorXd* bounds_of_;
 };
 
-/// Newton with a line search on the defect. True when the defect is down to rounding, or down by 1e-6 and at a standstill
-/// (rounding of stiff points; the caller judges by the laws themselves).
-bool solve_inner(const BodyEquation& equation, VectorXd& y, int& systems) {
+/// Newton with a line search on the defect. True when the defect is down to rounding, which stiff points amplify, or down by 1e-6
+/// and at a standstill; the caller judges by the laws themselves.
+bool solve_inner(const BodyEquation& equation, double stiffness, VectorXd& y, int& systems) {
     VectorXd defect = equation.defect(y), step;
     const double at_start = defect.norm();
     for (int iteration = 0; iteration < 60; ++iteration) {
@@ -381,13 +384,90 @@ bool solve_inner(const BodyEquation& equation, VectorXd& y, int& systems) {
             trial_defect = equation.defect(trial);
             if (trial_defect.norm() <= (1 - 1e-4 * t) * size) break;
         }
-        const bool small = size <= 1e-6 * at_start || size <= 1e-12 * (1e-3 + y.norm());
+        const bool small = size <= 1e-6 * at_start || size <= 1e-15 * std::max(1e3, stiffness) * (1e-3 + y.norm());
         if (t <= 1e-4 || (small && trial_defect.norm() > 0.5 * size)) return small;
         y = trial;
         defect = trial_defect;
     }
     return false;
 }
+
+}  // namespace
+
+namespace {
+
+/// Where the augmented Lagrangian goes round in circles (friction that nearly jams): Newton on p - mapped(p, u(p)) = 0 itself, in
+/// m/s, with steps of least length, from p and from places around it. For hundreds of rows at most. True: p is down to `tolerance`.
+class NewtonOnImpulses {
+public:
+    explicit NewtonOnImpulses(const Assembly& assembly) : assembly_(assembly), law_(assembly, 1), w_(assembly.row_count()) {
+        const int count = assembly.row_count();
+        W_.resize(count, count);
+        u_free_ = assembly.u(VectorXd::Zero(6 * assembly.body_count()));
+        for (int row_i = 0; row_i < count; ++row_i) {
+            w_(row_i) = assembly.row(row_i).w;
+            const VectorXd y = assembly.pushed(VectorXd::Unit(count, row_i));
+            for (int other_i = 0; other_i < count; ++other_i) W_(other_i, row_i) = assembly.row(other_i).change_of_u(y);
+        }
+    }
+
+    bool solve(VectorXd& p, double tolerance, int& systems) {
+        const VectorXd start = p;
+        for (int attempt = 0; attempt < 60; ++attempt) {
+            p = start;
+            for (int row_i = 0; row_i < p.size(); ++row_i)
+                if (attempt > 0) p(row_i) += random_.real(-1, 1) * 0.5 * start.cwiseAbs().maxCoeff() * (attempt % 2 == 0 ? 1 : 0.1);
+            descend(p, tolerance, systems);
+            if (defect(p).cwiseAbs().maxCoeff() <= tolerance) return true;
+        }
+        p = start;
+        return false;
+    }
+
+private:
+    VectorXd defect(const VectorXd& p) const { return w_.cwiseProduct(p - law_.mapped(p, u_free_ + W_ * p)); }
+
+    MatrixXd slope(const VectorXd& p) const {
+        const VectorXd u = u_free_ + W_ * p;
+        const int count = assembly_.row_count();
+        MatrixXd kept = MatrixXd::Zero(count, count);  // d mapped / d q
+        for (const Group& group : assembly_.groups) {
+            const std::vector<int> rows = Law::rows_of(group);
+            const MatrixXd D = law_.derivative(group, p, u, nullptr);
+            for (std::size_t r = 0; r < rows.size(); ++r)
+                for (std::size_t c = 0; c < rows.size(); ++c)
+                    if (law_.rho(rows[c]) > 0) kept(rows[r], rows[c]) = D(static_cast<int>(r), static_cast<int>(c)) / law_.rho(rows[c]);
+        }
+        MatrixXd one_less = -W_;
+        for (int row_i = 0; row_i < count; ++row_i) one_less.row(row_i) *= law_.rho(row_i);
+        one_less.diagonal().array() += 1;
+        return w_.asDiagonal() * (MatrixXd::Identity(count, count) - kept * one_less);
+    }
+
+    void descend(VectorXd& p, double tolerance, int& systems) const {
+        VectorXd d = defect(p);
+        for (int iteration = 0; iteration < 60 && d.cwiseAbs().maxCoeff() > 0.1 * tolerance; ++iteration) {
+            const VectorXd step = slope(p).completeOrthogonalDecomposition().solve(-d);
+            ++systems;
+            double t = 1;
+            VectorXd trial, trial_d;
+            for (; t > 1e-3; t /= 2) {
+                trial = p + t * step;
+                trial_d = defect(trial);
+                if (trial_d.norm() <= (1 - 1e-4 * t) * d.norm()) break;
+            }
+            if (t <= 1e-3) return;
+            p = trial;
+            d = trial_d;
+        }
+    }
+
+    const Assembly& assembly_;
+    Law law_;
+    VectorXd w_, u_free_;
+    MatrixXd W_;
+    RandomInput random_{1};
+};
 
 }  // namespace
 
@@ -433,7 +513,7 @@ ContactSolution solve_contacts(const ContactProblem& problem, double tolerance, 
     // Soft points converge everywhere and remove rounding, stiff ones reach the heavy body on the light one (a mode of inverse
     // mass w_mode shrinks by 1 / (1 + stiffness w_mode / w)): stiffness rises while progress is slow, falls where rounding ends
     // it, and so on. Where Newton fails it stays below for a while.
-    constexpr double softest = 1e1, stiffest = 1e8;
+    constexpr double softest = 1e1, stiffest = 1e8, last_resort = 1e-2;
     constexpr int polish = 2;  // rungs after the bar is met: where friction is slight, its direction lags behind the residual
     double stiffness = softest, ceiling = stiffest;
     bool rising = true;
@@ -442,14 +522,14 @@ ContactSolution solve_contacts(const ContactProblem& problem, double tolerance, 
         const Law law(assembly, stiffness);
         VectorXd trial = y;
         const VectorXd* bounds_of = nullptr;
-        bool solved = solve_inner(BodyEquation(assembly, law, p, nullptr), trial, solution.iterations);
-        if (!solved && stiffness <= softest) {  // with the friction bounds of the impulses at hand it is a convex problem
+        bool solved = solve_inner(BodyEquation(assembly, law, p, nullptr), stiffness, trial, solution.iterations);
+        if (!solved && stiffness <= last_resort) {  // with the friction bounds of the impulses at hand it is a convex problem
             bounds_of = &p;
             trial = y;
-            solved = solve_inner(BodyEquation(assembly, law, p, bounds_of), trial, solution.iterations);
+            solved = solve_inner(BodyEquation(assembly, law, p, bounds_of), stiffness, trial, solution.iterations);
         }
         if (!solved) {
-            stiffness = ceiling = std::max(softest, stiffness / 4);
+            stiffness = ceiling = std::max(last_resort, stiffness / 4);
             continue;
         }
         p = law.mapped(p, assembly.u(trial), bounds_of);
@@ -463,9 +543,11 @@ ContactSolution solve_contacts(const ContactProblem& problem, double tolerance, 
         if (stiffness >= stiffest || at_rounding) rising = false;
         if (stiffness <= softest) rising = true;
         ceiling = std::min(stiffest, 2 * ceiling);
-        if (slow) stiffness = rising ? std::min(ceiling, 10 * stiffness) : std::max(softest, stiffness / 100);
+        if (slow) stiffness = rising ? std::min(ceiling, 10 * stiffness) : std::max(std::min(softest, ceiling), stiffness / 100);
         last = residual;
     }
+    if (best > std::max(tolerance, grain_of(assembly, best_p)) && assembly.row_count() <= 300)
+        NewtonOnImpulses(assembly).solve(best_p, std::max(tolerance, grain_of(assembly, best_p)), solution.iterations);
     assembly.write(best_p, solution);
     solution.residual = contact_residual(problem, solution);
     // Ten: the velocities written are summed in another order.
