@@ -129,6 +129,15 @@ TEST(ContactReference, random_heaps_with_friction_obey_the_laws) {
     std::printf("most linear systems in one heap: %d\n", most_systems);
 }
 
+TEST(ContactReference, a_first_guess_leads_to_the_same_velocities_sooner) {
+    ContactProblem problem = stack_of_boxes(std::vector<double>(10, 1.0), {0.5, 0.5, 0.5}, 0.6);
+    fall(problem, {0, 0, -g}, h);
+    const ContactSolution cold = solve_contacts(problem), warm = solve_contacts(problem, 1e-11, &cold);
+    EXPECT_TRUE(warm.converged);
+    EXPECT_LE(velocity_distance(problem, cold, warm), bar);
+    EXPECT_LT(2 * warm.iterations, cold.iterations);
+}
+
 TEST(ContactReference, a_wrong_solution_is_told_from_a_right_one) {
     RandomInput random(6);
     for (int trial = 0; trial < 50; ++trial) {

@@ -9,6 +9,7 @@
 
 #include "contact/exact_problem.h"
 #include "reference/ball_and_brick.h"
+#include "reference/csv_table.h"
 
 namespace {
 
@@ -56,19 +57,22 @@ void expect_valid(const PlacedBody& body, const char* name, int body_i) {
 }
 
 /// Bodies that a world takes, immovable ones first, none inside another by more than `deepest`.
-template <class Scene>
-void expect_well_made(double deepest = place) {
-    const std::vector<PlacedBody> bodies = bodies_of<Scene>();
+void expect_well_made(const std::vector<PlacedBody>& bodies, const char* name, double deepest = place) {
     std::vector<Surface> surfaces;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
-        expect_valid(bodies[i], Scene::name, static_cast<int>(i));
+        expect_valid(bodies[i], name, static_cast<int>(i));
         surfaces.emplace_back(bodies[i]);
-        EXPECT_FALSE(bodies[i].def.immovable && i > 0 && !bodies[i - 1].def.immovable) << Scene::name << " " << i;
+        EXPECT_FALSE(bodies[i].def.immovable && i > 0 && !bodies[i - 1].def.immovable) << name << " " << i;
         for (std::size_t j = 0; j < i; ++j) {
             if (bodies[i].def.immovable && bodies[j].def.immovable) continue;
-            EXPECT_LE(overlap_of(surfaces[i], surfaces[j]), deepest) << Scene::name << " " << j << " " << i;
+            EXPECT_LE(overlap_of(surfaces[i], surfaces[j]), deepest) << name << " " << j << " " << i;
         }
     }
+}
+
+template <class Scene>
+void expect_well_made(double deepest = place) {
+    expect_well_made(bodies_of<Scene>(), Scene::name, deepest);
 }
 
 TEST(ContactScenes, are_well_made) {
@@ -100,6 +104,72 @@ TEST(ContactScenes, are_well_made) {
     expect_well_made<SimBouncing>();
     expect_well_made<Sim666<false>>();
     expect_well_made<Sim666<true>>();
+}
+
+TEST(ContactScenes, with_choices_are_well_made) {
+    for (const scalar phase : {scalar(0), scalar(0.5)})
+        expect_well_made({BulletAndPlate::body(0, phase, 0), BulletAndPlate::body(1, phase, 0)}, BulletAndPlate::name);
+    for (int phase_i = 0; phase_i < HeadOn::phase_count; ++phase_i)
+        for (const bool balls : {false, true})
+            expect_well_made({HeadOn::body(0, balls, 80, phase_i), HeadOn::body(1, balls, 80, phase_i)}, HeadOn::name);
+    for (const scalar degrees : {scalar(0), scalar(30), scalar(90)})
+        expect_well_made({brick_pushed_at(0, degrees, scalar(0.4)), brick_pushed_at(1, degrees, scalar(0.4))}, "pushed");
+    expect_well_made<PlankOnEdge<1000>>();
+    // Overlaps are what they are named after.
+    const std::vector<PlacedBody> half_inside = bodies_of<Overlap<50, false>>();
+    EXPECT_NEAR(overlap_of(Surface(half_inside[0]), Surface(half_inside[1])), 0.5, place);
+}
+
+/// The scene is the table's case: after one exact step (bodies touch, so nothing else acts) it moves as the closed form says.
+template <class Case>
+std::vector<PlacedBody> bodies_of_case(const Case& one) {
+    return {one.body(0), one.body(1)};
+}
+
+TEST(ContactScenes, cases_are_those_of_the_tables) {
+    const double h = 1.0 / 1024, near = is_double ? 1e-11 : 2e-6;  // speeds up to 13 in float
+    const auto stepped = [&](const std::vector<PlacedBody>& bodies, double g) {
+        const ContactProblem problem = exact_problem(bodies, {0, 0, -g}, h, place);
+        EXPECT_FALSE(problem.points.empty());
+        return solve_contacts(problem);
+    };
+    const CsvTable bricks("brick_on_incline.csv");
+    for (const SlopeCase& one : brick_cases) {
+        const std::size_t row = bricks.rows_with("case", one.table_case).front();
+        const auto x = [&](const char* column) { return bricks.number<long double>(row, column); };
+        const long double hyp = std::sqrt(x("tan_num") * x("tan_num") + x("tan_den") * x("tan_den"));
+        const BrickOnIncline exact(x("g"), x("mu"), x("tan_num") / hyp, x("tan_den") / hyp, x("v0"));
+        const Vector3d v = stepped(bodies_of_case(one), static_cast<double>(x("g"))).v_CM[1];
+        EXPECT_NEAR(v.dot(to_eigen(one.slope.down())), static_cast<double>(exact.at(h).v), near) << one.table_case;
+    }
+    const CsvTable inclines("sphere_on_incline.csv");
+    for (const SlopeCase& one : sphere_incline_cases) {
+        const std::size_t row = inclines.rows_with("case", one.table_case).front();
+        const auto x = [&](const char* column) { return inclines.number<long double>(row, column); };
+        const long double hyp = std::sqrt(x("tan_num") * x("tan_num") + x("tan_den") * x("tan_den"));
+        const SphereOnIncline exact(x("g"), x("mu"), x("r"), x("k"), x("tan_num") / hyp, x("tan_den") / hyp);
+        const ContactSolution solution = stepped(bodies_of_case(one), static_cast<double>(x("g")));
+        EXPECT_NEAR(solution.v_CM[1].dot(to_eigen(one.slope.down())), static_cast<double>(exact.at(h).v), near) << one.table_case;
+        EXPECT_NEAR(solution.omega[1].y(), static_cast<double>(exact.at(h).w), near) << one.table_case;
+    }
+    const CsvTable planes("sphere_on_plane.csv");
+    for (const SpherePlaneCase& one : sphere_plane_cases) {
+        const std::size_t row = planes.rows_with("case", one.table_case).front();
+        const auto x = [&](const char* column) { return planes.number<long double>(row, column); };
+        using Column = SphereOnPlane::Vector3;
+        const SphereOnPlane exact(x("g"), x("mu"), x("r"), x("k"), Column(x("vx0"), x("vy0"), 0), Column(x("wx0"), x("wy0"), x("wz0")));
+        const ContactSolution solution = stepped(bodies_of_case(one), static_cast<double>(x("g")));
+        EXPECT_LE((solution.v_CM[1] - exact.at(h).v.cast<double>()).norm(), near) << one.table_case;
+        EXPECT_LE((solution.omega[1] - exact.at(h).omega.cast<double>()).norm(), near) << one.table_case;
+    }
+    const CsvTable bounces("bouncing_ball_impacts.csv");
+    for (const BounceCase& one : bounce_cases) {
+        const std::size_t row = bounces.rows_with("case", one.table_case).front();
+        EXPECT_EQ(bounces.number<double>(row, "h0"), static_cast<double>(one.h_0));
+        EXPECT_EQ(bounces.number<double>(row, "v0"), static_cast<double>(one.v_0));
+        EXPECT_EQ(bounces.number<double>(row, "e"), static_cast<double>(one.e));
+        expect_well_made(bodies_of_case(one), one.table_case);
+    }
 }
 
 TEST(ContactScenes, have_the_bodies_their_names_say) {
@@ -154,6 +224,25 @@ TEST(ContactScenes, pyramid_of_210_is_solved_with_400_pairs) {
     for (std::size_t i = 0; i < problem.points.size(); ++i)
         if (problem.points[i].body_B == 0) ground += solution.impulse[i].z();
     EXPECT_NEAR(ground, 210 * 9.81 / 60, 1e-6 * ground);
+}
+
+TEST(ContactScenes, a_plank_on_an_edge_feels_no_torque) {
+    EXPECT_LE((fastest_in<PlankOnEdge<1570796>>()), rest);
+    EXPECT_LE((fastest_in<PlankOnEdge<1000>>()), rest);
+    EXPECT_LE((fastest_in<PlankOnEdge<0>>()), rest);
+}
+
+TEST(ContactScenes, the_rolling_of_SimBenchmark_starts_as_its_closed_form) {
+    ContactProblem problem = exact_problem_of<SimRolling>(1e-4, product);  // bodies are up to 4e-5 m inside each other
+    EXPECT_EQ(problem.points.size(), 4u + 25u);
+    problem.bodies[SimRolling::pushed_body].v_CM += 1e-3 * to_eigen(SimRolling::push_diagonal) / 10;
+    const ContactSolution solution = solve_contacts(problem);
+    ASSERT_TRUE(solution.converged);
+    const PushedBoxWithBalls exact(9.81L, 150, 10, 1, 25, 0.4L, 0.4L);
+    const Vector3d direction(0.5, std::sqrt(0.75), 0);
+    // The box is 0.5 m - 2e-5 m over the ground and the balls stand 2e-5 m in it, which tilts nothing; radii count to 1e-4.
+    EXPECT_LE((solution.v_CM[1] - 1e-3 * static_cast<double>(exact.a_box) * direction).norm(), 1e-7);
+    EXPECT_LE((solution.v_CM[SimRolling::measured_ball] - 1e-3 * static_cast<double>(exact.a_ball) * direction).norm(), 1e-7);
 }
 
 TEST(ContactScenes, overhang_tips_past_the_edge) {

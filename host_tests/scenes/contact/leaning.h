@@ -6,14 +6,16 @@
 
 namespace scenes {
 
+// Least friction of the card house of three levels and of the arch of 13 stones, thickness 0.2: of the exact solution of one step
+// from rest, see contact_scenes_test.cpp.
+constexpr double card_house_least_mu = 0.365, arch_least_mu = 0.306;
+
 /// C10: a house of cards of 1 x 0.6 x 0.04 m and 1 kg. A level has pairs of cards that lean on each other at 25 degrees from the
 /// upright, edge to edge, and cards laid across from ridge to ridge; the level above stands on those, its feet next to the ridges
 /// so that the laid cards hardly bear. Levels 3: 6 pairs and 3 cards across.
 ///
-/// Criterion: three levels stand for 60 s at 1.1 card_house_least_mu and above, and fall at 0.9. That number is the exact solution's
-/// of one step from rest (contact_scenes_test.cpp), with both faces' normals where two edges meet.
-constexpr double card_house_least_mu = 0.365;
-
+/// Criterion: three levels stand for 60 s at 1.1 card_house_least_mu and above, and fall at 0.9. Where two edges
+/// meet that number takes both faces' normals. One level: (tan(angle) - thickness / length) / 2 = 0.2132.
 template <int levels, int mu_percent>
 struct CardHouse : OnEarth {
     static constexpr const char* name = "card_house";
@@ -53,9 +55,7 @@ struct CardHouse : OnEarth {
 ///
 /// Criterion: stands for 60 s where the thickness is above the least one and falls at 0.9 of it, given friction enough. For
 /// infinitely many stones the least is 0.1075 of the mean radius (Milankovitch 1907); joints at finite places allow a little less:
-/// 13 stones stand at 0.105 and not at 0.100. Friction: at 0.2 the least mu is arch_least_mu (contact_scenes_test.cpp).
-constexpr double arch_least_mu = 0.306;
-
+/// 13 stones stand at 0.105 and not at 0.100. Friction: at a thickness of 0.2 at least arch_least_mu.
 template <int voussoirs, int thickness_permille, int mu_percent>
 struct Arch : OnEarth {
     static constexpr const char* name = "arch";
@@ -139,6 +139,30 @@ struct Dominoes : OnEarth {
         PlacedBody domino = solid_box(1, half, {static_cast<scalar>(body_i - 1) * scalar(0.4), 0, half.z}, mu);
         if (body_i == 1) domino.move({half.z, 0, half.x}, {0, 1, 0});
         return domino;
+    }
+};
+
+/// C15: a plank of 2 x 0.4 x 0.1 m and 10 kg balances flat on the upper edge of an immovable bar turned by 45 degrees, its length at
+/// yaw_microrad to the edge: from crossed (1570796) through all but parallel to parallel (0).
+///
+/// Criterion: over ten steps |omega| <= 1e-4 rad/s at every yaw: the normal stays vertical, no torque comes from nowhere.
+template <int yaw_microrad>
+struct PlankOnEdge : OnEarth {
+    static constexpr const char* name = "plank_on_edge";
+    static constexpr int body_count = 2;
+    static constexpr scalar seconds = scalar(10) / 60;
+    static constexpr scalar mu = scalar(0.6);
+
+    static constexpr PlacedBody body(int body_i) {
+        constexpr scalar half = scalar(0.2), root_half = scalar(0.70710678118654752440);
+        if (body_i == 0) {
+            PlacedBody bar = fixed_box({2, half, half}, {0, 0, 0}, mu);
+            bar.turn({{1, 0, 0}, {0, root_half, root_half}, {0, -root_half, root_half}});
+            return bar;
+        }
+        PlacedBody plank = solid_box(10, {1, scalar(0.2), scalar(0.05)}, {0, 0, 2 * half * root_half + scalar(0.05)}, mu);
+        plank.turn(ingot::axis_angle({0, 0, 1}, scalar(yaw_microrad) * scalar(1e-6)));
+        return plank;
     }
 };
 
