@@ -25,7 +25,8 @@ public:
     };
 
     /// At t = 0 it is at height h_0, m, with upward speed v_0, m/s.
-    BouncingBall(Real g, Real h_0, Real v_0, Real e) : g_(g), h_0_(h_0), v_0_(v_0), e_(e), u_(std::sqrt(v_0 * v_0 + 2 * g * h_0)) {}
+    BouncingBall(Real g, Real h_0, Real v_0, Real e)
+        : g_(g), h_0_(h_0), v_0_(v_0), e_(e), u_(std::sqrt(v_0 * v_0 + 2 * g * h_0)) {}
 
     Real t_first() const { return (v_0_ + u_) / g_; }
 
@@ -47,7 +48,8 @@ public:
         if (t >= t_rest()) return {0, 0};
         const Real since = t - t_first(), flight = 2 * u_ / g_;
         // Flights last flight * e^i: so many of them are over.
-        int over = e_ < 1 ? static_cast<int>(std::log1p(-(since / flight) * (1 - e_) / e_) / std::log(e_)) : static_cast<int>(since / flight);
+        int over = e_ < 1 ? static_cast<int>(std::log1p(-(since / flight) * (1 - e_) / e_) / std::log(e_))
+                          : static_cast<int>(since / flight);
         while (over > 0 && impact(over + 1).t > t) --over;
         while (impact(over + 2).t <= t) ++over;
         const Impact last = impact(over + 1);
@@ -114,8 +116,8 @@ private:
     Real a_, spin_;
 };
 
-/// A ball set down sliding and spinning on a rough plane. Its slip u = v + omega x (0, 0, -r) keeps its direction while friction
-/// mu M g takes it away; from t_roll on it rolls.
+/// A ball set down sliding and spinning on a rough plane. Its slip u = v + omega x (0, 0, -r) keeps its direction while
+/// friction mu M g takes it away; from t_roll on it rolls.
 class SphereOnPlane {
 public:
     using Real = long double;
@@ -189,8 +191,10 @@ private:
 struct PushedBoxWithBalls {
     long double a_box, a_ball;  ///< m s^-2
 
-    PushedBoxWithBalls(long double g, long double F, long double M_box, long double M_ball, int balls, long double k, long double mu_ground)
-        : a_box((F - mu_ground * (M_box + balls * M_ball) * g) / (M_box + balls * M_ball * k / (1 + k))), a_ball(a_box * k / (1 + k)) {}
+    PushedBoxWithBalls(long double g, long double F, long double M_box, long double M_ball, int balls, long double k,
+                       long double mu_ground)
+        : a_box((F - mu_ground * (M_box + balls * M_ball) * g) / (M_box + balls * M_ball * k / (1 + k))),
+          a_ball(a_box * k / (1 + k)) {}
 };
 
 // Thresholds of friction and balance.

@@ -20,7 +20,8 @@ struct Incline {
     Real sin_alpha, cos_alpha;
 
     Incline(const CsvTable& table, std::size_t row) {
-        const Real num = table.number<Real>(row, "tan_num"), den = table.number<Real>(row, "tan_den"), hyp = std::sqrt(num * num + den * den);
+        const Real num = table.number<Real>(row, "tan_num"), den = table.number<Real>(row, "tan_den"),
+                   hyp = std::sqrt(num * num + den * den);
         sin_alpha = num / hyp;
         cos_alpha = den / hyp;
     }
@@ -129,7 +130,8 @@ TEST(BallAndBrick, spheres_on_planes_agree_with_the_table) {
 /// exact after every step; the step that ends a slip ends it exactly. 1e-9: 500 steps of at most 1e-12 each, and some.
 class Stepped {
 public:
-    explicit Stepped(ContactProblem problem, const Vector3d& gravity, double h) : problem_(std::move(problem)), gravity_(gravity), h_(h) {}
+    explicit Stepped(ContactProblem problem, const Vector3d& gravity, double h)
+        : problem_(std::move(problem)), gravity_(gravity), h_(h) {}
 
     const ContactBody& body() const { return problem_.bodies[1]; }
 
@@ -168,7 +170,8 @@ TEST(BallAndBrick, the_contact_reference_steps_spheres_on_planes_as_the_table_sa
         for (const std::size_t row : rows) {
             if (row != rows[0])
                 for (int step_i = 0; step_i < steps_a_row; ++step_i) stepped.step();
-            EXPECT_LE((stepped.body().v_CM - Vector3d(x(row, "vx"), x(row, "vy"), 0)).norm(), 1e-9) << name << " " << x(row, "t");
+            EXPECT_LE((stepped.body().v_CM - Vector3d(x(row, "vx"), x(row, "vy"), 0)).norm(), 1e-9)
+                << name << " " << x(row, "t");
             EXPECT_LE((stepped.body().omega - Vector3d(x(row, "wx"), x(row, "wy"), x(row, "wz"))).norm(), 1e-9) << name;
         }
     }
@@ -182,7 +185,8 @@ TEST(BallAndBrick, the_contact_reference_steps_spheres_on_inclines_as_the_table_
         const Incline incline(table, rows[0]);
         const double g = x(rows[0], "g");
         Stepped stepped(ball_on_plane(x(rows[0], "mu"), x(rows[0], "r"), x(rows[0], "k")),
-                        {g * static_cast<double>(incline.sin_alpha), 0, -g * static_cast<double>(incline.cos_alpha)}, x(rows[1], "t") / 16);
+                        {g * static_cast<double>(incline.sin_alpha), 0, -g * static_cast<double>(incline.cos_alpha)},
+                        x(rows[1], "t") / 16);
         for (const std::size_t row : rows) {
             if (row != rows[0])
                 for (int step_i = 0; step_i < 16; ++step_i) stepped.step();
@@ -201,7 +205,8 @@ TEST(BallAndBrick, the_contact_reference_steps_bricks_as_the_table_says) {
         const double g = x(rows[0], "g"), h = x(rows[1], "t") / 16;
         ContactProblem problem = stack_of_boxes({2.0}, {0.5, 0.4, 0.1}, x(rows[0], "mu"));
         problem.bodies[1].v_CM.x() = x(rows[0], "v0");
-        Stepped stepped(problem, {g * static_cast<double>(incline.sin_alpha), 0, -g * static_cast<double>(incline.cos_alpha)}, h);
+        Stepped stepped(problem, {g * static_cast<double>(incline.sin_alpha), 0, -g * static_cast<double>(incline.cos_alpha)},
+                        h);
         // The step in which it turns at t_stop and goes on down is one of rest instead: late by less than h from then on.
         const double late = std::string(name) == "up_and_back" ? h * g : 0;
         for (const std::size_t row : rows) {
@@ -244,7 +249,8 @@ TEST(BallAndBrick, the_pushed_box_of_SimBenchmark_moves_as_the_contact_reference
         for (int j = 0; j < 5; ++j) {
             const Vector3d top(2 * i - 4, 2 * j - 4, 1);
             problem.bodies.push_back(solid_ball(1, 0.5, top + Vector3d(0, 0, 0.5)));
-            problem.points.push_back(point_between(static_cast<int>(problem.bodies.size()) - 1, 1, top, Vector3d::UnitZ(), 0.8));
+            problem.points.push_back(
+                point_between(static_cast<int>(problem.bodies.size()) - 1, 1, top, Vector3d::UnitZ(), 0.8));
         }
     }
     fall(problem, {0, 0, -9.81}, h);
@@ -268,8 +274,9 @@ TEST(BallAndBrick, leaning_planks_hold_above_their_least_friction_and_slip_below
             const Vector3d along(std::cos(theta), 0, std::sin(theta));
             plank.r_CM = along * (length / 2);
             problem.bodies = {ContactBody{}, plank};
-            problem.points = {point_between(1, 0, {0, 0, 0}, Vector3d::UnitZ(), factor * static_cast<double>(leaning_plank_mu(theta))),
-                              point_between(1, 0, along * length, -Vector3d::UnitX(), 0)};
+            problem.points = {
+                point_between(1, 0, {0, 0, 0}, Vector3d::UnitZ(), factor * static_cast<double>(leaning_plank_mu(theta))),
+                point_between(1, 0, along * length, -Vector3d::UnitX(), 0)};
             fall(problem, {0, 0, -9.81}, h);
             const ContactSolution solution = solve_contacts(problem);
             ASSERT_TRUE(solution.converged);

@@ -22,21 +22,21 @@ using Matrix3d = Eigen::Matrix3d;
 
 /// A body that contacts act on. One that nothing moves has inv_M = 0 and inv_I_world = 0.
 struct ContactBody {
-    double inv_M = 0;                             ///< kg^-1
-    Matrix3d inv_I_world = Matrix3d::Zero();      ///< kg^-1 m^-2, symmetric
-    Vector3d r_CM = Vector3d::Zero();             ///< m
-    Vector3d v_CM = Vector3d::Zero();             ///< m/s
-    Vector3d omega = Vector3d::Zero();            ///< rad/s
+    double inv_M = 0;                         ///< kg^-1
+    Matrix3d inv_I_world = Matrix3d::Zero();  ///< kg^-1 m^-2, symmetric
+    Vector3d r_CM = Vector3d::Zero();         ///< m
+    Vector3d v_CM = Vector3d::Zero();         ///< m/s
+    Vector3d omega = Vector3d::Zero();        ///< rad/s
 };
 
 /// One point where two bodies touch, or are about to.
 struct ContactPoint {
     int body_A = 0, body_B = 0;
-    Vector3d r_P = Vector3d::Zero();      ///< m, world
-    Vector3d n = Vector3d::UnitZ();       ///< unit normal, from B to A
-    double separation = 0;                ///< m; not positive: touching
-    double mu = 0;                        ///< Coulomb friction at this point
-    double v_n_target = 0;                ///< m/s; least n.(v_A - v_B): -e times the one before an impact
+    Vector3d r_P = Vector3d::Zero();        ///< m, world
+    Vector3d n = Vector3d::UnitZ();         ///< unit normal, from B to A
+    double separation = 0;                  ///< m; not positive: touching
+    double mu = 0;                          ///< Coulomb friction at this point
+    double v_n_target = 0;                  ///< m/s; least n.(v_A - v_B): -e times the one before an impact
     Vector3d v_t_drive = Vector3d::Zero();  ///< m/s; velocity of the belt on B, less that of the belt on A
 };
 
@@ -47,7 +47,7 @@ struct FrictionPatch {
     Vector3d r_P = Vector3d::Zero();
     Vector3d n = Vector3d::UnitZ();
     double mu = 0;
-    double mu_twist = 0;                  ///< m; twist impulse, N m s, <= mu_twist * sum of normal impulses
+    double mu_twist = 0;  ///< m; twist impulse, N m s, <= mu_twist * sum of normal impulses
     Vector3d v_t_drive = Vector3d::Zero();
     std::vector<int> points;
 };

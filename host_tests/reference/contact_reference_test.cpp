@@ -58,7 +58,8 @@ std::vector<ContactSolution> by_enumeration(const ContactProblem& problem) {
     none.impulse.assign(problem.points.size(), Vector3d::Zero());
     const auto normal_velocities = [&](const Eigen::VectorXd& p) {
         ContactSolution pushed = none;
-        for (int i = 0; i < count; ++i) pushed.impulse[static_cast<std::size_t>(i)] = p(i) * problem.points[static_cast<std::size_t>(i)].n;
+        for (int i = 0; i < count; ++i)
+            pushed.impulse[static_cast<std::size_t>(i)] = p(i) * problem.points[static_cast<std::size_t>(i)].n;
         apply_impulses(problem, pushed);
         Eigen::VectorXd u(count);
         for (int i = 0; i < count; ++i) {
@@ -92,7 +93,8 @@ std::vector<ContactSolution> by_enumeration(const ContactProblem& problem) {
         const Eigen::VectorXd u = u_free + W * p;
         if (u.minCoeff() < -1e-11 || std::abs(u.dot(p)) > 1e-10) continue;
         ContactSolution solution = none;
-        for (int i = 0; i < count; ++i) solution.impulse[static_cast<std::size_t>(i)] = p(i) * problem.points[static_cast<std::size_t>(i)].n;
+        for (int i = 0; i < count; ++i)
+            solution.impulse[static_cast<std::size_t>(i)] = p(i) * problem.points[static_cast<std::size_t>(i)].n;
         apply_impulses(problem, solution);
         found.push_back(solution);
     }
@@ -157,7 +159,8 @@ TEST(ContactReference, a_wrong_solution_is_told_from_a_right_one) {
 TEST(ContactReference, bounds_that_contradict_each_other_are_reported) {
     ContactProblem problem;
     problem.bodies = {ContactBody{}, solid_ball(1, 0.5, {0, 0, 0.5})};
-    problem.points = {point_between(1, 0, {0, 0, 0}, Vector3d::UnitZ(), 0), point_between(1, 0, {0, 0, 1}, -Vector3d::UnitZ(), 0)};
+    problem.points = {point_between(1, 0, {0, 0, 0}, Vector3d::UnitZ(), 0),
+                      point_between(1, 0, {0, 0, 1}, -Vector3d::UnitZ(), 0)};
     problem.points[0].v_n_target = problem.points[1].v_n_target = 1;  // up and down at once
     EXPECT_FALSE(solve_contacts_without_friction(problem).converged);
     EXPECT_FALSE(solve_contacts(problem).converged);
@@ -221,8 +224,9 @@ TEST(ContactReference, friction_is_the_same_in_every_direction) {
 }
 
 TEST(ContactReference, every_interface_of_a_stack_carries_what_is_above) {
-    const std::vector<std::vector<double>> stacks = {std::vector<double>(10, 1.0), std::vector<double>(40, 1.0), {1, 1000}, {1, 1e6},
-                                                     {1, 1, 1, 1, 1, 1, 1, 1, 1, 1000}, {1, 10, 100, 1000, 1e4}, {1e4, 1}};
+    const std::vector<std::vector<double>> stacks = {
+        std::vector<double>(10, 1.0),      std::vector<double>(40, 1.0), {1, 1000}, {1, 1e6},
+        {1, 1, 1, 1, 1, 1, 1, 1, 1, 1000}, {1, 10, 100, 1000, 1e4},      {1e4, 1}};
     for (const std::vector<double>& masses : stacks) {
         ContactProblem problem = stack_of_boxes(masses, {0.5, 0.5, 0.5}, 0.6);
         fall(problem, {0, 0, -g}, h);

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The contact scenes as they are defined: bodies that a world takes, no overlaps, and what the exact solution of one step from
 // rest says of their thresholds. The kernel does no step here.
-#include "contact/all_contact_scenes.h"
-
 #include <gtest/gtest.h>
 
 #include <cstdio>
 
+#include "contact/all_contact_scenes.h"
 #include "contact/exact_problem.h"
 #include "reference/ball_and_brick.h"
 #include "reference/csv_table.h"
@@ -21,13 +20,14 @@ constexpr bool is_double = sizeof(scalar) == 8;
 /// Sizes and places are given to the scalar's digits: 10 m and less, a few roundings. Bodies touch within this, m.
 constexpr double place = is_double ? 1e-12 : 1e-5;
 
-/// Speed after a step of what rests, m/s, where free fall makes 0.16: places off by 1e-6 m in float, over the 0.04 m that the thinnest
-/// card is thick, times g h are 4e-6. In double the solver's own bar, amplified by what stands on what.
+/// Speed after a step of what rests, m/s, where free fall makes 0.16: places off by 1e-6 m in float, over the 0.04 m that the
+/// thinnest card is thick, times g h are 4e-6. In double the solver's own bar, amplified by what stands on what.
 constexpr double rest = is_double ? 1e-9 : 1e-5;
 
 double fastest(const ContactProblem& problem, const ContactSolution& solution) {
     double most = 0;
-    for (std::size_t i = 0; i < problem.bodies.size(); ++i) most = std::max({most, solution.v_CM[i].norm(), solution.omega[i].norm()});
+    for (std::size_t i = 0; i < problem.bodies.size(); ++i)
+        most = std::max({most, solution.v_CM[i].norm(), solution.omega[i].norm()});
     return most;
 }
 
@@ -149,7 +149,8 @@ TEST(ContactScenes, cases_are_those_of_the_tables) {
         const long double hyp = std::sqrt(x("tan_num") * x("tan_num") + x("tan_den") * x("tan_den"));
         const SphereOnIncline exact(x("g"), x("mu"), x("r"), x("k"), x("tan_num") / hyp, x("tan_den") / hyp);
         const ContactSolution solution = stepped(bodies_of_case(one), static_cast<double>(x("g")));
-        EXPECT_NEAR(solution.v_CM[1].dot(to_eigen(one.slope.down())), static_cast<double>(exact.at(h).v), near) << one.table_case;
+        EXPECT_NEAR(solution.v_CM[1].dot(to_eigen(one.slope.down())), static_cast<double>(exact.at(h).v), near)
+            << one.table_case;
         EXPECT_NEAR(solution.omega[1].y(), static_cast<double>(exact.at(h).w), near) << one.table_case;
     }
     const CsvTable planes("sphere_on_plane.csv");
@@ -157,7 +158,8 @@ TEST(ContactScenes, cases_are_those_of_the_tables) {
         const std::size_t row = planes.rows_with("case", one.table_case).front();
         const auto x = [&](const char* column) { return planes.number<long double>(row, column); };
         using Column = SphereOnPlane::Vector3;
-        const SphereOnPlane exact(x("g"), x("mu"), x("r"), x("k"), Column(x("vx0"), x("vy0"), 0), Column(x("wx0"), x("wy0"), x("wz0")));
+        const SphereOnPlane exact(x("g"), x("mu"), x("r"), x("k"), Column(x("vx0"), x("vy0"), 0),
+                                  Column(x("wx0"), x("wy0"), x("wz0")));
         const ContactSolution solution = stepped(bodies_of_case(one), static_cast<double>(x("g")));
         EXPECT_LE((solution.v_CM[1] - exact.at(h).v.cast<double>()).norm(), near) << one.table_case;
         EXPECT_LE((solution.omega[1] - exact.at(h).omega.cast<double>()).norm(), near) << one.table_case;
@@ -176,10 +178,12 @@ TEST(ContactScenes, have_the_bodies_their_names_say) {
     static_assert(Pyramid<10>::cube_count == 55 && Pyramid<20>::cube_count == 210 && Pyramid<30>::cube_count == 465, "base");
     static_assert(SpherePile<8>::body_count == 5 + 512 && PitOfBoxes::body_count == 5 + 125, "walls and bodies");
     static_assert(CardHouse<3, 60>::pair_count == 6 && CardHouse<3, 60>::across_count == 3, "three levels");
-    static_assert(SimRolling::body_count == 27 && SimBouncing::body_count == 50 && Sim666<true>::body_count == 217, "SimBenchmark");
+    static_assert(SimRolling::body_count == 27 && SimBouncing::body_count == 50 && Sim666<true>::body_count == 217,
+                  "SimBenchmark");
     double energy = 0;
     for (const PlacedBody& body : bodies_of<SimBouncing>())
-        if (!body.def.immovable) energy += static_cast<double>(body.def.mass.M) * 9.81 * static_cast<double>(body.def.state.r_CM.z);
+        if (!body.def.immovable)
+            energy += static_cast<double>(body.def.mass.M) * 9.81 * static_cast<double>(body.def.state.r_CM.z);
     EXPECT_NEAR(energy, 24034.5, 1e-2);
     for (int i = 0; i < 1000; ++i) EXPECT_LE(ingot::orthogonality_error(scattered_rotation(i)), 16 * ingot::epsilon);
 }
@@ -259,7 +263,8 @@ TEST(ContactScenes, incline_sticks_at_mu_07_and_slides_at_04) {
 TEST(ContactScenes, boxes_topple_where_the_slope_is_steeper_than_they_are_wide) {
     for (const scalar factor : {scalar(0.98), scalar(1.02)}) {
         const scalar height = 2, width = factor * 2 * scalar(0.75);
-        const std::vector<PlacedBody> bodies = {box_that_may_topple(0, three_four, width, height), box_that_may_topple(1, three_four, width, height)};
+        const std::vector<PlacedBody> bodies = {box_that_may_topple(0, three_four, width, height),
+                                                box_that_may_topple(1, three_four, width, height)};
         const double speed = fastest_after(exact_problem(bodies, {0, 0, -9.81}, 1.0 / 60, place), "topple");
         EXPECT_TRUE(factor > 1 ? speed <= rest : speed > 5e-4) << factor << " " << speed;
     }
@@ -268,10 +273,12 @@ TEST(ContactScenes, boxes_topple_where_the_slope_is_steeper_than_they_are_wide) 
 template <int degrees>
 void expect_plank_threshold() {
     using Plank = LeaningPlank<degrees>;
-    EXPECT_NEAR(static_cast<double>(Plank::mu_least), static_cast<double>(leaning_plank_mu(static_cast<long double>(Plank::angle))), 0.02);
+    EXPECT_NEAR(static_cast<double>(Plank::mu_least),
+                static_cast<double>(leaning_plank_mu(static_cast<long double>(Plank::angle))), 0.02);
     for (const scalar factor : {scalar(0.98), scalar(1.02)}) {
         std::vector<PlacedBody> bodies;
-        for (int body_i = 0; body_i < Plank::body_count; ++body_i) bodies.push_back(Plank::body(body_i, factor * Plank::mu_least));
+        for (int body_i = 0; body_i < Plank::body_count; ++body_i)
+            bodies.push_back(Plank::body(body_i, factor * Plank::mu_least));
         // The pair of the plank and the ground takes their mu; with the wall, 0.
         const double speed = fastest_after(exact_problem(bodies, {0, 0, -9.81}, 1.0 / 60, place), Plank::name);
         EXPECT_TRUE(factor > 1 ? speed <= rest : speed > 1e-3) << degrees << " " << factor << " " << speed;

@@ -6,8 +6,8 @@
 
 namespace scenes {
 
-/// I11: a ball of 5 cm diameter and 0.5 kg at 1000 m/s along x against an immovable plate 1 cm thick at x = 0; it starts `phase`
-/// (0 .. 1) of a frame's path further from the plate than two frames. No gravity.
+/// I11: a ball of 5 cm diameter and 0.5 kg at 1000 m/s along x against an immovable plate 1 cm thick at x = 0; it starts
+/// `phase` (0 .. 1) of a frame's path further from the plate than two frames. No gravity.
 ///
 /// Criterion: never passes; time of impact within 1e-6 s at 60 Hz.
 struct BulletAndPlate {
@@ -40,14 +40,15 @@ struct HeadOn {
         const scalar away = scalar(0.3) + 2 * speed * h * (1 + static_cast<scalar>(phase_i) / phase_count);
         const scalar side = body_i == 0 ? scalar(-1) : scalar(1);
         constexpr scalar half = scalar(0.25);
-        PlacedBody one = balls ? solid_ball(1, half, {side * away, 0, 0}, scalar(0.5)) : solid_box(1, {half, half, half}, {side * away, 0, 0}, scalar(0.5));
+        PlacedBody one = balls ? solid_ball(1, half, {side * away, 0, 0}, scalar(0.5))
+                               : solid_box(1, {half, half, half}, {side * away, 0, 0}, scalar(0.5));
         one.move({-side * speed, 0, 0});
         return one;
     }
 };
 
-/// I12: a bar of 2 m x 4 cm x 4 cm and 1 kg spins about its middle with 300 m/s at the tips (300 rad/s, 286 degrees a frame) and
-/// drifts at 10 m/s into an immovable wall 2 cm thick at x = 0. No gravity.
+/// I12: a bar of 2 m x 4 cm x 4 cm and 1 kg spins about its middle with 300 m/s at the tips (300 rad/s, 286 degrees a frame)
+/// and drifts at 10 m/s into an immovable wall 2 cm thick at x = 0. No gravity.
 ///
 /// Criterion: its centre never gets beyond the wall's middle plane, and it is never across the wall for two frames.
 struct SpinningBar {

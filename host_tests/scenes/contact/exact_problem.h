@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A contact scene as a problem for host_tests/reference/contact_reference.h: where its bodies touch, found in double without the
-// kernel's collision code. For scenes as they are defined, where bodies touch or are apart; all pairs, so for hundreds of bodies.
+// A contact scene as a problem for host_tests/reference/contact_reference.h: where its bodies touch, found in double without
+// the kernel's collision code. For scenes as they are defined, where bodies touch or are apart; all pairs, so for hundreds of
+// bodies.
 #pragma once
 
 #include <algorithm>
@@ -48,7 +49,8 @@ struct Surface {
         } else {
             for (int i = 0; i < 8; ++i) {
                 const Vector3d signs((i & 1) != 0 ? 1 : -1, (i & 2) != 0 ? 1 : -1, (i & 4) != 0 ? 1 : -1);
-                const Vector3d local = body.is_hull ? ingot_reference::to_eigen(body.corner[i]) : Vector3d(signs.cwiseProduct(size));
+                const Vector3d local =
+                    body.is_hull ? ingot_reference::to_eigen(body.corner[i]) : Vector3d(signs.cwiseProduct(size));
                 corners.push_back(centre + A * local);
                 radius = std::max(radius, local.norm());
             }
@@ -74,13 +76,15 @@ struct Touch {
 /// What is left of a polygon (or an edge, or a point) over a face.
 inline std::vector<Vector3d> clipped(std::vector<Vector3d> polygon, const Face& face, double tolerance) {
     for (std::size_t side_i = 0; side_i < 4; ++side_i) {
-        const Vector3d from = face.corners[side_i], to = face.corners[(side_i + 1) % 4], out = (to - from).cross(face.n).normalized();
+        const Vector3d from = face.corners[side_i], to = face.corners[(side_i + 1) % 4],
+                       out = (to - from).cross(face.n).normalized();
         std::vector<Vector3d> kept;
         for (std::size_t i = 0; i < polygon.size(); ++i) {
             const Vector3d a = polygon[i], b = polygon[(i + 1) % polygon.size()];
             const double d_a = out.dot(a - from), d_b = out.dot(b - from);
             if (d_a <= tolerance) kept.push_back(a);
-            if ((d_a < -tolerance && d_b > tolerance) || (d_a > tolerance && d_b < -tolerance)) kept.push_back(a + (b - a) * (d_a / (d_a - d_b)));
+            if ((d_a < -tolerance && d_b > tolerance) || (d_a > tolerance && d_b < -tolerance))
+                kept.push_back(a + (b - a) * (d_a / (d_a - d_b)));
         }
         polygon = kept;
     }
@@ -88,7 +92,8 @@ inline std::vector<Vector3d> clipped(std::vector<Vector3d> polygon, const Face& 
 }
 
 /// Adds what of `other` touches a face of `owner`; n points out of the face, times `sign`.
-inline void add_touches_on_faces(const Surface& owner, const Surface& other, double sign, double tolerance, std::vector<Touch>& touches) {
+inline void add_touches_on_faces(const Surface& owner, const Surface& other, double sign, double tolerance,
+                                 std::vector<Touch>& touches) {
     for (const Face& face : owner.faces) {
         std::vector<Vector3d> touching;
         bool outside = true;
@@ -99,7 +104,8 @@ inline void add_touches_on_faces(const Surface& owner, const Surface& other, dou
         }
         if (!outside || touching.empty()) continue;
         for (const Face& opposite : other.faces)  // all four corners: in their order
-            if (touching.size() == 4 && opposite.n.dot(face.n) < -0.99) std::copy(opposite.corners.begin(), opposite.corners.end(), touching.begin());
+            if (touching.size() == 4 && opposite.n.dot(face.n) < -0.99)
+                std::copy(opposite.corners.begin(), opposite.corners.end(), touching.begin());
         for (const Vector3d& r_P : clipped(touching, face, tolerance)) {
             bool is_new = true;
             for (const Touch& touch : touches)
@@ -109,8 +115,8 @@ inline void add_touches_on_faces(const Surface& owner, const Surface& other, dou
     }
 }
 
-/// Where A and B touch within the tolerance, m. Two corners that meet have no normal of their own: they get that of every face that
-/// keeps them apart.
+/// Where A and B touch within the tolerance, m. Two corners that meet have no normal of their own: they get that of every face
+/// that keeps them apart.
 inline std::vector<Touch> touches_of(const Surface& A, const Surface& B, double tolerance) {
     using ingot::ShapeKind;
     std::vector<Touch> touches;
@@ -118,16 +124,19 @@ inline std::vector<Touch> touches_of(const Surface& A, const Surface& B, double 
         touches = touches_of(B, A, tolerance);
         for (Touch& touch : touches) touch.n = -touch.n;
     } else if (B.kind == ShapeKind::half_space) {
-        const std::vector<Vector3d> lowest = A.kind == ShapeKind::sphere ? std::vector<Vector3d>{A.centre - A.radius * B.n} : A.corners;
+        const std::vector<Vector3d> lowest =
+            A.kind == ShapeKind::sphere ? std::vector<Vector3d>{A.centre - A.radius * B.n} : A.corners;
         for (const Vector3d& r_P : lowest)
             if (std::abs(B.n.dot(r_P) - B.offset) <= tolerance) touches.push_back({r_P, B.n});
     } else if (A.kind == ShapeKind::sphere && B.kind == ShapeKind::sphere) {
         const Vector3d apart = A.centre - B.centre;
-        if (std::abs(apart.norm() - A.radius - B.radius) <= tolerance) touches.push_back({B.centre + apart.normalized() * B.radius, apart.normalized()});
+        if (std::abs(apart.norm() - A.radius - B.radius) <= tolerance)
+            touches.push_back({B.centre + apart.normalized() * B.radius, apart.normalized()});
     } else if (A.kind == ShapeKind::sphere) {
         for (const Face& face : B.faces) {
             const Vector3d r_P = A.centre - A.radius * face.n;
-            if (std::abs(face.n.dot(r_P) - face.offset) <= tolerance && clipped({r_P}, face, tolerance).size() == 1) touches.push_back({r_P, face.n});
+            if (std::abs(face.n.dot(r_P) - face.offset) <= tolerance && clipped({r_P}, face, tolerance).size() == 1)
+                touches.push_back({r_P, face.n});
         }
     } else if ((A.centre - B.centre).norm() <= A.radius + B.radius + tolerance) {
         add_touches_on_faces(B, A, 1, tolerance, touches);
@@ -204,7 +213,8 @@ std::vector<PlacedBody> bodies_of() {
 
 template <class Scene>
 ContactProblem exact_problem_of(double tolerance, double (*mixed_mu)(double, double) = geometric_mean) {
-    return exact_problem(bodies_of<Scene>(), ingot_reference::to_eigen(Scene::gravity), static_cast<double>(Scene::h), tolerance, mixed_mu);
+    return exact_problem(bodies_of<Scene>(), ingot_reference::to_eigen(Scene::gravity), static_cast<double>(Scene::h),
+                         tolerance, mixed_mu);
 }
 
 }  // namespace scenes

@@ -8,9 +8,9 @@ namespace scenes {
 
 /// S8: a ball of radius 0.5 m and 1 kg falls 2 m (centre from 2.5 m) on flat ground.
 ///
-/// Criterion: e = 1: energy error after 10 s <= 1e-6 at 30, 60, 240, 1000 Hz, never growing. e = 0.5: at rest within two steps of
-/// 1.916 s (3 sqrt(2 h / g)), first peak 0.5 m. Best published: e = 1 last peak within 4e-5 % (Jolt, 60 Hz); e = 0.5 rest after
-/// 1.85 s (ReactPhysics3D), 1.767 (Jolt).
+/// Criterion: e = 1: energy error after 10 s <= 1e-6 at 30, 60, 240, 1000 Hz, never growing. e = 0.5: at rest within two steps
+/// of 1.916 s (3 sqrt(2 h / g)), first peak 0.5 m. Best published: e = 1 last peak within 4e-5 % (Jolt, 60 Hz); e = 0.5 rest
+/// after 1.85 s (ReactPhysics3D), 1.767 (Jolt).
 template <int e_percent>
 struct Bounce : OnEarth {
     static constexpr const char* name = "bounce";
@@ -42,10 +42,11 @@ struct BounceCase {
     }
 };
 
-constexpr BounceCase bounce_cases[] = {{"elastic", 2, 0, 1, 20}, {"half", 2, 0, scalar(0.5), 4}, {"lively", 1, 3, scalar(0.875), 10}, {"dead", 1, 0, 0, 2}};
+constexpr BounceCase bounce_cases[] = {
+    {"elastic", 2, 0, 1, 20}, {"half", 2, 0, scalar(0.5), 4}, {"lively", 1, 3, scalar(0.875), 10}, {"dead", 1, 0, 0, 2}};
 
-/// I7: equal balls in a line, radius 0.1 m, gap_um micrometres apart (0: touching), no gravity; `coming` of them come from 0.1 m
-/// away at 1 m/s. e = 1, mu = 0.
+/// I7: equal balls in a line, radius 0.1 m, gap_um micrometres apart (0: touching), no gravity; `coming` of them come from 0.1
+/// m away at 1 m/s. e = 1, mu = 0.
 ///
 /// Criterion: with 1 um gaps as many balls leave as came, velocities within 1 %; momentum and energy kept to 1e-6. Touching:
 /// documented behaviour, momentum and energy kept to 1e-6.
@@ -60,7 +61,8 @@ struct Cradle {
     static constexpr PlacedBody body(int body_i) {
         constexpr scalar radius = scalar(0.1), gap = scalar(gap_um) * scalar(1e-6);
         const bool comes = body_i < coming;
-        PlacedBody ball = solid_ball(1, radius, {static_cast<scalar>(body_i) * (2 * radius + gap) - (comes ? scalar(0.1) : scalar(0)), 0, 0}, 0, 1);
+        PlacedBody ball = solid_ball(
+            1, radius, {static_cast<scalar>(body_i) * (2 * radius + gap) - (comes ? scalar(0.1) : scalar(0)), 0, 0}, 0, 1);
         if (comes) ball.move({1, 0, 0});
         return ball;
     }

@@ -19,8 +19,8 @@ constexpr Slope thirty_degrees = {scalar(0.5), scalar(0.86602540378443864676)};
 
 /// S7: the unit cube at rest on 30 degrees.
 ///
-/// Criterion: mu 0.7 creeps <= 0.001 mm in 10 s; mu 0.4: distance after 2 s, g (sin - mu cos) t^2 / 2 = 3.0139 m, within 0.001 %.
-/// Best published at 60 Hz: creep 0.02 mm (Jolt), distance +0.67 % (Box3D), +0.83 % (Jolt, ODE, ReactPhysics3D, qu3e).
+/// Criterion: mu 0.7 creeps <= 0.001 mm in 10 s; mu 0.4: distance after 2 s, g (sin - mu cos) t^2 / 2 = 3.0139 m, within 0.001
+/// %. Best published at 60 Hz: creep 0.02 mm (Jolt), distance +0.67 % (Box3D), +0.83 % (Jolt, ODE, ReactPhysics3D, qu3e).
 template <int mu_percent>
 struct Incline : OnEarth {
     static constexpr const char* name = "incline";
@@ -41,8 +41,8 @@ struct SlopeCase {
     const char* table_case;
     scalar mu;
     Slope slope;
-    scalar v_0;      ///< m/s, down the slope
-    scalar radius;   ///< m; 0: a brick, 1 x 0.8 x 0.2 m, which does not tip
+    scalar v_0;     ///< m/s, down the slope
+    scalar radius;  ///< m; 0: a brick, 1 x 0.8 x 0.2 m, which does not tip
     scalar seconds;
 
     static constexpr Vector gravity = {0, 0, scalar(-9.8125)};
@@ -105,8 +105,8 @@ constexpr SpherePlaneCase sphere_plane_cases[] = {
     {"oblique", scalar(0.125), scalar(0.25), scalar(0.4), {2, 1, 0}, {6, 0, 4}, 8},
     {"shell", scalar(0.5), scalar(0.5), scalar(2) / 3, {4, -1, 0}, {0, 0, 0}, 8}};
 
-/// C7: a flat brick pushed off at 3 m/s at `degrees` to its edges. Criterion: the spread of stopping distances v^2 / (2 mu g) over
-/// 0 .. 90 degrees < 1 % (a pyramid for a cone: 41 %).
+/// C7: a flat brick pushed off at 3 m/s at `degrees` to its edges. Criterion: the spread of stopping distances v^2 / (2 mu g)
+/// over 0 .. 90 degrees < 1 % (a pyramid for a cone: 41 %).
 constexpr PlacedBody brick_pushed_at(int body_i, scalar degrees, scalar mu) {
     if (body_i == 0) return flat_ground(mu);
     PlacedBody brick = solid_box(1, {scalar(0.5), scalar(0.5), scalar(0.01)}, {0, 0, scalar(0.01)}, mu);

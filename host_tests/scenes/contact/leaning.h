@@ -6,13 +6,13 @@
 
 namespace scenes {
 
-// Least friction of the card house of three levels and of the arch of 13 stones, thickness 0.2: of the exact solution of one step
-// from rest, see contact_scenes_test.cpp.
+// Least friction of the card house of three levels and of the arch of 13 stones, thickness 0.2: of the exact solution of one
+// step from rest, see contact_scenes_test.cpp.
 constexpr double card_house_least_mu = 0.365, arch_least_mu = 0.306;
 
-/// C10: a house of cards of 1 x 0.6 x 0.04 m and 1 kg. A level has pairs of cards that lean on each other at 25 degrees from the
-/// upright, edge to edge, and cards laid across from ridge to ridge; the level above stands on those, its feet next to the ridges
-/// so that the laid cards hardly bear. Levels 3: 6 pairs and 3 cards across.
+/// C10: a house of cards of 1 x 0.6 x 0.04 m and 1 kg. A level has pairs of cards that lean on each other at 25 degrees from
+/// the upright, edge to edge, and cards laid across from ridge to ridge; the level above stands on those, its feet next to the
+/// ridges so that the laid cards hardly bear. Levels 3: 6 pairs and 3 cards across.
 ///
 /// Criterion: three levels stand for 60 s at 1.1 card_house_least_mu and above, and fall at 0.9. Where two edges
 /// meet that number takes both faces' normals. One level: (tan(angle) - thickness / length) / 2 = 0.2132.
@@ -27,7 +27,7 @@ struct CardHouse : OnEarth {
     static constexpr scalar length = 1, width = scalar(0.6), thickness = scalar(0.04), spare = scalar(0.01);
     static constexpr scalar angle = scalar(0.43633231299858239423);  ///< 25 degrees
     static constexpr scalar s = scalar(0.42261826174069943619), c = scalar(0.90630778703664996324);
-    static constexpr scalar pitch = 2 * (length * s + thickness * c) + spare;   ///< from ridge to ridge
+    static constexpr scalar pitch = 2 * (length * s + thickness * c) + spare;  ///< from ridge to ridge
     static constexpr scalar pair_height = length * c + thickness * s;
 
     /// Cards of a level, pairs first: left, right, left, right, ..., then those across.
@@ -37,10 +37,13 @@ struct CardHouse : OnEarth {
         while (card_i >= 3 * (levels - level) - 1) card_i -= 3 * (levels - level++) - 1;
         const int pairs = levels - level;
         const scalar floor = static_cast<scalar>(level) * (pair_height + thickness);
-        const auto ridge = [&](int pair_i) { return pitch * (static_cast<scalar>(pair_i) + static_cast<scalar>(level - levels + 1) / 2); };
+        const auto ridge = [&](int pair_i) {
+            return pitch * (static_cast<scalar>(pair_i) + static_cast<scalar>(level - levels + 1) / 2);
+        };
         if (card_i >= 2 * pairs) {
             const scalar x = ridge(card_i - 2 * pairs) + pitch / 2;
-            return solid_box(1, {(pitch - spare) / 2, width / 2, thickness / 2}, {x, 0, floor + pair_height + thickness / 2}, mu);
+            return solid_box(1, {(pitch - spare) / 2, width / 2, thickness / 2}, {x, 0, floor + pair_height + thickness / 2},
+                             mu);
         }
         const scalar side = card_i % 2 == 0 ? scalar(-1) : scalar(1);
         const scalar x = ridge(card_i / 2) + side * (thickness * c + length * s) / 2;
@@ -50,12 +53,12 @@ struct CardHouse : OnEarth {
     }
 };
 
-/// C10: a semicircular arch of equal voussoirs, mean radius 1 m, depth 0.5 m, thickness in permille of the radius, 2000 kg m^-3,
-/// on flat ground. Its stones are hulls: prisms over isosceles trapezoids.
+/// C10: a semicircular arch of equal voussoirs, mean radius 1 m, depth 0.5 m, thickness in permille of the radius, 2000 kg
+/// m^-3, on flat ground. Its stones are hulls: prisms over isosceles trapezoids.
 ///
 /// Criterion: stands for 60 s where the thickness is above the least one and falls at 0.9 of it, given friction enough. For
-/// infinitely many stones the least is 0.1075 of the mean radius (Milankovitch 1907); joints at finite places allow a little less:
-/// 13 stones stand at 0.105 and not at 0.100. Friction: at a thickness of 0.2 at least arch_least_mu.
+/// infinitely many stones the least is 0.1075 of the mean radius (Milankovitch 1907); joints at finite places allow a little
+/// less: 13 stones stand at 0.105 and not at 0.100. Friction: at a thickness of 0.2 at least arch_least_mu.
 template <int voussoirs, int thickness_permille, int mu_percent>
 struct Arch : OnEarth {
     static constexpr const char* name = "arch";
@@ -97,8 +100,8 @@ struct Arch : OnEarth {
 
 /// C11: a plank of 2 x 0.3 x 0.02 m leans on a smooth wall (the plane x = 0, mu 0), `degrees` from the ground.
 ///
-/// Criterion: sticks at 1.02 mu_least and slips at 0.98 mu_least. mu_least is where the thrust of the wall balances the weight about
-/// the lower edge; for a thin plank 1 / (2 tan(theta)).
+/// Criterion: sticks at 1.02 mu_least and slips at 0.98 mu_least. mu_least is where the thrust of the wall balances the weight
+/// about the lower edge; for a thin plank 1 / (2 tan(theta)).
 template <int degrees>
 struct LeaningPlank : OnEarth {
     static constexpr const char* name = "leaning_plank";
@@ -109,8 +112,8 @@ struct LeaningPlank : OnEarth {
     static constexpr ingot::SinCos a = ingot::sin_cos(angle);
 
     // It goes down to the right: its axis is (cos, 0, -sin), its upper side looks to (sin, 0, cos).
-    static constexpr scalar edge_x = half_length * a.cos - half_thickness * a.sin;          ///< lower edge beyond the centre
-    static constexpr scalar height = 2 * half_length * a.sin;                               ///< of the upper contact over the lower
+    static constexpr scalar edge_x = half_length * a.cos - half_thickness * a.sin;  ///< lower edge beyond the centre
+    static constexpr scalar height = 2 * half_length * a.sin;                       ///< of the upper contact over the lower
     static constexpr scalar mu_least = edge_x / height;
 
     static constexpr PlacedBody body(int body_i, scalar mu) {
@@ -125,7 +128,8 @@ struct LeaningPlank : OnEarth {
 
 /// C10: dominoes of 1 x 0.5 x 0.1 m and 1 kg, 0.4 m apart; the first is given 1 rad/s about its lower edge (0.38 would do).
 ///
-/// Criterion: all fall, each on the next, the last one flat; energy never grows; the time until the last one moves converges with h.
+/// Criterion: all fall, each on the next, the last one flat; energy never grows; the time until the last one moves converges
+/// with h.
 template <int count>
 struct Dominoes : OnEarth {
     static constexpr const char* name = "dominoes";
@@ -142,8 +146,8 @@ struct Dominoes : OnEarth {
     }
 };
 
-/// C15: a plank of 2 x 0.4 x 0.1 m and 10 kg balances flat on the upper edge of an immovable bar turned by 45 degrees, its length at
-/// yaw_microrad to the edge: from crossed (1570796) through all but parallel to parallel (0).
+/// C15: a plank of 2 x 0.4 x 0.1 m and 10 kg balances flat on the upper edge of an immovable bar turned by 45 degrees, its
+/// length at yaw_microrad to the edge: from crossed (1570796) through all but parallel to parallel (0).
 ///
 /// Criterion: over ten steps |omega| <= 1e-4 rad/s at every yaw: the normal stays vertical, no torque comes from nowhere.
 template <int yaw_microrad>
@@ -166,8 +170,9 @@ struct PlankOnEdge : OnEarth {
     }
 };
 
-/// C14: a thin rod of 1 m slides on its lower end at 2 m/s, that end ahead, `degrees` from the ground. Friction digs the end in:
-/// above mu = (1 + 3 cos^2) / (3 sin cos) no force of rigid friction is consistent (Painleve); least 4/3, 1.347 at 60 degrees.
+/// C14: a thin rod of 1 m slides on its lower end at 2 m/s, that end ahead, `degrees` from the ground. Friction digs the end
+/// in: above mu = (1 + 3 cos^2) / (3 sin cos) no force of rigid friction is consistent (Painleve); least 4/3, 1.347 at 60
+/// degrees.
 ///
 /// Criterion: no NaN, no divergence; an impulse or a documented stick; energy does not grow.
 template <int degrees, int mu_percent>

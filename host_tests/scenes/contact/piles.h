@@ -9,8 +9,9 @@ namespace scenes {
 /// S4: n^3 balls of radius 0.5 m and 1 kg on a jittered grid, dropped into a box with five walls, floor side 1.125 n. pile<4>
 /// has 64, <8> 512, <16> 4096. The grid's pitch is 1.125 m, its jitter +-0.05 m; the lowest balls are 1 m above the floor.
 ///
-/// Criterion (10 s, figures over the last 5): 512: mean overlap <= 0.01 mm at rest, <= 0.40 of Bullet's time, nothing escapes; time
-/// per body grows by <= 1.4 to 4096. Best published at 60 Hz: mean 1.7, largest 11.6 mm (Box3D 0.1); 7.3 and 20 mm (Jolt 5.5).
+/// Criterion (10 s, figures over the last 5): 512: mean overlap <= 0.01 mm at rest, <= 0.40 of Bullet's time, nothing escapes;
+/// time per body grows by <= 1.4 to 4096. Best published at 60 Hz: mean 1.7, largest 11.6 mm (Box3D 0.1); 7.3 and 20 mm
+/// (Jolt 5.5).
 template <int n>
 struct SpherePile : OnEarth {
     static constexpr const char* name = "sphere_pile";
@@ -27,13 +28,14 @@ struct SpherePile : OnEarth {
             return scalar(1.125) * (static_cast<scalar>(cell) + scalar(0.5)) + scalar(0.05) * scattered(ball_i, channel);
         };
         constexpr scalar radius = scalar(0.5);
-        return solid_ball(1, radius,
-                          {place(ball_i % n, 0) - side / 2, place(ball_i / n % n, 1) - side / 2, place(ball_i / (n * n), 2) + 1}, mu);
+        return solid_ball(
+            1, radius, {place(ball_i % n, 0) - side / 2, place(ball_i / n % n, 1) - side / 2, place(ball_i / (n * n), 2) + 1},
+            mu);
     }
 };
 
-/// 125 boxes of mixed sizes (half extents 0.15 to 0.35 m, density 400 kg m^-3) and attitudes, the lowest 4 m above the floor of a
-/// pit of 6.5 m.
+/// 125 boxes of mixed sizes (half extents 0.15 to 0.35 m, density 400 kg m^-3) and attitudes, the lowest 4 m above the floor of
+/// a pit of 6.5 m.
 ///
 /// Criterion: no step gains more than 1e-4 of the energy there was at its start (potential energy counted from the floor); at
 /// rest after 10 s; nothing escapes.
@@ -49,10 +51,13 @@ struct PitOfBoxes : OnEarth {
         if (body_i < wall_count) return pit_wall(body_i, side, mu);
         const int box_i = body_i - wall_count;
         const auto half = [&](int channel) { return scalar(0.25) + scalar(0.1) * scattered(box_i, channel); };
-        const auto place = [](int cell) { return scalar(1.25) * static_cast<scalar>(cell - 2); };  // circumscribed radius <= 0.607
+        const auto place = [](int cell) {
+            return scalar(1.25) * static_cast<scalar>(cell - 2);
+        };  // circumscribed radius <= 0.607
         const Vector half_extents = {half(0), half(1), half(2)};
         const scalar M = 400 * 8 * half_extents.x * half_extents.y * half_extents.z;
-        PlacedBody box = solid_box(M, half_extents, {place(box_i % 5), place(box_i / 5 % 5), place(box_i / 25) + scalar(2.5) + scalar(4.625)}, mu);
+        PlacedBody box = solid_box(
+            M, half_extents, {place(box_i % 5), place(box_i / 5 % 5), place(box_i / 25) + scalar(2.5) + scalar(4.625)}, mu);
         box.turn(scattered_rotation(box_i));
         return box;
     }
@@ -72,7 +77,9 @@ struct FallingPlanks : OnEarth {
         const int plank_i = body_i - 1;
         const scalar tilt = scalar(0.1) * scattered(plank_i, 0), turn = scalar(3.1415926536) * scattered(plank_i, 1);
         PlacedBody plank = solid_box(10, {1, scalar(0.2), scalar(0.05)},
-                                     {scalar(0.2) * scattered(plank_i, 2), scalar(0.2) * scattered(plank_i, 3), 1 + scalar(0.5) * static_cast<scalar>(plank_i)}, mu);
+                                     {scalar(0.2) * scattered(plank_i, 2), scalar(0.2) * scattered(plank_i, 3),
+                                      1 + scalar(0.5) * static_cast<scalar>(plank_i)},
+                                     mu);
         plank.turn(ingot::axis_angle({0, 0, 1}, turn) * ingot::axis_angle({1, 0, 0}, tilt));
         return plank;
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a contact scene is: bodies by number, as plain data. No scene here names a solver, a capacity or a feature; those are the
-// choice of who runs it.
+// What a contact scene is: bodies by number, as plain data. No scene here names a solver, a capacity or a feature; those are
+// the choice of who runs it.
 //
 // A scene is a struct with
 //
@@ -23,11 +23,11 @@ constexpr scalar display_rate_h = scalar(1) / 60;  ///< s
 
 /// A body in its place. What BodyDef does not know of yet stands beside it.
 struct PlacedBody {
-    ingot::BodyDef def{};    ///< mass, state, shape, restitution, immovable
-    scalar mu = 0;           ///< Coulomb friction
-    Vector omega{};          ///< rad/s, world; def.state.L follows from it
-    Vector corner[8] = {};   ///< m, body frame: of a convex hull with the faces of a box (see hexahedron_face)
-    bool is_hull = false;    ///< def.shape is none: the corners say what it is
+    ingot::BodyDef def{};   ///< mass, state, shape, restitution, immovable
+    scalar mu = 0;          ///< Coulomb friction
+    Vector omega{};         ///< rad/s, world; def.state.L follows from it
+    Vector corner[8] = {};  ///< m, body frame: of a convex hull with the faces of a box (see hexahedron_face)
+    bool is_hull = false;   ///< def.shape is none: the corners say what it is
 
     constexpr void move(const Vector& v_CM, const Vector& spin = {}) {
         def.state.v_CM = v_CM;

@@ -30,9 +30,9 @@ struct Pyramid : OnEarth {
 
 /// S3: a column of 1 m, 1 kg cubes.
 ///
-/// Criterion: 20: stands for 60 s; the top sinks <= 0.2 mm and drifts <= 0.1 mm, also without recycled manifolds. 40: stands for
-/// 60 s. Best published at 60 Hz, 20 cubes: sinks 106 mm, drifts 3.4 mm in 20 s (Box3D 0.1); falls after 3 s (Jolt 5.5, Bullet).
-/// C8 asks it of 10 and 20: top drift < 1 mm, tilt < 1e-3 rad in 60 s, contact forces sum to the weight within 1 %.
+/// Criterion: 20: stands for 60 s; the top sinks <= 0.2 mm and drifts <= 0.1 mm, also without recycled manifolds. 40: stands
+/// for 60 s. Best published at 60 Hz, 20 cubes: sinks 106 mm, drifts 3.4 mm in 20 s (Box3D 0.1); falls after 3 s (Jolt 5.5,
+/// Bullet). C8 asks it of 10 and 20: top drift < 1 mm, tilt < 1e-3 rad in 60 s, contact forces sum to the weight within 1 %.
 template <int height>
 struct Tower : OnEarth {
     static constexpr const char* name = "tower";
@@ -61,7 +61,8 @@ struct MassRatio : OnEarth {
     static constexpr PlacedBody body(int body_i) {
         if (body_i == 0) return flat_ground(mu);
         constexpr scalar half = scalar(0.5);
-        return solid_box(body_i > light ? scalar(top_kg) : scalar(1), {half, half, half}, {0, 0, static_cast<scalar>(body_i) - half}, mu);
+        return solid_box(body_i > light ? scalar(top_kg) : scalar(1), {half, half, half},
+                         {0, 0, static_cast<scalar>(body_i) - half}, mu);
     }
 };
 
