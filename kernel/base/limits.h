@@ -87,6 +87,16 @@ inline constexpr scalar bounce_speed_min = scalar(0.01);    ///< m/s; slower imp
 /// digits in float.
 inline constexpr scalar block_diagonal = scalar(1.01);
 
+// The direct solver (direct/).
+inline constexpr scalar direct_mass_ratio = 100;            ///< across one contact, from which sweeps do not carry the load in time
+inline constexpr int unsettled_steps = 4;                   ///< in a row with sweeps at their bound, from which an island is solved directly
+inline constexpr scalar unsettled_speed = scalar(1e-5);      ///< m/s, that sweeps at their bound still correct
+inline constexpr int active_sets_max = 12;                  ///< tried in a solve
+inline constexpr int refinements_max = 12;                  ///< of a solve; sliding friction converges along with them
+inline constexpr double direct_diagonal = 1e-9;             ///< added to the diagonal, as a fraction of it: rows that depend on each other
+inline constexpr double direct_settled_speed = 1e-9;        ///< m/s; what a solve may leave. What the sweeps leave is a thousand times that
+inline constexpr double direct_settled_length = 1e-9;       ///< m
+
 // Narrow phase (collide/). Fractions of a length are of the smallest half extent of both shapes, unless another is named.
 /// An edge axis is taken when it separates better than every face by this fraction: nearly parallel edges have no normal of
 /// their own, and the face's manifold has the crossing of the edges among its points.

@@ -26,12 +26,15 @@ struct [[nodiscard]] StepReport {
     uint16_t impacts_left;       ///< contacts still approaching after limits::impact_waves_max
     uint16_t sweeps;             ///< sweeps over contacts, in all
     scalar residual;             ///< m/s; the largest speed that the last sweep over manifolds still corrected
+    uint16_t direct_solves;      ///< islands solved directly, in all substeps
+    uint16_t direct_refused;     ///< islands to be solved directly that have too many contacts: raise max_island of DirectIslands
+    uint16_t direct_unfinished;  ///< direct solves that did not settle: the sweeps stand
     uint16_t sweeps_unfinished;  ///< solves that stopped at limits::contact_sweeps_max
 
     /// True when the step did all it was asked for, in full.
     constexpr bool clean() const {
         return status == Status::ok && bodies_frozen == 0 && spins_clamped == 0 && contacts_lost == 0 &&
-               pairs_untested == 0 && impacts_left == 0 && sweeps_unfinished == 0;
+               pairs_untested == 0 && direct_refused == 0 && impacts_left == 0 && sweeps_unfinished == 0;
     }
 };
 

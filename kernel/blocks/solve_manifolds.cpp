@@ -46,6 +46,8 @@ uint16_t take_in(SolverView& solver, const BodyView& bodies, const Vector& gravi
     return solver.local_of[slot];
 }
 
+}  // namespace
+
 void take_in_bodies(SolverView& solver, const BodyView& bodies, const Vector& gravity) {
     solver.bodies[0] = {};
     solver.histories[0] = {};
@@ -67,7 +69,6 @@ void kick_bodies(const SolverView& solver, scalar h) {
     }
 }
 
-/// dp += h v, by the trapezoid where the velocity changed smoothly, so that steady acceleration is exact.
 void drift_bodies(SolverView& solver, const BodyView& bodies, scalar h) {
     solver.some_hit = false;
     for (int body_i = 1; body_i < solver.body_count; ++body_i) {
@@ -87,7 +88,6 @@ void drift_bodies(SolverView& solver, const BodyView& bodies, scalar h) {
     }
 }
 
-/// The most sweeps a substep may take: more while many contacts are young, and where contacts are few: chains are long then, and sweeps cheap.
 int sweeps_allowed(const SolverView& solver) {
     if (solver.manifold_count <= limits::few_manifolds) return limits::sweeps_of_few;
     int young = 0;
@@ -96,7 +96,6 @@ int sweeps_allowed(const SolverView& solver) {
     return 4 * young > solver.manifold_count ? limits::sweeps_of_young : limits::sweeps;
 }
 
-/// Sweeps until nothing changes by more than limits::settled_speed. Returns how many.
 int solve_velocities(const SolverView& solver, int sweeps_max, scalar& residual) {
     scalar size_before = 0;
     for (int sweep_i = 1;; ++sweep_i) {
@@ -109,8 +108,6 @@ int solve_velocities(const SolverView& solver, int sweeps_max, scalar& residual)
         extrapolate(solver, beta);
     }
 }
-
-}  // namespace
 
 void solve_manifolds(SolverView& solver, const BodyView& bodies, const Vector& gravity, scalar h, StepReport& report) {
     take_in_bodies(solver, bodies, gravity);

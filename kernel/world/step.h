@@ -61,7 +61,7 @@ StepReport step(World<S>& world, scalar h) {
         update_manifolds<typename S::shapes>(bodies, storage.surface_view(), storage.bounds, h, pairs, manifolds, report);
         refresh_inv_I_world(bodies);                                      // Eq. 20
         SolverView solver = storage.solver();
-        solve_manifolds(solver, bodies, storage.gravity, h, report);
+        storage.solve_contacts(solver, bodies, storage.gravity, h, report);
 
         integrate_L(bodies, h);
         integrate_v(bodies, h, storage.gravity);

@@ -1,0 +1,364 @@
+// SPDX-License-Identifier: MIT
+#include "solve_island.h"
+
+#include "../base/limits.h"
+#include "../math/sqrt.h"
+#include "factor_rows.h"
+#include "normal_set.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+namespace {
+
+/// sqrt(x) in double without an instruction for it: the scalar's, and two steps of Newton's, which are the same everywhere.
+double root_of(double x) {
+    if (!(x > 1e-30)) return 0;
+    double y = static_cast<double>(sqrt(static_cast<scalar>(x)));
+    for (int step_i = 0; step_i < 2; ++step_i) y = 0.5 * (y + x / y);
+    return y;
+}
+
+double larger(double a, double b) { return a > b ? a : b; }
+double size_of(double a) { return a < 0 ? -a : a; }
+double within(double x, double limit) { return x > limit ? limit : x < -limit ? -limit : x; }
+
+double load_of(const DirectManifold& manifold, const DirectRow* rows) {
+    double N = 0;
+    for (int row = 0; row < manifold.points; ++row)
+        if (has(manifold.rows, row)) N += larger(rows[row].j, 0);
+    return N;
+}
+
+struct Pair {
+    double at[2];
+};
+Pair cut(const Pair& t, double limit) {
+    const double length_sq = t.at[0] * t.at[0] + t.at[1] * t.at[1];
+    if (length_sq <= limit * limit) return t;
+    const double share = limit / root_of(length_sq);
+    return {{t.at[0] * share, t.at[1] * share}};
+}
+
+/// What Coulomb's law makes of the friction at the slip there is: the projection of t - u / K to the cone. At the solution it is t.
+Pair projected_friction(const DirectView& island, const DirectManifold& manifold, const DirectRow* rows, double limit) {
+    const DirectRow* const pair = rows + friction_row;
+    const double inv_K = 1 / larger(pair[0].K, pair[1].K);
+    return cut({{pair[0].j - inv_K * row_motion<false>(island, manifold, pair[0]), pair[1].j - inv_K * row_motion<false>(island, manifold, pair[1])}}, limit);
+}
+double projected_twist(const DirectView& island, const DirectManifold& manifold, const DirectRow* rows, double limit) {
+    const DirectRow& twist = rows[twist_row];
+    return within(twist.j - row_motion<false>(island, manifold, twist) / twist.K, limit);
+}
+
+/// By how much the laws of contact are missed.
+struct Misfit {
+    double worst;  ///< m/s
+    double merit;  ///< J; sum of squares over compliance
+
+    void add(double impulse, double K) {
+        worst = larger(worst, size_of(impulse) * K);
+        merit += impulse * impulse * K;
+    }
+};
+
+Misfit misfit(const DirectView& island) {
+    Misfit sum = {};
+    for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
+        const DirectManifold& manifold = island.manifolds[manifold_i];
+        const DirectRow* const rows = island.rows + manifold_i * direct_rows;
+        for (int row = 0; row < manifold.points; ++row) {
+            if (!has(manifold.rows, row)) continue;
+            const double wanted = rows[row].j - (row_motion<false>(island, manifold, rows[row]) - rows[row].target) / rows[row].K;
+            sum.add(larger(wanted, 0) - rows[row].j, rows[row].K);
+        }
+        const double limit = manifold.mu * load_of(manifold, rows);
+        if (has(manifold.rows, friction_row)) {
+            const Pair t = projected_friction(island, manifold, rows, limit);
+            for (int axis = 0; axis < 2; ++axis) sum.add(t.at[axis] - rows[friction_row + axis].j, rows[friction_row + axis].K);
+        }
+        if (has(manifold.rows, twist_row))
+            sum.add(projected_twist(island, manifold, rows, limit * manifold.radius) - rows[twist_row].j, rows[twist_row].K);
+    }
+    return sum;
+}
+
+/// The impulses of a manifold in its block.
+template <class Visitor>
+void for_impulses(const SolverView& solver, const DirectManifold& manifold, Visitor visit) {
+    ContactBlock& block = solver.blocks[manifold.position / lanes];
+    const int lane_i = manifold.position % lanes;
+    for (int row = 0; row < manifold.points; ++row)
+        if (has(manifold.rows, row)) visit(row, block.row[row].j[lane_i]);
+    for (int axis = 0; axis < 2; ++axis)
+        if (has(manifold.rows, friction_row + axis)) visit(friction_row + axis, block.friction.j[axis][lane_i]);
+    if (has(manifold.rows, twist_row)) visit(twist_row, block.twist.j[lane_i]);
+}
+
+/// First guess: what the blocks hold, within the cone, on bodies that move freely.
+void begin_solve(const SolverView& solver, DirectView& island) {
+    for (int body_i = 1; body_i < island.body_count; ++body_i) {
+        DirectBody& body = island.bodies[body_i];
+        body.linear = in_double(island.free_motion[body.body_i].v_CM);
+        body.angular = in_double(island.free_motion[body.body_i].L);
+    }
+    for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
+        DirectManifold& manifold = island.manifolds[manifold_i];
+        DirectRow* const rows = island.rows + manifold_i * direct_rows;
+        const ContactBlock& block = solver.blocks[manifold.position / lanes];
+        manifold.pulls = 0;
+        double guess[direct_rows] = {}, N = 0;
+        for_impulses(solver, manifold, [&](int row, scalar& j) { guess[row] = static_cast<double>(j); });
+        for (int row = 0; row < manifold.points; ++row) {
+            if (!has(manifold.rows, row)) continue;
+            rows[row].target = static_cast<double>(block.row[row].target[manifold.position % lanes]);
+            guess[row] = larger(guess[row], 0);
+            N += guess[row];
+        }
+        const Pair t = cut({{guess[friction_row], guess[friction_row + 1]}}, manifold.mu * N);
+        guess[friction_row] = t.at[0];
+        guess[friction_row + 1] = t.at[1];
+        guess[twist_row] = within(guess[twist_row], manifold.mu * manifold.radius * N);
+        for (int row = 0; row < direct_rows; ++row) {
+            if (!has(manifold.rows, row)) continue;
+            rows[row].j = 0;
+            if (row >= manifold.points) rows[row].target = 0;
+            give<false>(island, manifold, rows[row], guess[row]);
+        }
+    }
+}
+
+/// Whether friction and twist stick, by the impulses: what lies on the cone slides.
+void stick_or_slide(DirectManifold& manifold, const DirectRow* rows) {
+    const double limit = manifold.mu * load_of(manifold, rows), nearly = 1 - 1e-4;
+    const bool loaded = active_normals(manifold) != 0;
+    if (has(manifold.rows, friction_row)) {
+        const DirectRow* const t = rows + friction_row;
+        const bool slides = limit > 0 && t[0].j * t[0].j + t[1].j * t[1].j >= limit * limit * nearly;
+        for (int axis = 0; axis < 2; ++axis) set_bit(manifold.active, friction_row + axis, loaded && !slides);
+    }
+    if (has(manifold.rows, twist_row)) {
+        const double twist_limit = limit * manifold.radius;
+        const bool slides = twist_limit > 0 && size_of(rows[twist_row].j) >= twist_limit * nearly;
+        set_bit(manifold.active, twist_row, loaded && !slides);
+    }
+}
+
+void choose_active(DirectView& island) {
+    for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
+        DirectManifold& manifold = island.manifolds[manifold_i];
+        DirectRow* const rows = island.rows + manifold_i * direct_rows;
+        manifold.active = 0;
+        for (int row = 0; row < manifold.points; ++row)
+            if (has(manifold.rows, row) && (rows[row].j > 0 || row_motion<false>(island, manifold, rows[row]) < rows[row].target))
+                set_bit(manifold.active, row, true);
+        stick_or_slide(manifold, rows);
+        if (active_normals(manifold) > normals_max) drop_least<false>(island, manifold, rows);
+    }
+}
+
+/// Friction that slides follows the load and the slip. Returns the largest speed that changed.
+double follow_sliding(const DirectView& island) {
+    double fastest = 0;
+    for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
+        const DirectManifold& manifold = island.manifolds[manifold_i];
+        DirectRow* const rows = island.rows + manifold_i * direct_rows;
+        const double limit = manifold.mu * load_of(manifold, rows);
+        if (has(manifold.rows, friction_row) && !has(manifold.active, friction_row)) {
+            const Pair t = projected_friction(island, manifold, rows, limit);
+            for (int axis = 0; axis < 2; ++axis) {
+                DirectRow& row = rows[friction_row + axis];
+                const double change = t.at[axis] - row.j;
+                fastest = larger(fastest, size_of(change) * row.K);
+                give<false>(island, manifold, row, change);
+            }
+        }
+        if (has(manifold.rows, twist_row) && !has(manifold.active, twist_row)) {
+            const double change = projected_twist(island, manifold, rows, limit * manifold.radius) - rows[twist_row].j;
+            fastest = larger(fastest, size_of(change) * rows[twist_row].K);
+            give<false>(island, manifold, rows[twist_row], change);
+        }
+    }
+    return fastest;
+}
+
+/// Solves the equations of the active rows, by refinement: what is left is taken from the bodies each time.
+template <bool displaces>
+void solve_active(const DirectView& island, double settled) {
+    for (int pass_i = 0; pass_i < limits::refinements_max; ++pass_i) {
+        double worst = displaces ? 0 : follow_sliding(island);
+        for (int i = 0; i < island.active_count; ++i) {
+            DirectActive& active = island.active[i];
+            const DirectRow& row = island.rows[active.row];
+            active.x = row.target - row_motion<displaces>(island, island.manifolds[active.row / direct_rows], row);
+            if (active.inv_pivot > 0) worst = larger(worst, size_of(active.x));
+        }
+        if (worst <= settled / 16) return;
+        solve_factored(island);
+        for (int i = 0; i < island.active_count; ++i)
+            give<displaces>(island, island.manifolds[island.active[i].row / direct_rows], island.rows[island.active[i].row], island.active[i].x);
+    }
+}
+
+/// Sticking friction beyond the cone slides, sliding friction within it sticks; true if something changed.
+bool change_friction(const DirectView& island, DirectManifold& manifold, DirectRow* rows) {
+    const uint8_t before = manifold.active;
+    const bool loaded = active_normals(manifold) != 0;
+    const double limit = manifold.mu * load_of(manifold, rows), beyond = 1 + 1e-9, inside = 1 - 1e-9;
+    if (has(manifold.rows, friction_row)) {
+        const bool sticks = has(manifold.active, friction_row);
+        const Pair t = sticks ? Pair{{rows[friction_row].j, rows[friction_row + 1].j}} : projected_friction(island, manifold, rows, limit);
+        const double length = root_of(t.at[0] * t.at[0] + t.at[1] * t.at[1]);
+        const bool stays = loaded && (sticks ? length <= limit * beyond : length < limit * inside);
+        for (int axis = 0; axis < 2; ++axis) set_bit(manifold.active, friction_row + axis, stays);
+    }
+    if (has(manifold.rows, twist_row)) {
+        const double twist_limit = limit * manifold.radius;
+        const bool sticks = has(manifold.active, twist_row);
+        const double twist = size_of(sticks ? rows[twist_row].j : projected_twist(island, manifold, rows, twist_limit));
+        set_bit(manifold.active, twist_row, loaded && (sticks ? twist <= twist_limit * beyond : twist < twist_limit * inside));
+    }
+    return manifold.active != before;
+}
+
+template <bool displaces>
+bool change_active(const DirectView& island, double settled) {
+    bool changed = false;
+    for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
+        DirectManifold& manifold = island.manifolds[manifold_i];
+        DirectRow* const rows = island.rows + manifold_i * direct_rows;
+        changed = change_normals<displaces>(island, manifold, rows, settled) || changed;
+        if (!displaces) changed = change_friction(island, manifold, rows) || changed;
+    }
+    return changed;
+}
+
+/// The load of a manifold of four points spread evenly, along the one change of its normals that moves nothing.
+void spread_load(const DirectView& island, const DirectManifold& manifold, DirectRow* rows) {
+    if ((manifold.rows & 15u) != 15u || manifold.points != block_rows || active_normals(manifold) < normals_max) return;
+    const int side = manifold.body[0] != 0 ? 0 : 1;
+    const auto corner = [&](int row) { return rows[row].J[side]; };
+    const auto area = [&](int a, int b, int c) { return dot(rows[0].d, cross(corner(b) - corner(a), corner(c) - corner(a))); };
+    const double shift[block_rows] = {area(1, 2, 3), -area(0, 2, 3), area(0, 1, 3), -area(0, 1, 2)};
+    double along = 0, size = 0;
+    for (int row = 0; row < block_rows; ++row) {
+        along += rows[row].j * shift[row];
+        size += shift[row] * shift[row];
+    }
+    if (!(size > 0)) return;
+    double share = -along / size, low = -1e300, high = 1e300;
+    for (int row = 0; row < block_rows; ++row) {  // as long as none pulls
+        if (shift[row] > 0 && -rows[row].j / shift[row] > low) low = -rows[row].j / shift[row];
+        if (shift[row] < 0 && -rows[row].j / shift[row] < high) high = -rows[row].j / shift[row];
+    }
+    share = share < low ? low : share > high ? high : share;
+    for (int row = 0; row < block_rows; ++row) give<false>(island, manifold, rows[row], share * shift[row]);
+}
+
+bool was_hit(const SolverView& solver, const DirectView& island) {
+    for (int body_i = 1; body_i < island.body_count; ++body_i)
+        if (solver.bodies[island.bodies[body_i].body_i].L[3] > 0) return true;
+    return false;
+}
+
+void write_back(const SolverView& solver, const DirectView& island) {
+    for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
+        const DirectRow* const rows = island.rows + manifold_i * direct_rows;
+        for_impulses(solver, island.manifolds[manifold_i], [&](int row, scalar& j) {
+            j = static_cast<scalar>(row < friction_row ? larger(rows[row].j, 0) : rows[row].j);
+        });
+    }
+    for (int body_i = 1; body_i < island.body_count; ++body_i) {
+        const DirectBody& body = island.bodies[body_i];
+        put_scalars(solver.bodies[body.body_i].v_CM, body.linear);
+        put_scalars(solver.bodies[body.body_i].L, body.angular);
+    }
+}
+
+
+}  // namespace
+
+bool solve_island(const SolverView& solver, DirectView& island, bool or_better) {
+    begin_solve(solver, island);
+    const double merit_before = or_better ? misfit(island).merit : 0;
+    choose_active(island);
+    for (int set_i = 0; set_i < limits::active_sets_max; ++set_i) {
+        if (!factor_rows(island)) return false;
+        solve_active<false>(island, limits::direct_settled_speed);
+        if (!change_active<false>(island, limits::direct_settled_speed)) break;
+    }
+    for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i)
+        spread_load(island, island.manifolds[manifold_i], island.rows + manifold_i * direct_rows);
+    const Misfit left = misfit(island);
+    const bool solved = left.worst <= 4 * limits::direct_settled_speed;
+    if (!solved && !(or_better && left.merit < merit_before && !was_hit(solver, island))) return false;
+    write_back(solver, island);
+    return true;
+}
+
+namespace {
+
+/// What the position stage wants of each normal, as the sweep does. False: nothing is off.
+bool begin_placing(const SolverView& solver, DirectView& island, scalar h) {
+    for (int body_i = 1; body_i < island.body_count; ++body_i) {
+        DirectBody& body = island.bodies[body_i];
+        body.linear = in_double(solver.bodies[body.body_i].dp);
+        body.angular = in_double(solver.bodies[body.body_i].dth);
+    }
+    bool off = false;
+    const double deepest = -static_cast<double>(limits::push_speed_max * h);
+    for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
+        DirectManifold& manifold = island.manifolds[manifold_i];
+        DirectRow* const rows = island.rows + manifold_i * direct_rows;
+        const int lane_i = manifold.position % lanes;
+        const ContactBlock& block = solver.blocks[manifold.position / lanes];
+        manifold.active = 0;
+        manifold.pulls = 0;
+        for (int row = 0; row < manifold.points; ++row) {
+            if (!has(manifold.rows, row)) continue;
+            const ContactRow& contact = block.row[row];
+            const double s = static_cast<double>(contact.separation[lane_i]) + row_motion<true>(island, manifold, rows[row]);
+            const bool pressed = contact.j[lane_i] > 0, lands = contact.landing[lane_i] < limits::unbounded;
+            const double share = s * static_cast<double>(limits::position_share);
+            const double wanted = lands ? s - static_cast<double>(contact.landing[lane_i]) : pressed || s < 0 ? larger(share, deepest) : s;
+            rows[row].target = -wanted;
+            rows[row].j = static_cast<double>(contact.j[lane_i]);  // for choosing three
+            set_bit(manifold.pulls, row, pressed || lands);
+            set_bit(manifold.active, row, pressed || lands || wanted < 0);
+            off = off || (pressed || lands ? size_of(wanted) : -wanted) > static_cast<double>(limits::settled_gap);
+        }
+    }
+    return off;
+}
+
+}  // namespace
+
+bool place_island(const SolverView& solver, DirectView& island, scalar h) {
+    if (!begin_placing(solver, island, h)) return true;
+    for (int body_i = 1; body_i < island.body_count; ++body_i) island.bodies[body_i].linear = island.bodies[body_i].angular = {};
+    for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
+        DirectManifold& manifold = island.manifolds[manifold_i];
+        DirectRow* const rows = island.rows + manifold_i * direct_rows;
+        if (active_normals(manifold) > normals_max) {
+            int least = 0;
+            for (int row = 1; row < manifold.points; ++row) least = rows[row].j <= rows[least].j ? row : least;
+            set_bit(manifold.active, least, false);
+        }
+        for (int row = 0; row < manifold.points; ++row) rows[row].j = 0;
+    }
+    bool settled = false;
+    for (int set_i = 0; set_i < limits::active_sets_max && !settled; ++set_i) {
+        if (!factor_rows(island)) return false;
+        solve_active<true>(island, limits::direct_settled_length);
+        settled = !change_active<true>(island, limits::direct_settled_length);
+    }
+    if (!settled) return false;
+    for (int body_i = 1; body_i < island.body_count; ++body_i) {
+        const DirectBody& body = island.bodies[body_i];
+        SolverBody& moved = solver.bodies[body.body_i];
+        put_scalars(moved.dp, in_double(moved.dp) + body.linear);
+        put_scalars(moved.dth, in_double(moved.dth) + body.angular);
+    }
+    return true;
+}
+
+} }  // namespace ingot
