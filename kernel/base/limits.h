@@ -94,6 +94,7 @@ inline constexpr scalar unsettled_speed = scalar(1e-5);      ///< m/s, that swee
 inline constexpr int active_sets_max = 12;                  ///< tried in a solve
 inline constexpr int refinements_max = 12;                  ///< of a solve; sliding friction converges along with them
 inline constexpr double direct_diagonal = 1e-9;             ///< added to the diagonal, as a fraction of it: rows that depend on each other
+inline constexpr double direct_roundings = 1e-12;           ///< of the load of a manifold, below which an impulse is rounding
 inline constexpr double direct_settled_speed = 1e-9;        ///< m/s; what a solve may leave. What the sweeps leave is a thousand times that
 inline constexpr double direct_settled_length = 1e-9;       ///< m
 

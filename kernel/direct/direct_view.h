@@ -42,6 +42,7 @@ struct DirectManifold {
 struct DirectBody {
     DirectVector linear, angular;
     Sym3<double> inv_I_world;
+    DirectVector r_CM;
     double inv_M;
     uint16_t body_i;  ///< of SolverBody
 };

@@ -16,6 +16,7 @@ void take_in(const SolverView& solver, const BodyView& bodies, DirectView& direc
     body.inv_M = static_cast<double>(solver.bodies[body_i].v_CM[3]);
     body.inv_I_world = {static_cast<double>(inv_I.xx), static_cast<double>(inv_I.yy), static_cast<double>(inv_I.zz),
                         static_cast<double>(inv_I.xy), static_cast<double>(inv_I.xz), static_cast<double>(inv_I.yz)};
+    body.r_CM = in_double(lane_of(bodies.translation[at.tile].r_CM, at.lane));
     body.body_i = body_i;
 }
 
@@ -31,18 +32,22 @@ void load_row(const DirectView& direct, const DirectManifold& manifold, DirectRo
 
 DirectVector lane_in_double(const scalar (&rows)[3][lanes], int lane_i) { return in_double(lane_of(rows, lane_i)); }
 
+/// Levers of the normals anew, from the points: four points of one plane have three normals that are independent, to the rounding of doubles; the
+/// floats of the block would make a fourth of their own rounding.
 void load_manifold(const SolverView& solver, DirectView& direct, DirectManifold& manifold, DirectRow* rows) {
     const int lane_i = manifold.position % lanes;
     const ContactBlock& block = solver.blocks[manifold.position / lanes];
     const DirectVector n = lane_in_double(block.n, lane_i), t_1 = lane_in_double(block.t_1, lane_i), t_2 = lane_in_double(block.t_2, lane_i);
+    const ManifoldRecord& record = solver.records[solver.pairs[block.manifold[lane_i]].record];
     manifold.mu = static_cast<double>(block.mu[lane_i]);
     manifold.radius = block.rows > 1 ? static_cast<double>(block.twist.radius[lane_i]) : 0;
     manifold.points = static_cast<uint8_t>(block.rows);
     manifold.rows = 0;
     for (int row = 0; row < block.rows; ++row) {
         if (!(block.B[Sym4::index(row, row)][lane_i] > 0)) continue;
-        const Levers& levers = block.row[row].levers;
-        load_row(direct, manifold, rows[row], n, lane_in_double(levers.J_A, lane_i), lane_in_double(levers.J_B, lane_i));
+        const DirectVector P = in_double(record.manifold.points[row].P), none = {};
+        load_row(direct, manifold, rows[row], n, manifold.body[0] != 0 ? cross(P - direct.bodies[manifold.body[0]].r_CM, n) : none,
+                 manifold.body[1] != 0 ? cross(n, P - direct.bodies[manifold.body[1]].r_CM) : none);
         manifold.rows = static_cast<uint8_t>(manifold.rows | 1u << row);
     }
     if (!(manifold.mu > 0)) return;

@@ -18,7 +18,6 @@ double root_of(double x) {
     return y;
 }
 
-double larger(double a, double b) { return a > b ? a : b; }
 double size_of(double a) { return a < 0 ? -a : a; }
 double within(double x, double limit) { return x > limit ? limit : x < -limit ? -limit : x; }
 
@@ -35,7 +34,7 @@ struct Pair {
 Pair cut(const Pair& t, double limit) {
     const double length_sq = t.at[0] * t.at[0] + t.at[1] * t.at[1];
     if (length_sq <= limit * limit) return t;
-    const double share = limit / root_of(length_sq);
+    const double length = root_of(length_sq), share = length > 0 ? limit / length : 0;
     return {{t.at[0] * share, t.at[1] * share}};
 }
 
@@ -232,28 +231,6 @@ bool change_active(const DirectView& island, double settled) {
     return changed;
 }
 
-/// The load of a manifold of four points spread evenly, along the one change of its normals that moves nothing.
-void spread_load(const DirectView& island, const DirectManifold& manifold, DirectRow* rows) {
-    if ((manifold.rows & 15u) != 15u || manifold.points != block_rows || active_normals(manifold) < normals_max) return;
-    const int side = manifold.body[0] != 0 ? 0 : 1;
-    const auto corner = [&](int row) { return rows[row].J[side]; };
-    const auto area = [&](int a, int b, int c) { return dot(rows[0].d, cross(corner(b) - corner(a), corner(c) - corner(a))); };
-    const double shift[block_rows] = {area(1, 2, 3), -area(0, 2, 3), area(0, 1, 3), -area(0, 1, 2)};
-    double along = 0, size = 0;
-    for (int row = 0; row < block_rows; ++row) {
-        along += rows[row].j * shift[row];
-        size += shift[row] * shift[row];
-    }
-    if (!(size > 0)) return;
-    double share = -along / size, low = -1e300, high = 1e300;
-    for (int row = 0; row < block_rows; ++row) {  // as long as none pulls
-        if (shift[row] > 0 && -rows[row].j / shift[row] > low) low = -rows[row].j / shift[row];
-        if (shift[row] < 0 && -rows[row].j / shift[row] < high) high = -rows[row].j / shift[row];
-    }
-    share = share < low ? low : share > high ? high : share;
-    for (int row = 0; row < block_rows; ++row) give<false>(island, manifold, rows[row], share * shift[row]);
-}
-
 bool was_hit(const SolverView& solver, const DirectView& island) {
     for (int body_i = 1; body_i < island.body_count; ++body_i)
         if (solver.bodies[island.bodies[body_i].body_i].L[3] > 0) return true;
@@ -286,8 +263,6 @@ bool solve_island(const SolverView& solver, DirectView& island, bool or_better) 
         solve_active<false>(island, limits::direct_settled_speed);
         if (!change_active<false>(island, limits::direct_settled_speed)) break;
     }
-    for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i)
-        spread_load(island, island.manifolds[manifold_i], island.rows + manifold_i * direct_rows);
     const Misfit left = misfit(island);
     const bool solved = left.worst <= 4 * limits::direct_settled_speed;
     if (!solved && !(or_better && left.merit < merit_before && !was_hit(solver, island))) return false;
