@@ -44,7 +44,7 @@ struct DirectIslands {
 
         void solve_contacts(SolverView& solver, const BodyView& bodies, const Vector& gravity, scalar h, StepReport& report) {
             DirectView direct = {manifold, row, active, body, entry, static_cast<int>(island), static_cast<int>(entries), free_motion, root, size, begin,
-                                 fate, local, members, unsettled, left, 0, 0, 0, 0, 0};
+                                 fate, local, members, unsettled, left, 0, 0, 0, 0, false};
             solve_directly(solver, direct, bodies, gravity, h, report);
         }
     };

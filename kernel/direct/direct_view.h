@@ -34,6 +34,7 @@ struct DirectManifold {
     uint16_t active_begin; ///< the first of its active rows
     uint8_t rows;          ///< bit per row that exists
     uint8_t active;        ///< bit per row that is solved for
+    uint8_t factored;      ///< the same of the matrix that is factored
     uint8_t pulls;         ///< bit per row that may have any sign
     uint8_t points;        ///< rows that are normals, 1 or 4 in a block
 };
@@ -83,7 +84,8 @@ struct DirectView {
     Visit* visits;              ///< what is left to the sweeps
 
     int manifold_count, body_count, active_count;  ///< of the island at hand
-    int loaded_root, factored_root;                ///< 0: none
+    int loaded_root;                               ///< 0: none
+    bool factored;
 };
 
 } }  // namespace ingot

@@ -27,6 +27,7 @@ bool list_rows(DirectView& island) {
     uint32_t entry_count = 0;
     for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
         DirectManifold& manifold = island.manifolds[manifold_i];
+        manifold.factored = manifold.active;
         manifold.active_begin = static_cast<uint16_t>(count);
         const int begin = island.manifolds[manifold.first].active_begin;
         for (int row = 0; row < direct_rows; ++row) {
@@ -54,10 +55,20 @@ double sum_of_products(const double* a, const double* b, int count) {
     return (sums[0] + sums[1]) + (sums[2] + sums[3]);
 }
 
+/// The matrix of the same rows, within the step, is the same.
+bool is_factored(const DirectView& island) {
+    bool same = island.factored;
+    for (int manifold_i = 0; manifold_i < island.manifold_count && same; ++manifold_i)
+        same = island.manifolds[manifold_i].active == island.manifolds[manifold_i].factored;
+    return same;
+}
+
 }  // namespace
 
 bool factor_rows(DirectView& island) {
-    if (!list_rows(island)) return false;
+    if (is_factored(island)) return true;
+    island.factored = list_rows(island);
+    if (!island.factored) return false;
     for (int i = 0; i < island.active_count; ++i) {
         DirectActive& active = island.active[i];
         const DirectRow& row = island.rows[active.row];

@@ -65,7 +65,7 @@ void load_manifold(const SolverView& solver, DirectView& direct, DirectManifold&
 
 void load_rows(const SolverView& solver, const BodyView& bodies, DirectView& direct, uint16_t root) {
     direct.loaded_root = root;
-    direct.factored_root = 0;
+    direct.factored = false;
     direct.manifold_count = direct.size[root];
     direct.body_count = 1;
     direct.bodies[0] = {};

@@ -2,6 +2,7 @@
 #include "islands.h"
 
 #include "../base/limits.h"
+#include "../blocks/order_manifolds.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -66,10 +67,15 @@ int choose_islands(const SolverView& solver, const DirectView& direct, StepRepor
         ++direct.size[root];
         if (ill_conditioned(solver, manifold_i) || direct.unsettled[record_i] >= limits::unsettled_steps) direct.fate[root] = IslandFate::chosen;
     }
+    const auto fits = [&](int root) { return direct.size[root] <= direct.manifold_capacity; };
+    for (int body_i = 1; body_i < solver.body_count; ++body_i) {
+        const uint16_t root = direct.root[body_i], level = solver.level_of_body[body_i];
+        if (level != unreached_level && level >= limits::direct_levels && fits(root)) direct.fate[root] = IslandFate::chosen;
+    }
     int chosen = 0;
     for (int body_i = 1; body_i < solver.body_count; ++body_i) {
         if (direct.fate[body_i] != IslandFate::chosen) continue;
-        if (direct.size[body_i] > direct.manifold_capacity) {
+        if (!fits(body_i)) {
             direct.fate[body_i] = IslandFate::swept;
             count(report.direct_refused);
         } else {

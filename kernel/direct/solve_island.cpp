@@ -142,13 +142,14 @@ void stick_or_slide(DirectManifold& manifold, const DirectRow* rows) {
     }
 }
 
+/// Normals that push or do not separate: what falls together is taken for a pile.
 void choose_active(DirectView& island) {
     for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
         DirectManifold& manifold = island.manifolds[manifold_i];
         DirectRow* const rows = island.rows + manifold_i * direct_rows;
         manifold.active = 0;
         for (int row = 0; row < manifold.points; ++row)
-            if (has(manifold.rows, row) && (rows[row].j > 0 || row_motion<false>(island, manifold, rows[row]) < rows[row].target))
+            if (has(manifold.rows, row) && (rows[row].j > 0 || row_motion<false>(island, manifold, rows[row]) <= rows[row].target + limits::direct_settled_speed))
                 set_bit(manifold.active, row, true);
         stick_or_slide(manifold, rows);
         if (active_normals(manifold) > normals_max) drop_least<false>(island, manifold, rows);
