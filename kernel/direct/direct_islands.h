@@ -16,7 +16,6 @@ struct Sweeps {
     };
 };
 
-#if INGOT_COMPUTES_DOUBLES
 /// `using solver = ingot::DirectIslands<>;`: sweeps, and a direct solve in double for islands of up to max_island manifolds that sweeps do not serve:
 /// heavy bodies on light ones, tall towers. entries_of_row: of the matrix, on average; 10 are a tower, 12 times max_island / 2 is full.
 /// RAM: about max_island (1.4 KB + 48 entries_of_row bytes).
@@ -28,6 +27,7 @@ struct DirectIslands {
         static constexpr unsigned rows = 6 * island, full = rows * (rows - 1) / 2;
         static constexpr unsigned thin = rows * static_cast<unsigned>(entries_of_row), entries = full < thin ? full : thin;
         static constexpr unsigned body_capacity = static_cast<unsigned>(max_bodies) + 1;
+        static_assert(INGOT_COMPUTES_DOUBLES, "the direct solver needs a core that computes doubles: name Sweeps");
         static_assert(max_island >= 1 && max_island <= 1024, "the direct solver takes islands of 1 to 1024 manifolds: DirectIslands<max_island>");
 
         double entry[entries] = {};
@@ -42,15 +42,19 @@ struct DirectIslands {
         uint8_t unsettled[static_cast<unsigned>(max_manifolds)] = {};
         Visit left[static_cast<unsigned>(max_manifolds) * 2 + static_cast<unsigned>(max_manifolds) / 2 + 3] = {};
 
+        DirectView direct_view() {
+            return {manifold, row, active, body, entry, static_cast<int>(island), static_cast<int>(entries), free_motion, root, size, begin,
+                    fate, local, members, unsettled, left, 0, 0, 0, 0, false};
+        }
         void solve_contacts(SolverView& solver, const BodyView& bodies, const Vector& gravity, scalar h, StepReport& report) {
-            DirectView direct = {manifold, row, active, body, entry, static_cast<int>(island), static_cast<int>(entries), free_motion, root, size, begin,
-                                 fate, local, members, unsettled, left, 0, 0, 0, 0, false};
+            DirectView direct = direct_view();
             solve_directly(solver, direct, bodies, gravity, h, report);
         }
     };
 };
 
 /// What a scene has that names none: direct where the core computes doubles, sweeps elsewhere.
+#if INGOT_COMPUTES_DOUBLES
 using ChosenSolver = DirectIslands<>;
 #else
 using ChosenSolver = Sweeps;

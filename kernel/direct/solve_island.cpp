@@ -11,7 +11,7 @@ namespace ingot { inline namespace INGOT_ABI {
 namespace {
 
 /// sqrt(x) in double without an instruction for it: the scalar's, and two steps of Newton's, which are the same everywhere.
-double root_of(double x) {
+double square_root(double x) {
     if (!(x > 1e-30)) return 0;
     double y = static_cast<double>(sqrt(static_cast<scalar>(x)));
     for (int step_i = 0; step_i < 2; ++step_i) y = 0.5 * (y + x / y);
@@ -28,18 +28,18 @@ double load_of(const DirectManifold& manifold, const DirectRow* rows) {
     return N;
 }
 
-struct Pair {
+struct FrictionImpulse {
     double at[2];
 };
-Pair cut(const Pair& t, double limit) {
+FrictionImpulse cut(const FrictionImpulse& t, double limit) {
     const double length_sq = t.at[0] * t.at[0] + t.at[1] * t.at[1];
     if (length_sq <= limit * limit) return t;
-    const double length = root_of(length_sq), share = length > 0 ? limit / length : 0;
+    const double length = square_root(length_sq), share = length > 0 ? limit / length : 0;
     return {{t.at[0] * share, t.at[1] * share}};
 }
 
 /// What Coulomb's law makes of the friction at the slip there is: the projection of t - u / K to the cone. At the solution it is t.
-Pair projected_friction(const DirectView& island, const DirectManifold& manifold, const DirectRow* rows, double limit) {
+FrictionImpulse projected_friction(const DirectView& island, const DirectManifold& manifold, const DirectRow* rows, double limit) {
     const DirectRow* const pair = rows + friction_row;
     const double inv_K = 1 / larger(pair[0].K, pair[1].K);
     return cut({{pair[0].j - inv_K * row_motion<false>(island, manifold, pair[0]), pair[1].j - inv_K * row_motion<false>(island, manifold, pair[1])}}, limit);
@@ -72,7 +72,7 @@ Misfit misfit(const DirectView& island) {
         }
         const double limit = manifold.mu * load_of(manifold, rows);
         if (has(manifold.rows, friction_row)) {
-            const Pair t = projected_friction(island, manifold, rows, limit);
+            const FrictionImpulse t = projected_friction(island, manifold, rows, limit);
             for (int axis = 0; axis < 2; ++axis) sum.add(t.at[axis] - rows[friction_row + axis].j, rows[friction_row + axis].K);
         }
         if (has(manifold.rows, twist_row))
@@ -113,7 +113,7 @@ void begin_solve(const SolverView& solver, DirectView& island) {
             guess[row] = larger(guess[row], 0);
             N += guess[row];
         }
-        const Pair t = cut({{guess[friction_row], guess[friction_row + 1]}}, manifold.mu * N);
+        const FrictionImpulse t = cut({{guess[friction_row], guess[friction_row + 1]}}, manifold.mu * N);
         guess[friction_row] = t.at[0];
         guess[friction_row + 1] = t.at[1];
         guess[twist_row] = within(guess[twist_row], manifold.mu * manifold.radius * N);
@@ -164,7 +164,7 @@ double follow_sliding(const DirectView& island) {
         DirectRow* const rows = island.rows + manifold_i * direct_rows;
         const double limit = manifold.mu * load_of(manifold, rows);
         if (has(manifold.rows, friction_row) && !has(manifold.active, friction_row)) {
-            const Pair t = projected_friction(island, manifold, rows, limit);
+            const FrictionImpulse t = projected_friction(island, manifold, rows, limit);
             for (int axis = 0; axis < 2; ++axis) {
                 DirectRow& row = rows[friction_row + axis];
                 const double change = t.at[axis] - row.j;
@@ -206,8 +206,8 @@ bool change_friction(const DirectView& island, DirectManifold& manifold, DirectR
     const double limit = manifold.mu * load_of(manifold, rows), beyond = 1 + 1e-9, inside = 1 - 1e-9;
     if (has(manifold.rows, friction_row)) {
         const bool sticks = has(manifold.active, friction_row);
-        const Pair t = sticks ? Pair{{rows[friction_row].j, rows[friction_row + 1].j}} : projected_friction(island, manifold, rows, limit);
-        const double length = root_of(t.at[0] * t.at[0] + t.at[1] * t.at[1]);
+        const FrictionImpulse t = sticks ? FrictionImpulse{{rows[friction_row].j, rows[friction_row + 1].j}} : projected_friction(island, manifold, rows, limit);
+        const double length = square_root(t.at[0] * t.at[0] + t.at[1] * t.at[1]);
         const bool stays = loaded && (sticks ? length <= limit * beyond : length < limit * inside);
         for (int axis = 0; axis < 2; ++axis) set_bit(manifold.active, friction_row + axis, stays);
     }

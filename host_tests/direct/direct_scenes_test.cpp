@@ -1,0 +1,2 @@
+// SPDX-License-Identifier: MIT
+#include "direct/contact_run.h"
