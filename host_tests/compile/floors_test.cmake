@@ -28,7 +28,7 @@ set(solve_shares contact_rows impulse)
 set(blocks_shares block_solve contact_block block_rows solver_body solver_view conjugate_gradients order_manifolds predict_contacts prepare_blocks
   sweep_positions sweep_velocities warm_start)
 # solve_directly conducts the stages, and calls the others of its room.
-set(direct_shares direct_view island_rows islands normal_set factor_rows solve_island solve_directly)
+set(direct_shares direct_view island_rows islands normal_set sliding factor_rows solve_island solve_directly)
 
 set(broken "")
 file(GLOB_RECURSE files RELATIVE ${HOUSE} ${HOUSE}/kernel/*.h ${HOUSE}/kernel/*.cpp ${HOUSE}/platform/*.h ${HOUSE}/platform/*.cpp)

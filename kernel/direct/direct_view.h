@@ -48,6 +48,12 @@ struct DirectBody {
     uint16_t body_i;  ///< of SolverBody
 };
 
+/// Friction and twist that slide, in the last passes of a solve: what was proposed, and the change that was; see sliding.h.
+inline constexpr int slide_memory = 5;
+struct SlideHistory {
+    double proposed[slide_memory][3], change[slide_memory][3];
+};
+
 /// A row of the matrix of active rows, and of its factor.
 struct DirectActive {
     double inv_pivot;  ///< 0: the row depends on those before it, and takes nothing
@@ -68,6 +74,7 @@ enum class IslandFate : uint8_t { swept, chosen, solved };
 struct DirectView {
     DirectManifold* manifolds;
     DirectRow* rows;            ///< direct_rows of each manifold
+    SlideHistory* slides;       ///< by manifold of the island
     DirectActive* active;       ///< room for 6 of each manifold: at most three normals are active
     DirectBody* bodies;         ///< room for manifold_capacity + 2
     double* entries;            ///< of the matrix, row by row from the first that is not zero

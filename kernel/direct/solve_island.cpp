@@ -2,52 +2,13 @@
 #include "solve_island.h"
 
 #include "../base/limits.h"
-#include "../math/sqrt.h"
 #include "factor_rows.h"
 #include "normal_set.h"
+#include "sliding.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
-
-/// sqrt(x) in double without an instruction for it: the scalar's, and two steps of Newton's, which are the same everywhere.
-double square_root(double x) {
-    if (!(x > 1e-30)) return 0;
-    double y = static_cast<double>(sqrt(static_cast<scalar>(x)));
-    for (int step_i = 0; step_i < 2; ++step_i) y = 0.5 * (y + x / y);
-    return y;
-}
-
-double size_of(double a) { return a < 0 ? -a : a; }
-double within(double x, double limit) { return x > limit ? limit : x < -limit ? -limit : x; }
-
-double load_of(const DirectManifold& manifold, const DirectRow* rows) {
-    double N = 0;
-    for (int row = 0; row < manifold.points; ++row)
-        if (has(manifold.rows, row)) N += larger(rows[row].j, 0);
-    return N;
-}
-
-struct FrictionImpulse {
-    double at[2];
-};
-FrictionImpulse cut(const FrictionImpulse& t, double limit) {
-    const double length_sq = t.at[0] * t.at[0] + t.at[1] * t.at[1];
-    if (length_sq <= limit * limit) return t;
-    const double length = square_root(length_sq), share = length > 0 ? limit / length : 0;
-    return {{t.at[0] * share, t.at[1] * share}};
-}
-
-/// What Coulomb's law makes of the friction at the slip there is: the projection of t - u / K to the cone. At the solution it is t.
-FrictionImpulse projected_friction(const DirectView& island, const DirectManifold& manifold, const DirectRow* rows, double limit) {
-    const DirectRow* const pair = rows + friction_row;
-    const double inv_K = 1 / larger(pair[0].K, pair[1].K);
-    return cut({{pair[0].j - inv_K * row_motion<false>(island, manifold, pair[0]), pair[1].j - inv_K * row_motion<false>(island, manifold, pair[1])}}, limit);
-}
-double projected_twist(const DirectView& island, const DirectManifold& manifold, const DirectRow* rows, double limit) {
-    const DirectRow& twist = rows[twist_row];
-    return within(twist.j - row_motion<false>(island, manifold, twist) / twist.K, limit);
-}
 
 /// By how much the laws of contact are missed.
 struct Misfit {
@@ -156,36 +117,12 @@ void choose_active(DirectView& island) {
     }
 }
 
-/// Friction that slides follows the load and the slip. Returns the largest speed that changed.
-double follow_sliding(const DirectView& island) {
-    double fastest = 0;
-    for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
-        const DirectManifold& manifold = island.manifolds[manifold_i];
-        DirectRow* const rows = island.rows + manifold_i * direct_rows;
-        const double limit = manifold.mu * load_of(manifold, rows);
-        if (has(manifold.rows, friction_row) && !has(manifold.active, friction_row)) {
-            const FrictionImpulse t = projected_friction(island, manifold, rows, limit);
-            for (int axis = 0; axis < 2; ++axis) {
-                DirectRow& row = rows[friction_row + axis];
-                const double change = t.at[axis] - row.j;
-                fastest = larger(fastest, size_of(change) * row.K);
-                give<false>(island, manifold, row, change);
-            }
-        }
-        if (has(manifold.rows, twist_row) && !has(manifold.active, twist_row)) {
-            const double change = projected_twist(island, manifold, rows, limit * manifold.radius) - rows[twist_row].j;
-            fastest = larger(fastest, size_of(change) * rows[twist_row].K);
-            give<false>(island, manifold, rows[twist_row], change);
-        }
-    }
-    return fastest;
-}
-
-/// Solves the equations of the active rows, by refinement: what is left is taken from the bodies each time.
+/// Solves the equations of the active rows, by refinement: what is left is taken from the bodies each time. Friction that slides follows the
+/// load and the slip between.
 template <bool displaces>
 void solve_active(const DirectView& island, double settled) {
     for (int pass_i = 0; pass_i < limits::refinements_max; ++pass_i) {
-        double worst = displaces ? 0 : follow_sliding(island);
+        double worst = displaces ? 0 : follow_sliding(island, pass_i);
         for (int i = 0; i < island.active_count; ++i) {
             DirectActive& active = island.active[i];
             const DirectRow& row = island.rows[active.row];
