@@ -35,14 +35,14 @@ struct Totals {
 };
 
 template <class Contact, class Solver>
-struct Run {
+struct ContactRun {
     using World = ingot::World<Setup<Contact, Solver>>;
     World* world = new World();
     std::vector<ingot::BodyId> ids;
     std::vector<Vector> begin;
     Totals totals;
 
-    Run() {
+    ContactRun() {
         EXPECT_EQ(world->set_gravity(Contact::gravity), ingot::Status::ok);
         for (int body_i = 0; body_i < Contact::body_count; ++body_i) {
             scenes::PlacedBody placed = Contact::body(body_i);
@@ -53,9 +53,9 @@ struct Run {
             begin.push_back(placed.def.state.r_CM);
         }
     }
-    ~Run() { delete world; }
-    Run(const Run&) = delete;
-    Run& operator=(const Run&) = delete;
+    ~ContactRun() { delete world; }
+    ContactRun(const ContactRun&) = delete;
+    ContactRun& operator=(const ContactRun&) = delete;
 
     Vector place(std::size_t body_i) const { return world->state(ids[body_i]).value.r_CM; }
 

@@ -186,10 +186,10 @@ struct RandomIsland {
     }
 };
 
-/// What the kernel's solution may miss the laws by, m/s: limits::direct_settled_speed for each law, and levers and directions of friction that are
-/// scalars: a few roundings of the speeds there are, times the ratio of the masses that act on each other.
-double allowance(const RandomIsland& island, double mass_ratio) {
-    return 10 * ingot::limits::direct_settled_speed + 16 * static_cast<double>(ingot::epsilon) * island.fastest * mass_ratio;
+/// What the kernel's solution may miss the laws by, m/s: limits::direct_settled_speed for each law, and normals and levers of friction that are
+/// scalars, a few roundings of the speeds there are; the moments of inertia they act on differ by up to 20.
+double allowance(const RandomIsland& island) {
+    return 10 * ingot::limits::direct_settled_speed + 4 * 20 * static_cast<double>(ingot::epsilon) * island.fastest;
 }
 
 /// Without friction the velocities are unique.
@@ -203,7 +203,7 @@ TEST(DirectIsland, agrees_with_the_exact_solution_without_friction) {
         ++solved;
         const ContactSolution exact = solve_contacts_without_friction(island.problem);
         ASSERT_TRUE(exact.converged) << case_i;
-        EXPECT_LE(velocity_distance(island.problem, found, exact), allowance(island, 64)) << case_i;
+        EXPECT_LE(velocity_distance(island.problem, found, exact), allowance(island)) << case_i;
     }
     std::printf("%d of 400 islands without friction solved\n", solved);
     EXPECT_GE(solved, 380);
@@ -218,10 +218,10 @@ TEST(DirectIsland, keeps_the_laws_of_friction) {
         ContactSolution found;
         if (!island.solve(found)) continue;
         ++solved;
-        const double allowed = allowance(island, 64);
+        const double allowed = allowance(island);
         EXPECT_LE(contact_residual(island.problem, found), allowed) << case_i;
         const ContactSolution exact = solve_contacts(island.problem);
-        same += exact.converged && velocity_distance(island.problem, found, exact) <= allowed ? 1 : 0;
+        same += velocity_distance(island.problem, found, exact) <= allowed ? 1 : 0;
     }
     std::printf("%d of 400 islands with friction solved, %d as the reference does\n", solved, same);
     EXPECT_GE(solved, 300);

@@ -157,14 +157,21 @@ bool change_friction(const DirectView& island, DirectManifold& manifold, DirectR
     return manifold.active != before;
 }
 
+/// Corrects the set by what has been solved; false: it stays. All manifolds at once find most sets in a few rounds, and can go round in circles:
+/// after half of the rounds it is one at a time, which starts where the last one changed.
 template <bool displaces>
-bool change_active(const DirectView& island, double settled) {
+bool change_active(const DirectView& island, double settled, int set_i, int& begin) {
     bool changed = false;
-    for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
+    for (int step_i = 0; step_i < island.manifold_count; ++step_i) {
+        const int manifold_i = (begin + step_i) % island.manifold_count;
         DirectManifold& manifold = island.manifolds[manifold_i];
         DirectRow* const rows = island.rows + manifold_i * direct_rows;
-        changed = change_normals<displaces>(island, manifold, rows, settled) || changed;
-        if (!displaces) changed = change_friction(island, manifold, rows) || changed;
+        bool here = change_normals<displaces>(island, manifold, rows, settled);
+        if (!displaces) here = change_friction(island, manifold, rows) || here;
+        changed = changed || here;
+        if (!here || set_i < limits::active_sets_max / 2) continue;
+        begin = manifold_i + 1;
+        break;
     }
     return changed;
 }
@@ -196,10 +203,11 @@ bool solve_island(const SolverView& solver, DirectView& island, bool or_better) 
     begin_solve(solver, island);
     const double merit_before = or_better ? misfit(island).merit : 0;
     choose_active(island);
+    int begin = 0;
     for (int set_i = 0; set_i < limits::active_sets_max; ++set_i) {
         if (!factor_rows(island)) return false;
         solve_active<false>(island, limits::direct_settled_speed);
-        if (!change_active<false>(island, limits::direct_settled_speed)) break;
+        if (!change_active<false>(island, limits::direct_settled_speed, set_i, begin)) break;
     }
     const Misfit left = misfit(island);
     const bool solved = left.worst <= 4 * limits::direct_settled_speed;
@@ -259,10 +267,11 @@ bool place_island(const SolverView& solver, DirectView& island, scalar h) {
         for (int row = 0; row < manifold.points; ++row) rows[row].j = 0;
     }
     bool settled = false;
+    int begin = 0;
     for (int set_i = 0; set_i < limits::active_sets_max && !settled; ++set_i) {
         if (!factor_rows(island)) return false;
         solve_active<true>(island, limits::direct_settled_length);
-        settled = !change_active<true>(island, limits::direct_settled_length);
+        settled = !change_active<true>(island, limits::direct_settled_length, set_i, begin);
     }
     if (!settled) return false;
     for (int body_i = 1; body_i < island.body_count; ++body_i) {
