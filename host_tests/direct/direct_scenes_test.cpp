@@ -75,7 +75,7 @@ TEST(DirectIslands, report_a_matrix_that_is_too_large) {
 
 /// A column of light and heavy on ground that is tilted by way of gravity: it slides as one, by the closed form.
 struct SlidingColumn : scenes::MassRatio<1, 1000> {
-    static constexpr scalar mu = scalar(0.4);
+    static constexpr scalar mu = scalar(0.3);
     static constexpr Vector gravity = {scalar(9.81) * scalar(0.5), 0, -scalar(9.81) * scalar(0.8660254)};
     static constexpr scenes::PlacedBody body(int body_i) {
         scenes::PlacedBody placed = scenes::MassRatio<1, 1000>::body(body_i);

@@ -18,7 +18,7 @@ struct Sweeps {
 
 /// `using solver = ingot::DirectIslands<>;`: sweeps, and a direct solve in double for islands of up to max_island manifolds that sweeps do not serve:
 /// heavy bodies on light ones, tall towers. entries_of_row: of the matrix, on average; 10 are a tower, 12 times max_island / 2 is full.
-/// RAM: about max_island (1.7 KB + 48 entries_of_row bytes).
+/// RAM: about max_island (1.5 KB + 48 entries_of_row bytes).
 template <int max_island = 48, int entries_of_row = 24>
 struct DirectIslands {
     template <int max_bodies, int max_manifolds>
@@ -32,7 +32,6 @@ struct DirectIslands {
 
         double entry[entries] = {};
         DirectRow row[direct_rows * island] = {};
-        SlideHistory slides[island] = {};
         DirectActive active[rows] = {};
         DirectManifold manifold[island] = {};
         DirectBody body[island + 2] = {};
@@ -44,8 +43,8 @@ struct DirectIslands {
         Visit left[static_cast<unsigned>(max_manifolds) * 2 + static_cast<unsigned>(max_manifolds) / 2 + 3] = {};
 
         DirectView direct_view() {
-            return {manifold, row, slides, active, body, entry, static_cast<int>(island), static_cast<int>(entries), free_motion, root, size, begin,
-                    fate, local, members, unsettled, left, 0, 0, 0, 0, false};
+            return {manifold, row, active, body, entry, static_cast<int>(island), static_cast<int>(entries), free_motion, root, size, begin,
+                    fate, local, members, unsettled, left, 0, 0, 0, 0, 0, false, false};
         }
         void solve_contacts(SolverView& solver, const BodyView& bodies, const Vector& gravity, scalar h, StepReport& report) {
             DirectView direct = direct_view();

@@ -26,8 +26,16 @@ struct DirectRow {
     double K;                 ///< compliance
 };
 
+/// Friction that slides, t = mu N x / |x| with x = t - u / K, near where it is.
+struct SlideDirection {
+    double x[2];   ///< unit, along the force
+    double share;  ///< mu N / |x|, at most 1: how much the force turns with the slip
+    double twist;  ///< sign of the twist; 0: it carries nothing
+};
+
 struct DirectManifold {
     double mu, radius;     ///< m; |twist| <= mu radius N
+    SlideDirection slip;   ///< that sliding rows were factored with
     uint16_t position;     ///< in solver.order: block and lane
     uint16_t body[2];      ///< of DirectBody
     uint16_t first;        ///< manifold of the island, the first that shares a body with this one
@@ -35,6 +43,7 @@ struct DirectManifold {
     uint8_t rows;          ///< bit per row that exists
     uint8_t active;        ///< bit per row that is solved for
     uint8_t factored;      ///< the same of the matrix that is factored
+    uint8_t sliding;       ///< bit per active row of friction and twist that slides
     uint8_t pulls;         ///< bit per row that may have any sign
     uint8_t points;        ///< rows that are normals, 1 or 4 in a block
 };
@@ -46,12 +55,6 @@ struct DirectBody {
     DirectVector r_CM;
     double inv_M;
     uint16_t body_i;  ///< of SolverBody
-};
-
-/// Friction and twist that slide, in the last passes of a solve: what was proposed, and the change that was; see sliding.h.
-inline constexpr int slide_memory = 5;
-struct SlideHistory {
-    double proposed[slide_memory][3], change[slide_memory][3];
 };
 
 /// A row of the matrix of active rows, and of its factor.
@@ -74,7 +77,6 @@ enum class IslandFate : uint8_t { swept, chosen, solved };
 struct DirectView {
     DirectManifold* manifolds;
     DirectRow* rows;            ///< direct_rows of each manifold
-    SlideHistory* slides;       ///< by manifold of the island
     DirectActive* active;       ///< room for 6 of each manifold: at most three normals are active
     DirectBody* bodies;         ///< room for manifold_capacity + 2
     double* entries;            ///< of the matrix, row by row from the first that is not zero
@@ -90,9 +92,9 @@ struct DirectView {
     uint8_t* unsettled;         ///< by record: steps in a row that ended with sweeps at their bound
     Visit* visits;              ///< what is left to the sweeps
 
-    int manifold_count, body_count, active_count;  ///< of the island at hand
+    int manifold_count, body_count, active_count, entry_count;  ///< of the island at hand
     int loaded_root;                               ///< 0: none
-    bool factored;
+    bool factored, some_slide;
 };
 
 } }  // namespace ingot

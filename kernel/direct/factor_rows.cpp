@@ -2,6 +2,8 @@
 #include "factor_rows.h"
 
 #include "../base/limits.h"
+#include "normal_set.h"
+#include "sliding.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -42,6 +44,7 @@ bool list_rows(DirectView& island) {
         }
     }
     island.active_count = count;
+    island.entry_count = static_cast<int>(entry_count);
     return true;
 }
 
@@ -57,18 +60,13 @@ double sum_of_products(const double* a, const double* b, int count) {
 
 /// The matrix of the same rows, within the step, is the same.
 bool is_factored(const DirectView& island) {
-    bool same = island.factored;
+    bool same = island.factored && !island.some_slide;
     for (int manifold_i = 0; manifold_i < island.manifold_count && same; ++manifold_i)
         same = island.manifolds[manifold_i].active == island.manifolds[manifold_i].factored;
     return same;
 }
 
-}  // namespace
-
-bool factor_rows(DirectView& island) {
-    if (is_factored(island)) return true;
-    island.factored = list_rows(island);
-    if (!island.factored) return false;
+void factor_symmetric(const DirectView& island) {
     for (int i = 0; i < island.active_count; ++i) {
         DirectActive& active = island.active[i];
         const DirectRow& row = island.rows[active.row];
@@ -89,6 +87,63 @@ bool factor_rows(DirectView& island) {
         }
         active.inv_pivot = pivot > row.K * limits::direct_diagonal / 2 ? 1 / pivot : 0;
     }
+}
+
+/// Row i of Newton's matrix at column c. Sliding friction: K (t - mu N x / |x|) = 0 with x = t - u / K, derived; K makes it a speed like the others.
+double newton_entry(const DirectView& island, int i, int c) {
+    const int row_i = island.active[i].row, row_c = island.active[c].row, own = row_i % direct_rows, theirs = row_c % direct_rows;
+    const DirectManifold &manifold = island.manifolds[row_i / direct_rows], &other = island.manifolds[row_c / direct_rows];
+    const DirectRow &row = island.rows[row_i], &column = island.rows[row_c];
+    const double damping = i == c ? row.K * limits::direct_diagonal : 0;
+    if (!has(manifold.sliding, own)) return coupling(island, manifold, other, row, column) + damping;
+    const bool same = &manifold == &other;
+    if (own == twist_row) {
+        if (!same || (theirs >= friction_row && theirs != twist_row)) return 0;
+        return theirs == twist_row ? row.K : -row.K * manifold.slip.twist * manifold.mu * manifold.radius;
+    }
+    const DirectRow* const rows = island.rows + (row_i - own);
+    const double* const x = manifold.slip.x;
+    const int axis = own - friction_row;
+    const double across[2] = {(axis == 0 ? 1 : 0) - x[axis] * x[0], (axis == 1 ? 1 : 0) - x[axis] * x[1]}, K = friction_compliance(rows);
+    double entry = manifold.slip.share * (across[0] * coupling(island, manifold, other, rows[friction_row], column) +
+                                          across[1] * coupling(island, manifold, other, rows[friction_row + 1], column));
+    if (same && theirs < friction_row) entry -= K * manifold.mu * x[axis];
+    if (same && theirs >= friction_row && theirs < twist_row) entry += K * ((own == theirs ? 1 : 0) - manifold.slip.share * across[theirs - friction_row]);
+    return entry + damping;
+}
+
+/// L U of Newton's matrix, without exchange: L row by row, and U, column by column, behind it.
+void factor_general(const DirectView& island) {
+    double *const lower = island.entries, *const upper = island.entries + island.entry_count;
+    for (int i = 0; i < island.active_count; ++i) {
+        DirectActive& active = island.active[i];
+        double *const l = lower + active.offset, *const u = upper + active.offset;
+        for (int c = active.begin; c < i; ++c) {
+            const DirectActive& before = island.active[c];
+            const int first = active.begin > before.begin ? active.begin : before.begin, count = c - first, at = c - active.begin;
+            l[at] = (newton_entry(island, i, c) - sum_of_products(l + (first - active.begin), upper + before.offset + (first - before.begin), count)) *
+                    before.inv_pivot;
+            u[at] = newton_entry(island, c, i) - sum_of_products(lower + before.offset + (first - before.begin), u + (first - active.begin), count);
+        }
+        const double pivot = newton_entry(island, i, i) - sum_of_products(l, u, i - active.begin), K = island.rows[active.row].K;
+        active.inv_pivot = size_of(pivot) > K * limits::direct_diagonal / 2 ? 1 / pivot : 0;
+    }
+}
+
+}  // namespace
+
+bool factor_rows(DirectView& island) {
+    if (is_factored(island)) return true;
+    island.factored = list_rows(island);
+    island.some_slide = false;
+    for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
+        if (island.manifolds[manifold_i].sliding == 0) continue;
+        island.some_slide = true;
+        find_slide(island, island.manifolds[manifold_i], island.rows + manifold_i * direct_rows);
+    }
+    if (island.some_slide) island.factored = island.factored && 2 * island.entry_count <= island.entry_capacity;
+    if (!island.factored) return false;
+    island.some_slide ? factor_general(island) : factor_symmetric(island);
     return true;
 }
 
@@ -98,11 +153,15 @@ void solve_factored(const DirectView& island) {
         const double* const l = island.entries + active.offset;
         for (int c = active.begin; c < i; ++c) active.x -= l[c - active.begin] * island.active[c].x;
     }
-    for (int i = 0; i < island.active_count; ++i) island.active[i].x *= island.active[i].inv_pivot;
-    for (int i = island.active_count - 1; i > 0; --i) {
-        const DirectActive& active = island.active[i];
-        const double* const l = island.entries + active.offset;
-        for (int c = active.begin; c < i; ++c) island.active[c].x -= l[c - active.begin] * active.x;
+    // Back by columns: of L^T where the matrix is symmetric, and D then stands between the two; of U else.
+    const double* const columns = island.entries + (island.some_slide ? island.entry_count : 0);
+    if (!island.some_slide)
+        for (int i = 0; i < island.active_count; ++i) island.active[i].x *= island.active[i].inv_pivot;
+    for (int i = island.active_count - 1; i >= 0; --i) {
+        DirectActive& active = island.active[i];
+        if (island.some_slide) active.x *= active.inv_pivot;
+        const double* const column = columns + active.offset;
+        for (int c = active.begin; c < i; ++c) island.active[c].x -= column[c - active.begin] * active.x;
     }
 }
 

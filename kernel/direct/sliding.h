@@ -13,17 +13,20 @@ struct FrictionImpulse {
 double square_root(double x);
 /// Cut to the circle of this radius.
 FrictionImpulse cut(const FrictionImpulse& t, double limit);
+FrictionImpulse tried_friction(const DirectView& island, const DirectManifold& manifold, const DirectRow* rows);
 /// What Coulomb's law makes of friction and twist at the slip there is: the projection of t - u / K to the cone. At the solution it is t.
 FrictionImpulse projected_friction(const DirectView& island, const DirectManifold& manifold, const DirectRow* rows, double limit);
 double projected_twist(const DirectView& island, const DirectManifold& manifold, const DirectRow* rows, double limit);
 /// The normal impulse of a manifold.
 double load_of(const DirectManifold& manifold, const DirectRow* rows);
 
-/// One pass of friction that slides, that is, has rows which are not active: it follows the load and the slip. Returns the largest speed that
-/// changed.
-///
-/// Passes alone converge as slowly as the sweeps do; they are mixed so that the change would be least were it linear in what was proposed.
-/// Source: Anderson, "Iterative procedures for nonlinear integral equations", J. ACM 12 (1965), with the last slide_memory passes.
-double follow_sliding(const DirectView& island, int pass_i);
+/// The larger of the pair's compliances.
+inline double friction_compliance(const DirectRow* rows) {
+    const double K_1 = rows[friction_row].K, K_2 = rows[friction_row + 1].K;
+    return K_1 > K_2 ? K_1 : K_2;
+}
+
+/// Where the sliding friction and twist of a manifold point, for Newton's method.
+void find_slide(const DirectView& island, DirectManifold& manifold, const DirectRow* rows);
 
 } }  // namespace ingot

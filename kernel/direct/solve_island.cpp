@@ -87,19 +87,27 @@ void begin_solve(const SolverView& solver, DirectView& island) {
     }
 }
 
+/// Takes friction, or twist, out or in. What carries nothing gives nothing.
+void set_friction(const DirectView& island, DirectManifold& manifold, DirectRow* rows, int first, int end, bool loaded, bool slides) {
+    for (int row = first; row < end; ++row) {
+        set_bit(manifold.active, row, loaded);
+        set_bit(manifold.sliding, row, loaded && slides);
+        if (!loaded && rows[row].j != 0) give<false>(island, manifold, rows[row], -rows[row].j);
+    }
+}
+
 /// Whether friction and twist stick, by the impulses: what lies on the cone slides.
-void stick_or_slide(DirectManifold& manifold, const DirectRow* rows) {
-    const double limit = manifold.mu * load_of(manifold, rows), nearly = 1 - 1e-4;
+void stick_or_slide(const DirectView& island, DirectManifold& manifold, DirectRow* rows) {
+    const double limit = manifold.mu * load_of(manifold, rows), nearly = 1 - 1e-5;
     const bool loaded = active_normals(manifold) != 0;
     if (has(manifold.rows, friction_row)) {
         const DirectRow* const t = rows + friction_row;
-        const bool slides = limit > 0 && t[0].j * t[0].j + t[1].j * t[1].j >= limit * limit * nearly;
-        for (int axis = 0; axis < 2; ++axis) set_bit(manifold.active, friction_row + axis, loaded && !slides);
+        const double length = square_root(t[0].j * t[0].j + t[1].j * t[1].j);
+        set_friction(island, manifold, rows, friction_row, twist_row, loaded, limit > 0 && length >= limit * nearly);
     }
     if (has(manifold.rows, twist_row)) {
         const double twist_limit = limit * manifold.radius;
-        const bool slides = twist_limit > 0 && size_of(rows[twist_row].j) >= twist_limit * nearly;
-        set_bit(manifold.active, twist_row, loaded && !slides);
+        set_friction(island, manifold, rows, twist_row, direct_rows, loaded, twist_limit > 0 && size_of(rows[twist_row].j) >= twist_limit * nearly);
     }
 }
 
@@ -109,52 +117,63 @@ void choose_active(DirectView& island) {
         DirectManifold& manifold = island.manifolds[manifold_i];
         DirectRow* const rows = island.rows + manifold_i * direct_rows;
         manifold.active = 0;
+        manifold.sliding = 0;
         for (int row = 0; row < manifold.points; ++row)
             if (has(manifold.rows, row) && (rows[row].j > 0 || row_motion<false>(island, manifold, rows[row]) <= rows[row].target + limits::direct_settled_speed))
                 set_bit(manifold.active, row, true);
-        stick_or_slide(manifold, rows);
+        stick_or_slide(island, manifold, rows);
         if (active_normals(manifold) > normals_max) drop_least<false>(island, manifold, rows);
     }
 }
 
-/// Solves the equations of the active rows, by refinement: what is left is taken from the bodies each time. Friction that slides follows the
-/// load and the slip between.
+/// What is left of the equation of an active row, m/s or m.
 template <bool displaces>
-void solve_active(const DirectView& island, double settled) {
-    for (int pass_i = 0; pass_i < limits::refinements_max; ++pass_i) {
-        double worst = displaces ? 0 : follow_sliding(island, pass_i);
+double left_of(const DirectView& island, int row_i) {
+    const int row = row_i % direct_rows;
+    const DirectManifold& manifold = island.manifolds[row_i / direct_rows];
+    const DirectRow* const rows = island.rows + (row_i - row);
+    if (displaces || !has(manifold.sliding, row)) return rows[row].target - row_motion<displaces>(island, manifold, rows[row]);
+    const double limit = manifold.mu * load_of(manifold, rows);
+    if (row == twist_row) return rows[row].K * (projected_twist(island, manifold, rows, limit * manifold.radius) - rows[row].j);
+    return friction_compliance(rows) * (projected_friction(island, manifold, rows, limit).at[row - friction_row] - rows[row].j);
+}
+
+/// Solves the equations of the active rows, by refinement: what is left is taken from the bodies each time. Where something slides they
+/// are not linear: then the passes are few, and the matrix is made anew. Returns what is left.
+template <bool displaces>
+double solve_active(const DirectView& island, double settled) {
+    const int passes = island.some_slide ? limits::refinements_of_sliding : limits::refinements_max;
+    for (int pass_i = 0;; ++pass_i) {
+        double worst = 0;
         for (int i = 0; i < island.active_count; ++i) {
             DirectActive& active = island.active[i];
-            const DirectRow& row = island.rows[active.row];
-            active.x = row.target - row_motion<displaces>(island, island.manifolds[active.row / direct_rows], row);
-            if (active.inv_pivot > 0) worst = larger(worst, size_of(active.x));
+            active.x = left_of<displaces>(island, active.row);
+            if (active.inv_pivot != 0) worst = larger(worst, size_of(active.x));
         }
-        if (worst <= settled / 16) return;
+        if (worst <= settled / 16 || pass_i == passes) return worst;
         solve_factored(island);
         for (int i = 0; i < island.active_count; ++i)
             give<displaces>(island, island.manifolds[island.active[i].row / direct_rows], island.rows[island.active[i].row], island.active[i].x);
     }
 }
 
-/// Sticking friction beyond the cone slides, sliding friction within it sticks; true if something changed.
-bool change_friction(const DirectView& island, DirectManifold& manifold, DirectRow* rows) {
-    const uint8_t before = manifold.active;
+/// Sticking friction beyond the cone slides, sliding friction within it sticks, what has no load has no friction; true if something changed.
+bool change_friction(const DirectView& island, DirectManifold& manifold, DirectRow* rows, double settled) {
+    const uint8_t active = manifold.active, sliding = manifold.sliding;
     const bool loaded = active_normals(manifold) != 0;
-    const double limit = manifold.mu * load_of(manifold, rows), beyond = 1 + 1e-9, inside = 1 - 1e-9;
+    const double limit = manifold.mu * load_of(manifold, rows);
+    const auto slides = [&](int row, double length, double most, double K) { return has(sliding, row) ? length >= most - settled / 16 / K : length > most + settled / K; };
     if (has(manifold.rows, friction_row)) {
-        const bool sticks = has(manifold.active, friction_row);
-        const FrictionImpulse t = sticks ? FrictionImpulse{{rows[friction_row].j, rows[friction_row + 1].j}} : projected_friction(island, manifold, rows, limit);
+        const FrictionImpulse t = has(sliding, friction_row) ? tried_friction(island, manifold, rows) : FrictionImpulse{{rows[friction_row].j, rows[friction_row + 1].j}};
         const double length = square_root(t.at[0] * t.at[0] + t.at[1] * t.at[1]);
-        const bool stays = loaded && (sticks ? length <= limit * beyond : length < limit * inside);
-        for (int axis = 0; axis < 2; ++axis) set_bit(manifold.active, friction_row + axis, stays);
+        set_friction(island, manifold, rows, friction_row, twist_row, loaded, slides(friction_row, length, limit, friction_compliance(rows)));
     }
     if (has(manifold.rows, twist_row)) {
-        const double twist_limit = limit * manifold.radius;
-        const bool sticks = has(manifold.active, twist_row);
-        const double twist = size_of(sticks ? rows[twist_row].j : projected_twist(island, manifold, rows, twist_limit));
-        set_bit(manifold.active, twist_row, loaded && (sticks ? twist <= twist_limit * beyond : twist < twist_limit * inside));
+        const DirectRow& row = rows[twist_row];
+        const double twist = size_of(has(sliding, twist_row) ? row.j - row_motion<false>(island, manifold, row) / row.K : row.j);
+        set_friction(island, manifold, rows, twist_row, direct_rows, loaded, slides(twist_row, twist, limit * manifold.radius, row.K));
     }
-    return manifold.active != before;
+    return manifold.active != active || manifold.sliding != sliding;
 }
 
 /// Corrects the set by what has been solved; false: it stays. All manifolds at once find most sets in a few rounds, and can go round in circles:
@@ -167,7 +186,7 @@ bool change_active(const DirectView& island, double settled, int set_i, int& beg
         DirectManifold& manifold = island.manifolds[manifold_i];
         DirectRow* const rows = island.rows + manifold_i * direct_rows;
         bool here = change_normals<displaces>(island, manifold, rows, settled);
-        if (!displaces) here = change_friction(island, manifold, rows) || here;
+        if (!displaces) here = change_friction(island, manifold, rows, settled) || here;
         changed = changed || here;
         if (!here || set_i < limits::active_sets_max / 2) continue;
         begin = manifold_i + 1;
@@ -206,8 +225,8 @@ bool solve_island(const SolverView& solver, DirectView& island, bool or_better) 
     int begin = 0;
     for (int set_i = 0; set_i < limits::active_sets_max; ++set_i) {
         if (!factor_rows(island)) return false;
-        solve_active<false>(island, limits::direct_settled_speed);
-        if (!change_active<false>(island, limits::direct_settled_speed, set_i, begin)) break;
+        const double left = solve_active<false>(island, limits::direct_settled_speed);
+        if (!change_active<false>(island, limits::direct_settled_speed, set_i, begin) && left <= limits::direct_settled_speed) break;
     }
     const Misfit left = misfit(island);
     const bool solved = left.worst <= 4 * limits::direct_settled_speed;
@@ -233,6 +252,7 @@ bool begin_placing(const SolverView& solver, DirectView& island, scalar h) {
         const int lane_i = manifold.position % lanes;
         const ContactBlock& block = solver.blocks[manifold.position / lanes];
         manifold.active = 0;
+        manifold.sliding = 0;
         manifold.pulls = 0;
         for (int row = 0; row < manifold.points; ++row) {
             if (!has(manifold.rows, row)) continue;
@@ -270,7 +290,7 @@ bool place_island(const SolverView& solver, DirectView& island, scalar h) {
     int begin = 0;
     for (int set_i = 0; set_i < limits::active_sets_max && !settled; ++set_i) {
         if (!factor_rows(island)) return false;
-        solve_active<true>(island, limits::direct_settled_length);
+        (void)solve_active<true>(island, limits::direct_settled_length);
         settled = !change_active<true>(island, limits::direct_settled_length, set_i, begin);
     }
     if (!settled) return false;
