@@ -62,7 +62,7 @@ double sum_of_products(const double* a, const double* b, int count) {
 bool is_factored(const DirectView& island) {
     bool same = island.factored && !island.some_slide;
     for (int manifold_i = 0; manifold_i < island.manifold_count && same; ++manifold_i)
-        same = island.manifolds[manifold_i].active == island.manifolds[manifold_i].factored;
+        same = island.manifolds[manifold_i].active == island.manifolds[manifold_i].factored && island.manifolds[manifold_i].sliding == 0;
     return same;
 }
 

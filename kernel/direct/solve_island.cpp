@@ -54,13 +54,35 @@ void for_impulses(const SolverView& solver, const DirectManifold& manifold, Visi
     if (has(manifold.rows, twist_row)) visit(twist_row, block.twist.j[lane_i]);
 }
 
-/// First guess: what the blocks hold, within the cone, on bodies that move freely.
-void begin_solve(const SolverView& solver, DirectView& island) {
+/// What bodies do without contacts.
+template <bool displaces>
+void set_free(const DirectView& island) {
     for (int body_i = 1; body_i < island.body_count; ++body_i) {
         DirectBody& body = island.bodies[body_i];
-        body.linear = in_double(island.free_motion[body.body_i].v_CM);
-        body.angular = in_double(island.free_motion[body.body_i].L);
+        body.linear = displaces ? DirectVector{} : in_double(island.free_motion[body.body_i].v_CM);
+        body.angular = displaces ? DirectVector{} : in_double(island.free_motion[body.body_i].L);
     }
+}
+
+/// The motion that the impulses make, from the start: what is added and taken back in a search leaves its rounding in the sums.
+template <bool displaces>
+void add_up(const DirectView& island) {
+    set_free<displaces>(island);
+    for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
+        const DirectManifold& manifold = island.manifolds[manifold_i];
+        for (int row = 0; row < direct_rows; ++row) {
+            if (!has(manifold.rows, row)) continue;
+            DirectRow& at = island.rows[manifold_i * direct_rows + row];
+            const double j = at.j;
+            at.j = 0;
+            give<displaces>(island, manifold, at, j);
+        }
+    }
+}
+
+/// First guess: what the blocks hold, within the cone, on bodies that move freely.
+void begin_solve(const SolverView& solver, DirectView& island) {
+    set_free<false>(island);
     for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
         DirectManifold& manifold = island.manifolds[manifold_i];
         DirectRow* const rows = island.rows + manifold_i * direct_rows;
@@ -224,12 +246,18 @@ bool solve_island(const SolverView& solver, DirectView& island, bool or_better) 
     choose_active(island);
     int begin = 0;
     for (int set_i = 0; set_i < limits::active_sets_max; ++set_i) {
-        if (!factor_rows(island)) return false;
-        const double left = solve_active<false>(island, limits::direct_settled_speed);
+        if (set_i != 0) add_up<false>(island);
+        double left = 1;
+        for (int step_i = 0; step_i < limits::newton_steps_max && left > limits::direct_settled_speed; ++step_i) {
+            if (!factor_rows(island)) return false;
+            left = solve_active<false>(island, limits::direct_settled_speed);
+            if (!island.some_slide) break;
+        }
         if (!change_active<false>(island, limits::direct_settled_speed, set_i, begin) && left <= limits::direct_settled_speed) break;
     }
+    add_up<false>(island);
     const Misfit left = misfit(island);
-    const bool solved = left.worst <= 4 * limits::direct_settled_speed;
+    const bool solved = left.worst <= 4 * limits::direct_settled_speed && left.merit < 1e30;  // a NaN is only in the sum
     if (!solved && !(or_better && left.merit < merit_before && !was_hit(solver, island))) return false;
     write_back(solver, island);
     return true;
@@ -273,9 +301,24 @@ bool begin_placing(const SolverView& solver, DirectView& island, scalar h) {
 
 }  // namespace
 
+namespace {
+
+/// The largest displacement, m and rad; not finite if one is not.
+double farthest(const DirectView& island) {
+    double most_sq = 0, sum = 0;
+    for (int body_i = 1; body_i < island.body_count; ++body_i) {
+        const double moved = length_sq(island.bodies[body_i].linear), turned = length_sq(island.bodies[body_i].angular);
+        most_sq = larger(most_sq, larger(moved, turned));
+        sum += moved + turned;
+    }
+    return sum < 1e30 ? square_root(most_sq) : sum;
+}
+
+}  // namespace
+
 bool place_island(const SolverView& solver, DirectView& island, scalar h) {
     if (!begin_placing(solver, island, h)) return true;
-    for (int body_i = 1; body_i < island.body_count; ++body_i) island.bodies[body_i].linear = island.bodies[body_i].angular = {};
+    set_free<true>(island);
     for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
         DirectManifold& manifold = island.manifolds[manifold_i];
         DirectRow* const rows = island.rows + manifold_i * direct_rows;
@@ -284,7 +327,7 @@ bool place_island(const SolverView& solver, DirectView& island, scalar h) {
             for (int row = 1; row < manifold.points; ++row) least = rows[row].j <= rows[least].j ? row : least;
             set_bit(manifold.active, least, false);
         }
-        for (int row = 0; row < manifold.points; ++row) rows[row].j = 0;
+        for (int row = 0; row < direct_rows; ++row) rows[row].j = 0;
     }
     bool settled = false;
     int begin = 0;
@@ -293,7 +336,8 @@ bool place_island(const SolverView& solver, DirectView& island, scalar h) {
         (void)solve_active<true>(island, limits::direct_settled_length);
         settled = !change_active<true>(island, limits::direct_settled_length, set_i, begin);
     }
-    if (!settled) return false;
+    add_up<true>(island);
+    if (!settled || !(farthest(island) <= 4 * static_cast<double>(limits::push_speed_max * h))) return false;
     for (int body_i = 1; body_i < island.body_count; ++body_i) {
         const DirectBody& body = island.bodies[body_i];
         SolverBody& moved = solver.bodies[body.body_i];
