@@ -337,12 +337,14 @@ bool place_island(const SolverView& solver, DirectView& island, scalar h) {
         settled = !change_active<true>(island, limits::direct_settled_length, set_i, begin);
     }
     add_up<true>(island);
-    if (!settled || !(farthest(island) <= 4 * static_cast<double>(limits::push_speed_max * h))) return false;
+    const double far = farthest(island), most = static_cast<double>(limits::push_speed_max * h);
+    if (!settled || !(far < 1)) return false;
+    const double share = far > most ? most / far : 1;  // none faster than a sweep pushes it, and all of them in proportion
     for (int body_i = 1; body_i < island.body_count; ++body_i) {
         const DirectBody& body = island.bodies[body_i];
         SolverBody& moved = solver.bodies[body.body_i];
-        put_scalars(moved.dp, in_double(moved.dp) + body.linear);
-        put_scalars(moved.dth, in_double(moved.dth) + body.angular);
+        put_scalars(moved.dp, in_double(moved.dp) + body.linear * share);
+        put_scalars(moved.dth, in_double(moved.dth) + body.angular * share);
     }
     return true;
 }
