@@ -192,6 +192,13 @@ double allowance(const RandomIsland& island) {
     return 10 * ingot::limits::direct_settled_speed + 4 * 20 * static_cast<double>(ingot::epsilon) * island.fastest;
 }
 
+double kinetic_energy(const ContactProblem& problem, const std::vector<Vector3d>& v_CM, const std::vector<Vector3d>& omega) {
+    double sum = 0;
+    for (std::size_t i = 1; i < problem.bodies.size(); ++i)
+        sum += v_CM[i].squaredNorm() / problem.bodies[i].inv_M + omega[i].dot(problem.bodies[i].inv_I_world.inverse() * omega[i]);
+    return sum / 2;
+}
+
 /// Without friction the velocities are unique.
 TEST(DirectIsland, agrees_with_the_exact_solution_without_friction) {
     RandomInput random(1);
@@ -206,7 +213,7 @@ TEST(DirectIsland, agrees_with_the_exact_solution_without_friction) {
         EXPECT_LE(velocity_distance(island.problem, found, exact), allowance(island)) << case_i;
     }
     std::printf("%d of 400 islands without friction solved\n", solved);
-    EXPECT_GE(solved, 380);
+    EXPECT_GE(solved, 390);
 }
 
 /// With friction a solution need not be the only one: it is one if it keeps the laws.
@@ -220,11 +227,18 @@ TEST(DirectIsland, keeps_the_laws_of_friction) {
         ++solved;
         const double allowed = allowance(island);
         EXPECT_LE(contact_residual(island.problem, found), allowed) << case_i;
+        std::vector<Vector3d> v_CM, omega;
+        for (const ContactBody& body : island.problem.bodies) {
+            v_CM.push_back(body.v_CM);
+            omega.push_back(body.omega);
+        }
+        EXPECT_LE(kinetic_energy(island.problem, found.v_CM, found.omega), kinetic_energy(island.problem, v_CM, omega) * (1 + 1e-6)) << case_i;
         const ContactSolution exact = solve_contacts(island.problem);
         same += velocity_distance(island.problem, found, exact) <= allowed ? 1 : 0;
     }
     std::printf("%d of 400 islands with friction solved, %d as the reference does\n", solved, same);
-    EXPECT_GE(solved, 300);
+    EXPECT_GE(solved, 280);  // cold starts of contacts at random; what does not settle is the sweeps'
+    EXPECT_GE(same, solved - solved / 50);
 }
 
 }  // namespace

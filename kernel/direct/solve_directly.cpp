@@ -29,12 +29,12 @@ void load(const SolverView& solver, const BodyView& bodies, DirectView& direct, 
 }
 
 /// Velocities of the islands that are still `chosen`; those that come out right are `solved`. Returns how many are not.
-int solve_islands(const SolverView& solver, const BodyView& bodies, DirectView& direct, bool or_better) {
+int solve_islands(const SolverView& solver, const BodyView& bodies, DirectView& direct, bool after_sweeps) {
     int left = 0;
     for (int root = 1; root < solver.body_count; ++root) {
         if (direct.fate[root] != IslandFate::chosen) continue;
         load(solver, bodies, direct, root);
-        if (solve_island(solver, direct, or_better))
+        if (solve_island(solver, direct, after_sweeps))
             direct.fate[root] = IslandFate::solved;
         else
             ++left;

@@ -217,12 +217,6 @@ bool change_active(const DirectView& island, double settled, int set_i, int& beg
     return changed;
 }
 
-bool was_hit(const SolverView& solver, const DirectView& island) {
-    for (int body_i = 1; body_i < island.body_count; ++body_i)
-        if (solver.bodies[island.bodies[body_i].body_i].L[3] > 0) return true;
-    return false;
-}
-
 void write_back(const SolverView& solver, const DirectView& island) {
     for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
         const DirectRow* const rows = island.rows + manifold_i * direct_rows;
@@ -240,9 +234,9 @@ void write_back(const SolverView& solver, const DirectView& island) {
 
 }  // namespace
 
-bool solve_island(const SolverView& solver, DirectView& island, bool or_better) {
+bool solve_island(const SolverView& solver, DirectView& island, bool after_sweeps) {
     begin_solve(solver, island);
-    const double merit_before = or_better ? misfit(island).merit : 0;
+    const double merit_most = after_sweeps ? misfit(island).merit : 1e30;  // a NaN, which comparisons pass by, stays in the sum
     choose_active(island);
     int begin = 0;
     for (int set_i = 0; set_i < limits::active_sets_max; ++set_i) {
@@ -257,8 +251,8 @@ bool solve_island(const SolverView& solver, DirectView& island, bool or_better) 
     }
     add_up<false>(island);
     const Misfit left = misfit(island);
-    const bool solved = left.worst <= 4 * limits::direct_settled_speed && left.merit < 1e30;  // a NaN is only in the sum
-    if (!solved && !(or_better && left.merit < merit_before && !was_hit(solver, island))) return false;
+    const double bound = after_sweeps ? static_cast<double>(limits::settled_speed) : 4 * limits::direct_settled_speed;
+    if (!(left.worst <= bound) || !(left.merit < merit_most)) return false;
     write_back(solver, island);
     return true;
 }

@@ -10,10 +10,10 @@ namespace ingot { inline namespace INGOT_ABI {
 /// An active set: normals that push are equations, at most three of a manifold (a fourth depends on them, and rounding would make huge
 /// forces of that); friction and twist are equations where they stick, and follow the normals and the slip where they slide. The set is
 /// solved by factor_rows, refined with speeds taken from the bodies, and corrected until nothing leaves or enters.
-/// True: solved to limits::direct_settled_speed, and written to the blocks and bodies. Else nothing is written, unless `or_better` and what was
-/// found keeps the laws of contact better than the guess did.
+/// True: solved to limits::direct_settled_speed, and written to the blocks and bodies; else nothing is written. `after_sweeps`, with the sweeps'
+/// result as the guess: to limits::settled_speed, and better than they have it.
 /// Bound: active_sets_max factorisations, refinements_max solves for each.
-bool solve_island(const SolverView& solver, DirectView& island, bool or_better);
+bool solve_island(const SolverView& solver, DirectView& island, bool after_sweeps);
 
 /// The same for displacements: of overlaps, 0.4 are taken back, of points that carry a load gaps too; normals only. False: nothing is written.
 bool place_island(const SolverView& solver, DirectView& island, scalar h);
