@@ -170,7 +170,8 @@ void prepare_block(const SolverView& solver, const BodyView& bodies, int block_i
     middle = middle * inv_weights;
     lane radius{};
     for (int row = 0; row < block.rows; ++row) radius = radius + weight[row] * sqrt(length_sq(P[row] - middle));
-    store(block.twist.radius, radius * inv_weights);
+    // Of one point it is rounding, which blocks of one row do not have: lanes must not see what a manifold shares its block with.
+    store(block.twist.radius, block.rows > 1 ? select(used[1] > lane{}, radius * inv_weights, lane{}) : lane{});
 
     if (block.rows == 1)
         prepare_normals<1>(block, used, inv_M);
