@@ -40,8 +40,8 @@ void load_manifold(const SolverView& solver, DirectView& direct, DirectManifold&
     const DirectVector n = lane_in_double(block.n, lane_i), t_1 = lane_in_double(block.t_1, lane_i), t_2 = lane_in_double(block.t_2, lane_i);
     const ManifoldRecord& record = solver.records[solver.pairs[block.manifold[lane_i]].record];
     manifold.mu = static_cast<double>(block.mu[lane_i]);
-    manifold.radius = block.rows > 1 ? static_cast<double>(block.twist.radius[lane_i]) : 0;
-    manifold.points = static_cast<uint8_t>(block.rows);
+    manifold.radius = record.manifold.count > 1 ? static_cast<double>(block.twist.radius[lane_i]) : 0;  // of one point: rounding
+    manifold.points = static_cast<uint8_t>(record.manifold.count > 1 ? block_rows : 1);           // whatever it shares its block with
     manifold.rows = 0;
     for (int row = 0; row < block.rows; ++row) {
         if (!(block.B[Sym4::index(row, row)][lane_i] > 0)) continue;
