@@ -24,7 +24,7 @@ void recall(ContactBlock& block, int lane_i, const ManifoldRecord& record) {
     block.friction.j[1][lane_i] = dot(record.j_friction, t_2);
     block.friction.reference[0][lane_i] = dot(record.j_reference, t_1);
     block.friction.reference[1][lane_i] = dot(record.j_reference, t_2);
-    block.twist.j[lane_i] = record.j_twist;
+    block.twist.j[lane_i] = record.manifold.count > 1 ? record.j_twist : 0;  // one point resists none, and must not remember one
     block.substeps[lane_i] = static_cast<scalar>(record.substeps);
 }
 
