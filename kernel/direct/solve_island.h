@@ -12,7 +12,8 @@ namespace ingot { inline namespace INGOT_ABI {
 /// solved by factor_rows, refined with speeds taken from the bodies, and corrected until nothing leaves or enters.
 /// True: solved to limits::direct_settled_speed, and written to the blocks and bodies; else nothing is written. `after_sweeps`, with the sweeps'
 /// result as the guess: to limits::settled_speed, and better than they have it.
-/// Bound: active_sets_max factorisations, refinements_max solves for each.
+/// Sliding friction turns with the slip, and follows the load: Newton's method, with a matrix that is not symmetric.
+/// Bound: factorisations_max and newton_steps_max more, refinements_max solves for each.
 bool solve_island(const SolverView& solver, DirectView& island, bool after_sweeps);
 
 /// The same for displacements: of overlaps, 0.4 are taken back, of points that carry a load gaps too; normals only. False: nothing is written.
