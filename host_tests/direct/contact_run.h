@@ -27,10 +27,10 @@ struct Setup : ingot::Scene {
 
 /// What a run has seen, over all of its steps.
 struct Totals {
-    double sink = 0;         ///< m; most that the last body has come down from where it began
-    double drift = 0;        ///< m; most that a body has moved sideways
-    double overlap = 0;      ///< m; most that one body of a column has sunk into the one below it
-    double us = 0;           ///< microseconds a step, on average
+    double sink = 0;     ///< m; most that the last body has come down from where it began
+    double drift = 0;    ///< m; most that a body has moved sideways
+    double overlap = 0;  ///< m; most that one body of a column has sunk into the one below it
+    double us = 0;       ///< microseconds a step, on average
     int solves = 0, refused = 0, unfinished = 0, sweeps = 0;
 };
 
@@ -78,7 +78,8 @@ struct ContactRun {
         totals.sink = std::fmax(totals.sink, static_cast<double>(begin[last].z - place(last).z));
         for (std::size_t i = 1; i <= last; ++i) {
             const Vector r = place(i), below = i == 1 ? Vector{0, 0, -scalar(0.5)} : place(i - 1);
-            totals.drift = std::fmax(totals.drift, std::hypot(static_cast<double>(r.x - begin[i].x), static_cast<double>(r.y - begin[i].y)));
+            totals.drift = std::fmax(totals.drift,
+                                     std::hypot(static_cast<double>(r.x - begin[i].x), static_cast<double>(r.y - begin[i].y)));
             totals.overlap = std::fmax(totals.overlap, 1 - static_cast<double>(r.z - below.z));
         }
     }

@@ -87,13 +87,15 @@ TEST(DirectIslands, slide_as_coulomb_says) {
     ContactRun<SlidingColumn, Direct> run;
     const int steps = 120;
     run.step(steps);
-    const double t = steps / 60.0, mu = static_cast<double>(SlidingColumn::mu), g_x = static_cast<double>(SlidingColumn::gravity.x),
-                 g_z = -static_cast<double>(SlidingColumn::gravity.z), expected = 0.5 * (g_x - mu * g_z) * t * t;
+    const double t = steps / 60.0, mu = static_cast<double>(SlidingColumn::mu),
+                 g_x = static_cast<double>(SlidingColumn::gravity.x), g_z = -static_cast<double>(SlidingColumn::gravity.z),
+                 expected = 0.5 * (g_x - mu * g_z) * t * t;
     for (const std::size_t body_i : {std::size_t(1), std::size_t(2)})
         EXPECT_NEAR(static_cast<double>(run.place(body_i).x), expected, 1e-5 * expected) << body_i;
     EXPECT_LE(run.totals.overlap, rounding_of_place);
     EXPECT_EQ(run.totals.unfinished, 0);
-    std::printf("slides %.6f m, closed form %.6f, %d unfinished\n", static_cast<double>(run.place(1).x), expected, run.totals.unfinished);
+    std::printf("slides %.6f m, closed form %.6f, %d unfinished\n", static_cast<double>(run.place(1).x), expected,
+                run.totals.unfinished);
 }
 
 /// A heavy cube that falls flat on a light one: neither sinks into the other, and energy does not grow.

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 // One island, made up at random, solved by the kernel and by the reference.
 #include <gtest/gtest.h>
-
-#include <ingot/ingot.h>
 #include <ingot/blocks/order_manifolds.h>
 #include <ingot/blocks/predict_contacts.h>
 #include <ingot/blocks/prepare_blocks.h>
 #include <ingot/direct/island_rows.h>
 #include <ingot/direct/islands.h>
 #include <ingot/direct/solve_island.h>
+#include <ingot/ingot.h>
 
 #include "reference/contact_reference.h"
 #include "reference/kernel_types.h"
@@ -29,8 +28,12 @@ struct Yard : ingot::Scene {
     using solver = ingot::DirectIslands<most_manifolds, 12 * most_manifolds>;
 };
 
-Vector3d to_double(const ingot::Vector& v) { return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)}; }
-ingot::Vector in_scalar(const Vector3d& v) { return {static_cast<scalar>(v.x()), static_cast<scalar>(v.y()), static_cast<scalar>(v.z())}; }
+Vector3d to_double(const ingot::Vector& v) {
+    return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
+}
+ingot::Vector in_scalar(const Vector3d& v) {
+    return {static_cast<scalar>(v.x()), static_cast<scalar>(v.y()), static_cast<scalar>(v.z())};
+}
 
 /// Bodies at random that touch at random, slot 0 what cannot move; and the same as a problem for the reference.
 struct RandomIsland {
@@ -90,8 +93,10 @@ struct RandomIsland {
         const int manifold_i = storage.manifold_count++;
         ingot::ManifoldRecord& record = storage.records[manifold_i];
         record.mu = static_cast<scalar>(random.real(0, mu_most));
-        storage.pairs[manifold_i] = {static_cast<uint16_t>(below), static_cast<uint16_t>(above), static_cast<uint16_t>(manifold_i)};
-        const Vector3d n = (Vector3d(0, 0, 1.2) + random.direction()).normalized(), across = n.cross(random.direction()).normalized();
+        storage.pairs[manifold_i] = {static_cast<uint16_t>(below), static_cast<uint16_t>(above),
+                                     static_cast<uint16_t>(manifold_i)};
+        const Vector3d n = (Vector3d(0, 0, 1.2) + random.direction()).normalized(),
+                       across = n.cross(random.direction()).normalized();
         const auto &A = problem.bodies[static_cast<std::size_t>(below)], &B = problem.bodies[static_cast<std::size_t>(above)];
         const Vector3d middle = (below == 0 ? B.r_CM - 0.5 * n : Vector3d((A.r_CM + B.r_CM) / 2)) + random.vector(0.1);
         const int shapes[4] = {1, 2, 4, 4};
@@ -120,7 +125,8 @@ struct RandomIsland {
                 direct.free_motion[body_i].L[axis] = solver.bodies[body_i].L[axis];
             }
         }
-        for (int record_i = 0; record_i < storage.manifold_count; ++record_i) direct.unsettled[record_i] = ingot::limits::unsettled_steps;
+        for (int record_i = 0; record_i < storage.manifold_count; ++record_i)
+            direct.unsettled[record_i] = ingot::limits::unsettled_steps;
     }
 
     /// The islands one by one: to the bodies' velocities, and, into `found`, what impulses did it.
@@ -152,7 +158,8 @@ struct RandomIsland {
         }
         for (int manifold_i = 0; manifold_i < direct.manifold_count; ++manifold_i) {
             const ingot::DirectManifold& manifold = direct.manifolds[manifold_i];
-            const auto& pair = solver.pairs[solver.blocks[manifold.position / ingot::lanes].manifold[manifold.position % ingot::lanes]];
+            const auto& pair =
+                solver.pairs[solver.blocks[manifold.position / ingot::lanes].manifold[manifold.position % ingot::lanes]];
             const auto& block = solver.blocks[manifold.position / ingot::lanes];
             const auto& contact = solver.records[pair.record].manifold;
             const ingot::DirectRow* const rows = direct.rows + manifold_i * ingot::direct_rows;
@@ -186,8 +193,8 @@ struct RandomIsland {
     }
 };
 
-/// What the kernel's solution may miss the laws by, m/s: limits::direct_settled_speed for each law, and normals and levers of friction that are
-/// scalars, a few roundings of the speeds there are; the moments of inertia they act on differ by up to 20.
+/// What the kernel's solution may miss the laws by, m/s: limits::direct_settled_speed for each law, and normals and levers of
+/// friction that are scalars, a few roundings of the speeds there are; the moments of inertia they act on differ by up to 20.
 double allowance(const RandomIsland& island) {
     return 10 * ingot::limits::direct_settled_speed + 4 * 20 * static_cast<double>(ingot::epsilon) * island.fastest;
 }
@@ -195,7 +202,8 @@ double allowance(const RandomIsland& island) {
 double kinetic_energy(const ContactProblem& problem, const std::vector<Vector3d>& v_CM, const std::vector<Vector3d>& omega) {
     double sum = 0;
     for (std::size_t i = 1; i < problem.bodies.size(); ++i)
-        sum += v_CM[i].squaredNorm() / problem.bodies[i].inv_M + omega[i].dot(problem.bodies[i].inv_I_world.inverse() * omega[i]);
+        sum +=
+            v_CM[i].squaredNorm() / problem.bodies[i].inv_M + omega[i].dot(problem.bodies[i].inv_I_world.inverse() * omega[i]);
     return sum / 2;
 }
 
@@ -232,7 +240,9 @@ TEST(DirectIsland, keeps_the_laws_of_friction) {
             v_CM.push_back(body.v_CM);
             omega.push_back(body.omega);
         }
-        EXPECT_LE(kinetic_energy(island.problem, found.v_CM, found.omega), kinetic_energy(island.problem, v_CM, omega) * (1 + 1e-6)) << case_i;
+        EXPECT_LE(kinetic_energy(island.problem, found.v_CM, found.omega),
+                  kinetic_energy(island.problem, v_CM, omega) * (1 + 1e-6))
+            << case_i;
         const ContactSolution exact = solve_contacts(island.problem);
         same += velocity_distance(island.problem, found, exact) <= allowed ? 1 : 0;
     }

@@ -4,7 +4,8 @@
 
 #include "solve_directly.h"
 
-namespace ingot { inline namespace INGOT_ABI {
+namespace ingot {
+inline namespace INGOT_ABI {
 
 /// `using solver = ingot::Sweeps;`, for many bodies of like masses. No memory of its own.
 struct Sweeps {
@@ -16,9 +17,9 @@ struct Sweeps {
     };
 };
 
-/// `using solver = ingot::DirectIslands<>;`: sweeps, and a direct solve in double for islands of up to max_island manifolds that sweeps do not serve:
-/// heavy bodies on light ones, tall towers. entries_of_row: of the matrix, on average; 10 are a tower, 12 times max_island / 2 is full.
-/// RAM: about max_island (1.5 KB + 48 entries_of_row bytes).
+/// `using solver = ingot::DirectIslands<>;`: sweeps, and a direct solve in double for islands of up to max_island manifolds
+/// that sweeps do not serve: heavy bodies on light ones, tall towers. entries_of_row: of the matrix, on average; 10 are a
+/// tower, 12 times max_island / 2 is full. RAM: about max_island (1.5 KB + 48 entries_of_row bytes).
 template <int max_island = 48, int entries_of_row = 24>
 struct DirectIslands {
     template <int max_bodies, int max_manifolds>
@@ -28,7 +29,8 @@ struct DirectIslands {
         static constexpr unsigned thin = rows * static_cast<unsigned>(entries_of_row), entries = full < thin ? full : thin;
         static constexpr unsigned body_capacity = static_cast<unsigned>(max_bodies) + 1;
         static_assert(INGOT_COMPUTES_DOUBLES, "the direct solver needs a core that computes doubles: name Sweeps");
-        static_assert(max_island >= 1 && max_island <= 1024, "the direct solver takes islands of 1 to 1024 manifolds: DirectIslands<max_island>");
+        static_assert(max_island >= 1 && max_island <= 1024,
+                      "the direct solver takes islands of 1 to 1024 manifolds: DirectIslands<max_island>");
 
         double entry[entries] = {};
         DirectRow row[direct_rows * island] = {};
@@ -43,8 +45,29 @@ struct DirectIslands {
         Visit left[static_cast<unsigned>(max_manifolds) * 2 + static_cast<unsigned>(max_manifolds) / 2 + 3] = {};
 
         DirectView direct_view() {
-            return {manifold, row, active, body, entry, static_cast<int>(island), static_cast<int>(entries), free_motion, root, size, begin,
-                    fate, local, members, unsettled, left, 0, 0, 0, 0, 0, false, false};
+            return {manifold,
+                    row,
+                    active,
+                    body,
+                    entry,
+                    static_cast<int>(island),
+                    static_cast<int>(entries),
+                    free_motion,
+                    root,
+                    size,
+                    begin,
+                    fate,
+                    local,
+                    members,
+                    unsettled,
+                    left,
+                    0,
+                    0,
+                    0,
+                    0,
+                    0,
+                    false,
+                    false};
         }
         void solve_contacts(SolverView& solver, const BodyView& bodies, const Vector& gravity, scalar h, StepReport& report) {
             DirectView direct = direct_view();
@@ -60,4 +83,5 @@ using ChosenSolver = DirectIslands<>;
 using ChosenSolver = Sweeps;
 #endif
 
-} }  // namespace ingot
+}  // namespace INGOT_ABI
+}  // namespace ingot

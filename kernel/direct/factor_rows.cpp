@@ -5,12 +5,14 @@
 #include "normal_set.h"
 #include "sliding.h"
 
-namespace ingot { inline namespace INGOT_ABI {
+namespace ingot {
+inline namespace INGOT_ABI {
 
 namespace {
 
 /// The speed along row i of manifold m that a unit impulse along row c of manifold p gives.
-double coupling(const DirectView& island, const DirectManifold& m, const DirectManifold& p, const DirectRow& i, const DirectRow& c) {
+double coupling(const DirectView& island, const DirectManifold& m, const DirectManifold& p, const DirectRow& i,
+                const DirectRow& c) {
     double sum = 0;
     for (int side = 0; side < 2; ++side) {
         if (m.body[side] == 0) continue;
@@ -62,7 +64,8 @@ double sum_of_products(const double* a, const double* b, int count) {
 bool is_factored(const DirectView& island) {
     bool same = island.factored && !island.some_slide;
     for (int manifold_i = 0; manifold_i < island.manifold_count && same; ++manifold_i)
-        same = island.manifolds[manifold_i].active == island.manifolds[manifold_i].factored && island.manifolds[manifold_i].sliding == 0;
+        same = island.manifolds[manifold_i].active == island.manifolds[manifold_i].factored &&
+               island.manifolds[manifold_i].sliding == 0;
     return same;
 }
 
@@ -76,7 +79,8 @@ void factor_symmetric(const DirectView& island) {
             const DirectActive& before = island.active[c];
             const DirectManifold& other = island.manifolds[before.row / direct_rows];
             const int first = active.begin > before.begin ? active.begin : before.begin;
-            const double known = sum_of_products(u + (first - active.begin), island.entries + before.offset + (first - before.begin), c - first);
+            const double known =
+                sum_of_products(u + (first - active.begin), island.entries + before.offset + (first - before.begin), c - first);
             u[c - active.begin] = coupling(island, manifold, other, row, island.rows[before.row]) - known;
         }
         double pivot = row.K * (1 + limits::direct_diagonal);
@@ -89,9 +93,11 @@ void factor_symmetric(const DirectView& island) {
     }
 }
 
-/// Row i of Newton's matrix at column c. Sliding friction: K (t - mu N x / |x|) = 0 with x = t - u / K, derived; K makes it a speed like the others.
+/// Row i of Newton's matrix at column c. Sliding friction: K (t - mu N x / |x|) = 0 with x = t - u / K, derived; K makes it a
+/// speed like the others.
 double newton_entry(const DirectView& island, int i, int c) {
-    const int row_i = island.active[i].row, row_c = island.active[c].row, own = row_i % direct_rows, theirs = row_c % direct_rows;
+    const int row_i = island.active[i].row, row_c = island.active[c].row, own = row_i % direct_rows,
+              theirs = row_c % direct_rows;
     const DirectManifold &manifold = island.manifolds[row_i / direct_rows], &other = island.manifolds[row_c / direct_rows];
     const DirectRow &row = island.rows[row_i], &column = island.rows[row_c];
     const double damping = i == c ? row.K * limits::direct_diagonal : 0;
@@ -104,11 +110,13 @@ double newton_entry(const DirectView& island, int i, int c) {
     const DirectRow* const rows = island.rows + (row_i - own);
     const double* const x = manifold.slip.x;
     const int axis = own - friction_row;
-    const double across[2] = {(axis == 0 ? 1 : 0) - x[axis] * x[0], (axis == 1 ? 1 : 0) - x[axis] * x[1]}, K = friction_compliance(rows);
+    const double across[2] = {(axis == 0 ? 1 : 0) - x[axis] * x[0], (axis == 1 ? 1 : 0) - x[axis] * x[1]},
+                 K = friction_compliance(rows);
     double entry = manifold.slip.share * (across[0] * coupling(island, manifold, other, rows[friction_row], column) +
                                           across[1] * coupling(island, manifold, other, rows[friction_row + 1], column));
     if (same && theirs < friction_row) entry -= K * manifold.mu * x[axis];
-    if (same && theirs >= friction_row && theirs < twist_row) entry += K * ((own == theirs ? 1 : 0) - manifold.slip.share * across[theirs - friction_row]);
+    if (same && theirs >= friction_row && theirs < twist_row)
+        entry += K * ((own == theirs ? 1 : 0) - manifold.slip.share * across[theirs - friction_row]);
     return entry + damping;
 }
 
@@ -120,12 +128,16 @@ void factor_general(const DirectView& island) {
         double *const l = lower + active.offset, *const u = upper + active.offset;
         for (int c = active.begin; c < i; ++c) {
             const DirectActive& before = island.active[c];
-            const int first = active.begin > before.begin ? active.begin : before.begin, count = c - first, at = c - active.begin;
-            l[at] = (newton_entry(island, i, c) - sum_of_products(l + (first - active.begin), upper + before.offset + (first - before.begin), count)) *
+            const int first = active.begin > before.begin ? active.begin : before.begin, count = c - first,
+                      at = c - active.begin;
+            l[at] = (newton_entry(island, i, c) -
+                     sum_of_products(l + (first - active.begin), upper + before.offset + (first - before.begin), count)) *
                     before.inv_pivot;
-            u[at] = newton_entry(island, c, i) - sum_of_products(lower + before.offset + (first - before.begin), u + (first - active.begin), count);
+            u[at] = newton_entry(island, c, i) -
+                    sum_of_products(lower + before.offset + (first - before.begin), u + (first - active.begin), count);
         }
-        const double pivot = newton_entry(island, i, i) - sum_of_products(l, u, i - active.begin), K = island.rows[active.row].K;
+        const double pivot = newton_entry(island, i, i) - sum_of_products(l, u, i - active.begin),
+                     K = island.rows[active.row].K;
         active.inv_pivot = size_of(pivot) > K * limits::direct_diagonal / 2 ? 1 / pivot : 0;
     }
 }
@@ -165,4 +177,5 @@ void solve_factored(const DirectView& island) {
     }
 }
 
-} }  // namespace ingot
+}  // namespace INGOT_ABI
+}  // namespace ingot

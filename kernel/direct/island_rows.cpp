@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "island_rows.h"
 
-namespace ingot { inline namespace INGOT_ABI {
+namespace ingot {
+inline namespace INGOT_ABI {
 
 namespace {
 
@@ -20,7 +21,8 @@ void take_in(const SolverView& solver, const BodyView& bodies, DirectView& direc
     body.body_i = body_i;
 }
 
-void load_row(const DirectView& direct, const DirectManifold& manifold, DirectRow& row, const DirectVector& d, const DirectVector& J_A, const DirectVector& J_B) {
+void load_row(const DirectView& direct, const DirectManifold& manifold, DirectRow& row, const DirectVector& d,
+              const DirectVector& J_A, const DirectVector& J_B) {
     const DirectBody &A = direct.bodies[manifold.body[0]], &B = direct.bodies[manifold.body[1]];
     row.d = d;
     row.J[0] = J_A;
@@ -32,28 +34,33 @@ void load_row(const DirectView& direct, const DirectManifold& manifold, DirectRo
 
 DirectVector lane_in_double(const scalar (&rows)[3][lanes], int lane_i) { return in_double(lane_of(rows, lane_i)); }
 
-/// Levers of the normals anew, from the points: four points of one plane have three normals that are independent, to the rounding of doubles; the
-/// floats of the block would make a fourth of their own rounding.
+/// Levers of the normals anew, from the points: four points of one plane have three normals that are independent, to the
+/// rounding of doubles; the floats of the block would make a fourth of their own rounding.
 void load_manifold(const SolverView& solver, DirectView& direct, DirectManifold& manifold, DirectRow* rows) {
     const int lane_i = manifold.position % lanes;
     const ContactBlock& block = solver.blocks[manifold.position / lanes];
-    const DirectVector n = lane_in_double(block.n, lane_i), t_1 = lane_in_double(block.t_1, lane_i), t_2 = lane_in_double(block.t_2, lane_i);
+    const DirectVector n = lane_in_double(block.n, lane_i), t_1 = lane_in_double(block.t_1, lane_i),
+                       t_2 = lane_in_double(block.t_2, lane_i);
     const ManifoldRecord& record = solver.records[solver.pairs[block.manifold[lane_i]].record];
     manifold.mu = static_cast<double>(block.mu[lane_i]);
-    manifold.radius = record.manifold.count > 1 ? static_cast<double>(block.twist.radius[lane_i]) : 0;  // of one point: rounding
-    manifold.points = static_cast<uint8_t>(record.manifold.count > 1 ? block_rows : 1);           // whatever it shares its block with
+    manifold.radius =
+        record.manifold.count > 1 ? static_cast<double>(block.twist.radius[lane_i]) : 0;  // of one point: rounding
+    manifold.points = static_cast<uint8_t>(record.manifold.count > 1 ? block_rows : 1);   // whatever it shares its block with
     manifold.rows = 0;
     for (int row = 0; row < block.rows; ++row) {
         if (!(block.B[Sym4::index(row, row)][lane_i] > 0)) continue;
         const DirectVector P = in_double(record.manifold.points[row].P), none = {};
-        load_row(direct, manifold, rows[row], n, manifold.body[0] != 0 ? cross(P - direct.bodies[manifold.body[0]].r_CM, n) : none,
+        load_row(direct, manifold, rows[row], n,
+                 manifold.body[0] != 0 ? cross(P - direct.bodies[manifold.body[0]].r_CM, n) : none,
                  manifold.body[1] != 0 ? cross(n, P - direct.bodies[manifold.body[1]].r_CM) : none);
         manifold.rows = static_cast<uint8_t>(manifold.rows | 1u << row);
     }
     if (!(manifold.mu > 0)) return;
     const Levers *along_1 = &block.friction.levers[0], *along_2 = &block.friction.levers[1];
-    load_row(direct, manifold, rows[friction_row], t_1, lane_in_double(along_1->J_A, lane_i), lane_in_double(along_1->J_B, lane_i));
-    load_row(direct, manifold, rows[friction_row + 1], t_2, lane_in_double(along_2->J_A, lane_i), lane_in_double(along_2->J_B, lane_i));
+    load_row(direct, manifold, rows[friction_row], t_1, lane_in_double(along_1->J_A, lane_i),
+             lane_in_double(along_1->J_B, lane_i));
+    load_row(direct, manifold, rows[friction_row + 1], t_2, lane_in_double(along_2->J_A, lane_i),
+             lane_in_double(along_2->J_B, lane_i));
     manifold.rows = static_cast<uint8_t>(manifold.rows | 3u << friction_row);
     if (!(manifold.radius > 0)) return;
     const DirectVector none = {};
@@ -95,4 +102,5 @@ void load_rows(const SolverView& solver, const BodyView& bodies, DirectView& dir
     }
 }
 
-} }  // namespace ingot
+}  // namespace INGOT_ABI
+}  // namespace ingot

@@ -3,7 +3,8 @@
 
 #include "direct_view.h"
 
-namespace ingot { inline namespace INGOT_ABI {
+namespace ingot {
+inline namespace INGOT_ABI {
 
 /// Copies the rows of an island out of the blocks, once a step: they do not change within it.
 void load_rows(const SolverView& solver, const BodyView& bodies, DirectView& direct, uint16_t root);
@@ -31,11 +32,14 @@ inline void give(const DirectView& island, const DirectManifold& manifold, Direc
 inline DirectVector in_double(const scalar* from) {
     return {static_cast<double>(from[0]), static_cast<double>(from[1]), static_cast<double>(from[2])};
 }
-inline DirectVector in_double(const Vector& from) { return {static_cast<double>(from.x), static_cast<double>(from.y), static_cast<double>(from.z)}; }
+inline DirectVector in_double(const Vector& from) {
+    return {static_cast<double>(from.x), static_cast<double>(from.y), static_cast<double>(from.z)};
+}
 inline void put_scalars(scalar (&to)[4], const DirectVector& from) {
     to[0] = static_cast<scalar>(from.x);
     to[1] = static_cast<scalar>(from.y);
     to[2] = static_cast<scalar>(from.z);
 }
 
-} }  // namespace ingot
+}  // namespace INGOT_ABI
+}  // namespace ingot

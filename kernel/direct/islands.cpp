@@ -4,11 +4,13 @@
 #include "../base/limits.h"
 #include "../blocks/order_manifolds.h"
 
-namespace ingot { inline namespace INGOT_ABI {
+namespace ingot {
+inline namespace INGOT_ABI {
 
 namespace {
 
-/// The root of a body's tree, which is made shorter on the way. Bound: the depth of the tree; roots are the lowest of their bodies.
+/// The root of a body's tree, which is made shorter on the way. Bound: the depth of the tree; roots are the lowest of their
+/// bodies.
 uint16_t root_of(uint16_t* root, uint16_t body_i) {
     while (root[body_i] != body_i) {
         root[body_i] = root[root[body_i]];
@@ -24,12 +26,14 @@ void join_bodies(const SolverView& solver, const DirectView& direct) {
         direct.fate[body_i] = IslandFate::swept;
     }
     for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i) {
-        const uint16_t body_A = solver.local_of[solver.pairs[manifold_i].body_A], body_B = solver.local_of[solver.pairs[manifold_i].body_B];
+        const uint16_t body_A = solver.local_of[solver.pairs[manifold_i].body_A],
+                       body_B = solver.local_of[solver.pairs[manifold_i].body_B];
         if (body_A == 0 || body_B == 0) continue;
         const uint16_t A = root_of(direct.root, body_A), B = root_of(direct.root, body_B);
         (A < B ? direct.root[B] : direct.root[A]) = A < B ? A : B;
     }
-    for (int body_i = 1; body_i < solver.body_count; ++body_i) direct.root[body_i] = root_of(direct.root, static_cast<uint16_t>(body_i));
+    for (int body_i = 1; body_i < solver.body_count; ++body_i)
+        direct.root[body_i] = root_of(direct.root, static_cast<uint16_t>(body_i));
 }
 
 bool ill_conditioned(const SolverView& solver, int manifold_i) {
@@ -65,7 +69,8 @@ int choose_islands(const SolverView& solver, const DirectView& direct, StepRepor
         if (solver.records[record_i].substeps == 0) direct.unsettled[record_i] = 0;  // a new contact
         const uint16_t root = direct.root[movable_body(solver, manifold_i)];
         ++direct.size[root];
-        if (ill_conditioned(solver, manifold_i) || direct.unsettled[record_i] >= limits::unsettled_steps) direct.fate[root] = IslandFate::chosen;
+        if (ill_conditioned(solver, manifold_i) || direct.unsettled[record_i] >= limits::unsettled_steps)
+            direct.fate[root] = IslandFate::chosen;
     }
     const auto fits = [&](int root) { return direct.size[root] <= direct.manifold_capacity; };
     for (int body_i = 1; body_i < solver.body_count; ++body_i) {
@@ -122,4 +127,5 @@ void note_unsettled(const SolverView& solver, const DirectView& direct, bool at_
     }
 }
 
-} }  // namespace ingot
+}  // namespace INGOT_ABI
+}  // namespace ingot

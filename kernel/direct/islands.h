@@ -4,12 +4,13 @@
 #include "../base/report.h"
 #include "direct_view.h"
 
-namespace ingot { inline namespace INGOT_ABI {
+namespace ingot {
+inline namespace INGOT_ABI {
 
-/// Finds which manifolds hang together through bodies that can move, and which of these islands are to be solved directly: those with
-/// bodies of limits::direct_mass_ratio on each other or piled limits::direct_levels high, and those whose sweeps have stopped at their bound for
-/// limits::unsettled_steps steps.
-/// Returns how many; those that have more manifolds than there is room for are left to the sweeps and counted in direct_refused.
+/// Finds which manifolds hang together through bodies that can move, and which of these islands are to be solved directly:
+/// those with bodies of limits::direct_mass_ratio on each other or piled limits::direct_levels high, and those whose sweeps
+/// have stopped at their bound for limits::unsettled_steps steps. Returns how many; those that have more manifolds than there
+/// is room for are left to the sweeps and counted in direct_refused.
 int choose_islands(const SolverView& solver, const DirectView& direct, StepReport& report);
 
 /// The visits that islands which are not solved need: lanes of those that are, are left out. The same motion for any lanes.
@@ -24,4 +25,5 @@ inline uint16_t movable_body(const SolverView& solver, int manifold_i) {
     return A != 0 ? A : solver.local_of[solver.pairs[manifold_i].body_B];
 }
 
-} }  // namespace ingot
+}  // namespace INGOT_ABI
+}  // namespace ingot

@@ -5,7 +5,8 @@
 #include "../base/limits.h"
 #include "island_rows.h"
 
-namespace ingot { inline namespace INGOT_ABI {
+namespace ingot {
+inline namespace INGOT_ABI {
 
 inline constexpr int normals_max = 3;  ///< of a manifold that are active: points of one plane have no more independent normals
 
@@ -13,7 +14,9 @@ inline double larger(double a, double b) { return a > b ? a : b; }
 inline double size_of(double a) { return a < 0 ? -a : a; }
 inline double within(double x, double limit) { return x > limit ? limit : x < -limit ? -limit : x; }
 inline bool has(uint8_t bits, int row) { return (bits >> row & 1u) != 0; }
-inline void set_bit(uint8_t& bits, int row, bool on) { bits = static_cast<uint8_t>(on ? bits | 1u << row : bits & ~(1u << row)); }
+inline void set_bit(uint8_t& bits, int row, bool on) {
+    bits = static_cast<uint8_t>(on ? bits | 1u << row : bits & ~(1u << row));
+}
 
 inline int active_normals(const DirectManifold& manifold) {
     int count = 0;
@@ -32,7 +35,8 @@ void drop_least(const DirectView& island, DirectManifold& manifold, DirectRow* r
     give<displaces>(island, manifold, rows[least], -rows[least].j);
 }
 
-/// The one change of the normals of four points that moves nothing: impulses in proportion to it. False: there are not four, or no three are active.
+/// The one change of the normals of four points that moves nothing: impulses in proportion to it. False: there are not four, or
+/// no three are active.
 struct IdleChange {
     double at[block_rows];
 };
@@ -46,8 +50,9 @@ inline bool idle_change(const DirectManifold& manifold, const DirectRow* rows, I
     return true;
 }
 
-/// The load of four points spread as evenly as none pulls. A load between four points need not lie between the three that are active: this way it
-/// is no reason to change them. The fourth then has an impulse, and is no equation: it follows from the others.
+/// The load of four points spread as evenly as none pulls. A load between four points need not lie between the three that are
+/// active: this way it is no reason to change them. The fourth then has an impulse, and is no equation: it follows from the
+/// others.
 inline void spread_load(const DirectView& island, const DirectManifold& manifold, DirectRow* rows) {
     IdleChange idle;
     if (!idle_change(manifold, rows, idle)) return;
@@ -88,7 +93,8 @@ inline bool pulls_back(const DirectManifold& manifold, const DirectRow* rows, in
 }
 inline bool some_pull(const DirectManifold& manifold, const DirectRow* rows, double slack, double pull) {
     bool some = false;
-    for (int row = 0; row < manifold.points; ++row) some = some || (has(manifold.rows, row) && pulls_back(manifold, rows, row, slack, pull));
+    for (int row = 0; row < manifold.points; ++row)
+        some = some || (has(manifold.rows, row) && pulls_back(manifold, rows, row, slack, pull));
     return some;
 }
 
@@ -105,7 +111,8 @@ bool change_normals(const DirectView& island, DirectManifold& manifold, DirectRo
             if (!pulls_back(manifold, rows, row, slack, pull)) continue;
             set_bit(manifold.active, row, false);
             give<displaces>(island, manifold, rows[row], -rows[row].j);
-        } else if (!has(manifold.pulls, row) && row_motion<displaces>(island, manifold, rows[row]) - rows[row].target < -slack) {
+        } else if (!has(manifold.pulls, row) &&
+                   row_motion<displaces>(island, manifold, rows[row]) - rows[row].target < -slack) {
             if (active_normals(manifold) == normals_max) drop_least<displaces>(island, manifold, rows);
             set_bit(manifold.active, row, true);
         }
@@ -113,4 +120,5 @@ bool change_normals(const DirectView& island, DirectManifold& manifold, DirectRo
     return manifold.active != before;
 }
 
-} }  // namespace ingot
+}  // namespace INGOT_ABI
+}  // namespace ingot

@@ -5,7 +5,8 @@
 #include "../math/sqrt.h"
 #include "normal_set.h"
 
-namespace ingot { inline namespace INGOT_ABI {
+namespace ingot {
+inline namespace INGOT_ABI {
 
 /// sqrt(x) in double without an instruction for it: the scalar's, and two steps of Newton's, which are the same everywhere.
 double square_root(double x) {
@@ -33,9 +34,11 @@ FrictionImpulse cut(const FrictionImpulse& t, double limit) {
 FrictionImpulse tried_friction(const DirectView& island, const DirectManifold& manifold, const DirectRow* rows) {
     const DirectRow* const pair = rows + friction_row;
     const double inv_K = 1 / friction_compliance(rows);
-    return {{pair[0].j - inv_K * row_motion<false>(island, manifold, pair[0]), pair[1].j - inv_K * row_motion<false>(island, manifold, pair[1])}};
+    return {{pair[0].j - inv_K * row_motion<false>(island, manifold, pair[0]),
+             pair[1].j - inv_K * row_motion<false>(island, manifold, pair[1])}};
 }
-FrictionImpulse projected_friction(const DirectView& island, const DirectManifold& manifold, const DirectRow* rows, double limit) {
+FrictionImpulse projected_friction(const DirectView& island, const DirectManifold& manifold, const DirectRow* rows,
+                                   double limit) {
     return cut(tried_friction(island, manifold, rows), limit);
 }
 double projected_twist(const DirectView& island, const DirectManifold& manifold, const DirectRow* rows, double limit) {
@@ -59,4 +62,5 @@ void find_slide(const DirectView& island, DirectManifold& manifold, const Direct
     }
 }
 
-} }  // namespace ingot
+}  // namespace INGOT_ABI
+}  // namespace ingot

@@ -4,7 +4,8 @@
 
 #include "island_rows.h"
 
-namespace ingot { inline namespace INGOT_ABI {
+namespace ingot {
+inline namespace INGOT_ABI {
 
 struct FrictionImpulse {
     double at[2];
@@ -14,8 +15,10 @@ double square_root(double x);
 /// Cut to the circle of this radius.
 FrictionImpulse cut(const FrictionImpulse& t, double limit);
 FrictionImpulse tried_friction(const DirectView& island, const DirectManifold& manifold, const DirectRow* rows);
-/// What Coulomb's law makes of friction and twist at the slip there is: the projection of t - u / K to the cone. At the solution it is t.
-FrictionImpulse projected_friction(const DirectView& island, const DirectManifold& manifold, const DirectRow* rows, double limit);
+/// What Coulomb's law makes of friction and twist at the slip there is: the projection of t - u / K to the cone. At the
+/// solution it is t.
+FrictionImpulse projected_friction(const DirectView& island, const DirectManifold& manifold, const DirectRow* rows,
+                                   double limit);
 double projected_twist(const DirectView& island, const DirectManifold& manifold, const DirectRow* rows, double limit);
 /// The normal impulse of a manifold.
 double load_of(const DirectManifold& manifold, const DirectRow* rows);
@@ -29,4 +32,5 @@ inline double friction_compliance(const DirectRow* rows) {
 /// Where the sliding friction and twist of a manifold point, for Newton's method.
 void find_slide(const DirectView& island, DirectManifold& manifold, const DirectRow* rows);
 
-} }  // namespace ingot
+}  // namespace INGOT_ABI
+}  // namespace ingot

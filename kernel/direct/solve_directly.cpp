@@ -11,7 +11,8 @@
 #include "islands.h"
 #include "solve_island.h"
 
-namespace ingot { inline namespace INGOT_ABI {
+namespace ingot {
+inline namespace INGOT_ABI {
 
 namespace {
 
@@ -59,7 +60,8 @@ void choose_again(const SolverView& solver, const DirectView& direct) {
 
 }  // namespace
 
-void solve_directly(SolverView& solver, DirectView& direct, const BodyView& bodies, const Vector& gravity, scalar h, StepReport& report) {
+void solve_directly(SolverView& solver, DirectView& direct, const BodyView& bodies, const Vector& gravity, scalar h,
+                    StepReport& report) {
     take_in_bodies(solver, bodies, gravity);
     order_manifolds(solver);
     prepare_blocks(solver, bodies);
@@ -100,4 +102,5 @@ void solve_directly(SolverView& solver, DirectView& direct, const BodyView& bodi
     remember_impulses(solver);
 }
 
-} }  // namespace ingot
+}  // namespace INGOT_ABI
+}  // namespace ingot

@@ -6,7 +6,8 @@
 #include "normal_set.h"
 #include "sliding.h"
 
-namespace ingot { inline namespace INGOT_ABI {
+namespace ingot {
+inline namespace INGOT_ABI {
 
 namespace {
 
@@ -28,7 +29,8 @@ Misfit misfit(const DirectView& island) {
         const DirectRow* const rows = island.rows + manifold_i * direct_rows;
         for (int row = 0; row < manifold.points; ++row) {
             if (!has(manifold.rows, row)) continue;
-            const double wanted = rows[row].j - (row_motion<false>(island, manifold, rows[row]) - rows[row].target) / rows[row].K;
+            const double wanted =
+                rows[row].j - (row_motion<false>(island, manifold, rows[row]) - rows[row].target) / rows[row].K;
             sum.add(larger(wanted, 0) - rows[row].j, rows[row].K);
         }
         const double limit = manifold.mu * load_of(manifold, rows);
@@ -110,7 +112,8 @@ void begin_solve(const SolverView& solver, DirectView& island) {
 }
 
 /// Takes friction, or twist, out or in. What carries nothing gives nothing.
-void set_friction(const DirectView& island, DirectManifold& manifold, DirectRow* rows, int first, int end, bool loaded, bool slides) {
+void set_friction(const DirectView& island, DirectManifold& manifold, DirectRow* rows, int first, int end, bool loaded,
+                  bool slides) {
     for (int row = first; row < end; ++row) {
         set_bit(manifold.active, row, loaded);
         set_bit(manifold.sliding, row, loaded && slides);
@@ -129,7 +132,8 @@ void stick_or_slide(const DirectView& island, DirectManifold& manifold, DirectRo
     }
     if (has(manifold.rows, twist_row)) {
         const double twist_limit = limit * manifold.radius;
-        set_friction(island, manifold, rows, twist_row, direct_rows, loaded, twist_limit > 0 && size_of(rows[twist_row].j) >= twist_limit * nearly);
+        set_friction(island, manifold, rows, twist_row, direct_rows, loaded,
+                     twist_limit > 0 && size_of(rows[twist_row].j) >= twist_limit * nearly);
     }
 }
 
@@ -141,7 +145,8 @@ void choose_active(DirectView& island) {
         manifold.active = 0;
         manifold.sliding = 0;
         for (int row = 0; row < manifold.points; ++row)
-            if (has(manifold.rows, row) && (rows[row].j > 0 || row_motion<false>(island, manifold, rows[row]) <= rows[row].target + limits::direct_settled_speed))
+            if (has(manifold.rows, row) && (rows[row].j > 0 || row_motion<false>(island, manifold, rows[row]) <=
+                                                                   rows[row].target + limits::direct_settled_speed))
                 set_bit(manifold.active, row, true);
         stick_or_slide(island, manifold, rows);
         if (active_normals(manifold) > normals_max) drop_least<false>(island, manifold, rows);
@@ -160,8 +165,8 @@ double left_of(const DirectView& island, int row_i) {
     return friction_compliance(rows) * (projected_friction(island, manifold, rows, limit).at[row - friction_row] - rows[row].j);
 }
 
-/// Solves the equations of the active rows, by refinement: what is left is taken from the bodies each time. Where something slides they
-/// are not linear: then the passes are few, and the matrix is made anew. Returns what is left.
+/// Solves the equations of the active rows, by refinement: what is left is taken from the bodies each time. Where something
+/// slides they are not linear: then the passes are few, and the matrix is made anew. Returns what is left.
 template <bool displaces>
 double solve_active(const DirectView& island, double settled) {
     const int passes = island.some_slide ? limits::refinements_of_sliding : limits::refinements_max;
@@ -175,31 +180,40 @@ double solve_active(const DirectView& island, double settled) {
         if (worst <= settled / 16 || pass_i == passes) return worst;
         solve_factored(island);
         for (int i = 0; i < island.active_count; ++i)
-            give<displaces>(island, island.manifolds[island.active[i].row / direct_rows], island.rows[island.active[i].row], island.active[i].x);
+            give<displaces>(island, island.manifolds[island.active[i].row / direct_rows], island.rows[island.active[i].row],
+                            island.active[i].x);
     }
 }
 
-/// Sticking friction beyond the cone slides, sliding friction within it sticks, what has no load has no friction; true if something changed.
+/// Sticking friction beyond the cone slides, sliding friction within it sticks, what has no load has no friction; true if
+/// something changed.
 bool change_friction(const DirectView& island, DirectManifold& manifold, DirectRow* rows, double settled) {
     const uint8_t active = manifold.active, sliding = manifold.sliding;
     const bool loaded = active_normals(manifold) != 0;
     const double limit = manifold.mu * load_of(manifold, rows);
-    const auto slides = [&](int row, double length, double most, double K) { return has(sliding, row) ? length >= most - settled / 16 / K : length > most + settled / K; };
+    const auto slides = [&](int row, double length, double most, double K) {
+        return has(sliding, row) ? length >= most - settled / 16 / K : length > most + settled / K;
+    };
     if (has(manifold.rows, friction_row)) {
-        const FrictionImpulse t = has(sliding, friction_row) ? tried_friction(island, manifold, rows) : FrictionImpulse{{rows[friction_row].j, rows[friction_row + 1].j}};
+        const FrictionImpulse t = has(sliding, friction_row)
+                                      ? tried_friction(island, manifold, rows)
+                                      : FrictionImpulse{{rows[friction_row].j, rows[friction_row + 1].j}};
         const double length = square_root(t.at[0] * t.at[0] + t.at[1] * t.at[1]);
-        set_friction(island, manifold, rows, friction_row, twist_row, loaded, slides(friction_row, length, limit, friction_compliance(rows)));
+        set_friction(island, manifold, rows, friction_row, twist_row, loaded,
+                     slides(friction_row, length, limit, friction_compliance(rows)));
     }
     if (has(manifold.rows, twist_row)) {
         const DirectRow& row = rows[twist_row];
-        const double twist = size_of(has(sliding, twist_row) ? row.j - row_motion<false>(island, manifold, row) / row.K : row.j);
-        set_friction(island, manifold, rows, twist_row, direct_rows, loaded, slides(twist_row, twist, limit * manifold.radius, row.K));
+        const double twist =
+            size_of(has(sliding, twist_row) ? row.j - row_motion<false>(island, manifold, row) / row.K : row.j);
+        set_friction(island, manifold, rows, twist_row, direct_rows, loaded,
+                     slides(twist_row, twist, limit * manifold.radius, row.K));
     }
     return manifold.active != active || manifold.sliding != sliding;
 }
 
-/// Corrects the set by what has been solved; false: it stays. All manifolds at once find most sets in a few rounds, and can go round in circles:
-/// after half of the rounds it is one at a time, which starts where the last one changed.
+/// Corrects the set by what has been solved; false: it stays. All manifolds at once find most sets in a few rounds, and can go
+/// round in circles: after half of the rounds it is one at a time, which starts where the last one changed.
 template <bool displaces>
 bool change_active(const DirectView& island, double settled, int set_i, int& begin) {
     bool changed = false;
@@ -231,7 +245,6 @@ void write_back(const SolverView& solver, const DirectView& island) {
     }
 }
 
-
 }  // namespace
 
 bool solve_island(const SolverView& solver, DirectView& island, bool after_sweeps) {
@@ -247,7 +260,8 @@ bool solve_island(const SolverView& solver, DirectView& island, bool after_sweep
             left = solve_active<false>(island, limits::direct_settled_speed);
             if (!island.some_slide) break;
         }
-        if (!change_active<false>(island, limits::direct_settled_speed, set_i, begin) && left <= limits::direct_settled_speed) break;
+        if (!change_active<false>(island, limits::direct_settled_speed, set_i, begin) && left <= limits::direct_settled_speed)
+            break;
     }
     add_up<false>(island);
     const Misfit left = misfit(island);
@@ -282,7 +296,9 @@ bool begin_placing(const SolverView& solver, DirectView& island, scalar h) {
             const double s = static_cast<double>(contact.separation[lane_i]) + row_motion<true>(island, manifold, rows[row]);
             const bool pressed = contact.j[lane_i] > 0, lands = contact.landing[lane_i] < limits::unbounded;
             const double share = s * static_cast<double>(limits::position_share);
-            const double wanted = lands ? s - static_cast<double>(contact.landing[lane_i]) : pressed || s < 0 ? larger(share, deepest) : s;
+            const double wanted = lands              ? s - static_cast<double>(contact.landing[lane_i])
+                                  : pressed || s < 0 ? larger(share, deepest)
+                                                     : s;
             rows[row].target = -wanted;
             rows[row].j = static_cast<double>(contact.j[lane_i]);  // for choosing three
             set_bit(manifold.pulls, row, pressed || lands);
@@ -343,4 +359,5 @@ bool place_island(const SolverView& solver, DirectView& island, scalar h) {
     return true;
 }
 
-} }  // namespace ingot
+}  // namespace INGOT_ABI
+}  // namespace ingot
