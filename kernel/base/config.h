@@ -44,6 +44,14 @@
 #define INGOT_JOIN_(a, b, c) a##b##c
 #define INGOT_JOIN(a, b, c) INGOT_JOIN_(a, b, c)
 
+/// Whether doubles are the core's own, and round as they should: what solves in double, whatever the scalar, exists there only.
+#if defined(__SOFTFP__) || (defined(__arm__) && !(defined(__ARM_FP) && (__ARM_FP & 8))) || (defined(__riscv) && !(defined(__riscv_flen) && __riscv_flen >= 64)) || \
+    defined(__mips_soft_float) || defined(__mips_single_float) || defined(_SOFT_FLOAT) || defined(__SH4_SINGLE_ONLY__) || defined(__SH4_NOFPU__)
+#define INGOT_COMPUTES_DOUBLES INGOT_DOUBLE
+#else
+#define INGOT_COMPUTES_DOUBLES 1
+#endif
+
 /// Part of every symbol's name, so that objects built for other scalars or lane counts do not link.
 #if INGOT_DOUBLE
 #define INGOT_ABI INGOT_JOIN(f64x, INGOT_LANES, )

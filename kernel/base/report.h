@@ -27,6 +27,9 @@ struct [[nodiscard]] StepReport {
     uint16_t sweeps;             ///< sweeps over contacts, in all
     uint16_t overlaps_lost;      ///< bodies in a sensor, and no room: raise Scene::max_overlaps
     scalar residual;             ///< m/s; the largest speed that the last sweep over manifolds still corrected
+    uint16_t direct_solves;      ///< islands solved directly, in all substeps
+    uint16_t direct_refused;     ///< islands for the direct solver, and no room: raise max_island of DirectIslands. Sweeps solve them
+    uint16_t direct_unfinished;  ///< direct solves that did not settle: what the sweeps found stands
     uint16_t sweeps_unfinished;  ///< solves that stopped at limits::contact_sweeps_max
     uint16_t events_lost;        ///< no room: raise Scene::max_events
 
@@ -34,7 +37,7 @@ struct [[nodiscard]] StepReport {
     constexpr bool clean() const {
         return status == Status::ok && bodies_frozen == 0 && spins_clamped == 0 && contacts_lost == 0 &&
                pairs_untested == 0 && impacts_left == 0 && sweeps_unfinished == 0 &&
-               overlaps_lost == 0 && events_lost == 0;
+               overlaps_lost == 0 && events_lost == 0 && direct_refused == 0;
     }
 };
 

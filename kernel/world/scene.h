@@ -4,6 +4,7 @@
 #include "../pairs/all_pairs.h"
 #include "../pairs/sorted_tree.h"
 #include "../collide/shapes.h"
+#include "../direct/direct_islands.h"
 #include "../motion/driven_flight.h"
 #include "../motion/exact_elliptic.h"
 #include "../motion/lie_midpoint.h"
@@ -36,6 +37,7 @@ struct Scene {
     static constexpr scalar hit_speed  = 1;      ///< m/s; contacts that meet faster are told as hits
     static constexpr bool renews_manifolds = true;   ///< where bodies hardly move, manifolds are moved along with them and not searched anew
     using broad_phase = AllPairs;                ///< or SortedTree, for many bodies
+    using solver = Sweeps;                       ///< or ChosenSolver, or DirectIslands<max_island>: of scenes with max_manifolds
     using shapes   = Shapes<>;
     using rotation = MoserVeselov;               ///< or another method of motion/
     using force_field = NoForceField;            ///< or one of motion/force_fields.h, or your own

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "solve_directly.h"
+
+#include "../base/limits.h"
+#include "../blocks/move_bodies.h"
+#include "../blocks/note_impulses.h"
+#include "../blocks/order_manifolds.h"
+#include "../blocks/predict_contacts.h"
+#include "../blocks/prepare_blocks.h"
+#include "../blocks/solve_velocities.h"
+#include "../blocks/sweep_positions.h"
+#include "../blocks/warm_start.h"
+#include "island_rows.h"
+#include "islands.h"
+#include "solve_island.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+namespace {
+
+void keep_free_motion(const SolverView& solver, const DirectView& direct) {
+    for (int body_i = 1; body_i < solver.body_count; ++body_i) {
+        for (int axis = 0; axis < 3; ++axis) {
+            direct.free_motion[body_i].v_CM[axis] = solver.bodies[body_i].v_CM[axis];
+            direct.free_motion[body_i].L[axis] = solver.bodies[body_i].L[axis];
+        }
+    }
+}
+
+void load(const SolverView& solver, const BodyView& bodies, DirectView& direct, int root) {
+    if (direct.loaded_root != root) load_rows(solver, bodies, direct, static_cast<uint16_t>(root));
+}
+
+/// Velocities of the islands that are still `chosen`; those that come out right are `solved`. Returns how many are not.
+int solve_islands(const SolverView& solver, const BodyView& bodies, DirectView& direct, bool after_sweeps) {
+    int left = 0;
+    for (int root = 1; root < solver.body_count; ++root) {
+        if (direct.fate[root] != IslandFate::chosen) continue;
+        load(solver, bodies, direct, root);
+        if (solve_island(solver, direct, after_sweeps))
+            direct.fate[root] = IslandFate::solved;
+        else
+            ++left;
+    }
+    return left;
+}
+
+/// Positions of the islands that are solved; those that do not come out right are `chosen` again.
+void place_islands(const SolverView& solver, const BodyView& bodies, DirectView& direct, scalar h) {
+    for (int root = 1; root < solver.body_count; ++root) {
+        if (direct.fate[root] != IslandFate::solved) continue;
+        load(solver, bodies, direct, root);
+        if (!place_island(solver, direct, h)) direct.fate[root] = IslandFate::chosen;
+    }
+}
+
+/// For the next substep, in which it is tried anew.
+void choose_again(const SolverView& solver, const DirectView& direct) {
+    for (int root = 1; root < solver.body_count; ++root)
+        if (direct.fate[root] == IslandFate::solved) direct.fate[root] = IslandFate::chosen;
+}
+
+}  // namespace
+
+template <bool notes_impulses>
+void solve_directly(SolverView& solver, DirectView& direct, const BodyView& bodies, const Vector& gravity, scalar h,
+                    [[maybe_unused]] ImpactNote* notes, StepReport& report) {
+    take_in_bodies(solver, bodies, gravity);
+    order_manifolds(solver);
+    prepare_blocks(solver, bodies);
+    const SweepPlan plan = plan_sweeps(solver);
+    const int chosen = choose_islands(solver, direct, report);
+    direct.loaded_root = 0;
+
+    const scalar h_substep = h / limits::substeps;
+    bool at_bound = false;
+    for (int substep_i = 0; substep_i < limits::substeps; ++substep_i) {
+        predict_contacts(solver, h_substep);
+        kick_bodies(solver, h_substep);
+        if (chosen != 0) keep_free_motion(solver, direct);
+        warm_start(solver, h_substep);
+
+        int left = chosen != 0 ? solve_islands(solver, bodies, direct, false) : 0;
+        count(report.direct_solves, chosen - left);
+        SolverView swept = chosen != left ? left_to_sweeps(solver, direct) : solver;
+        if (swept.visit_count != 0) {
+            const int sweeps = solve_velocities(swept, plan, report.residual);
+            count(report.sweeps, sweeps);
+            at_bound = sweeps == plan.sweeps_max && report.residual > limits::settled_speed;
+        }
+        if (left != 0) {
+            const int still_left = solve_islands(solver, bodies, direct, true);
+            count(report.direct_solves, left - still_left);
+            count(report.direct_unfinished, still_left);
+        }
+
+        if constexpr (notes_impulses) note_impulses(solver, notes);
+        drift_bodies(solver, bodies, h_substep);
+        if (chosen != 0) {
+            place_islands(solver, bodies, direct, h_substep);
+            swept = left_to_sweeps(solver, direct);
+            choose_again(solver, direct);
+        }
+        sweep_positions(swept, h_substep);
+    }
+    note_unsettled(solver, direct, at_bound);
+    remember_impulses(solver);
+}
+
+// The linker takes the one that the scene calls.
+template void solve_directly<false>(SolverView&, DirectView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
+template void solve_directly<true>(SolverView&, DirectView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
+
+} }  // namespace ingot
