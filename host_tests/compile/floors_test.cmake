@@ -31,7 +31,7 @@ set(blocks_shares block_solve contact_block block_rows solver_body solver_view c
   predict_contacts prepare_blocks solve_velocities
   sweep_positions sweep_velocities warm_start)
 # solve_directly conducts the stages, and calls the others of its room.
-set(direct_shares direct_view island_rows islands normal_set sliding factor_rows solve_island solve_directly)
+set(direct_shares direct_view hold_energy island_rows islands normal_set sliding factor_rows solve_island solve_directly)
 
 set(broken "")
 file(GLOB_RECURSE files RELATIVE ${HOUSE} ${HOUSE}/kernel/*.h ${HOUSE}/kernel/*.cpp ${HOUSE}/platform/*.h ${HOUSE}/platform/*.cpp)

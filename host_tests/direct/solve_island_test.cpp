@@ -144,7 +144,9 @@ struct RandomIsland {
         for (int root = 1; root < solver.body_count; ++root) {
             if (direct.fate[root] != ingot::IslandFate::chosen) continue;
             ingot::load_rows(solver, storage.bodies(), direct, static_cast<uint16_t>(root));
-            solved = ingot::solve_island(solver, direct, false) && solved;
+            direct.work_left = 1 << 24;
+            direct.uneven = true;  // impacts too
+            solved = ingot::solve_island(solver, direct, static_cast<scalar>(h), false) == ingot::IslandFate::solved && solved;
             collect(found);
         }
         return solved;

@@ -68,7 +68,9 @@ struct DirectIslands {
                     0,
                     0,
                     false,
-                    false};
+                    false,
+                    false,
+                    0};
         }
         template <bool notes_impulses>
         void solve_contacts(SolverView& solver, const BodyView& bodies, const Vector& gravity, scalar h, ImpactNote* notes,

@@ -74,7 +74,12 @@ struct FreeMotion {
 };
 
 /// Which contacts are solved together, and what became of it.
-enum class IslandFate : uint8_t { swept, chosen, solved };
+enum class IslandFate : uint8_t {
+    swept,
+    chosen,  ///< to be solved
+    solved,
+    struck,  ///< chosen, but an impact leaves it to the sweeps for this substep
+};
 
 struct DirectView {
     DirectManifold* manifolds;
@@ -97,6 +102,8 @@ struct DirectView {
     int manifold_count, body_count, active_count, entry_count;  ///< of the island at hand
     int loaded_root;                                            ///< 0: none
     bool factored, some_slide;
+    bool uneven;    ///< bodies of limits::direct_mass_ratio touch
+    int work_left;  ///< multiplications that the attempt at hand may still spend on factors; see limits::direct_work_max
 };
 
 } }  // namespace ingot

@@ -141,6 +141,17 @@ void factor_general(const DirectView& island) {
     }
 }
 
+/// About how many multiplications a factor takes: of its entries with each other, and for each entry itself.
+int work_of_factor(const DirectView& island) {
+    constexpr int of_entry = 16, enough = 1 << 24;
+    int work = 0;
+    for (int i = 0; i < island.active_count && work < enough; ++i) {
+        const int width = i - island.active[i].begin;
+        work += width * (width / 2 + of_entry);
+    }
+    return island.some_slide ? 4 * work : work;  // two factors, with entries of several couplings each
+}
+
 }  // namespace
 
 bool factor_rows(DirectView& island) {
@@ -154,6 +165,8 @@ bool factor_rows(DirectView& island) {
     }
     if (island.some_slide) island.factored = island.factored && 2 * island.entry_count <= island.entry_capacity;
     if (!island.factored) return false;
+    island.work_left -= work_of_factor(island);
+    if (island.work_left < 0) return island.factored = false;
     island.some_slide ? factor_general(island) : factor_symmetric(island);
     return true;
 }

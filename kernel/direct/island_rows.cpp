@@ -72,6 +72,7 @@ void load_manifold(const SolverView& solver, DirectView& direct, DirectManifold&
 void load_rows(const SolverView& solver, const BodyView& bodies, DirectView& direct, uint16_t root) {
     direct.loaded_root = root;
     direct.factored = false;
+    direct.uneven = false;
     direct.manifold_count = direct.size[root];
     direct.body_count = 1;
     direct.bodies[0] = {};
@@ -86,6 +87,7 @@ void load_rows(const SolverView& solver, const BodyView& bodies, DirectView& dir
         manifold.body[0] = direct.local[body_A];
         manifold.body[1] = direct.local[body_B];
         manifold.active = 0;
+        direct.uneven = direct.uneven || are_uneven(solver, body_A, body_B);
         load_manifold(solver, direct, manifold, direct.rows + manifold_i * direct_rows);
 
         manifold.first = static_cast<uint16_t>(manifold_i);

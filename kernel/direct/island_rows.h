@@ -1,12 +1,34 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "../base/limits.h"
 #include "direct_view.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
 /// Copies the rows of an island out of the blocks, once a step: they do not change within it.
 void load_rows(const SolverView& solver, const BodyView& bodies, DirectView& direct, uint16_t root);
+
+inline bool has(uint8_t bits, int row) { return (bits >> row & 1u) != 0; }
+
+/// The impulses of a manifold in its block.
+template <class Visitor>
+void for_impulses(const SolverView& solver, const DirectManifold& manifold, Visitor visit) {
+    ContactBlock& block = solver.blocks[manifold.position / lanes];
+    const int lane_i = manifold.position % lanes;
+    for (int row = 0; row < manifold.points; ++row)
+        if (has(manifold.rows, row)) visit(row, block.row[row].j[lane_i]);
+    for (int axis = 0; axis < 2; ++axis)
+        if (has(manifold.rows, friction_row + axis)) visit(friction_row + axis, block.friction.j[axis][lane_i]);
+    if (has(manifold.rows, twist_row)) visit(twist_row, block.twist.j[lane_i]);
+}
+
+/// Whether two solver bodies are of limits::direct_mass_ratio; what cannot move is of none.
+inline bool are_uneven(const SolverView& solver, int body_A, int body_B) {
+    const scalar inv_M_A = solver.bodies[body_A].v_CM[3], inv_M_B = solver.bodies[body_B].v_CM[3];
+    if (!(inv_M_A > 0) || !(inv_M_B > 0)) return false;
+    return inv_M_A > limits::direct_mass_ratio * inv_M_B || inv_M_B > limits::direct_mass_ratio * inv_M_A;
+}
 
 /// Speed along a row, or displacement: k reads L where J reads dth.
 template <bool displaces>

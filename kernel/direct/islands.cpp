@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "islands.h"
 
+#include "island_rows.h"
+
 #include "../base/limits.h"
 #include "../blocks/order_manifolds.h"
 
@@ -35,13 +37,6 @@ void join_bodies(const SolverView& solver, const DirectView& direct) {
         direct.root[body_i] = root_of(direct.root, static_cast<uint16_t>(body_i));
 }
 
-bool ill_conditioned(const SolverView& solver, int manifold_i) {
-    const scalar inv_M_A = solver.bodies[solver.local_of[solver.pairs[manifold_i].body_A]].v_CM[3];
-    const scalar inv_M_B = solver.bodies[solver.local_of[solver.pairs[manifold_i].body_B]].v_CM[3];
-    if (!(inv_M_A > 0) || !(inv_M_B > 0)) return false;
-    return inv_M_A > limits::direct_mass_ratio * inv_M_B || inv_M_B > limits::direct_mass_ratio * inv_M_A;
-}
-
 /// Positions in solver.order of the members of chosen islands, island by island.
 void list_members(const SolverView& solver, const DirectView& direct) {
     uint16_t sum = 0;
@@ -68,7 +63,7 @@ int choose_islands(const SolverView& solver, const DirectView& direct, StepRepor
         if (solver.records[record_i].substeps == 0) direct.unsettled[record_i] = 0;  // a new contact
         const uint16_t root = direct.root[movable_body(solver, manifold_i)];
         ++direct.size[root];
-        if (ill_conditioned(solver, manifold_i) || direct.unsettled[record_i] >= limits::unsettled_steps)
+        if (are_uneven(solver, solver.local_of[solver.pairs[manifold_i].body_A], solver.local_of[solver.pairs[manifold_i].body_B]) || direct.unsettled[record_i] >= limits::unsettled_steps)
             direct.fate[root] = IslandFate::chosen;
     }
     const auto fits = [&](int root) { return direct.size[root] <= direct.manifold_capacity; };

@@ -12,7 +12,6 @@ inline constexpr int normals_max = 3;  ///< of a manifold that are active: point
 inline double larger(double a, double b) { return a > b ? a : b; }
 inline double size_of(double a) { return a < 0 ? -a : a; }
 inline double within(double x, double limit) { return x > limit ? limit : x < -limit ? -limit : x; }
-inline bool has(uint8_t bits, int row) { return (bits >> row & 1u) != 0; }
 inline void set_bit(uint8_t& bits, int row, bool on) {
     bits = static_cast<uint8_t>(on ? bits | 1u << row : bits & ~(1u << row));
 }

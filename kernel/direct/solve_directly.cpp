@@ -10,6 +10,7 @@
 #include "../blocks/solve_velocities.h"
 #include "../blocks/sweep_positions.h"
 #include "../blocks/warm_start.h"
+#include "hold_energy.h"
 #include "island_rows.h"
 #include "islands.h"
 #include "solve_island.h"
@@ -31,33 +32,57 @@ void load(const SolverView& solver, const BodyView& bodies, DirectView& direct, 
     if (direct.loaded_root != root) load_rows(solver, bodies, direct, static_cast<uint16_t>(root));
 }
 
-/// Velocities of the islands that are still `chosen`; those that come out right are `solved`. Returns how many are not.
-int solve_islands(const SolverView& solver, const BodyView& bodies, DirectView& direct, bool after_sweeps) {
-    int left = 0;
-    for (int root = 1; root < solver.body_count; ++root) {
-        if (direct.fate[root] != IslandFate::chosen) continue;
+int islands_of(const SolverView& solver, const DirectView& direct, IslandFate fate) {
+    int count = 0;
+    for (int root = 1; root < solver.body_count; ++root) count += direct.fate[root] == fate ? 1 : 0;
+    return count;
+}
+
+/// Tries the islands of one fate one by one, attempt(root) giving each a new one. Each has its share of the work, and what those before it left.
+template <class Attempt>
+void try_islands(const SolverView& solver, const BodyView& bodies, DirectView& direct, IslandFate fate, Attempt attempt) {
+    int islands = islands_of(solver, direct, fate), work = limits::direct_work_max;
+    for (int root = 1; root < solver.body_count && islands > 0; ++root) {
+        if (direct.fate[root] != fate) continue;
         load(solver, bodies, direct, root);
-        if (solve_island(solver, direct, after_sweeps))
-            direct.fate[root] = IslandFate::solved;
-        else
-            ++left;
+        const int share = direct.work_left = work / islands--;
+        direct.fate[root] = attempt();
+        work -= share - (direct.work_left > 0 ? direct.work_left : 0);
     }
-    return left;
+}
+
+/// Velocities of the islands that are `chosen`. Returns how many are still.
+int solve_islands(const SolverView& solver, const BodyView& bodies, DirectView& direct, scalar h, bool after_sweeps, uint16_t& solves) {
+    const int solved_before = islands_of(solver, direct, IslandFate::solved);
+    try_islands(solver, bodies, direct, IslandFate::chosen, [&] {
+        if (!after_sweeps) hold_energy(solver, direct);
+        return solve_island(solver, direct, h, after_sweeps);
+    });
+    count(solves, islands_of(solver, direct, IslandFate::solved) - solved_before);
+    return islands_of(solver, direct, IslandFate::chosen);
+}
+
+/// What the sweeps made of islands that were to be solved, and are not.
+void hold_energy_of_rest(const SolverView& solver, const BodyView& bodies, DirectView& direct) {
+    const IslandFate unsolved[] = {IslandFate::chosen, IslandFate::struck};
+    for (const IslandFate fate : unsolved) {
+        try_islands(solver, bodies, direct, fate, [&] {
+            hold_energy(solver, direct);
+            return fate;
+        });
+    }
 }
 
 /// Positions of the islands that are solved; those that do not come out right are `chosen` again.
 void place_islands(const SolverView& solver, const BodyView& bodies, DirectView& direct, scalar h) {
-    for (int root = 1; root < solver.body_count; ++root) {
-        if (direct.fate[root] != IslandFate::solved) continue;
-        load(solver, bodies, direct, root);
-        if (!place_island(solver, direct, h)) direct.fate[root] = IslandFate::chosen;
-    }
+    try_islands(solver, bodies, direct, IslandFate::solved,
+                [&] { return place_island(solver, direct, h) ? IslandFate::solved : IslandFate::chosen; });
 }
 
 /// For the next substep, in which it is tried anew.
 void choose_again(const SolverView& solver, const DirectView& direct) {
     for (int root = 1; root < solver.body_count; ++root)
-        if (direct.fate[root] == IslandFate::solved) direct.fate[root] = IslandFate::chosen;
+        if (direct.fate[root] != IslandFate::swept) direct.fate[root] = IslandFate::chosen;
 }
 
 }  // namespace
@@ -80,20 +105,16 @@ void solve_directly(SolverView& solver, DirectView& direct, const BodyView& bodi
         if (chosen != 0) keep_free_motion(solver, direct);
         warm_start(solver, h_substep);
 
-        int left = chosen != 0 ? solve_islands(solver, bodies, direct, false) : 0;
-        count(report.direct_solves, chosen - left);
+        const int left = chosen != 0 ? solve_islands(solver, bodies, direct, h_substep, false, report.direct_solves) : 0;
         SolverView swept = chosen != left ? left_to_sweeps(solver, direct) : solver;
         if (swept.visit_count != 0) {
             const int sweeps = solve_velocities(swept, plan, report.residual);
             count(report.sweeps, sweeps);
             at_bound = sweeps == plan.sweeps_max && report.residual > limits::settled_speed;
         }
-        if (left != 0) {
-            const int still_left = solve_islands(solver, bodies, direct, true);
-            count(report.direct_solves, left - still_left);
-            count(report.direct_unfinished, still_left);
-        }
+        if (left != 0) count(report.direct_unfinished, solve_islands(solver, bodies, direct, h_substep, true, report.direct_solves));
 
+        if (chosen != 0) hold_energy_of_rest(solver, bodies, direct);
         if constexpr (notes_impulses) note_impulses(solver, notes);
         drift_bodies(solver, bodies, h_substep);
         if (chosen != 0) {

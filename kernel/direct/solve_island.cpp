@@ -43,18 +43,6 @@ Misfit misfit(const DirectView& island) {
     return sum;
 }
 
-/// The impulses of a manifold in its block.
-template <class Visitor>
-void for_impulses(const SolverView& solver, const DirectManifold& manifold, Visitor visit) {
-    ContactBlock& block = solver.blocks[manifold.position / lanes];
-    const int lane_i = manifold.position % lanes;
-    for (int row = 0; row < manifold.points; ++row)
-        if (has(manifold.rows, row)) visit(row, block.row[row].j[lane_i]);
-    for (int axis = 0; axis < 2; ++axis)
-        if (has(manifold.rows, friction_row + axis)) visit(friction_row + axis, block.friction.j[axis][lane_i]);
-    if (has(manifold.rows, twist_row)) visit(twist_row, block.twist.j[lane_i]);
-}
-
 /// What bodies do without contacts.
 template <bool displaces>
 void set_free(const DirectView& island) {
@@ -81,19 +69,28 @@ void add_up(const DirectView& island) {
     }
 }
 
-/// First guess: what the blocks hold, within the cone, on bodies that move freely.
-void begin_solve(const SolverView& solver, DirectView& island) {
+/// Bodies that move freely, and what normals want.
+void begin_free(const SolverView& solver, DirectView& island) {
     set_free<false>(island);
+    for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
+        const DirectManifold& manifold = island.manifolds[manifold_i];
+        const ContactBlock& block = solver.blocks[manifold.position / lanes];
+        for (int row = 0; row < manifold.points; ++row)
+            if (has(manifold.rows, row))
+                island.rows[manifold_i * direct_rows + row].target = static_cast<double>(block.row[row].target[manifold.position % lanes]);
+    }
+}
+
+/// First guess: what the blocks hold, within the cone.
+void begin_solve(const SolverView& solver, DirectView& island) {
     for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
         DirectManifold& manifold = island.manifolds[manifold_i];
         DirectRow* const rows = island.rows + manifold_i * direct_rows;
-        const ContactBlock& block = solver.blocks[manifold.position / lanes];
         manifold.pulls = 0;
         double guess[direct_rows] = {}, N = 0;
         for_impulses(solver, manifold, [&](int row, scalar& j) { guess[row] = static_cast<double>(j); });
         for (int row = 0; row < manifold.points; ++row) {
             if (!has(manifold.rows, row)) continue;
-            rows[row].target = static_cast<double>(block.row[row].target[manifold.position % lanes]);
             guess[row] = larger(guess[row], 0);
             N += guess[row];
         }
@@ -134,6 +131,22 @@ void stick_or_slide(const DirectView& island, DirectManifold& manifold, DirectRo
         set_friction(island, manifold, rows, twist_row, direct_rows, loaded,
                      twist_limit > 0 && size_of(rows[twist_row].j) >= twist_limit * nearly);
     }
+}
+
+/// A body meets another faster than forces drive it within two substeps, while neither is much heavier. Sweeps are better at that: the set of contacts
+/// that an impact leaves is far from the one that it found.
+bool has_impact(const SolverView& solver, const DirectView& island, scalar h) {
+    if (island.uneven) return false;
+    for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
+        const DirectManifold& manifold = island.manifolds[manifold_i];
+        const DirectRow* const rows = island.rows + manifold_i * direct_rows;
+        double smooth = 0;
+        for (const uint16_t body : manifold.body)
+            if (body != 0) smooth = larger(smooth, static_cast<double>(2 * h * solver.bodies[island.bodies[body].body_i].dp[3]));
+        for (int row = 0; row < manifold.points; ++row)
+            if (has(manifold.rows, row) && row_motion<false>(island, manifold, rows[row]) < rows[row].target - smooth) return true;
+    }
+    return false;
 }
 
 /// Normals that push or do not separate: what falls together is taken for a pile.
@@ -246,7 +259,9 @@ void write_back(const SolverView& solver, const DirectView& island) {
 
 }  // namespace
 
-bool solve_island(const SolverView& solver, DirectView& island, bool after_sweeps) {
+IslandFate solve_island(const SolverView& solver, DirectView& island, scalar h, bool after_sweeps) {
+    begin_free(solver, island);
+    if (has_impact(solver, island, h)) return IslandFate::struck;
     begin_solve(solver, island);
     const double merit_most = after_sweeps ? misfit(island).merit : 1e30;  // a NaN, which comparisons pass by, stays in the sum
     choose_active(island);
@@ -255,7 +270,7 @@ bool solve_island(const SolverView& solver, DirectView& island, bool after_sweep
         if (set_i != 0) add_up<false>(island);
         double left = 1;
         for (int step_i = 0; step_i < limits::direct_newton_steps_max && left > limits::direct_settled_speed; ++step_i) {
-            if (!factor_rows(island)) return false;
+            if (!factor_rows(island)) return IslandFate::chosen;
             left = solve_active<false>(island, limits::direct_settled_speed);
             if (!island.some_slide) break;
         }
@@ -265,9 +280,9 @@ bool solve_island(const SolverView& solver, DirectView& island, bool after_sweep
     add_up<false>(island);
     const Misfit left = misfit(island);
     const double bound = after_sweeps ? static_cast<double>(limits::settled_speed) : 4 * limits::direct_settled_speed;
-    if (!(left.worst <= bound) || !(left.merit < merit_most)) return false;
+    if (!(left.worst <= bound) || !(left.merit < merit_most)) return IslandFate::chosen;
     write_back(solver, island);
-    return true;
+    return IslandFate::solved;
 }
 
 namespace {
