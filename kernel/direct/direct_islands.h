@@ -6,8 +6,11 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// `using solver = ingot::Sweeps;`, for many bodies of like masses. No memory of its own.
+/// `using solver = ingot::Sweeps;`, for many bodies of like masses. No memory of its own. What it did not settle is in
+/// StepReport::residual: some 1e-6 m/s where contacts rest; 0.1 and more where a heavy body crushes a light one.
 struct Sweeps {
+    static constexpr bool is_direct = false;
+
     template <int max_bodies, int max_manifolds>
     struct Memory {
         template <bool notes_impulses>
@@ -18,22 +21,31 @@ struct Sweeps {
     };
 };
 
-/// `using solver = ingot::DirectIslands<>;`: sweeps, and a direct solve in double for islands of up to max_island manifolds
-/// that sweeps do not serve: heavy bodies on light ones, tall towers. entries_of_row: of the matrix, on average; 10 are a
-/// tower, 12 times max_island / 2 is full. RAM: about max_island (1.5 KB + 48 entries_of_row bytes).
+/// `using solver = ingot::DirectIslands<>;`: a solver that picks itself, island by island. Sweeps, and a direct solve in double
+/// for islands of up to max_island manifolds that sweeps do not serve: heavy bodies on light ones, tall towers, and whatever
+/// sweeps at their bound leave uneven for limits::unsettled_steps steps (see choose_islands). entries_of_row: of the matrix, on
+/// average; 10 are a tower, 3 max_island is full. Islands without room are swept and counted in StepReport::direct_refused or
+/// direct_unfinished.
+///
+/// RAM of the world: per max_island 2.5 KB + 48 entries_of_row bytes, so 3.7 KB with 24; and 40 bytes a body, 13 a manifold.
+/// DirectIslands<4> is 12 KB. Time: one factorisation a step at rest, rows times the square of entries_of_row; at most
+/// 2 limits::direct_work_max multiplications in factors a substep, however many islands. The double is software where the core
+/// has none: the same bits, some 100 instructions an operation.
 template <int max_island = 48, int entries_of_row = 24>
 struct DirectIslands {
+    static constexpr bool is_direct = true;
+    static constexpr int island_capacity = max_island, entries_per_row = entries_of_row;
+
     template <int max_bodies, int max_manifolds>
     struct Memory {
         static constexpr unsigned island = static_cast<unsigned>(max_island < max_manifolds ? max_island : max_manifolds);
         static constexpr unsigned rows = 6 * island, full = rows * (rows - 1) / 2;
         static constexpr unsigned thin = rows * static_cast<unsigned>(entries_of_row), entries = full < thin ? full : thin;
         static constexpr unsigned body_capacity = static_cast<unsigned>(max_bodies) + 1;
-        static_assert(INGOT_COMPUTES_DOUBLES, "the direct solver needs a core that computes doubles: name Sweeps");
         static_assert(max_island >= 1 && max_island <= 1024,
                       "the direct solver takes islands of 1 to 1024 manifolds: DirectIslands<max_island>");
 
-        double entry[entries] = {};
+        wide entry[entries] = {};
         DirectRow row[direct_rows * island] = {};
         DirectActive active[rows] = {};
         DirectManifold manifold[island] = {};
@@ -81,11 +93,7 @@ struct DirectIslands {
     };
 };
 
-/// What a scene has that names none: direct where the core computes doubles, sweeps elsewhere.
-#if INGOT_COMPUTES_DOUBLES
+/// The choice of islands, with room for most scenes: `using solver = ingot::ChosenSolver;`.
 using ChosenSolver = DirectIslands<>;
-#else
-using ChosenSolver = Sweeps;
-#endif
 
 } }  // namespace ingot

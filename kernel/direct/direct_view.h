@@ -7,13 +7,14 @@
 #pragma once
 
 #include "../blocks/solver_view.h"
+#include "../math/wide.h"
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpsabi"  // see lanes.h
 
 namespace ingot { inline namespace INGOT_ABI {
 
-using DirectVector = Vec3<double>;
+using DirectVector = Vec3<wide>;
 
 inline constexpr int direct_rows = 7;  ///< of a manifold: normals 0 .. 3, friction 4 and 5, twist 6
 inline constexpr int friction_row = 4, twist_row = 6;
@@ -23,20 +24,20 @@ inline constexpr int friction_row = 4, twist_row = 6;
 struct DirectRow {
     DirectVector d;           ///< 0 for a twist
     DirectVector J[2], k[2];  ///< of A and B; k = inv_I_world J, in double, so that the matrix of the rows is symmetric
-    double j;                 ///< N s; or the push of the position stage, kg m
-    double target;            ///< m/s, or m: speed or displacement a normal has at least
-    double K;                 ///< compliance
+    wide j;                 ///< N s; or the push of the position stage, kg m
+    wide target;            ///< m/s, or m: speed or displacement a normal has at least
+    wide K;                 ///< compliance
 };
 
 /// Friction that slides, t = mu N x / |x| with x = t - u / K, near where it is.
 struct SlideDirection {
-    double x[2];   ///< unit, along the force
-    double share;  ///< mu N / |x|, at most 1: how much the force turns with the slip
-    double twist;  ///< sign of the twist; 0: it carries nothing
+    wide x[2];   ///< unit, along the force
+    wide share;  ///< mu N / |x|, at most 1: how much the force turns with the slip
+    wide twist;  ///< sign of the twist; 0: it carries nothing
 };
 
 struct DirectManifold {
-    double mu, radius;      ///< m; |twist| <= mu radius N
+    wide mu, radius;      ///< m; |twist| <= mu radius N
     SlideDirection slip;    ///< that sliding rows were factored with
     uint16_t position;      ///< in solver.order: block and lane
     uint16_t body[2];       ///< of DirectBody
@@ -53,16 +54,16 @@ struct DirectManifold {
 /// Motion: v_CM and L, or dp and dth. [0] is what cannot move.
 struct DirectBody {
     DirectVector linear, angular;
-    Sym3<double> inv_I_world;
+    Sym3<wide> inv_I_world;
     DirectVector r_CM;
-    double inv_M;
+    wide inv_M;
     uint16_t body_i;  ///< of SolverBody
 };
 
 /// A row of the matrix of active rows, and of its factor.
 struct DirectActive {
-    double inv_pivot;  ///< 0: the row depends on those before it, and takes nothing
-    double x;          ///< right-hand side, then solution
+    wide inv_pivot;  ///< 0: the row depends on those before it, and takes nothing
+    wide x;          ///< right-hand side, then solution
     uint32_t offset;   ///< of the first entry
     uint16_t begin;    ///< column of the first entry
     uint16_t row;      ///< of DirectRow
@@ -86,7 +87,7 @@ struct DirectView {
     DirectRow* rows;       ///< direct_rows of each manifold
     DirectActive* active;  ///< room for 6 of each manifold: at most three normals are active
     DirectBody* bodies;    ///< room for manifold_capacity + 2
-    double* entries;       ///< of the matrix, row by row from the first that is not zero
+    wide* entries;       ///< of the matrix, row by row from the first that is not zero
     int manifold_capacity, entry_capacity;
 
     FreeMotion* free_motion;  ///< by solver body

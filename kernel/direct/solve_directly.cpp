@@ -28,7 +28,7 @@ void keep_free_motion(const SolverView& solver, const DirectView& direct) {
     }
 }
 
-void load(const SolverView& solver, const BodyView& bodies, DirectView& direct, int root) {
+void load_island(const SolverView& solver, const BodyView& bodies, DirectView& direct, int root) {
     if (direct.loaded_root != root) load_rows(solver, bodies, direct, static_cast<uint16_t>(root));
 }
 
@@ -44,7 +44,7 @@ void try_islands(const SolverView& solver, const BodyView& bodies, DirectView& d
     int islands = islands_of(solver, direct, fate), work = limits::direct_work_max;
     for (int root = 1; root < solver.body_count && islands > 0; ++root) {
         if (direct.fate[root] != fate) continue;
-        load(solver, bodies, direct, root);
+        load_island(solver, bodies, direct, root);
         const int share = direct.work_left = work / islands--;
         direct.fate[root] = attempt();
         work -= share - (direct.work_left > 0 ? direct.work_left : 0);

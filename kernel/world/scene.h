@@ -49,6 +49,10 @@ inline constexpr bool collides = S::max_contacts > 0;
 
 template <class S>
 inline constexpr bool stacks = S::max_manifolds > 0;
+/// Its islands may be solved directly.
+template <class S>
+inline constexpr bool solves_directly = S::solver::is_direct;
+
 template <class S>
 inline constexpr bool has_shapes = collides<S> || stacks<S>;
 

@@ -83,6 +83,8 @@ constexpr size_t saved_manifold_size() {
     ByteCounter counter;
     SavedManifold manifold{};
     manifold.numbers(counter, S::renews_manifolds);
+    uint8_t unsettled = 0;
+    if (solves_directly<S>) counter(unsettled);
     return counter.count();
 }
 template <class S>
@@ -113,6 +115,7 @@ constexpr uint16_t snapshot_parts() {
     if (has_sensors<S>) parts |= SnapshotPart::sensors;
     if (stacks<S>) parts |= SnapshotPart::manifolds;
     if (stacks<S> && S::renews_manifolds) parts |= SnapshotPart::anchors;
+    if (stacks<S> && solves_directly<S>) parts |= SnapshotPart::unsettled;
     return static_cast<uint16_t>(parts);
 }
 
@@ -145,6 +148,10 @@ constexpr uint64_t scene_signature() {
     add_name(S::flight::name);
     add(static_cast<uint64_t>(order_of<typename S::rotation>));
     add(saved_field_size<S>());
+    if constexpr (stacks<S> && solves_directly<S>) {
+        add(static_cast<uint64_t>(S::solver::island_capacity));
+        add(static_cast<uint64_t>(S::solver::entries_per_row));
+    }
     return hash;
 }
 
@@ -166,6 +173,10 @@ void write_manifolds(ByteWriter& writer, const Storage<S>& storage) {
         SavedManifold saved{pair.body_A, pair.body_B, storage.records[pair.record], {}};
         if constexpr (S::renews_manifolds) saved.anchors = storage.anchors[pair.record];
         saved.numbers(writer, S::renews_manifolds);
+        if constexpr (solves_directly<S>) {
+            uint8_t unsettled = storage.unsettled[pair.record];
+            writer(unsettled);
+        }
     }
 }
 
@@ -179,6 +190,9 @@ Status read_manifolds(ByteReader& reader, uint32_t slots_used, Storage<S>* to) {
     for (uint16_t record = 0; record < count; ++record) {
         SavedManifold saved{};
         saved.numbers(reader, S::renews_manifolds);
+        uint8_t unsettled = 0;
+        if constexpr (solves_directly<S>) reader(unsettled);
+        if (unsettled > limits::unsettled_steps) return Status::bad_snapshot;
         const BodyPair pair{saved.body_A, saved.body_B, record};
         if (!is_sound(saved) || pair.body_A >= pair.body_B || pair.body_B >= slots_used || pair.key() <= key_before) return Status::bad_snapshot;
         key_before = pair.key();
@@ -186,6 +200,7 @@ Status read_manifolds(ByteReader& reader, uint32_t slots_used, Storage<S>* to) {
         to->pairs[record] = pair;
         to->records[record] = saved.record;
         if constexpr (S::renews_manifolds) to->anchors[record] = saved.anchors;
+        if constexpr (solves_directly<S>) to->unsettled[record] = unsettled;
         to->records_used = to->manifold_count = static_cast<uint16_t>(record + 1);
     }
     return Status::ok;
