@@ -45,7 +45,7 @@ struct DirectIslands {
         static_assert(max_island >= 1 && max_island <= 1024,
                       "the direct solver takes islands of 1 to 1024 manifolds: DirectIslands<max_island>");
 
-        wide entry[entries] = {};
+        wide_scalar entry[entries] = {};
         DirectRow row[direct_rows * island] = {};
         DirectActive active[rows] = {};
         DirectManifold manifold[island] = {};

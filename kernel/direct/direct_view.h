@@ -14,7 +14,7 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-using DirectVector = Vec3<wide>;
+using DirectVector = Vec3<wide_scalar>;
 
 inline constexpr int direct_rows = 7;  ///< of a manifold: normals 0 .. 3, friction 4 and 5, twist 6
 inline constexpr int friction_row = 4, twist_row = 6;
@@ -24,20 +24,20 @@ inline constexpr int friction_row = 4, twist_row = 6;
 struct DirectRow {
     DirectVector d;           ///< 0 for a twist
     DirectVector J[2], k[2];  ///< of A and B; k = inv_I_world J, in double, so that the matrix of the rows is symmetric
-    wide j;                 ///< N s; or the push of the position stage, kg m
-    wide target;            ///< m/s, or m: speed or displacement a normal has at least
-    wide K;                 ///< compliance
+    wide_scalar j;                 ///< N s; or the push of the position stage, kg m
+    wide_scalar target;            ///< m/s, or m: speed or displacement a normal has at least
+    wide_scalar K;                 ///< compliance
 };
 
 /// Friction that slides, t = mu N x / |x| with x = t - u / K, near where it is.
 struct SlideDirection {
-    wide x[2];   ///< unit, along the force
-    wide share;  ///< mu N / |x|, at most 1: how much the force turns with the slip
-    wide twist;  ///< sign of the twist; 0: it carries nothing
+    wide_scalar x[2];   ///< unit, along the force
+    wide_scalar share;  ///< mu N / |x|, at most 1: how much the force turns with the slip
+    wide_scalar twist;  ///< sign of the twist; 0: it carries nothing
 };
 
 struct DirectManifold {
-    wide mu, radius;      ///< m; |twist| <= mu radius N
+    wide_scalar mu, radius;      ///< m; |twist| <= mu radius N
     SlideDirection slip;    ///< that sliding rows were factored with
     uint16_t position;      ///< in solver.order: block and lane
     uint16_t body[2];       ///< of DirectBody
@@ -54,16 +54,16 @@ struct DirectManifold {
 /// Motion: v_CM and L, or dp and dth. [0] is what cannot move.
 struct DirectBody {
     DirectVector linear, angular;
-    Sym3<wide> inv_I_world;
+    Sym3<wide_scalar> inv_I_world;
     DirectVector r_CM;
-    wide inv_M;
+    wide_scalar inv_M;
     uint16_t body_i;  ///< of SolverBody
 };
 
 /// A row of the matrix of active rows, and of its factor.
 struct DirectActive {
-    wide inv_pivot;  ///< 0: the row depends on those before it, and takes nothing
-    wide x;          ///< right-hand side, then solution
+    wide_scalar inv_pivot;  ///< 0: the row depends on those before it, and takes nothing
+    wide_scalar x;          ///< right-hand side, then solution
     uint32_t offset;   ///< of the first entry
     uint16_t begin;    ///< column of the first entry
     uint16_t row;      ///< of DirectRow
@@ -87,7 +87,7 @@ struct DirectView {
     DirectRow* rows;       ///< direct_rows of each manifold
     DirectActive* active;  ///< room for 6 of each manifold: at most three normals are active
     DirectBody* bodies;    ///< room for manifold_capacity + 2
-    wide* entries;       ///< of the matrix, row by row from the first that is not zero
+    wide_scalar* entries;       ///< of the matrix, row by row from the first that is not zero
     int manifold_capacity, entry_capacity;
 
     FreeMotion* free_motion;  ///< by solver body

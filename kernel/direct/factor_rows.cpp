@@ -10,14 +10,14 @@ namespace ingot { inline namespace INGOT_ABI {
 namespace {
 
 /// The speed along row i of manifold m that a unit impulse along row c of manifold p gives.
-wide coupling(const DirectView& island, const DirectManifold& m, const DirectManifold& p, const DirectRow& i,
+wide_scalar coupling(const DirectView& island, const DirectManifold& m, const DirectManifold& p, const DirectRow& i,
                 const DirectRow& c) {
-    wide sum = 0;
+    wide_scalar sum = 0;
     for (int side = 0; side < 2; ++side) {
         if (m.body[side] == 0) continue;
         for (int other = 0; other < 2; ++other) {
             if (m.body[side] != p.body[other]) continue;
-            const wide linear = dot(i.d, c.d) * island.bodies[m.body[side]].inv_M;
+            const wide_scalar linear = dot(i.d, c.d) * island.bodies[m.body[side]].inv_M;
             sum += (side == other ? linear : -linear) + dot(i.k[side], c.J[other]);
         }
     }
@@ -50,8 +50,8 @@ bool list_rows(DirectView& island) {
 }
 
 /// sum over k of a_k b_k, in four sums: a chain of additions would wait for each.
-wide sum_of_products(const wide* a, const wide* b, int count) {
-    wide sums[4] = {};
+wide_scalar sum_of_products(const wide_scalar* a, const wide_scalar* b, int count) {
+    wide_scalar sums[4] = {};
     int i = 0;
     for (; i + 4 <= count; i += 4)
         for (int k = 0; k < 4; ++k) sums[k] += a[i + k] * b[i + k];
@@ -73,18 +73,18 @@ void factor_symmetric(const DirectView& island) {
         DirectActive& active = island.active[i];
         const DirectRow& row = island.rows[active.row];
         const DirectManifold& manifold = island.manifolds[active.row / direct_rows];
-        wide* const u = island.entries + active.offset;  // u[c - begin]
+        wide_scalar* const u = island.entries + active.offset;  // u[c - begin]
         for (int c = active.begin; c < i; ++c) {
             const DirectActive& before = island.active[c];
             const DirectManifold& other = island.manifolds[before.row / direct_rows];
             const int first = active.begin > before.begin ? active.begin : before.begin;
-            const wide known =
+            const wide_scalar known =
                 sum_of_products(u + (first - active.begin), island.entries + before.offset + (first - before.begin), c - first);
             u[c - active.begin] = coupling(island, manifold, other, row, island.rows[before.row]) - known;
         }
-        wide pivot = row.K * (1 + limits::direct_diagonal);
+        wide_scalar pivot = row.K * (1 + limits::direct_diagonal);
         for (int c = active.begin; c < i; ++c) {
-            const wide scaled = u[c - active.begin] * island.active[c].inv_pivot;
+            const wide_scalar scaled = u[c - active.begin] * island.active[c].inv_pivot;
             pivot -= scaled * u[c - active.begin];
             u[c - active.begin] = scaled;
         }
@@ -94,12 +94,12 @@ void factor_symmetric(const DirectView& island) {
 
 /// Row i of Newton's matrix at column c. Sliding friction: K (t - mu N x / |x|) = 0 with x = t - u / K, derived; K makes it a
 /// speed like the others.
-wide newton_entry(const DirectView& island, int i, int c) {
+wide_scalar newton_entry(const DirectView& island, int i, int c) {
     const int row_i = island.active[i].row, row_c = island.active[c].row, own = row_i % direct_rows,
               theirs = row_c % direct_rows;
     const DirectManifold &manifold = island.manifolds[row_i / direct_rows], &other = island.manifolds[row_c / direct_rows];
     const DirectRow &row = island.rows[row_i], &column = island.rows[row_c];
-    const wide damping = i == c ? row.K * limits::direct_diagonal : 0;
+    const wide_scalar damping = i == c ? row.K * limits::direct_diagonal : 0;
     if (!has(manifold.sliding, own)) return coupling(island, manifold, other, row, column) + damping;
     const bool same = &manifold == &other;
     if (own == twist_row) {
@@ -107,11 +107,11 @@ wide newton_entry(const DirectView& island, int i, int c) {
         return theirs == twist_row ? row.K : -row.K * manifold.slip.twist * manifold.mu * manifold.radius;
     }
     const DirectRow* const rows = island.rows + (row_i - own);
-    const wide* const x = manifold.slip.x;
+    const wide_scalar* const x = manifold.slip.x;
     const int axis = own - friction_row;
-    const wide across[2] = {(axis == 0 ? 1 : 0) - x[axis] * x[0], (axis == 1 ? 1 : 0) - x[axis] * x[1]},
+    const wide_scalar across[2] = {(axis == 0 ? 1 : 0) - x[axis] * x[0], (axis == 1 ? 1 : 0) - x[axis] * x[1]},
                  K = friction_compliance(rows);
-    wide entry = manifold.slip.share * (across[0] * coupling(island, manifold, other, rows[friction_row], column) +
+    wide_scalar entry = manifold.slip.share * (across[0] * coupling(island, manifold, other, rows[friction_row], column) +
                                           across[1] * coupling(island, manifold, other, rows[friction_row + 1], column));
     if (same && theirs < friction_row) entry -= K * manifold.mu * x[axis];
     if (same && theirs >= friction_row && theirs < twist_row)
@@ -121,10 +121,10 @@ wide newton_entry(const DirectView& island, int i, int c) {
 
 /// L U of Newton's matrix, without exchange: L row by row, and U, column by column, behind it.
 void factor_general(const DirectView& island) {
-    wide *const lower = island.entries, *const upper = island.entries + island.entry_count;
+    wide_scalar *const lower = island.entries, *const upper = island.entries + island.entry_count;
     for (int i = 0; i < island.active_count; ++i) {
         DirectActive& active = island.active[i];
-        wide *const l = lower + active.offset, *const u = upper + active.offset;
+        wide_scalar *const l = lower + active.offset, *const u = upper + active.offset;
         for (int c = active.begin; c < i; ++c) {
             const DirectActive& before = island.active[c];
             const int first = active.begin > before.begin ? active.begin : before.begin, count = c - first,
@@ -135,7 +135,7 @@ void factor_general(const DirectView& island) {
             u[at] = newton_entry(island, c, i) -
                     sum_of_products(lower + before.offset + (first - before.begin), u + (first - active.begin), count);
         }
-        const wide pivot = newton_entry(island, i, i) - sum_of_products(l, u, i - active.begin),
+        const wide_scalar pivot = newton_entry(island, i, i) - sum_of_products(l, u, i - active.begin),
                      K = island.rows[active.row].K;
         active.inv_pivot = size_of(pivot) > K * limits::direct_diagonal / 2 ? 1 / pivot : 0;
     }
@@ -174,17 +174,17 @@ bool factor_rows(DirectView& island) {
 void solve_factored(const DirectView& island) {
     for (int i = 0; i < island.active_count; ++i) {
         DirectActive& active = island.active[i];
-        const wide* const l = island.entries + active.offset;
+        const wide_scalar* const l = island.entries + active.offset;
         for (int c = active.begin; c < i; ++c) active.x -= l[c - active.begin] * island.active[c].x;
     }
     // Back by columns: of L^T where the matrix is symmetric, and D then stands between the two; of U else.
-    const wide* const columns = island.entries + (island.some_slide ? island.entry_count : 0);
+    const wide_scalar* const columns = island.entries + (island.some_slide ? island.entry_count : 0);
     if (!island.some_slide)
         for (int i = 0; i < island.active_count; ++i) island.active[i].x *= island.active[i].inv_pivot;
     for (int i = island.active_count - 1; i >= 0; --i) {
         DirectActive& active = island.active[i];
         if (island.some_slide) active.x *= active.inv_pivot;
-        const wide* const column = columns + active.offset;
+        const wide_scalar* const column = columns + active.offset;
         for (int c = active.begin; c < i; ++c) island.active[c].x -= column[c - active.begin] * active.x;
     }
 }

@@ -25,7 +25,7 @@ DirectVector free_L(const DirectView& island, const DirectBody& body) { return i
 
 void hold_energy(const SolverView& solver, const DirectView& island) {
     // The energy of the free motion and `share` of the change is E + share along + share^2 across.
-    wide along = 0, across = 0;
+    wide_scalar along = 0, across = 0;
     for (int body_i = 1; body_i < island.body_count; ++body_i) {
         const DirectBody& body = island.bodies[body_i];
         const SolverBody& now = solver.bodies[body.body_i];
@@ -36,7 +36,7 @@ void hold_energy(const SolverView& solver, const DirectView& island) {
     }
     if (!(along + across > 0) || some_bounce(solver, island)) return;
 
-    const wide share = along < 0 ? -along / (2 * across) : 0;
+    const wide_scalar share = along < 0 ? -along / (2 * across) : 0;
     for (int body_i = 1; body_i < island.body_count; ++body_i) {
         const DirectBody& body = island.bodies[body_i];
         SolverBody& now = solver.bodies[body.body_i];
@@ -45,7 +45,7 @@ void hold_energy(const SolverView& solver, const DirectView& island) {
         put_scalars(now.L, L + (in_double(now.L) - L) * share);
     }
     for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i)
-        for_impulses(solver, island.manifolds[manifold_i], [&](int, scalar& j) { j = static_cast<scalar>(static_cast<wide>(j) * share); });
+        for_impulses(solver, island.manifolds[manifold_i], [&](int, scalar& j) { j = static_cast<scalar>(static_cast<wide_scalar>(j) * share); });
 }
 
 } }  // namespace ingot

@@ -13,9 +13,9 @@ void take_in(const SolverView& solver, const BodyView& bodies, DirectView& direc
     const SymmetricMatrix inv_I = lane_of(bodies.translation[at.tile].inv_I_world, at.lane);
     direct.local[body_i] = static_cast<uint16_t>(direct.body_count);
     DirectBody& body = direct.bodies[direct.body_count++];
-    body.inv_M = static_cast<wide>(solver.bodies[body_i].v_CM[3]);
-    body.inv_I_world = {static_cast<wide>(inv_I.xx), static_cast<wide>(inv_I.yy), static_cast<wide>(inv_I.zz),
-                        static_cast<wide>(inv_I.xy), static_cast<wide>(inv_I.xz), static_cast<wide>(inv_I.yz)};
+    body.inv_M = static_cast<wide_scalar>(solver.bodies[body_i].v_CM[3]);
+    body.inv_I_world = {static_cast<wide_scalar>(inv_I.xx), static_cast<wide_scalar>(inv_I.yy), static_cast<wide_scalar>(inv_I.zz),
+                        static_cast<wide_scalar>(inv_I.xy), static_cast<wide_scalar>(inv_I.xz), static_cast<wide_scalar>(inv_I.yz)};
     body.r_CM = in_double(lane_of(bodies.translation[at.tile].r_CM, at.lane));
     body.body_i = body_i;
 }
@@ -41,9 +41,9 @@ void load_manifold(const SolverView& solver, DirectView& direct, DirectManifold&
     const DirectVector n = lane_in_double(block.n, lane_i), t_1 = lane_in_double(block.t_1, lane_i),
                        t_2 = lane_in_double(block.t_2, lane_i);
     const ManifoldRecord& record = solver.records[solver.pairs[block.manifold[lane_i]].record];
-    manifold.mu = static_cast<wide>(block.mu[lane_i]);
+    manifold.mu = static_cast<wide_scalar>(block.mu[lane_i]);
     manifold.radius =
-        record.manifold.count > 1 ? static_cast<wide>(block.twist.radius[lane_i]) : 0;  // of one point: rounding
+        record.manifold.count > 1 ? static_cast<wide_scalar>(block.twist.radius[lane_i]) : 0;  // of one point: rounding
     manifold.points = static_cast<uint8_t>(record.manifold.count > 1 ? block_rows : 1);   // whatever it shares its block with
     manifold.rows = 0;
     for (int row = 0; row < block.rows; ++row) {

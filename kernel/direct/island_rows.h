@@ -32,7 +32,7 @@ inline bool are_uneven(const SolverView& solver, int body_A, int body_B) {
 
 /// Speed along a row, or displacement: k reads L where J reads dth.
 template <bool displaces>
-inline wide row_motion(const DirectView& island, const DirectManifold& manifold, const DirectRow& row) {
+inline wide_scalar row_motion(const DirectView& island, const DirectManifold& manifold, const DirectRow& row) {
     const DirectBody &A = island.bodies[manifold.body[0]], &B = island.bodies[manifold.body[1]];
     const DirectVector* const lever = displaces ? row.J : row.k;
     return dot(row.d, A.linear - B.linear) + dot(lever[0], A.angular) + dot(lever[1], B.angular);
@@ -40,7 +40,7 @@ inline wide row_motion(const DirectView& island, const DirectManifold& manifold,
 
 /// Gives an impulse along a row, or a push.
 template <bool displaces>
-inline void give(const DirectView& island, const DirectManifold& manifold, DirectRow& row, wide j) {
+inline void give(const DirectView& island, const DirectManifold& manifold, DirectRow& row, wide_scalar j) {
     DirectBody &A = island.bodies[manifold.body[0]], &B = island.bodies[manifold.body[1]];
     const DirectVector* const lever = displaces ? row.k : row.J;
     row.j += j;
@@ -51,10 +51,10 @@ inline void give(const DirectView& island, const DirectManifold& manifold, Direc
 }
 
 inline DirectVector in_double(const scalar* from) {
-    return {static_cast<wide>(from[0]), static_cast<wide>(from[1]), static_cast<wide>(from[2])};
+    return {static_cast<wide_scalar>(from[0]), static_cast<wide_scalar>(from[1]), static_cast<wide_scalar>(from[2])};
 }
 inline DirectVector in_double(const Vector& from) {
-    return {static_cast<wide>(from.x), static_cast<wide>(from.y), static_cast<wide>(from.z)};
+    return {static_cast<wide_scalar>(from.x), static_cast<wide_scalar>(from.y), static_cast<wide_scalar>(from.z)};
 }
 inline void put_scalars(scalar (&to)[4], const DirectVector& from) {
     to[0] = static_cast<scalar>(from.x);

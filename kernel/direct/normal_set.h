@@ -9,9 +9,9 @@ namespace ingot { inline namespace INGOT_ABI {
 
 inline constexpr int normals_max = 3;  ///< of a manifold that are active: points of one plane have no more independent normals
 
-inline wide larger(wide a, wide b) { return a > b ? a : b; }
-inline wide size_of(wide a) { return a < 0 ? -a : a; }
-inline wide within(wide x, wide limit) { return x > limit ? limit : x < -limit ? -limit : x; }
+inline wide_scalar larger(wide_scalar a, wide_scalar b) { return a > b ? a : b; }
+inline wide_scalar size_of(wide_scalar a) { return a < 0 ? -a : a; }
+inline wide_scalar within(wide_scalar x, wide_scalar limit) { return x > limit ? limit : x < -limit ? -limit : x; }
 inline void set_bit(uint8_t& bits, int row, bool on) {
     bits = static_cast<uint8_t>(on ? bits | 1u << row : bits & ~(1u << row));
 }
@@ -36,7 +36,7 @@ void drop_least(const DirectView& island, DirectManifold& manifold, DirectRow* r
 /// The one change of the normals of four points that moves nothing: impulses in proportion to it. False: there are not four, or
 /// no three are active.
 struct IdleChange {
-    wide at[block_rows];
+    wide_scalar at[block_rows];
 };
 inline bool idle_change(const DirectManifold& manifold, const DirectRow* rows, IdleChange& idle) {
     if (manifold.points != block_rows || (manifold.rows & 15u) != 15u || active_normals(manifold) < normals_max) return false;
@@ -54,7 +54,7 @@ inline bool idle_change(const DirectManifold& manifold, const DirectRow* rows, I
 inline void spread_load(const DirectView& island, const DirectManifold& manifold, DirectRow* rows) {
     IdleChange idle;
     if (!idle_change(manifold, rows, idle)) return;
-    wide along = 0, size = 0, low = -1e300, high = 1e300;
+    wide_scalar along = 0, size = 0, low = -1e300, high = 1e300;
     for (int row = 0; row < block_rows; ++row) {
         along += rows[row].j * idle.at[row];
         size += idle.at[row] * idle.at[row];
@@ -62,7 +62,7 @@ inline void spread_load(const DirectView& island, const DirectManifold& manifold
         if (idle.at[row] < 0) high = -larger(-high, rows[row].j / idle.at[row]);
     }
     if (!(size > 0)) return;
-    const wide even = -along / size, share = even < low ? low : even > high ? high : even;
+    const wide_scalar even = -along / size, share = even < low ? low : even > high ? high : even;
     for (int row = 0; row < block_rows; ++row) give<false>(island, manifold, rows[row], share * idle.at[row]);
 }
 
@@ -72,24 +72,24 @@ inline void gather_load(const DirectView& island, const DirectManifold& manifold
     if (!idle_change(manifold, rows, idle)) return;
     for (int row = 0; row < block_rows; ++row) {
         if (has(manifold.active, row) || idle.at[row] == 0) continue;
-        const wide share = -rows[row].j / idle.at[row];
+        const wide_scalar share = -rows[row].j / idle.at[row];
         for (int other = 0; other < block_rows; ++other) give<false>(island, manifold, rows[other], share * idle.at[other]);
         rows[row].j = 0;
     }
 }
 
 /// An impulse that rounding makes of nothing, where the manifold carries as much as it does.
-inline wide rounding_of_load(const DirectManifold& manifold, const DirectRow* rows) {
-    wide N = 0;
+inline wide_scalar rounding_of_load(const DirectManifold& manifold, const DirectRow* rows) {
+    wide_scalar N = 0;
     for (int row = 0; row < manifold.points; ++row)
         if (has(manifold.rows, row)) N += larger(rows[row].j, -rows[row].j);
     return limits::direct_roundings * N;
 }
 
-inline bool pulls_back(const DirectManifold& manifold, const DirectRow* rows, int row, wide slack, wide pull) {
+inline bool pulls_back(const DirectManifold& manifold, const DirectRow* rows, int row, wide_scalar slack, wide_scalar pull) {
     return !has(manifold.pulls, row) && rows[row].j < -larger(slack / rows[row].K, pull);
 }
-inline bool some_pull(const DirectManifold& manifold, const DirectRow* rows, wide slack, wide pull) {
+inline bool some_pull(const DirectManifold& manifold, const DirectRow* rows, wide_scalar slack, wide_scalar pull) {
     bool some = false;
     for (int row = 0; row < manifold.points; ++row)
         some = some || (has(manifold.rows, row) && pulls_back(manifold, rows, row, slack, pull));
@@ -98,10 +98,10 @@ inline bool some_pull(const DirectManifold& manifold, const DirectRow* rows, wid
 
 /// Normals that pull leave, those that approach enter; true if the set changed. `slack` is a speed or a length.
 template <bool displaces>
-bool change_normals(const DirectView& island, DirectManifold& manifold, DirectRow* rows, wide slack) {
+bool change_normals(const DirectView& island, DirectManifold& manifold, DirectRow* rows, wide_scalar slack) {
     const uint8_t before = manifold.active;
     if (!displaces) spread_load(island, manifold, rows);
-    const wide pull = rounding_of_load(manifold, rows);
+    const wide_scalar pull = rounding_of_load(manifold, rows);
     if (!displaces && some_pull(manifold, rows, slack, pull)) gather_load(island, manifold, rows);
     for (int row = 0; row < manifold.points; ++row) {
         if (!has(manifold.rows, row)) continue;

@@ -7,24 +7,24 @@
 namespace ingot { inline namespace INGOT_ABI {
 
 struct FrictionImpulse {
-    wide at[2];
+    wide_scalar at[2];
 };
 
-wide square_root(wide x);
+wide_scalar square_root(wide_scalar x);
 /// Cut to the circle of this radius.
-FrictionImpulse cut(const FrictionImpulse& t, wide limit);
+FrictionImpulse cut(const FrictionImpulse& t, wide_scalar limit);
 FrictionImpulse tried_friction(const DirectView& island, const DirectManifold& manifold, const DirectRow* rows);
 /// What Coulomb's law makes of friction and twist at the slip there is: the projection of t - u / K to the cone. At the
 /// solution it is t.
 FrictionImpulse projected_friction(const DirectView& island, const DirectManifold& manifold, const DirectRow* rows,
-                                   wide limit);
-wide projected_twist(const DirectView& island, const DirectManifold& manifold, const DirectRow* rows, wide limit);
+                                   wide_scalar limit);
+wide_scalar projected_twist(const DirectView& island, const DirectManifold& manifold, const DirectRow* rows, wide_scalar limit);
 /// The normal impulse of a manifold.
-wide load_of(const DirectManifold& manifold, const DirectRow* rows);
+wide_scalar load_of(const DirectManifold& manifold, const DirectRow* rows);
 
 /// The larger of the pair's compliances.
-inline wide friction_compliance(const DirectRow* rows) {
-    const wide K_1 = rows[friction_row].K, K_2 = rows[friction_row + 1].K;
+inline wide_scalar friction_compliance(const DirectRow* rows) {
+    const wide_scalar K_1 = rows[friction_row].K, K_2 = rows[friction_row + 1].K;
     return K_1 > K_2 ? K_1 : K_2;
 }
 

@@ -12,10 +12,10 @@ namespace {
 
 /// By how much the laws of contact are missed.
 struct Misfit {
-    wide worst;  ///< m/s
-    wide merit;  ///< J; sum of squares over compliance
+    wide_scalar worst;  ///< m/s
+    wide_scalar merit;  ///< J; sum of squares over compliance
 
-    void add(wide impulse, wide K) {
+    void add(wide_scalar impulse, wide_scalar K) {
         worst = larger(worst, size_of(impulse) * K);
         merit += impulse * impulse * K;
     }
@@ -28,11 +28,11 @@ Misfit misfit(const DirectView& island) {
         const DirectRow* const rows = island.rows + manifold_i * direct_rows;
         for (int row = 0; row < manifold.points; ++row) {
             if (!has(manifold.rows, row)) continue;
-            const wide wanted =
+            const wide_scalar wanted =
                 rows[row].j - (row_motion<false>(island, manifold, rows[row]) - rows[row].target) / rows[row].K;
             sum.add(larger(wanted, 0) - rows[row].j, rows[row].K);
         }
-        const wide limit = manifold.mu * load_of(manifold, rows);
+        const wide_scalar limit = manifold.mu * load_of(manifold, rows);
         if (has(manifold.rows, friction_row)) {
             const FrictionImpulse t = projected_friction(island, manifold, rows, limit);
             for (int axis = 0; axis < 2; ++axis) sum.add(t.at[axis] - rows[friction_row + axis].j, rows[friction_row + axis].K);
@@ -62,7 +62,7 @@ void add_up(const DirectView& island) {
         for (int row = 0; row < direct_rows; ++row) {
             if (!has(manifold.rows, row)) continue;
             DirectRow& at = island.rows[manifold_i * direct_rows + row];
-            const wide j = at.j;
+            const wide_scalar j = at.j;
             at.j = 0;
             give<displaces>(island, manifold, at, j);
         }
@@ -77,7 +77,7 @@ void begin_free(const SolverView& solver, DirectView& island) {
         const ContactBlock& block = solver.blocks[manifold.position / lanes];
         for (int row = 0; row < manifold.points; ++row)
             if (has(manifold.rows, row))
-                island.rows[manifold_i * direct_rows + row].target = static_cast<wide>(block.row[row].target[manifold.position % lanes]);
+                island.rows[manifold_i * direct_rows + row].target = static_cast<wide_scalar>(block.row[row].target[manifold.position % lanes]);
     }
 }
 
@@ -87,8 +87,8 @@ void begin_solve(const SolverView& solver, DirectView& island) {
         DirectManifold& manifold = island.manifolds[manifold_i];
         DirectRow* const rows = island.rows + manifold_i * direct_rows;
         manifold.pulls = 0;
-        wide guess[direct_rows] = {}, N = 0;
-        for_impulses(solver, manifold, [&](int row, scalar& j) { guess[row] = static_cast<wide>(j); });
+        wide_scalar guess[direct_rows] = {}, N = 0;
+        for_impulses(solver, manifold, [&](int row, scalar& j) { guess[row] = static_cast<wide_scalar>(j); });
         for (int row = 0; row < manifold.points; ++row) {
             if (!has(manifold.rows, row)) continue;
             guess[row] = larger(guess[row], 0);
@@ -119,15 +119,15 @@ void set_friction(const DirectView& island, DirectManifold& manifold, DirectRow*
 
 /// Whether friction and twist stick, by the impulses: what lies on the cone slides.
 void stick_or_slide(const DirectView& island, DirectManifold& manifold, DirectRow* rows) {
-    const wide limit = manifold.mu * load_of(manifold, rows), nearly = 1 - 1e-5;
+    const wide_scalar limit = manifold.mu * load_of(manifold, rows), nearly = 1 - 1e-5;
     const bool loaded = active_normals(manifold) != 0;
     if (has(manifold.rows, friction_row)) {
         const DirectRow* const t = rows + friction_row;
-        const wide length = square_root(t[0].j * t[0].j + t[1].j * t[1].j);
+        const wide_scalar length = square_root(t[0].j * t[0].j + t[1].j * t[1].j);
         set_friction(island, manifold, rows, friction_row, twist_row, loaded, limit > 0 && length >= limit * nearly);
     }
     if (has(manifold.rows, twist_row)) {
-        const wide twist_limit = limit * manifold.radius;
+        const wide_scalar twist_limit = limit * manifold.radius;
         set_friction(island, manifold, rows, twist_row, direct_rows, loaded,
                      twist_limit > 0 && size_of(rows[twist_row].j) >= twist_limit * nearly);
     }
@@ -140,9 +140,9 @@ bool has_impact(const SolverView& solver, const DirectView& island, scalar h) {
     for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
         const DirectManifold& manifold = island.manifolds[manifold_i];
         const DirectRow* const rows = island.rows + manifold_i * direct_rows;
-        wide smooth = 0;
+        wide_scalar smooth = 0;
         for (const uint16_t body : manifold.body)
-            if (body != 0) smooth = larger(smooth, static_cast<wide>(2 * h * solver.bodies[island.bodies[body].body_i].dp[3]));
+            if (body != 0) smooth = larger(smooth, static_cast<wide_scalar>(2 * h * solver.bodies[island.bodies[body].body_i].dp[3]));
         for (int row = 0; row < manifold.points; ++row)
             if (has(manifold.rows, row) && row_motion<false>(island, manifold, rows[row]) < rows[row].target - smooth) return true;
     }
@@ -167,12 +167,12 @@ void choose_active(DirectView& island) {
 
 /// What is left of the equation of an active row, m/s or m.
 template <bool displaces>
-wide left_of(const DirectView& island, int row_i) {
+wide_scalar left_of(const DirectView& island, int row_i) {
     const int row = row_i % direct_rows;
     const DirectManifold& manifold = island.manifolds[row_i / direct_rows];
     const DirectRow* const rows = island.rows + (row_i - row);
     if (displaces || !has(manifold.sliding, row)) return rows[row].target - row_motion<displaces>(island, manifold, rows[row]);
-    const wide limit = manifold.mu * load_of(manifold, rows);
+    const wide_scalar limit = manifold.mu * load_of(manifold, rows);
     if (row == twist_row) return rows[row].K * (projected_twist(island, manifold, rows, limit * manifold.radius) - rows[row].j);
     return friction_compliance(rows) * (projected_friction(island, manifold, rows, limit).at[row - friction_row] - rows[row].j);
 }
@@ -180,10 +180,10 @@ wide left_of(const DirectView& island, int row_i) {
 /// Solves the equations of the active rows, by refinement: what is left is taken from the bodies each time. Where something
 /// slides they are not linear: then the passes are few, and the matrix is made anew. Returns what is left.
 template <bool displaces>
-wide solve_active(const DirectView& island, wide settled) {
+wide_scalar solve_active(const DirectView& island, wide_scalar settled) {
     const int passes = island.some_slide ? limits::direct_refinements_of_sliding : limits::direct_refinements_max;
     for (int pass_i = 0;; ++pass_i) {
-        wide worst = 0;
+        wide_scalar worst = 0;
         for (int i = 0; i < island.active_count; ++i) {
             DirectActive& active = island.active[i];
             active.x = left_of<displaces>(island, active.row);
@@ -199,24 +199,24 @@ wide solve_active(const DirectView& island, wide settled) {
 
 /// Sticking friction beyond the cone slides, sliding friction within it sticks, what has no load has no friction; true if
 /// something changed.
-bool change_friction(const DirectView& island, DirectManifold& manifold, DirectRow* rows, wide settled) {
+bool change_friction(const DirectView& island, DirectManifold& manifold, DirectRow* rows, wide_scalar settled) {
     const uint8_t active = manifold.active, sliding = manifold.sliding;
     const bool loaded = active_normals(manifold) != 0;
-    const wide limit = manifold.mu * load_of(manifold, rows);
-    const auto slides = [&](int row, wide length, wide most, wide K) {
+    const wide_scalar limit = manifold.mu * load_of(manifold, rows);
+    const auto slides = [&](int row, wide_scalar length, wide_scalar most, wide_scalar K) {
         return has(sliding, row) ? length >= most - settled / 16 / K : length > most + settled / K;
     };
     if (has(manifold.rows, friction_row)) {
         const FrictionImpulse t = has(sliding, friction_row)
                                       ? tried_friction(island, manifold, rows)
                                       : FrictionImpulse{{rows[friction_row].j, rows[friction_row + 1].j}};
-        const wide length = square_root(t.at[0] * t.at[0] + t.at[1] * t.at[1]);
+        const wide_scalar length = square_root(t.at[0] * t.at[0] + t.at[1] * t.at[1]);
         set_friction(island, manifold, rows, friction_row, twist_row, loaded,
                      slides(friction_row, length, limit, friction_compliance(rows)));
     }
     if (has(manifold.rows, twist_row)) {
         const DirectRow& row = rows[twist_row];
-        const wide twist =
+        const wide_scalar twist =
             size_of(has(sliding, twist_row) ? row.j - row_motion<false>(island, manifold, row) / row.K : row.j);
         set_friction(island, manifold, rows, twist_row, direct_rows, loaded,
                      slides(twist_row, twist, limit * manifold.radius, row.K));
@@ -227,7 +227,7 @@ bool change_friction(const DirectView& island, DirectManifold& manifold, DirectR
 /// Corrects the set by what has been solved; false: it stays. All manifolds at once find most sets in a few rounds, and can go
 /// round in circles: after half of the rounds it is one at a time, which starts where the last one changed.
 template <bool displaces>
-bool change_active(const DirectView& island, wide settled, int set_i, int& begin) {
+bool change_active(const DirectView& island, wide_scalar settled, int set_i, int& begin) {
     bool changed = false;
     for (int step_i = 0; step_i < island.manifold_count; ++step_i) {
         const int manifold_i = (begin + step_i) % island.manifold_count;
@@ -263,12 +263,12 @@ IslandFate solve_island(const SolverView& solver, DirectView& island, scalar h, 
     begin_free(solver, island);
     if (has_impact(solver, island, h)) return IslandFate::struck;
     begin_solve(solver, island);
-    const wide merit_most = after_sweeps ? misfit(island).merit : 1e30;  // a NaN, which comparisons pass by, stays in the sum
+    const wide_scalar merit_most = after_sweeps ? misfit(island).merit : 1e30;  // a NaN, which comparisons pass by, stays in the sum
     choose_active(island);
     int begin = 0;
     for (int set_i = 0; set_i < limits::direct_sets_max; ++set_i) {
         if (set_i != 0) add_up<false>(island);
-        wide left = 1;
+        wide_scalar left = 1;
         for (int step_i = 0; step_i < limits::direct_newton_steps_max && left > limits::direct_settled_speed; ++step_i) {
             if (!factor_rows(island)) return IslandFate::chosen;
             left = solve_active<false>(island, limits::direct_settled_speed);
@@ -279,7 +279,7 @@ IslandFate solve_island(const SolverView& solver, DirectView& island, scalar h, 
     }
     add_up<false>(island);
     const Misfit left = misfit(island);
-    const wide bound = after_sweeps ? static_cast<wide>(limits::settled_speed) : 4 * limits::direct_settled_speed;
+    const wide_scalar bound = after_sweeps ? static_cast<wide_scalar>(limits::settled_speed) : 4 * limits::direct_settled_speed;
     if (!(left.worst <= bound) || !(left.merit < merit_most)) return IslandFate::chosen;
     write_back(solver, island);
     return IslandFate::solved;
@@ -295,7 +295,7 @@ bool begin_placing(const SolverView& solver, DirectView& island, scalar h) {
         body.angular = in_double(solver.bodies[body.body_i].dth);
     }
     bool off = false;
-    const wide deepest = -static_cast<wide>(limits::push_speed_max * h);
+    const wide_scalar deepest = -static_cast<wide_scalar>(limits::push_speed_max * h);
     for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
         DirectManifold& manifold = island.manifolds[manifold_i];
         DirectRow* const rows = island.rows + manifold_i * direct_rows;
@@ -307,17 +307,17 @@ bool begin_placing(const SolverView& solver, DirectView& island, scalar h) {
         for (int row = 0; row < manifold.points; ++row) {
             if (!has(manifold.rows, row)) continue;
             const ContactRow& contact = block.row[row];
-            const wide s = static_cast<wide>(contact.separation[lane_i]) + row_motion<true>(island, manifold, rows[row]);
+            const wide_scalar s = static_cast<wide_scalar>(contact.separation[lane_i]) + row_motion<true>(island, manifold, rows[row]);
             const bool pressed = contact.j[lane_i] > 0, lands = contact.landing[lane_i] < limits::unbounded;
-            const wide share = s * static_cast<wide>(limits::position_share);
-            const wide wanted = lands              ? s - static_cast<wide>(contact.landing[lane_i])
+            const wide_scalar share = s * static_cast<wide_scalar>(limits::position_share);
+            const wide_scalar wanted = lands              ? s - static_cast<wide_scalar>(contact.landing[lane_i])
                                   : pressed || s < 0 ? larger(share, deepest)
                                                      : s;
             rows[row].target = -wanted;
-            rows[row].j = static_cast<wide>(contact.j[lane_i]);  // for choosing three
+            rows[row].j = static_cast<wide_scalar>(contact.j[lane_i]);  // for choosing three
             set_bit(manifold.pulls, row, pressed || lands);
             set_bit(manifold.active, row, pressed || lands || wanted < 0);
-            off = off || (pressed || lands ? size_of(wanted) : -wanted) > static_cast<wide>(limits::settled_gap);
+            off = off || (pressed || lands ? size_of(wanted) : -wanted) > static_cast<wide_scalar>(limits::settled_gap);
         }
     }
     return off;
@@ -328,10 +328,10 @@ bool begin_placing(const SolverView& solver, DirectView& island, scalar h) {
 namespace {
 
 /// The largest displacement, m and rad; not finite if one is not.
-wide farthest(const DirectView& island) {
-    wide most_sq = 0, sum = 0;
+wide_scalar farthest(const DirectView& island) {
+    wide_scalar most_sq = 0, sum = 0;
     for (int body_i = 1; body_i < island.body_count; ++body_i) {
-        const wide moved = length_sq(island.bodies[body_i].linear), turned = length_sq(island.bodies[body_i].angular);
+        const wide_scalar moved = length_sq(island.bodies[body_i].linear), turned = length_sq(island.bodies[body_i].angular);
         most_sq = larger(most_sq, larger(moved, turned));
         sum += moved + turned;
     }
@@ -361,9 +361,9 @@ bool place_island(const SolverView& solver, DirectView& island, scalar h) {
         settled = !change_active<true>(island, limits::direct_settled_length, set_i, begin);
     }
     add_up<true>(island);
-    const wide far = farthest(island), most = static_cast<wide>(limits::push_speed_max * h);
+    const wide_scalar far = farthest(island), most = static_cast<wide_scalar>(limits::push_speed_max * h);
     if (!settled || !(far < 1)) return false;
-    const wide share = far > most ? most / far : 1;  // none faster than a sweep pushes it, and all of them in proportion
+    const wide_scalar share = far > most ? most / far : 1;  // none faster than a sweep pushes it, and all of them in proportion
     for (int body_i = 1; body_i < island.body_count; ++body_i) {
         const DirectBody& body = island.bodies[body_i];
         SolverBody& moved = solver.bodies[body.body_i];

@@ -42,9 +42,9 @@ struct OwnDouble {
 };
 
 #if defined(INGOT_DOUBLES_ADD_WRONGLY)
-using wide = OwnDouble;
+using wide_scalar = OwnDouble;
 #else
-using wide = double;
+using wide_scalar = double;
 #endif
 
 } }  // namespace ingot
