@@ -163,6 +163,14 @@ constexpr SnapshotHeader expected_header() {
             0,              snapshot_parts<S>(), static_cast<uint32_t>(saved_field_size<S>())};
 }
 
+/// Points that a manifold does not have hold what the stack held when it was found.
+inline void clear_spare_points(ManifoldRecord& record) {
+    for (int point_i = record.manifold.count; point_i < Manifold::points_max; ++point_i) {
+        record.manifold.points[point_i] = {};
+        record.j[point_i] = record.j_before[point_i] = 0;
+    }
+}
+
 /// Contacts of the last step, in their order: their impulses are what the next step begins with.
 template <class S>
 void write_manifolds(ByteWriter& writer, const Storage<S>& storage) {
@@ -171,6 +179,7 @@ void write_manifolds(ByteWriter& writer, const Storage<S>& storage) {
     for (int pair_i = 0; pair_i < count; ++pair_i) {
         const BodyPair& pair = storage.pairs[pair_i];
         SavedManifold saved{pair.body_A, pair.body_B, storage.records[pair.record], {}};
+        clear_spare_points(saved.record);
         if constexpr (S::renews_manifolds) saved.anchors = storage.anchors[pair.record];
         saved.numbers(writer, S::renews_manifolds);
         if constexpr (solves_directly<S>) {
