@@ -5,6 +5,7 @@
 #include <ingot/blocks/order_manifolds.h>
 #include <ingot/blocks/predict_contacts.h>
 #include <ingot/blocks/prepare_blocks.h>
+#include <ingot/direct/hold_energy.h>
 #include <ingot/direct/island_rows.h>
 #include <ingot/direct/islands.h>
 #include <ingot/direct/solve_island.h>
@@ -131,7 +132,7 @@ struct RandomIsland {
     }
 
     /// The islands one by one: to the bodies' velocities, and, into `found`, what impulses did it.
-    bool solve(ContactSolution& found) {
+    bool solve(ContactSolution& found, int work = 1 << 24) {
         for (auto& record : storage.records) record.substeps = 1;  // no contact is new
         ingot::StepReport report{};
         EXPECT_GT(choose_islands(solver, direct, report), 0);
@@ -144,7 +145,7 @@ struct RandomIsland {
         for (int root = 1; root < solver.body_count; ++root) {
             if (direct.fate[root] != ingot::IslandFate::chosen) continue;
             ingot::load_rows(solver, storage.bodies(), direct, static_cast<uint16_t>(root));
-            direct.work_left = 1 << 24;
+            direct.work_left = work;
             direct.uneven = true;  // impacts too
             solved = ingot::solve_island(solver, direct, static_cast<scalar>(h), false) == ingot::IslandFate::solved && solved;
             collect(found);
@@ -252,6 +253,57 @@ TEST(DirectIsland, keeps_the_laws_of_friction) {
     std::printf("%d of 400 islands with friction solved, %d as the reference does\n", solved, same);
     EXPECT_GE(solved, 280);  // cold starts of contacts at random; what does not settle is the sweeps'
     EXPECT_GE(same, solved - solved / 50);
+}
+
+/// An attempt for which there is not enough work writes nothing: the sweeps go on from where they were.
+TEST(DirectIsland, without_work_changes_nothing) {
+    RandomInput random(3);
+    for (int case_i = 0; case_i < 20; ++case_i) {
+        RandomIsland island(random, random.integer(3, most_bodies), 1, 3);
+        const std::vector<ingot::SolverBody> before(island.solver.bodies, island.solver.bodies + island.solver.body_count);
+        ContactSolution found;
+        EXPECT_FALSE(island.solve(found, 1));
+        for (std::size_t i = 0; i < before.size(); ++i)
+            for (int axis = 0; axis < 3; ++axis) {
+                EXPECT_EQ(island.solver.bodies[i].v_CM[axis], before[i].v_CM[axis]);
+                EXPECT_EQ(island.solver.bodies[i].L[axis], before[i].L[axis]);
+            }
+    }
+}
+
+/// Impulses that give energy are scaled to what gives least; those that take some stay as they are.
+TEST(DirectIsland, holds_its_energy) {
+    RandomInput random(4);
+    int scaled = 0, kept = 0;
+    for (int case_i = 0; case_i < 200; ++case_i) {
+        RandomIsland island(random, 2, 1, 3);
+        ingot::StepReport report{};
+        for (auto& record : island.storage.records) record.substeps = 1;
+        if (choose_islands(island.solver, island.direct, report) == 0) continue;
+        int root = 1;
+        while (island.direct.fate[root] != ingot::IslandFate::chosen) ++root;
+        ingot::load_rows(island.solver, island.storage.bodies(), island.direct, static_cast<uint16_t>(root));
+        ingot::SolverBody& body = island.solver.bodies[island.direct.bodies[1].body_i];
+        const double M = 1 / static_cast<double>(body.v_CM[3]), share = random.real(-3, 3);
+        const auto energy = [&] {
+            double sum = 0;
+            for (int axis = 0; axis < 3; ++axis) sum += static_cast<double>(body.v_CM[axis]) * static_cast<double>(body.v_CM[axis]);
+            return M * sum / 2;
+        };
+        const double free_energy = energy();
+        for (int axis = 0; axis < 3; ++axis) body.v_CM[axis] = static_cast<scalar>(static_cast<double>(body.v_CM[axis]) * share);
+        const double given = energy();
+        hold_energy(island.solver, island.direct);
+        if (given > free_energy * (1 + 1e-6)) {  // along one direction the least is none at all, or what there was
+            ++scaled;
+            EXPECT_NEAR(energy(), share < 0 ? 0 : free_energy, 1e-6 * given) << share;
+        } else if (given < free_energy * (1 - 1e-6)) {
+            ++kept;
+            EXPECT_EQ(energy(), given) << share;
+        }
+    }
+    EXPECT_GT(scaled, 50);
+    EXPECT_GT(kept, 20);
 }
 
 }  // namespace
