@@ -49,7 +49,8 @@ struct Room : ingot::Scene {
 /// What step reports add up to.
 struct ReportSum {
     int steps = 0, not_ok = 0, frozen = 0, clamped = 0, lost = 0, most_contacts = 0;
-    int sweeps = 0, direct_solves = 0, direct_refused = 0, direct_unfinished = 0;
+    int sweeps = 0;
+    int solved_directly = 0, refused_directly = 0, unfinished_directly = 0;  ///< steps in which an island was
     double residual = 0;  ///< m/s, the largest
 
     void add(const StepReport& report) {
@@ -59,9 +60,9 @@ struct ReportSum {
         clamped += report.spins_clamped;
         lost += report.contacts_lost;
         sweeps += report.sweeps;
-        direct_solves += report.direct_solves;
-        direct_refused += report.direct_refused;
-        direct_unfinished += report.direct_unfinished;
+        solved_directly += (report.direct & ingot::DirectBits::solved) != 0;
+        refused_directly += (report.direct & ingot::DirectBits::refused) != 0;
+        unfinished_directly += (report.direct & ingot::DirectBits::unfinished) != 0;
         most_contacts = std::max<int>(most_contacts, report.contacts);
         residual = std::max(residual, static_cast<double>(report.residual));
     }

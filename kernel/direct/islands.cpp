@@ -76,7 +76,7 @@ int choose_islands(const SolverView& solver, const DirectView& direct, StepRepor
         if (direct.fate[body_i] != IslandFate::chosen) continue;
         if (!fits(body_i)) {
             direct.fate[body_i] = IslandFate::swept;
-            count(report.direct_refused);
+            report.direct = static_cast<uint8_t>(report.direct | DirectBits::refused);
         } else {
             ++chosen;
         }

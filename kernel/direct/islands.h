@@ -9,7 +9,7 @@ namespace ingot { inline namespace INGOT_ABI {
 /// Finds which manifolds hang together through bodies that can move, and which of these islands are to be solved directly:
 /// those with bodies of limits::direct_mass_ratio on each other or piled limits::direct_levels high, and those whose sweeps
 /// have stopped at their bound for limits::unsettled_steps steps. Returns how many; those that have more manifolds than there
-/// is room for are left to the sweeps and counted in direct_refused.
+/// is room for are left to the sweeps and told by DirectBits::refused.
 int choose_islands(const SolverView& solver, const DirectView& direct, StepReport& report);
 
 /// The visits that islands which are not solved need: lanes of those that are, are left out. The same motion for any lanes.

@@ -52,13 +52,11 @@ void try_islands(const SolverView& solver, const BodyView& bodies, DirectView& d
 }
 
 /// Velocities of the islands that are `chosen`. Returns how many are still.
-int solve_islands(const SolverView& solver, const BodyView& bodies, DirectView& direct, scalar h, bool after_sweeps, uint16_t& solves) {
-    const int solved_before = islands_of(solver, direct, IslandFate::solved);
+int solve_islands(const SolverView& solver, const BodyView& bodies, DirectView& direct, scalar h, bool after_sweeps) {
     try_islands(solver, bodies, direct, IslandFate::chosen, [&] {
         if (!after_sweeps) hold_energy(solver, direct);
         return solve_island(solver, direct, h, after_sweeps);
     });
-    count(solves, islands_of(solver, direct, IslandFate::solved) - solved_before);
     return islands_of(solver, direct, IslandFate::chosen);
 }
 
@@ -105,14 +103,15 @@ void solve_directly(SolverView& solver, DirectView& direct, const BodyView& bodi
         if (chosen != 0) keep_free_motion(solver, direct);
         warm_start(solver, h_substep);
 
-        const int left = chosen != 0 ? solve_islands(solver, bodies, direct, h_substep, false, report.direct_solves) : 0;
+        const int left = chosen != 0 ? solve_islands(solver, bodies, direct, h_substep, false) : 0;
         SolverView swept = chosen != left ? left_to_sweeps(solver, direct) : solver;
         if (swept.visit_count != 0) {
             const int sweeps = solve_velocities(swept, plan, report.residual);
             count(report.sweeps, sweeps);
             at_bound = sweeps == plan.sweeps_max && report.residual > limits::settled_speed;
         }
-        if (left != 0) count(report.direct_unfinished, solve_islands(solver, bodies, direct, h_substep, true, report.direct_solves));
+        if (left != 0 && solve_islands(solver, bodies, direct, h_substep, true) != 0) report.direct = static_cast<uint8_t>(report.direct | DirectBits::unfinished);
+        if (chosen != 0 && islands_of(solver, direct, IslandFate::solved) != 0) report.direct = static_cast<uint8_t>(report.direct | DirectBits::solved);
 
         if (chosen != 0) hold_energy_of_rest(solver, bodies, direct);
         if constexpr (notes_impulses) note_impulses(solver, notes);
