@@ -119,6 +119,7 @@ struct RandomIsland {
         const ingot::BodyView bodies = storage.bodies();
         ingot::take_in_bodies(solver, bodies, {});
         ingot::order_manifolds(solver);
+        solver.substeps = ingot::limits::substeps;
         ingot::prepare_blocks(solver, bodies);
         ingot::predict_contacts(solver, static_cast<scalar>(h));
         for (int body_i = 1; body_i < solver.body_count; ++body_i) {

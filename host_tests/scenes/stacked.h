@@ -52,13 +52,13 @@ struct Tower20 : Stacked<21, 20> {
     static constexpr PlacedBody body(int body_i) { return Tower<20>::body(body_i); }
 };
 
-/// Planks fall on each other: a solver that picks itself, with impacts for the sweeps, solves that succeed and solves that do not.
-struct ChosenPlanks : Stacked<13, 78> {
+/// Boxes of 1 and 100 kg fall on each other: a solver that picks itself, with solves that settle and solves that do not.
+struct ChosenBoxes : Stacked<13, 78> {
     using solver = ingot::ChosenSolver;
-    static constexpr const char* name = "planks_chosen";
-    static constexpr const char* title = "planks fall on each other, solved by what suits";
+    static constexpr const char* name = "uneven_boxes";
+    static constexpr const char* title = "boxes of 1 and 100 kg fall on each other, solved by what suits";
     static constexpr int golden_steps = 180;
-    static constexpr PlacedBody body(int body_i) { return FallingPlanks::body(body_i); }
+    static constexpr PlacedBody body(int body_i) { return UnevenBoxes<12, 100>::body(body_i); }
 };
 
 /// Boxes and balls fall into a pit, some of them springy: every routine of these shapes, manifolds that come and go, bounces and rest.
@@ -101,7 +101,7 @@ inline ingot::Status set_up(ingot::World<Tower10>& world) { return set_up_placed
 inline ingot::Status set_up(ingot::World<Pyramid55>& world) { return set_up_placed(world); }
 inline ingot::Status set_up(ingot::World<MassRatio1e6>& world) { return set_up_placed(world); }
 inline ingot::Status set_up(ingot::World<Tower20>& world) { return set_up_placed(world); }
-inline ingot::Status set_up(ingot::World<ChosenPlanks>& world) { return set_up_placed(world); }
+inline ingot::Status set_up(ingot::World<ChosenBoxes>& world) { return set_up_placed(world); }
 inline ingot::Status set_up(ingot::World<MixedPile>& world) { return set_up_placed(world); }
 
 }  // namespace scenes

@@ -13,22 +13,38 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
+namespace {
+
+/// Solves and displaces the substeps of a plan, from the state at the begin of the step. solver.calm tells whether nothing accelerated.
+template <bool notes_impulses>
+void solve_substeps(SolverView& solver, const BodyView& bodies, const SweepPlan& plan, scalar h_step, [[maybe_unused]] ImpactNote* notes, StepReport& report) {
+    solver.substeps = plan.substeps;
+    solver.calm = true;
+    prepare_blocks(solver, bodies);
+    if constexpr (notes_impulses) clear_impulse_notes(solver, notes);
+    const scalar h = h_step / static_cast<scalar>(plan.substeps);
+    for (int substep_i = 0; substep_i < plan.substeps; ++substep_i) {
+        predict_contacts(solver, h);
+        kick_bodies(solver, h);
+        warm_start(solver, h);
+        count(report.sweeps, solve_velocities(solver, plan, report.residual));
+        if constexpr (notes_impulses) note_impulses(solver, notes);
+        drift_bodies(solver, bodies, h);
+        sweep_positions(solver, h);
+    }
+}
+
+}  // namespace
+
 template <bool notes_impulses>
 void solve_manifolds(SolverView& solver, const BodyView& bodies, const Vector& gravity, scalar h, [[maybe_unused]] ImpactNote* notes, StepReport& report) {
     take_in_bodies(solver, bodies, gravity);
     order_manifolds(solver);
-    prepare_blocks(solver, bodies);
-
     const SweepPlan plan = plan_sweeps(solver);
-    const scalar h_substep = h / limits::substeps;
-    for (int substep_i = 0; substep_i < limits::substeps; ++substep_i) {
-        predict_contacts(solver, h_substep);
-        kick_bodies(solver, h_substep);
-        warm_start(solver, h_substep);
-        count(report.sweeps, solve_velocities(solver, plan, report.residual));
-        if constexpr (notes_impulses) note_impulses(solver, notes);
-        drift_bodies(solver, bodies, h_substep);
-        sweep_positions(solver, h_substep);
+    solve_substeps<notes_impulses>(solver, bodies, plan, h, notes, report);
+    if (plan.substeps < limits::substeps && !solver.calm) {  // calm no more: the step begins again, with all of its substeps
+        take_in_bodies(solver, bodies, gravity);
+        solve_substeps<notes_impulses>(solver, bodies, plan_of_many, h, notes, report);
     }
     remember_impulses(solver);
 }

@@ -7,27 +7,39 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
+namespace {
+
+constexpr SweepPlan plan_of_few = {limits::substeps, limits::sweeps_of_few, false, limits::settled_speed_of_few};
+constexpr SweepPlan plan_of_young = {limits::substeps, limits::sweeps_of_young, true, limits::settled_speed};
+constexpr SweepPlan plan_of_calm = {limits::calm_substeps, limits::calm_sweeps, true,
+                                    limits::settled_speed * limits::substeps / limits::calm_substeps};
+
+}  // namespace
+
 SweepPlan plan_sweeps(const SolverView& solver) {
-    if (solver.manifold_count <= limits::few_manifolds) return {limits::sweeps_of_few, false, limits::settled_speed_of_few};
-    int young = 0;
-    for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i)
-        if (solver.records[solver.pairs[manifold_i].record].substeps < 4 * limits::substeps) ++young;
-    return {4 * young > solver.manifold_count ? limits::sweeps_of_young : limits::sweeps, true, limits::settled_speed};
+    if (solver.manifold_count <= limits::few_manifolds) return plan_of_few;
+    int young = 0, calm = 0;
+    for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i) {
+        const ManifoldRecord& record = solver.records[solver.pairs[manifold_i].record];
+        if (age_of(record) < 4 * limits::substeps) ++young;
+        if (is_calm(record)) ++calm;
+    }
+    if (calm == solver.manifold_count) return plan_of_calm;
+    return 4 * young > solver.manifold_count ? plan_of_young : plan_of_many;
 }
 
 int solve_velocities(const SolverView& solver, const SweepPlan& plan, scalar& residual) {
     const scalar settled = plan.settled_speed + 4 * epsilon * solver.speed_max;
     scalar size_before = 0;
+    if (plan.sweeps_max > 1) begin_sweeps(solver);
     for (int sweep_i = 1;; ++sweep_i) {
-        if (sweep_i < plan.sweeps_max) begin_sweep(solver);
-        const SweepResult result = sweep_velocities(solver, !plan.up_and_down || sweep_i % 2 != 0);
-        residual = result.residual;
+        residual = sweep_velocities(solver, sweep_i, !plan.up_and_down || sweep_i % 2 != 0, limits::stirring_share * settled);
         if (sweep_i == plan.sweeps_max || residual <= settled) return sweep_i;
         // A body that is not finite must not spread to those that it does not touch.
-        const bool shrinks = sweep_i > 1 && result.size <= size_before && size_before > 0 && is_finite(size_before);
-        const scalar beta = shrinks ? result.size / size_before : 0;
-        size_before = result.size;
-        extrapolate(solver, beta);
+        const scalar size = sum_of_changes(solver);
+        const bool shrinks = sweep_i > 1 && size <= size_before && size_before > 0 && is_finite(size_before);
+        extrapolate(solver, shrinks ? size / size_before : 0);
+        size_before = size;
     }
 }
 

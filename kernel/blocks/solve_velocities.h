@@ -6,15 +6,19 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// How a substep is swept. Where contacts are few, chains of them are long for their number, and sweeps are cheap: many are allowed, to a small
-/// residual, and all go up, which serves heavy bodies on light ones. Where they are many the number is fixed, larger while many are young, and sweeps
-/// go up and down in turn, which carries the weight of a pile to the ground and back.
+/// How a step is cut and its substeps are swept. Where contacts are few, chains of them are long for their number, and sweeps are cheap: many are
+/// allowed, to a small residual, and all go up, which serves heavy bodies on light ones. Where they are many the number is fixed, larger while many
+/// are young, and sweeps go up and down in turn, which carries the weight of a pile to the ground and back.
 struct SweepPlan {
+    int substeps;
     int sweeps_max;
     bool up_and_down;
     scalar settled_speed;  ///< m/s
 };
 
+inline constexpr SweepPlan plan_of_many = {limits::substeps, limits::sweeps, true, limits::settled_speed};
+
+/// Calm: nothing that touches accelerated in the step before, and nothing has begun to touch since.
 SweepPlan plan_sweeps(const SolverView& solver);
 
 /// Sweeps until nothing changes by more than the plan's speed, or the rounding of the bodies' own. Returns how many.

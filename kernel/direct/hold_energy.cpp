@@ -45,7 +45,9 @@ void hold_energy(const SolverView& solver, const DirectView& island) {
         put_scalars(now.L, L + (in_double(now.L) - L) * share);
     }
     for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i)
-        for_impulses(solver, island.manifolds[manifold_i], [&](int, scalar& j) { j = static_cast<scalar>(static_cast<wide_scalar>(j) * share); });
+        for_impulses(solver, island.manifolds[manifold_i], [&](int, scalar& j, scalar& j_sweep) {
+            j = j_sweep = static_cast<scalar>(static_cast<wide_scalar>(j) * share);
+        });
 }
 
 } }  // namespace ingot

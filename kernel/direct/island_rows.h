@@ -11,16 +11,16 @@ void load_rows(const SolverView& solver, const BodyView& bodies, DirectView& dir
 
 inline bool has(uint8_t bits, int row) { return (bits >> row & 1u) != 0; }
 
-/// The impulses of a manifold in its block.
+/// The impulses of a manifold in its block, and what the sweeps to come take for their last.
 template <class Visitor>
 void for_impulses(const SolverView& solver, const DirectManifold& manifold, Visitor visit) {
     ContactBlock& block = solver.blocks[manifold.position / lanes];
     const int lane_i = manifold.position % lanes;
     for (int row = 0; row < manifold.points; ++row)
-        if (has(manifold.rows, row)) visit(row, block.row[row].j[lane_i]);
+        if (has(manifold.rows, row)) visit(row, block.row[row].j[lane_i], block.row[row].j_sweep[lane_i]);
     for (int axis = 0; axis < 2; ++axis)
-        if (has(manifold.rows, friction_row + axis)) visit(friction_row + axis, block.friction.j[axis][lane_i]);
-    if (has(manifold.rows, twist_row)) visit(twist_row, block.twist.j[lane_i]);
+        if (has(manifold.rows, friction_row + axis)) visit(friction_row + axis, block.friction.j[axis][lane_i], block.friction.j_sweep[axis][lane_i]);
+    if (has(manifold.rows, twist_row)) visit(twist_row, block.twist.j[lane_i], block.twist.j_sweep[lane_i]);
 }
 
 /// Whether two solver bodies are of limits::direct_mass_ratio; what cannot move is of none.

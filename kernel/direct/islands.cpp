@@ -54,13 +54,28 @@ void list_members(const SolverView& solver, const DirectView& direct) {
     }
 }
 
+/// A visit for each run of lanes that are left: then its first manifold is known, and those that follow it are of the same colour.
+void add_runs(SolverView& left, const Visit& visit, unsigned bits, unsigned solved) {
+    unsigned before = 0, run = 0, run_first = 0;
+    for (unsigned lane_i = 0; lane_i <= static_cast<unsigned>(lanes); ++lane_i) {
+        const bool stays = (bits >> lane_i & 1u) != 0;
+        if (stays && run == 0) run_first = before;
+        if (stays) run |= 1u << lane_i;
+        if (!stays && run != 0) {
+            left.visits[left.visit_count++] = {visit.block, static_cast<uint16_t>(run), static_cast<uint16_t>(visit.first + run_first)};
+            run = 0;
+        }
+        before += ((bits | solved) >> lane_i & 1u) != 0 ? 1u : 0u;
+    }
+}
+
 }  // namespace
 
 int choose_islands(const SolverView& solver, const DirectView& direct, StepReport& report) {
     join_bodies(solver, direct);
     for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i) {
         const uint16_t record_i = solver.pairs[manifold_i].record;
-        if (solver.records[record_i].substeps == 0) direct.unsettled[record_i] = 0;  // a new contact
+        if (age_of(solver.records[record_i]) == 0) direct.unsettled[record_i] = 0;  // a new contact
         const uint16_t root = direct.root[movable_body(solver, manifold_i)];
         ++direct.size[root];
         if (are_uneven(solver, solver.local_of[solver.pairs[manifold_i].body_A], solver.local_of[solver.pairs[manifold_i].body_B]) || direct.unsettled[record_i] >= limits::unsettled_steps)
@@ -90,18 +105,19 @@ SolverView left_to_sweeps(const SolverView& solver, const DirectView& direct) {
     left.visits = direct.visits;
     left.visit_count = 0;
     for (int visit_i = 0; visit_i < solver.visit_count; ++visit_i) {
-        Visit visit = solver.visits[visit_i];
-        bool some = false;
+        const Visit visit = solver.visits[visit_i];
+        unsigned bits = 0, solved = 0;
         for (int lane_i = 0; lane_i < lanes; ++lane_i) {
             if ((visit.lane_bits >> lane_i & 1u) == 0) continue;
             const uint16_t manifold_i = solver.blocks[visit.block].manifold[lane_i];
             if (manifold_i == no_manifold) continue;
-            if (direct.fate[direct.root[movable_body(solver, manifold_i)]] == IslandFate::solved)
-                visit.lane_bits = static_cast<uint16_t>(visit.lane_bits & ~(1u << lane_i));
-            else
-                some = true;
+            const bool is_solved = direct.fate[direct.root[movable_body(solver, manifold_i)]] == IslandFate::solved;
+            (is_solved ? solved : bits) |= 1u << lane_i;
         }
-        if (some) left.visits[left.visit_count++] = visit;
+        if (solved == 0)
+            left.visits[left.visit_count++] = visit;
+        else
+            add_runs(left, visit, bits, solved);
     }
     return left;
 }

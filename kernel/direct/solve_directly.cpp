@@ -83,45 +83,62 @@ void choose_again(const SolverView& solver, const DirectView& direct) {
         if (direct.fate[root] != IslandFate::swept) direct.fate[root] = IslandFate::chosen;
 }
 
-}  // namespace
-
+/// Solves and displaces the substeps of a plan, from the state at the begin of the step: solve_substeps of solve_manifolds.cpp, with `chosen` islands.
+/// True where sweeps were at their bound in the last.
 template <bool notes_impulses>
-void solve_directly(SolverView& solver, DirectView& direct, const BodyView& bodies, const Vector& gravity, scalar h,
-                    [[maybe_unused]] ImpactNote* notes, StepReport& report) {
-    take_in_bodies(solver, bodies, gravity);
-    order_manifolds(solver);
-    prepare_blocks(solver, bodies);
-    const SweepPlan plan = plan_sweeps(solver);
-    const int chosen = choose_islands(solver, direct, report);
+bool solve_substeps_directly(SolverView& solver, DirectView& direct, const BodyView& bodies, const SweepPlan& plan, int chosen, scalar h_step,
+                             [[maybe_unused]] ImpactNote* notes, StepReport& report) {
+    solver.substeps = plan.substeps;
+    solver.calm = true;
     direct.loaded_root = 0;
-
-    const scalar h_substep = h / limits::substeps;
+    prepare_blocks(solver, bodies);
+    if constexpr (notes_impulses) clear_impulse_notes(solver, notes);
+    const scalar h = h_step / static_cast<scalar>(plan.substeps);
     bool at_bound = false;
-    for (int substep_i = 0; substep_i < limits::substeps; ++substep_i) {
-        predict_contacts(solver, h_substep);
-        kick_bodies(solver, h_substep);
+    for (int substep_i = 0; substep_i < plan.substeps; ++substep_i) {
+        predict_contacts(solver, h);
+        kick_bodies(solver, h);
         if (chosen != 0) keep_free_motion(solver, direct);
-        warm_start(solver, h_substep);
+        warm_start(solver, h);
 
-        const int left = chosen != 0 ? solve_islands(solver, bodies, direct, h_substep, false) : 0;
+        const int left = chosen != 0 ? solve_islands(solver, bodies, direct, h, false) : 0;
         SolverView swept = chosen != left ? left_to_sweeps(solver, direct) : solver;
         if (swept.visit_count != 0) {
             const int sweeps = solve_velocities(swept, plan, report.residual);
             count(report.sweeps, sweeps);
             at_bound = sweeps == plan.sweeps_max && report.residual > limits::settled_speed;
         }
-        if (left != 0 && solve_islands(solver, bodies, direct, h_substep, true) != 0) report.direct = static_cast<uint8_t>(report.direct | DirectBits::unfinished);
-        if (chosen != 0 && islands_of(solver, direct, IslandFate::solved) != 0) report.direct = static_cast<uint8_t>(report.direct | DirectBits::solved);
-
+        if (left != 0 && solve_islands(solver, bodies, direct, h, true) != 0)
+            report.direct = static_cast<uint8_t>(report.direct | DirectBits::unfinished);
+        if (chosen != 0 && islands_of(solver, direct, IslandFate::solved) != 0)
+            report.direct = static_cast<uint8_t>(report.direct | DirectBits::solved);
         if (chosen != 0) hold_energy_of_rest(solver, bodies, direct);
+
         if constexpr (notes_impulses) note_impulses(solver, notes);
-        drift_bodies(solver, bodies, h_substep);
+        drift_bodies(solver, bodies, h);
         if (chosen != 0) {
-            place_islands(solver, bodies, direct, h_substep);
+            place_islands(solver, bodies, direct, h);
             swept = left_to_sweeps(solver, direct);
             choose_again(solver, direct);
         }
-        sweep_positions(swept, h_substep);
+        sweep_positions(swept, h);
+    }
+    return at_bound;
+}
+
+}  // namespace
+
+template <bool notes_impulses>
+void solve_directly(SolverView& solver, DirectView& direct, const BodyView& bodies, const Vector& gravity, scalar h, ImpactNote* notes,
+                    StepReport& report) {
+    take_in_bodies(solver, bodies, gravity);
+    order_manifolds(solver);
+    const SweepPlan plan = plan_sweeps(solver);
+    const int chosen = choose_islands(solver, direct, report);
+    bool at_bound = solve_substeps_directly<notes_impulses>(solver, direct, bodies, plan, chosen, h, notes, report);
+    if (plan.substeps < limits::substeps && !solver.calm) {  // calm no more: the step begins again, with all of its substeps
+        take_in_bodies(solver, bodies, gravity);
+        at_bound = solve_substeps_directly<notes_impulses>(solver, direct, bodies, plan_of_many, chosen, h, notes, report);
     }
     note_unsettled(solver, direct, at_bound);
     remember_impulses(solver);

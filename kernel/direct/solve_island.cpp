@@ -88,7 +88,7 @@ void begin_solve(const SolverView& solver, DirectView& island) {
         DirectRow* const rows = island.rows + manifold_i * direct_rows;
         manifold.pulls = 0;
         wide_scalar guess[direct_rows] = {}, N = 0;
-        for_impulses(solver, manifold, [&](int row, scalar& j) { guess[row] = static_cast<wide_scalar>(j); });
+        for_impulses(solver, manifold, [&](int row, scalar& j, scalar&) { guess[row] = static_cast<wide_scalar>(j); });
         for (int row = 0; row < manifold.points; ++row) {
             if (!has(manifold.rows, row)) continue;
             guess[row] = larger(guess[row], 0);
@@ -246,8 +246,8 @@ bool change_active(const DirectView& island, wide_scalar settled, int set_i, int
 void write_back(const SolverView& solver, const DirectView& island) {
     for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
         const DirectRow* const rows = island.rows + manifold_i * direct_rows;
-        for_impulses(solver, island.manifolds[manifold_i], [&](int row, scalar& j) {
-            j = static_cast<scalar>(row < friction_row ? larger(rows[row].j, 0) : rows[row].j);
+        for_impulses(solver, island.manifolds[manifold_i], [&](int row, scalar& j, scalar& j_sweep) {
+            j = j_sweep = static_cast<scalar>(row < friction_row ? larger(rows[row].j, 0) : rows[row].j);
         });
     }
     for (int body_i = 1; body_i < island.body_count; ++body_i) {
