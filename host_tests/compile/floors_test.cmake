@@ -13,7 +13,8 @@ set(contact_may base math body collide pairs)
 set(query_may base math body collide)
 set(solve_may base math body collide)
 set(blocks_may base math body collide pairs contact)
-set(world_may base math body motion collide query pairs contact solve blocks)
+set(direct_may base math body collide pairs contact blocks)
+set(world_may base math body motion collide query pairs contact solve blocks direct)
 set(freestanding "stdint\\.h|stddef\\.h|float\\.h|limits\\.h")
 
 # A stage is a .h/.cpp pair of these rooms; what it may include of its own room is shared vocabulary, not another stage.
@@ -27,8 +28,10 @@ set(query_shares candidates query_filter ray_on_shapes cast_ray)
 set(solve_shares contact_rows impulse)
 # solve_manifolds conducts the stages of a substep.
 set(blocks_shares block_solve contact_block block_rows solver_body solver_view conjugate_gradients move_bodies note_impulses order_manifolds
-  predict_contacts prepare_blocks row_flight sequence_impacts
+  predict_contacts prepare_blocks row_flight sequence_impacts solve_velocities
   sweep_positions sweep_velocities warm_start)
+# solve_directly conducts the stages, and calls the others of its room.
+set(direct_shares direct_view hold_energy island_rows islands normal_set sliding factor_rows solve_island solve_directly)
 
 set(broken "")
 file(GLOB_RECURSE files RELATIVE ${HOUSE} ${HOUSE}/kernel/*.h ${HOUSE}/kernel/*.cpp ${HOUSE}/platform/*.h ${HOUSE}/platform/*.cpp)

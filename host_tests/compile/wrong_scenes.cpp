@@ -166,6 +166,11 @@ struct Wrong : ingot::Scene {
     };
     using force_field = Secret;
 #endif
+#ifdef ISLAND_WITHOUT_ROOM
+    static constexpr bool translates = true;
+    static constexpr int max_manifolds = 4;
+    using solver = ingot::DirectIslands<0>;
+#endif
 #ifdef ORDER_OF_METHOD
     using rotation = ingot::DiscreteMoserVeselov<5>;
 #endif

@@ -33,7 +33,8 @@ using scenes::PlacedBody;
 constexpr bool is_double = sizeof(scalar) == 8;
 
 /// Room for any scene of so many bodies: in a pile of boxes a body has about twelve neighbours, and half of each pair is its own.
-template <int bodies, class BroadPhase = ingot::AllPairs, bool renews = true, int manifolds = 8 * bodies, int pairs = 2 * manifolds>
+template <int bodies, class BroadPhase = ingot::AllPairs, bool renews = true, int manifolds = 8 * bodies, int pairs = 2 * manifolds,
+          class Solver = ingot::Sweeps>
 struct Room : ingot::Scene {
     static constexpr int max_bodies = bodies;
     static constexpr bool translates = true;
@@ -41,12 +42,15 @@ struct Room : ingot::Scene {
     static constexpr int max_pairs = pairs;
     static constexpr bool renews_manifolds = renews;
     using broad_phase = BroadPhase;
+    using solver = Solver;
     using shapes = ingot::Shapes<ingot::Sphere, ingot::Box, ingot::HalfSpace>;
 };
 
 /// What step reports add up to.
 struct ReportSum {
     int steps = 0, not_ok = 0, frozen = 0, clamped = 0, lost = 0, most_contacts = 0;
+    int sweeps = 0;
+    int solved_directly = 0, refused_directly = 0, unfinished_directly = 0;  ///< steps in which an island was
     double residual = 0;  ///< m/s, the largest
 
     void add(const StepReport& report) {
@@ -55,6 +59,10 @@ struct ReportSum {
         frozen += report.bodies_frozen;
         clamped += report.spins_clamped;
         lost += report.contacts_lost;
+        sweeps += report.sweeps;
+        solved_directly += (report.direct & ingot::DirectBits::solved) != 0;
+        refused_directly += (report.direct & ingot::DirectBits::refused) != 0;
+        unfinished_directly += (report.direct & ingot::DirectBits::unfinished) != 0;
         most_contacts = std::max<int>(most_contacts, report.contacts);
         residual = std::max(residual, static_cast<double>(report.residual));
     }
@@ -227,6 +235,14 @@ private:
 /// A scene that is a type, in room for it.
 template <class Scene, class BroadPhase = ingot::AllPairs, bool renews = true>
 Play<Room<Scene::body_count, BroadPhase, renews>> play() {
+    return {scenes::bodies_of<Scene>(), Scene::gravity};
+}
+
+/// The same, solved by another than sweeps.
+template <class Scene, class Solver>
+using RoomSolvedBy = Room<Scene::body_count, ingot::AllPairs, true, 8 * Scene::body_count, 16 * Scene::body_count, Solver>;
+template <class Scene, class Solver>
+Play<RoomSolvedBy<Scene, Solver>> play_by() {
     return {scenes::bodies_of<Scene>(), Scene::gravity};
 }
 

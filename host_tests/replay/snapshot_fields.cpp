@@ -86,6 +86,17 @@ void read_body(Reader& in, unsigned parts) {
     if ((parts & Part::sensors) != 0 && !several) (void)in.integer("sensor", 1);
 }
 
+void read_anchors(Reader& in) {
+    for (int axis = 0; axis < 3; ++axis) {
+        for (int point_i = 0; point_i < ingot::Manifold::points_max; ++point_i) in.real("on_A");
+        for (int point_i = 0; point_i < ingot::Manifold::points_max; ++point_i) in.real("on_B");
+    }
+    for (int point_i = 0; point_i < ingot::Manifold::points_max; ++point_i) in.real("found_at");
+    in.vector("n_A");
+    in.vector("n_B");
+    in.real("margin");
+}
+
 void read_manifold(Reader& in, uint16_t parts) {
     (void)in.integer("body_A", 2);
     (void)in.integer("body_B", 2);
@@ -104,15 +115,8 @@ void read_manifold(Reader& in, uint16_t parts) {
     in.vector("j_reference");
     in.real("j_twist");
     (void)in.integer("substeps", 2);
-    if ((parts & Part::anchors) == 0) return;
-    for (int axis = 0; axis < 3; ++axis) {
-        for (int point_i = 0; point_i < ingot::Manifold::points_max; ++point_i) in.real("on_A");
-        for (int point_i = 0; point_i < ingot::Manifold::points_max; ++point_i) in.real("on_B");
-    }
-    for (int point_i = 0; point_i < ingot::Manifold::points_max; ++point_i) in.real("found_at");
-    in.vector("n_A");
-    in.vector("n_B");
-    in.real("margin");
+    if ((parts & Part::anchors) != 0) read_anchors(in);
+    if ((parts & Part::unsettled) != 0) (void)in.integer("unsettled", 1);
 }
 
 }  // namespace

@@ -53,6 +53,7 @@ struct ContactCase {
     double seconds;  ///< for which its criterion asks
     std::vector<SceneBody> bodies;
     std::function<std::unique_ptr<ContactRun>()> begin;
+    std::function<std::unique_ptr<ContactRun>()> begin_chosen;  ///< by the solver that picks itself; none where sweeps serve
 
     int moving_count() const {
         int count = 0;

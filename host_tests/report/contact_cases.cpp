@@ -21,7 +21,7 @@ using Boxes = ingot::Shapes<ingot::Box, ingot::HalfSpace>;
 using Balls = ingot::Shapes<ingot::Sphere, ingot::HalfSpace>;
 
 /// A world for one of the scenes: room for so many pairs that touch, and four times as many that may.
-template <class Placed, class Shapes_, int manifolds, bool renews = true>
+template <class Placed, class Shapes_, int manifolds, bool renews = true, class Solver = ingot::Sweeps>
 struct SceneFor : ingot::Scene {
     static constexpr int max_bodies = Placed::body_count;
     static constexpr bool translates = true;
@@ -29,6 +29,7 @@ struct SceneFor : ingot::Scene {
     static constexpr int max_pairs = manifolds > 16000 ? 65535 : 4 * manifolds;
     static constexpr bool renews_manifolds = renews;
     using shapes = Shapes_;
+    using solver = Solver;
     using broad_phase = std::conditional_t<(max_bodies > 100), ingot::SortedTree, ingot::AllPairs>;
 };
 
@@ -117,6 +118,16 @@ ContactCase contact_case(const char* name) {
     return one;
 }
 
+/// The same by sweeps and by the solver that picks itself.
+template <class Placed, int manifolds>
+ContactCase case_of_both(const char* name) {
+    ContactCase one = contact_case<Placed, Boxes, manifolds>(name);
+    one.begin_chosen = [] {
+        return std::make_unique<KernelRun<Placed, SceneFor<Placed, Boxes, manifolds, true, ingot::ChosenSolver>>>();
+    };
+    return one;
+}
+
 }  // namespace
 
 std::vector<ContactCase> INGOT_JOIN(contact_cases_, INGOT_ABI, )() {
@@ -125,14 +136,14 @@ std::vector<ContactCase> INGOT_JOIN(contact_cases_, INGOT_ABI, )() {
         contact_case<Pyramid<10>, Boxes, 150>("pyramid_55"),
         contact_case<Pyramid<20>, Boxes, 600>("pyramid_210"),
         contact_case<Pyramid<30>, Boxes, 1400>("pyramid_465"),
-        contact_case<Tower<20>, Boxes, 60>("tower_20"),
+        case_of_both<Tower<20>, 60>("tower_20"),
         contact_case<Tower<20>, Boxes, 60, false>("tower_20_searched"),
-        contact_case<Tower<40>, Boxes, 120>("tower_40"),
+        case_of_both<Tower<40>, 120>("tower_40"),
         contact_case<SpherePile<8>, Balls, 2500>("pile_512"),
         contact_case<SpherePile<16>, Balls, 18000>("pile_4096"),
-        contact_case<MassRatio<1, 1000>, Boxes, 4>("mass_ratio_1000"),
-        contact_case<MassRatio<1, 1000000>, Boxes, 4>("mass_ratio_1e6"),
-        contact_case<MassRatio<9, 1000>, Boxes, 20>("mass_ratio_ten"),
+        case_of_both<MassRatio<1, 1000>, 4>("mass_ratio_1000"),
+        case_of_both<MassRatio<1, 1000000>, 4>("mass_ratio_1e6"),
+        case_of_both<MassRatio<9, 1000>, 20>("mass_ratio_ten"),
         contact_case<Incline<70>, Boxes, 2>("incline_mu07"),
         contact_case<Incline<40>, Boxes, 2>("incline_mu04"),
         contact_case<Bounce<100>, Balls, 2>("bounce_e1"),

@@ -34,6 +34,7 @@ ExactStep exact_first_step(const std::string& scene) {
     if (scene == "pyramid_210") return solved<scenes::Pyramid<20>>();
     if (scene == "tower_20") return solved<scenes::Tower<20>>();
     if (scene == "mass_ratio_1000") return solved<scenes::MassRatio<1, 1000>>();
+    if (scene == "mass_ratio_1e6") return solved<scenes::MassRatio<1, 1000000>>();
     if (scene == "incline_mu07") return solved<scenes::Incline<70>>();
     return {};
 }

@@ -83,7 +83,7 @@ std::vector<Approach> approach_to_rest(const ContactCase& scene, const BeginRun&
 }
 
 bool stands_still(const std::string& scene) {
-    return scene == "pyramid_210" || scene == "tower_20" || scene == "mass_ratio_1000" || scene == "incline_mu07";
+    return scene == "pyramid_210" || scene == "tower_20" || scene == "mass_ratio_1000" || scene == "mass_ratio_1e6" || scene == "incline_mu07";
 }
 
 void add_approach(const std::vector<Approach>& approach, const Row& row, Rows& rows) {

@@ -149,6 +149,8 @@ Sheet to_exact(const Rows& rows, const std::string& scene, const std::string& ti
     };
     for (const Look& look : looks())
         add(look.method == "default" ? "contact" : "peers", look.method, look.scalar, sheet.line(look.title, look.color));
+    for (const char* scalar : {"float", "double"})
+        add("contact", "chosen", scalar, sheet.line(std::string("ingot, ChosenSolver, ") + scalar, std::string(scalar) == "float" ? "#d95f02" : "#7570b3"));
     add("contact", "exact", "double", sheet.line("exact solution", "#000000"));
     return sheet;
 }
@@ -162,7 +164,8 @@ std::vector<Sheet> contact_sheets(const Rows& rows) {
             growth(rows),
             to_exact(rows, "pyramid_210", "A pyramid of 210 cubes comes to rest"),
             to_exact(rows, "tower_20", "A tower of 20 cubes comes to rest"),
-            to_exact(rows, "mass_ratio_1000", "1000 kg on 1 kg come to rest")};
+            to_exact(rows, "mass_ratio_1000", "1000 kg on 1 kg come to rest"),
+            to_exact(rows, "mass_ratio_1e6", "1000 t on 1 kg come to rest")};
 }
 
 }  // namespace report

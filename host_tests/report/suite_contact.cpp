@@ -37,9 +37,9 @@ void race(const ContactCase& first, std::size_t case_i, const std::vector<const 
     }
 }
 
-void follow(const ContactCase& scene, const Variant& build, int rate, Rows& rows) {
-    for (const Metric& metric : followed(scene, scene.begin, rate, scene.seconds))
-        rows.add({"contact", scene.name, "default", build.scalar, build.lanes, "host", 1.0 / rate, metric.name, metric.value,
+void follow(const ContactCase& scene, const char* method, const BeginRun& begin, const Variant& build, int rate, Rows& rows) {
+    for (const Metric& metric : followed(scene, begin, rate, scene.seconds))
+        rows.add({"contact", scene.name, method, build.scalar, build.lanes, "host", 1.0 / rate, metric.name, metric.value,
                   metric.unit});
 }
 
@@ -48,6 +48,9 @@ void approach(const ContactCase& scene, const Variant& build, const Settings& se
     if (!stands_still(scene.name)) return;
     add_approach(approach_to_rest(scene, scene.begin, 60),
                  {"contact", scene.name, "default", build.scalar, build.lanes, "host", 1.0 / 60, "", 0, ""}, rows);
+    if (scene.begin_chosen)
+        add_approach(approach_to_rest(scene, scene.begin_chosen, 60),
+                     {"contact", scene.name, "chosen", build.scalar, build.lanes, "host", 1.0 / 60, "", 0, ""}, rows);
     if (build.scalar == "float" || (settings.quick && scene.bodies.size() > 100)) return;
     const ExactStep exact = exact_first_step(scene.name);
     if (exact.known)
@@ -79,7 +82,8 @@ void run_contact(const Settings& settings, const std::vector<Variant>& variants,
                 // rates.
                 for (const Variant* build : builds)
                     if (build == builds.front() || (rate == 60 && (!settings.quick || scene.bodies.size() < 15)))
-                        follow(build->contacts[case_i], *build, rate, rows);
+                        follow(build->contacts[case_i], "default", build->contacts[case_i].begin, *build, rate, rows);
+                if (scene.begin_chosen) follow(scene, "chosen", four->contacts[case_i].begin_chosen, *four, rate, rows);
                 if (settings.quick && std::string(scalar) == "double") continue;
                 race(scene, case_i, rate == 60 ? builds : std::vector<const Variant*>{four}, rate, settings, rows);
             }

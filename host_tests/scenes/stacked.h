@@ -34,6 +34,33 @@ struct Pyramid55 : Stacked<56, 110> {
     static constexpr PlacedBody body(int body_i) { return Pyramid<10>::body(body_i); }
 };
 
+/// 1000 t on 1 kg, which no sweeps carry: solved directly.
+struct MassRatio1e6 : Stacked<3, 2> {
+    using solver = ingot::DirectIslands<2, 6>;
+    static constexpr const char* name = "mass_ratio_1e6";
+    static constexpr const char* title = "a cube of 1000 t on one of 1 kg";
+    static constexpr int golden_steps = 120;
+    static constexpr PlacedBody body(int body_i) { return MassRatio<1, 1000000>::body(body_i); }
+};
+
+/// Twenty cubes in one column, solved directly.
+struct Tower20 : Stacked<21, 20> {
+    using solver = ingot::DirectIslands<20, 10>;
+    static constexpr const char* name = "tower_20";
+    static constexpr const char* title = "twenty cubes in one column, solved directly";
+    static constexpr int golden_steps = 120;
+    static constexpr PlacedBody body(int body_i) { return Tower<20>::body(body_i); }
+};
+
+/// Boxes of 1 and 100 kg fall on each other: a solver that picks itself, with solves that settle and solves that do not.
+struct ChosenBoxes : Stacked<13, 78> {
+    using solver = ingot::ChosenSolver;
+    static constexpr const char* name = "uneven_boxes";
+    static constexpr const char* title = "boxes of 1 and 100 kg fall on each other, solved by what suits";
+    static constexpr int golden_steps = 180;
+    static constexpr PlacedBody body(int body_i) { return UnevenBoxes<12, 100>::body(body_i); }
+};
+
 /// Boxes and balls fall into a pit, some of them springy: every routine of these shapes, manifolds that come and go, bounces and rest.
 struct MixedPile : Stacked<21, 110> {
     using shapes = ingot::Shapes<ingot::Sphere, ingot::Box, ingot::HalfSpace>;
@@ -72,6 +99,9 @@ ingot::Status set_up_placed(ingot::World<S>& world) {
 }
 inline ingot::Status set_up(ingot::World<Tower10>& world) { return set_up_placed(world); }
 inline ingot::Status set_up(ingot::World<Pyramid55>& world) { return set_up_placed(world); }
+inline ingot::Status set_up(ingot::World<MassRatio1e6>& world) { return set_up_placed(world); }
+inline ingot::Status set_up(ingot::World<Tower20>& world) { return set_up_placed(world); }
+inline ingot::Status set_up(ingot::World<ChosenBoxes>& world) { return set_up_placed(world); }
 inline ingot::Status set_up(ingot::World<MixedPile>& world) { return set_up_placed(world); }
 
 }  // namespace scenes

@@ -35,10 +35,13 @@
 
 // Numbers whose exponents are 33 apart and whose difference loses its leading bit: __adddf3 of libgcc keeps one bit of the
 // smaller one beyond the last place, where two are needed (0x1.fa8658p-16 - 0x1p17 is wrong by one place, GCC 12). The
-// library of cores without Thumb-2 has another __adddf3, which is right.
-#if INGOT_DOUBLE && defined(__arm__) && !(defined(__ARM_FP) && (__ARM_FP & 8)) && \
+// library of cores without Thumb-2 has another __adddf3, which is right. What needs doubles in float builds adds by itself there: math/wide.h.
+#if defined(__arm__) && !(defined(__ARM_FP) && (__ARM_FP & 8)) && \
     (defined(__ARM_ARCH_ISA_ARM) || !defined(__ARM_ARCH_ISA_THUMB) || __ARM_ARCH_ISA_THUMB > 1)
+#define INGOT_DOUBLES_ADD_WRONGLY 1
+#if INGOT_DOUBLE
 #error "ingot: without a double unit libgcc adds doubles on this core, and rounds wrongly; build for float"
+#endif
 #endif
 
 #define INGOT_JOIN_(a, b, c) a##b##c

@@ -100,6 +100,23 @@ inline constexpr scalar bounce_speed_min = scalar(0.01);    ///< m/s; slower imp
 /// digits in float.
 inline constexpr scalar block_diagonal = scalar(1.01);
 
+// The direct solver (direct/).
+inline constexpr scalar direct_mass_ratio = 50;             ///< across one contact, from which sweeps do not carry the load in time
+inline constexpr int direct_levels = 15;                    ///< of bodies on each other, from which sweeps let a tower lean
+inline constexpr int unsettled_steps = 4;                   ///< in a row with sweeps at their bound, from which an island is solved directly
+inline constexpr scalar unsettled_speed = scalar(1e-5);      ///< m/s, that sweeps at their bound still correct
+inline constexpr int direct_sets_max = 16;                  ///< tried in a solve
+inline constexpr int direct_refinements_max = 12;                  ///< of a solve
+inline constexpr int direct_refinements_of_sliding = 1;            ///< of one with sliding friction, which is not linear
+inline constexpr int direct_newton_steps_max = 6;                  ///< with the same set, where something slides
+/// Multiplications that the attempts at all islands may spend on factors: before the sweeps of a substep, after them, and for positions, each. 40 cubes
+/// on each other take 40000. What takes more is swept.
+inline constexpr int direct_work_max = 200000;
+inline constexpr double direct_diagonal = 1e-12;             ///< added to the diagonal, as a fraction of it: rows that depend on each other
+inline constexpr double direct_roundings = 1e-12;           ///< of the load of a manifold, below which an impulse is rounding
+inline constexpr double direct_settled_speed = 1e-9;        ///< m/s; what a solve may leave. What the sweeps leave is a thousand times that
+inline constexpr double direct_settled_length = 1e-9;       ///< m
+
 // Narrow phase (collide/). Fractions of a length are of the smallest half extent of both shapes, unless another is named.
 /// An edge axis is taken when it separates better than every face by this fraction: nearly parallel edges have no normal of
 /// their own, and the face's manifold has the crossing of the edges among its points.

@@ -12,10 +12,18 @@ constexpr void count(uint16_t& counter, int n = 1) {
     counter = static_cast<uint16_t>(n > full - counter ? full : counter + n);
 }
 
+/// What the direct solver did in a step: bits of StepReport::direct, which take no room of their own there.
+struct DirectBits {
+    static constexpr uint8_t solved = 1;      ///< an island
+    static constexpr uint8_t unfinished = 2;  ///< what it found for an island did not settle, or would have taken too much room or work: the sweeps stand
+    static constexpr uint8_t refused = 4;     ///< an island has more contacts than there is room for: raise max_island of DirectIslands. Sweeps solve it
+};
+
 /// What a step has to say. Nothing is lost silently: a full array, a body taken out of the motion, an iteration that
 /// stopped at its bound each have a count here, which stops at 65535.
 struct [[nodiscard]] StepReport {
     Status status;               ///< bad_step: the step was refused and nothing has changed
+    uint8_t direct;              ///< DirectBits
 
     uint16_t bodies_frozen;      ///< driven out of range in this step: they stand still, see World::is_frozen
     uint16_t spins_clamped;      ///< turned by the largest angle a step allows instead of omega h: lower h
@@ -34,7 +42,7 @@ struct [[nodiscard]] StepReport {
     constexpr bool clean() const {
         return status == Status::ok && bodies_frozen == 0 && spins_clamped == 0 && contacts_lost == 0 &&
                pairs_untested == 0 && impacts_left == 0 && sweeps_unfinished == 0 &&
-               overlaps_lost == 0 && events_lost == 0;
+               overlaps_lost == 0 && events_lost == 0 && (direct & DirectBits::refused) == 0;
     }
 };
 

@@ -7,8 +7,6 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
-constexpr uint16_t unreached = 65535;
-
 uint16_t local_A(const SolverView& solver, int manifold_i) { return solver.local_of[solver.pairs[manifold_i].body_A]; }
 uint16_t local_B(const SolverView& solver, int manifold_i) { return solver.local_of[solver.pairs[manifold_i].body_B]; }
 
@@ -16,11 +14,11 @@ uint16_t local_B(const SolverView& solver, int manifold_i) { return solver.local
 bool relax(SolverView& solver, int manifold_i) {
     uint16_t& A = solver.level_of_body[local_A(solver, manifold_i)];
     uint16_t& B = solver.level_of_body[local_B(solver, manifold_i)];
-    if (A != unreached && A + 1 < B) {
+    if (A != unreached_level && A + 1 < B) {
         B = static_cast<uint16_t>(A + 1);
         return true;
     }
-    if (B != unreached && B + 1 < A) {
+    if (B != unreached_level && B + 1 < A) {
         A = static_cast<uint16_t>(B + 1);
         return true;
     }
@@ -29,7 +27,7 @@ bool relax(SolverView& solver, int manifold_i) {
 
 /// Distances from the ground, by passes forward and backward over the manifolds; what hangs free of it is level 0 with the ground.
 void find_levels(SolverView& solver) {
-    for (int body_i = 0; body_i < solver.body_count; ++body_i) solver.level_of_body[body_i] = unreached;
+    for (int body_i = 0; body_i < solver.body_count; ++body_i) solver.level_of_body[body_i] = unreached_level;
     solver.level_of_body[0] = 0;
     bool changed = true;
     for (int pass_i = 0; pass_i < limits::level_passes_max && changed; ++pass_i) {
@@ -40,7 +38,7 @@ void find_levels(SolverView& solver) {
     for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i) {
         const uint16_t A = solver.level_of_body[local_A(solver, manifold_i)], B = solver.level_of_body[local_B(solver, manifold_i)];
         const uint16_t level = A < B ? A : B;
-        solver.level[manifold_i] = level == unreached ? 0 : level;
+        solver.level[manifold_i] = level == unreached_level ? 0 : level;
     }
 }
 

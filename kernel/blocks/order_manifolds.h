@@ -5,6 +5,8 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
+inline constexpr uint16_t unreached_level = 65535;  ///< of a body that hangs free of what cannot move
+
 /// Puts manifolds in the order of the sweeps, and into blocks: by level (contacts from the ground up), and by colour within a level (no two
 /// of a colour share a body that can move, so one vector instruction solves `lanes` of them). The order does not depend on `lanes`.
 ///

@@ -105,6 +105,8 @@ constexpr size_t saved_manifold_size() {
     ByteCounter counter;
     SavedManifold manifold{};
     manifold.numbers(counter, S::renews_manifolds);
+    uint8_t unsettled = 0;
+    if (solves_directly<S>) counter(unsettled);
     return counter.count();
 }
 template <class S>
@@ -137,6 +139,7 @@ constexpr uint16_t snapshot_parts() {
     if (stacks<S>) parts |= SnapshotPart::manifolds;
     if (stacks<S> && S::renews_manifolds) parts |= SnapshotPart::anchors;
     if (has_compounds<S>) parts |= SnapshotPart::compounds;
+    if (stacks<S> && solves_directly<S>) parts |= SnapshotPart::unsettled;
     return static_cast<uint16_t>(parts);
 }
 
@@ -179,6 +182,10 @@ constexpr uint64_t scene_signature() {
     add_name(S::flight::name);
     add(static_cast<uint64_t>(order_of<typename S::rotation>));
     add(saved_field_size<S>());
+    if constexpr (stacks<S> && solves_directly<S>) {
+        add(static_cast<uint64_t>(S::solver::island_capacity));
+        add(static_cast<uint64_t>(S::solver::entries_per_row));
+    }
     return hash;
 }
 
@@ -190,6 +197,14 @@ constexpr SnapshotHeader expected_header() {
             0,              snapshot_parts<S>(), static_cast<uint32_t>(saved_field_size<S>())};
 }
 
+/// Points that a manifold does not have hold what the stack held when it was found.
+inline void clear_spare_points(ManifoldRecord& record) {
+    for (int point_i = record.manifold.count; point_i < Manifold::points_max; ++point_i) {
+        record.manifold.points[point_i] = {};
+        record.j[point_i] = record.j_before[point_i] = 0;
+    }
+}
+
 /// Contacts of the last step, in their order: their impulses are what the next step begins with.
 template <class S>
 void write_manifolds(ByteWriter& writer, const Storage<S>& storage) {
@@ -198,10 +213,14 @@ void write_manifolds(ByteWriter& writer, const Storage<S>& storage) {
     for (int pair_i = 0; pair_i < count; ++pair_i) {
         const BodyPair& pair = storage.pairs[pair_i];
         SavedManifold saved{pair.body_A, pair.body_B, storage.records[pair.record], {}};
+        clear_spare_points(saved.record);
         if constexpr (S::renews_manifolds)  // what is not known is what the record had before
             if (storage.anchors[pair.record].margin > 0) saved.anchors = storage.anchors[pair.record];
-        for (int point_i = saved.record.manifold.count; point_i < Manifold::points_max; ++point_i) saved.record.manifold.points[point_i] = {};  // never written
         saved.numbers(writer, S::renews_manifolds);
+        if constexpr (solves_directly<S>) {
+            uint8_t unsettled = storage.unsettled[pair.record];
+            writer(unsettled);
+        }
     }
 }
 
@@ -215,6 +234,9 @@ Status read_manifolds(ByteReader& reader, uint32_t slots_used, Storage<S>* to) {
     for (uint16_t record = 0; record < count; ++record) {
         SavedManifold saved{};
         saved.numbers(reader, S::renews_manifolds);
+        uint8_t unsettled = 0;
+        if constexpr (solves_directly<S>) reader(unsettled);
+        if (unsettled > limits::unsettled_steps) return Status::bad_snapshot;
         const BodyPair pair{saved.body_A, saved.body_B, record};
         if (!is_sound(saved) || pair.body_A >= pair.body_B || pair.body_B >= slots_used * S::max_shapes_of_body || pair.key() <= key_before) return Status::bad_snapshot;
         if (has_compounds<S> && pair.body_A / S::max_shapes_of_body == pair.body_B / S::max_shapes_of_body) return Status::bad_snapshot;
@@ -223,6 +245,7 @@ Status read_manifolds(ByteReader& reader, uint32_t slots_used, Storage<S>* to) {
         to->pairs[record] = pair;
         to->records[record] = saved.record;
         if constexpr (S::renews_manifolds) to->anchors[record] = saved.anchors;
+        if constexpr (solves_directly<S>) to->unsettled[record] = unsettled;
         to->records_used = to->manifold_count = static_cast<uint16_t>(record + 1);
     }
     return Status::ok;

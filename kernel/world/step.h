@@ -10,7 +10,6 @@
 #include "../contact/update_manifolds.h"
 #include "../solve/solve_impacts.h"
 #include "../blocks/move_bodies.h"
-#include "../blocks/solve_manifolds.h"
 #include "world.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -92,7 +91,7 @@ StepReport step(World<S>& world, scalar h) {
         if constexpr (has_events<S>) note_approaches(bodies, storage.gravity, h, storage.manifolds_of_bodies(), storage.notes);
         refresh_inv_I_world(bodies);                                      // Eq. 20
         SolverView solver = storage.solver();
-        solve_manifolds<has_events<S>>(solver, bodies, storage.gravity, h, storage.impact_notes(), report);
+        storage.template solve_contacts<has_events<S>>(solver, bodies, storage.gravity, h, storage.impact_notes(), report);
         if constexpr (has_events<S>) tell_events(storage, report);
 
         integrate_L(bodies, h);

@@ -136,7 +136,8 @@ struct AnchorPart<S, false> {
 
 template <class S, bool present>
 struct ManifoldPart : AnchorPart<S, S::renews_manifolds>, BodyPairPart<S, has_compounds<S>>,
-                      S::broad_phase::template Memory<shape_capacity<S>, pair_capacity<S>> {
+                      S::broad_phase::template Memory<shape_capacity<S>, pair_capacity<S>>,
+                      S::solver::template Memory<S::max_bodies, S::max_manifolds> {
     static constexpr unsigned manifold_capacity = static_cast<unsigned>(S::max_manifolds);
     static constexpr unsigned full_blocks = (manifold_capacity + lanes - 1) / lanes;
     static constexpr unsigned block_capacity = lanes == 1 ? full_blocks : full_blocks + full_blocks / 2 + 2;  // see order_manifolds

@@ -63,6 +63,26 @@ struct PitOfBoxes : OnEarth {
     }
 };
 
+/// Boxes dropped on each other, of 1 kg, but every third of heavy_kg.
+///
+/// Criterion: no step gains more than 1e-4 of the energy there was; at rest after 10 s, and not inside each other.
+template <int count, int heavy_kg>
+struct UnevenBoxes : OnEarth {
+    static constexpr const char* name = "uneven_boxes";
+    static constexpr int body_count = count + 1;
+    static constexpr scalar seconds = 10;
+    static constexpr scalar mu = scalar(0.5);
+    static constexpr PlacedBody body(int body_i) {
+        if (body_i == 0) return flat_ground(mu);
+        const int box_i = body_i - 1;
+        const auto half = [&](int channel) { return scalar(0.3) + scalar(0.1) * scattered(box_i, channel); };
+        PlacedBody box = solid_box(box_i % 3 == 2 ? scalar(heavy_kg) : scalar(1), {half(0), half(1), half(2)},
+                                   {scalar(0.2) * scattered(box_i, 3), scalar(0.2) * scattered(box_i, 4), scalar(0.8) + static_cast<scalar>(box_i)}, mu);
+        box.turn(scattered_rotation(box_i));
+        return box;
+    }
+};
+
 /// 12 planks of 2 x 0.4 x 0.1 m and 10 kg, crossed and tilted, dropped on top of each other.
 ///
 /// Criterion: no step gains more than 1e-4 of the energy there was; at rest after 10 s.

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "solve_velocities.h"
+
+#include "../base/limits.h"
+#include "conjugate_gradients.h"
+#include "sweep_velocities.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+namespace {
+
+constexpr SweepPlan plan_of_few = {limits::substeps, limits::sweeps_of_few, false, limits::settled_speed_of_few};
+constexpr SweepPlan plan_of_few_calm = {limits::calm_substeps, limits::sweeps_of_few, false, limits::settled_speed_of_few};
+constexpr SweepPlan plan_of_many = {limits::substeps, limits::sweeps, true, limits::settled_speed};
+constexpr SweepPlan plan_of_young = {limits::substeps, limits::sweeps_of_young, true, limits::settled_speed};
+constexpr SweepPlan plan_of_calm = {limits::calm_substeps, limits::calm_sweeps, true,
+                                    limits::settled_speed * limits::substeps / limits::calm_substeps};
+
+}  // namespace
+
+SweepPlan plan_sweeps(const SolverView& solver) {
+    int young = 0, calm = 0;
+    for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i) {
+        const ManifoldRecord& record = solver.records[solver.pairs[manifold_i].record];
+        if (age_of(record) < 4 * limits::substeps) ++young;
+        if (was_calm(record)) ++calm;
+    }
+    const bool is_few = solver.manifold_count <= limits::few_manifolds, is_calm = calm == solver.manifold_count;
+    if (is_few) return is_calm && solver.level_count <= limits::calm_levels ? plan_of_few_calm : plan_of_few;
+    if (is_calm) return plan_of_calm;
+    return 4 * young > solver.manifold_count ? plan_of_young : plan_of_many;
+}
+
+SweepPlan with_all_substeps(const SweepPlan& calm) { return calm.up_and_down ? plan_of_many : plan_of_few; }
+
+int solve_velocities(const SolverView& solver, const SweepPlan& plan, scalar& residual) {
+    const scalar settled = plan.settled_speed + 4 * epsilon * solver.speed_max;
+    scalar size_before = 0;
+    if (plan.sweeps_max > 1) begin_sweeps(solver);
+    for (int sweep_i = 1;; ++sweep_i) {
+        residual = sweep_velocities(solver, sweep_i, !plan.up_and_down || sweep_i % 2 != 0, limits::stirring_share * settled);
+        if (sweep_i == plan.sweeps_max || residual <= settled) return sweep_i;
+        // A body that is not finite must not spread to those that it does not touch.
+        const scalar size = sum_of_changes(solver);
+        const bool shrinks = sweep_i > 1 && size <= size_before && size_before > 0 && is_finite(size_before);
+        extrapolate(solver, shrinks ? size / size_before : 0);
+        size_before = size;
+    }
+}
+
+} }  // namespace ingot

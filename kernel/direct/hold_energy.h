@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "direct_view.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// Where the impulses of the loaded island give it more kinetic energy than its free motion has, scales them, and what they did
+/// to the bodies, by the factor of the least energy; else changes nothing. Friction stays within its cone.
+///
+/// Contacts that do not bounce only take energy: impulses that give some are wrong. Those of an impact are when they are given
+/// again in the step that follows, and of 1000 kg on 1 kg no sweeps take them back: a pile gained 26 kJ of 300 in a step.
+/// Islands with points that bounce are left alone.
+void hold_energy(const SolverView& solver, const DirectView& island);
+
+} }  // namespace ingot
