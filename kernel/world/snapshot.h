@@ -197,14 +197,6 @@ constexpr SnapshotHeader expected_header() {
             0,              snapshot_parts<S>(), static_cast<uint32_t>(saved_field_size<S>())};
 }
 
-/// Points that a manifold does not have hold what the stack held when it was found.
-inline void clear_spare_points(ManifoldRecord& record) {
-    for (int point_i = record.manifold.count; point_i < Manifold::points_max; ++point_i) {
-        record.manifold.points[point_i] = {};
-        record.j[point_i] = record.j_before[point_i] = 0;
-    }
-}
-
 /// Contacts of the last step, in their order: their impulses are what the next step begins with.
 template <class S>
 void write_manifolds(ByteWriter& writer, const Storage<S>& storage) {
