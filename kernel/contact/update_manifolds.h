@@ -102,6 +102,13 @@ INGOT_INLINE void mix_materials(const SurfaceView& surfaces, const BodyPair& pai
     record.mu = sqrt(A.mu * B.mu);
 }
 
+/// What was found, and zero where it has no point: equal worlds are equal bytes, and a snapshot holds nothing of the stack.
+INGOT_INLINE void keep_manifold(const Manifold& found, Manifold& kept) {
+    kept.n = found.n;
+    kept.count = found.count;
+    for (int point_i = 0; point_i < Manifold::points_max; ++point_i) kept.points[point_i] = point_i < found.count ? found.points[point_i] : ManifoldPoint{};
+}
+
 /// Manifolds of all pairs of the last search, those of the step before renewed; manifolds.pairs are those that touch.
 ///
 /// Pairs that the rules of the scene keep apart have none: see pair_rules.h.
@@ -140,7 +147,7 @@ void update_manifolds(const BodyView& bodies, const SurfaceView& surfaces, const
             continue;
         }
         ManifoldRecord& record = manifolds.records[pair.record];
-        record.manifold = found_now;
+        keep_manifold(found_now, record.manifold);
         if (held)
             carry_impulses(record, before);
         else
