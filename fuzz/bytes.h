@@ -129,6 +129,19 @@ public:
         }
     }
 
+    /// Of all kinds that a body can have, about a metre as a rule.
+    Shape any_shape() {
+        const auto size = [&] { return scalar(0.05) + magnitude(number(1)); };
+        switch (byte() & 15u) {
+            case 0: return shape();
+            case 1: case 2: return ingot::HalfSpace{direction(), number(2)};
+            case 3: case 4: return ingot::Capsule{size(), size()};
+            case 5: case 6: return ingot::Cylinder{size(), size()};
+            case 7: case 8: case 9: case 10: return ingot::Sphere{size()};
+            default: return ingot::Box{{size(), size(), size()}};
+        }
+    }
+
     scalar step_length() {
         const uint8_t kind = byte();
         return kind < 128 ? scalar(1) / 60 : magnitude(number(1));

@@ -27,7 +27,8 @@ constexpr scalar defect_max = limits::orthogonality;
 template <>
 constexpr scalar defect_max<ingot::MoserVeselov> = scalar(2 * 12 * 2) * ingot::epsilon * limits::substeps_max * limits::polar_interval;
 
-template <class S>
+/// Calls and promises of every scene. A fuzzer that knows more calls inherits it and names itself as Whole: see fuzz_friction.cpp.
+template <class S, class Whole = void>
 class Machine {
 public:
     Machine() {
@@ -40,19 +41,33 @@ public:
     uint64_t run(Bytes in) {
         while (!in.empty()) {
             memcpy(static_cast<void*>(&before_), &world_, sizeof world_);
-            call(in);
+            whole().call(in);
             demand_all();
         }
         return seen_;
     }
 
-private:
+protected:
     static constexpr int known_max = 64;
 
-    void call(Bytes& in) {
-        const uint8_t op = in.byte();
+    /// What the fuzzer knows of the world from the calls it made.
+    struct Known {
+        BodyId ids[known_max];
+        int id_count;
+        bool immovable[S::max_bodies];  ///< by slot
+    };
+
+    auto& whole() {
+        if constexpr (ingot::stacks<S>)
+            return static_cast<Whole&>(*this);
+        else
+            return *this;
+    }
+
+    void call(Bytes& in) { call(in.byte(), in); }
+    void call(uint8_t op, Bytes& in) {
         switch (op % 16u) {
-            case 0: case 1: add(in); break;
+            case 0: case 1: whole().add(in); break;
             case 2: remove(in); break;
             case 3: set_state(in); break;
             case 4: edit(in, [&](BodyId id) { return world_.add_torque(id, in.vector(10)); }); break;
@@ -96,23 +111,27 @@ private:
         def.mass = in.mass();
         def.state = in.state(S::translates);
         if (def.immovable && in.byte() != 255) def.state.v_CM = def.state.L = {};
-        def.shape = S::max_contacts > 0 || in.byte() == 255 ? in.shape() : Shape{};
+        def.shape = ingot::has_shapes<S> || in.byte() == 255 ? in.shape() : Shape{};
         def.restitution = magnitude(in.number(1));
+        (void)add(def);
+    }
 
+    Result<BodyId> add(const BodyDef& def) {
         const Result<BodyId> added = world_.add(def);
         refused(added.status);
         if (added.status == Status::no_room) demand(before_.body_count() == S::max_bodies, "no_room means full");
         if (!added.ok()) {
             demand(added.value == BodyId{}, "a refused add gives the null id");
-            return;
+            return added;
         }
         demand(!before_.is_alive(added.value), "a new body gets a new id");
         demand(world_.body_count() == before_.body_count() + 1, "add adds one body");
         demand(!world_.is_frozen(added.value), "a new body is not frozen");
-        for (int id_i = 0; id_i < known_count_; ++id_i) demand(known_[id_i] != added.value, "an id is given out once");
+        for (int id_i = 0; id_i < known_.id_count; ++id_i) demand(known_.ids[id_i] != added.value, "an id is given out once");
         only_changed(added.value);
-        immovable_[added.value.slot] = def.immovable;
-        if (known_count_ < known_max) known_[known_count_++] = added.value;
+        known_.immovable[added.value.slot] = def.immovable;
+        if (known_.id_count < known_max) known_.ids[known_.id_count++] = added.value;
+        return added;
     }
 
     void remove(Bytes& in) {
@@ -175,7 +194,7 @@ private:
     void tag(Bytes& in) {
         const Status status = world_.set_tag(in.raw<uint16_t>());
         refused(status);
-        demand(status == (known_count_ == 0 ? Status::ok : Status::not_empty), "a tag is for a world without ids");
+        demand(status == (known_.id_count == 0 ? Status::ok : Status::not_empty), "a tag is for a world without ids");
     }
 
     void step(Bytes& in) {
@@ -189,9 +208,11 @@ private:
             demand((report.status == Status::ok) == (h >= limits::step_min && h <= limits::step_max), "h is taken within its range");
             if (report.status != Status::ok) return;
             demand_report(report);
+            whole().stepped(report, h);
             demand_all();
         }
     }
+    void stepped(const StepReport&, scalar) {}
 
     void see(const void* data, size_t size) {
         const unsigned char* bytes = static_cast<const unsigned char*>(data);
@@ -215,9 +236,9 @@ private:
             ++movable;
             demand(world_.is_frozen(id) || !before_.is_frozen(id), "frozen is for ever");
             const BodyState was = before_.state(id).value, is = world_.state(id).value;
-            if (immovable_[slot]) demand(same_bytes(&was, &is, sizeof is), "an immovable body stands still");
+            if (known_.immovable[slot]) demand(same_bytes(&was, &is, sizeof is), "an immovable body stands still");
             if (!world_.is_frozen(id)) continue;
-            demand(!immovable_[slot], "only what moves can freeze");
+            demand(!known_.immovable[slot], "only what moves can freeze");
             if (before_.is_frozen(id)) {
                 demand(same_bytes(&was, &is, sizeof is), "a frozen body stands still");
                 continue;
@@ -228,12 +249,13 @@ private:
         demand(report.bodies_frozen == frozen, "every body that froze is reported");
         demand(report.spins_clamped <= movable, "at most every body is clamped");
         demand(report.impact_waves <= limits::impact_waves_max, "waves are bounded");
-        demand(report.sweeps <= limits::contact_sweeps_max * (limits::impact_waves_max + 1), "sweeps are bounded");
+        const int sweeps_max = ingot::stacks<S> ? limits::substeps * limits::sweeps_of_few : limits::contact_sweeps_max * (limits::impact_waves_max + 1);
+        demand(report.sweeps <= sweeps_max, "sweeps are bounded");
         demand(report.sweeps_unfinished <= report.impact_waves + 1, "at most every solve is unfinished");
         demand(report.impacts_left == 0 || report.impact_waves == limits::impact_waves_max, "impacts are left when waves run out");
         demand(report.impacts_left <= report.contacts, "at most every contact is left");
-        demand(report.contacts <= S::max_contacts, "contacts fit");
-        demand(report.contacts_lost == 0 || report.contacts == S::max_contacts, "contacts are lost when the array is full");
+        demand(report.contacts <= S::max_contacts + S::max_manifolds, "contacts fit");
+        demand(ingot::stacks<S> || report.contacts_lost == 0 || report.contacts == S::max_contacts, "contacts are lost when the array is full");
         demand(report.pairs_untested <= S::max_bodies * (S::max_bodies - 1) / 2, "at most every pair is untested");
         if constexpr (S::max_contacts > 0) demand(world_.contact_count() == report.contacts, "contacts are those reported");
     }
@@ -249,7 +271,9 @@ private:
                "a copy reports the same");
         if (INGOT_FUZZ_FAULT == 5) flip_a_bit(twin_);
         demand(same_bytes(&world_, &twin_, sizeof world_), "a copy steps to the same bytes");
-        if (report.status == Status::ok) demand_report(report);
+        if (report.status != Status::ok) return;
+        demand_report(report);
+        whole().stepped(report, h);
     }
 
     /// Reads with any id: a reading changes nothing, and answers for the living only.
@@ -300,8 +324,8 @@ private:
             demand_body(id);
         }
         demand(count == world_.body_count(), "body_count counts the living");
-        for (int id_i = 0; id_i < known_count_; ++id_i) {
-            const BodyId id = known_[id_i];
+        for (int id_i = 0; id_i < known_.id_count; ++id_i) {
+            const BodyId id = known_.ids[id_i];
             demand(world_.is_alive(id) == (world_.body_at(id.slot) == id), "an id lives in its slot or not at all");
             BodyId foreign = id;
             ++foreign.world_tag;
@@ -347,9 +371,9 @@ private:
     BodyId pick(Bytes& in) {
         const uint8_t kind = in.byte();
         if (kind < 128) return world_.body_at(kind % S::max_bodies);
-        if (kind < 240) return known_count_ > 0 ? known_[kind % known_count_] : BodyId{};
+        if (kind < 240) return known_.id_count > 0 ? known_.ids[kind % known_.id_count] : BodyId{};
         if (kind < 244) return BodyId{};
-        BodyId id = known_count_ > 0 ? known_[0] : BodyId{};
+        BodyId id = known_.id_count > 0 ? known_.ids[0] : BodyId{};
         if (kind < 248) id.generation += in.byte();
         else if (kind < 250) id.slot = in.raw<uint16_t>();
         else if (kind < 252) id.world_tag = in.raw<uint16_t>();
@@ -374,17 +398,15 @@ private:
     }
 
     static World<S> world_, before_, twin_;
-    BodyId known_[known_max] = {};
-    int known_count_ = 0;
-    bool immovable_[S::max_bodies] = {};  ///< by slot
+    Known known_ = {};
     uint64_t seen_ = ingot::state_hash_seed;
 };
 
-template <class S>
-World<S> Machine<S>::world_;
-template <class S>
-World<S> Machine<S>::before_;
-template <class S>
-World<S> Machine<S>::twin_;
+template <class S, class Whole>
+World<S> Machine<S, Whole>::world_;
+template <class S, class Whole>
+World<S> Machine<S, Whole>::before_;
+template <class S, class Whole>
+World<S> Machine<S, Whole>::twin_;
 
 } }  // namespace fuzz
