@@ -11,6 +11,8 @@
 // The first byte chooses the scene: both broad phases, arrays that fill and arrays that do not, with and without filters, sensors, events,
 // and renewal of manifolds. Compiled once for each lane count. INGOT_FUZZ_RUN names the function; INGOT_FUZZ_FAULT breaks a promise.
 #include "fuzz_world.h"
+
+#define INGOT_MACHINE_FAULT 0
 #include "machine.h"
 
 namespace {
