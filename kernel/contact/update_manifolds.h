@@ -6,20 +6,21 @@
 #include "../base/report.h"
 #include "../math/sqrt.h"
 #include "manifold_record.h"
+#include "../collide/contact_geometry.h"
 #include "../collide/narrow_phase.h"
+#include "../collide/placed_body.h"
 #include "manifold_anchors.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
+INGOT_INLINE Vector r_CM_of(const BodyView& bodies, int slot) {
+    const Place at = place_of(slot);
+    return lane_of(bodies.translation[at.tile].r_CM, at.lane);
+}
+
 INGOT_INLINE BodyFrame frame_of(const BodyView& bodies, int slot) {
     const Place at = place_of(slot);
     return {lane_of(bodies.translation[at.tile].r_CM, at.lane), lane_of(bodies.rotation[at.tile].A, at.lane)};
-}
-
-INGOT_INLINE PlacedShape placed_shape(const BodyView& bodies, const SurfaceView& surfaces, int slot) {
-    const Place at = place_of(slot);
-    return {surfaces.surfaces[slot].shape, lane_of(bodies.translation[at.tile].r_CM, at.lane),
-            lane_of(bodies.rotation[at.tile].A, at.lane), nullptr};
 }
 
 /// How far apart two bodies may be and still have a manifold: what they can travel towards each other in the step, and a little.
@@ -30,7 +31,7 @@ INGOT_INLINE scalar margin_of(const BodyView& bodies, const BoundsTile* bounds, 
 }
 
 /// The routine for the two shapes; A has the kind that comes first. Only the routines of shapes that the scene names are linked.
-/// False for a pair that has none: hulls, until bodies can say which.
+/// False for a pair that has none.
 template <class Shapes>
 bool collide_shapes(const PlacedShape& A, const PlacedShape& B, scalar margin, Manifold& manifold, const Manifold& before) {
     manifold.n = {};
@@ -42,16 +43,22 @@ bool collide_shapes(const PlacedShape& A, const PlacedShape& B, scalar margin, M
     INGOT_PAIR(sphere, capsule);
     INGOT_PAIR(sphere, box);
     INGOT_PAIR(sphere, cylinder);
+    INGOT_PAIR(sphere, hull);
     INGOT_PAIR(sphere, half_space);
     INGOT_PAIR(capsule, capsule);
     INGOT_PAIR(capsule, box);
     INGOT_PAIR(capsule, cylinder);
+    INGOT_PAIR(capsule, hull);
     INGOT_PAIR(capsule, half_space);
     INGOT_PAIR(box, box);
     INGOT_PAIR(box, cylinder);
+    INGOT_PAIR(box, hull);
     INGOT_PAIR(box, half_space);
     INGOT_PAIR(cylinder, cylinder);
+    INGOT_PAIR(cylinder, hull);
     INGOT_PAIR(cylinder, half_space);
+    INGOT_PAIR(hull, hull);
+    INGOT_PAIR(hull, half_space);
 #undef INGOT_PAIR
     return false;
 }
@@ -62,11 +69,12 @@ INGOT_INLINE bool worth_renewing(const Surface& A, const Surface& B) {
 }
 
 /// The manifold of the step before, moved along with the bodies; false if it has to be found anew.
+template <class Shapes>
 INGOT_INLINE bool renew_manifold(const BodyView& bodies, const SurfaceView& surfaces, const BodyPair& pair, scalar margin,
                                  const ManifoldAnchors& anchors, Manifold& manifold) {
     const Surface &A = surfaces.surfaces[pair.body_A], &B = surfaces.surfaces[pair.body_B];
     if (!worth_renewing(A, B)) return false;
-    const scalar R_A = A.bounding_radius, R_B = B.bounding_radius;  // 0: a half space
+    const scalar R_A = Shapes::radius_of(A), R_B = Shapes::radius_of(B);  // 0: a half space
     const scalar R = R_A == 0 ? R_B : R_B == 0 || R_A < R_B ? R_A : R_B;
     return renew_from_anchors(frame_of(bodies, pair.body_A), frame_of(bodies, pair.body_B), limits::recycled_slip * R, margin, anchors, manifold);
 }
@@ -75,9 +83,16 @@ INGOT_INLINE bool renew_manifold(const BodyView& bodies, const SurfaceView& surf
 template <class Shapes>
 bool find_manifold(const BodyView& bodies, const SurfaceView& surfaces, const BodyPair& pair, scalar margin, const Manifold& before,
                    Manifold& manifold) {
+    if constexpr (Shapes::has(ShapeKind::sphere)) {  // without the frames and the choice, which for balls are most of the way
+        const Shape &shape_A = surfaces.surfaces[pair.body_A].shape, &shape_B = surfaces.surfaces[pair.body_B].shape;
+        if (shape_A.kind == ShapeKind::sphere && shape_B.kind == ShapeKind::sphere) {
+            ball_on_ball(r_CM_of(bodies, pair.body_A), shape_A.size.x, r_CM_of(bodies, pair.body_B), shape_B.size.x, margin, manifold);
+            return true;
+        }
+    }
     const bool swap = surfaces.surfaces[pair.body_B].shape.kind < surfaces.surfaces[pair.body_A].shape.kind;
-    const PlacedShape A = placed_shape(bodies, surfaces, swap ? pair.body_B : pair.body_A);
-    const PlacedShape B = placed_shape(bodies, surfaces, swap ? pair.body_A : pair.body_B);
+    const PlacedShape A = placed_body<Shapes>(bodies, surfaces, swap ? pair.body_B : pair.body_A);
+    const PlacedShape B = placed_body<Shapes>(bodies, surfaces, swap ? pair.body_A : pair.body_B);
     if (!swap) return collide_shapes<Shapes>(A, B, margin, manifold, before);
     Manifold seen = before;
     seen.n = -seen.n;
@@ -86,13 +101,13 @@ bool find_manifold(const BodyView& bodies, const SurfaceView& surfaces, const Bo
     return tested;
 }
 
+inline constexpr Manifold no_manifold_before = {};
+
 /// True where the shapes of a pair overlap or touch.
 template <class Shapes>
 bool shapes_overlap(const BodyView& bodies, const SurfaceView& surfaces, const BodyPair& pair) {
-    Manifold before, found_now;
-    before.n = {};
-    before.count = 0;
-    return find_manifold<Shapes>(bodies, surfaces, pair, 0, before, found_now) && found_now.count != 0;
+    Manifold found_now;
+    return find_manifold<Shapes>(bodies, surfaces, pair, 0, no_manifold_before, found_now) && found_now.count != 0;
 }
 
 /// Restitution of a pair is the greater of the two; friction their geometric mean.
@@ -107,6 +122,15 @@ INGOT_INLINE void keep_manifold(const Manifold& found, Manifold& kept) {
     kept.n = found.n;
     kept.count = found.count;
     for (int point_i = 0; point_i < Manifold::points_max; ++point_i) kept.points[point_i] = point_i < found.count ? found.points[point_i] : ManifoldPoint{};
+}
+
+/// The same contacts as the solver knows them: by bodies, where pairs are of shape slots.
+template <int shapes_of_body>
+void name_bodies(const ManifoldView& manifolds, BodyPair* body_pairs) {
+    for (int pair_i = 0; pair_i < *manifolds.count; ++pair_i) {
+        const BodyPair& pair = manifolds.pairs[pair_i];
+        body_pairs[pair_i] = {static_cast<uint16_t>(pair.body_A / shapes_of_body), static_cast<uint16_t>(pair.body_B / shapes_of_body), pair.record};
+    }
 }
 
 /// Manifolds of all pairs of the last search, those of the step before renewed; manifolds.pairs are those that touch.
@@ -127,15 +151,13 @@ void update_manifolds(const BodyView& bodies, const SurfaceView& surfaces, const
         }
         const scalar margin = margin_of(bodies, bounds, pair, h);
         if (held && manifolds.anchors != nullptr) {
-            if (renew_manifold(bodies, surfaces, pair, margin, manifolds.anchors[pair.record], manifolds.records[pair.record].manifold)) {
+            if (renew_manifold<Shapes>(bodies, surfaces, pair, margin, manifolds.anchors[pair.record], manifolds.records[pair.record].manifold)) {
                 manifolds.pairs[(*manifolds.count)++] = pair;
                 continue;
             }
         }
-        Manifold before, found_now;
-        before.n = {};
-        before.count = 0;
-        if (held) before = manifolds.records[pair.record].manifold;
+        Manifold found_now;
+        const Manifold& before = held ? manifolds.records[pair.record].manifold : no_manifold_before;
         if (!find_manifold<Shapes>(bodies, surfaces, pair, margin, before, found_now)) count(report.pairs_untested);
         if (found_now.count == 0) {
             if (held) give_back(manifolds, pair.record);
@@ -147,11 +169,11 @@ void update_manifolds(const BodyView& bodies, const SurfaceView& surfaces, const
             continue;
         }
         ManifoldRecord& record = manifolds.records[pair.record];
-        keep_manifold(found_now, record.manifold);
         if (held)
-            carry_impulses(record, before);
+            carry_impulses(record, found_now);
         else
             mix_materials(surfaces, pair, record);
+        keep_manifold(found_now, record.manifold);
         if (manifolds.anchors != nullptr && worth_renewing(surfaces.surfaces[pair.body_A], surfaces.surfaces[pair.body_B]))
             anchor(frame_of(bodies, pair.body_A), frame_of(bodies, pair.body_B), found_now, margin, manifolds.anchors[pair.record]);
         manifolds.pairs[(*manifolds.count)++] = pair;
