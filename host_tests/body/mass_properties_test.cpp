@@ -818,6 +818,13 @@ TEST(Refusals, of_a_hole_as_large_as_the_solid) {
     EXPECT_EQ(ingot::principal(ingot::without(box, ingot::solid_box(1, {2, 2, 2}))).status, Status::bad_mass);
 }
 
+/// Found by fuzz_numbers: sizes so small that masses round to zero, which divided zero by zero.
+TEST(Refusals, of_parts_without_mass) {
+    constexpr MassDistribution nothing = ingot::combined(MassDistribution{}, MassDistribution{});
+    static_assert(nothing.M == 0 && nothing.I.xx == 0, "and a constant, which no division by zero can be");
+    EXPECT_EQ(ingot::principal(nothing).status, Status::bad_mass);
+}
+
 TEST(Refusals, of_flat_solids_never_give_a_number_that_is_not_finite) {
     RandomInput random(18);
     for (int i = 0; i < many; ++i) {

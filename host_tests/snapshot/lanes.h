@@ -20,10 +20,14 @@ using Begin = std::vector<uint8_t> (*)(uint64_t seed, int before);
 /// Loads, and goes on with that life for `after` calls.
 using GoOn = Trace (*)(const std::vector<uint8_t>& from, uint64_t seed, int before, int after);
 
+/// Balls that bounce beside boxes that land: a hash after each step.
+using Land = std::vector<uint64_t> (*)();
+
 struct Kernel {
     int lanes;
     Begin begin;
     GoOn go_on;
+    Land land;
 };
 
 Kernel kernel_of_1();

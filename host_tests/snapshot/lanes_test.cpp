@@ -31,4 +31,12 @@ TEST(SnapshotLanes, a_world_of_any_lane_count_goes_on_in_any_other) {
     }
 }
 
+/// Found by fuzz_friction: a ball that shared a block of rows with a box was brought to its place in several pushes, and alone in one.
+TEST(Lanes, balls_bounce_alike_beside_boxes) {
+    const std::vector<uint64_t> alone = kernel_of_1().land();
+    ASSERT_EQ(alone.size(), 300u);
+    EXPECT_EQ(kernel_of_4().land(), alone);
+    EXPECT_EQ(kernel_of_8().land(), alone);
+}
+
 }  // namespace

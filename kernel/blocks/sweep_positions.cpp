@@ -41,7 +41,8 @@ INGOT_INLINE bool visit_positions(const SolverView& solver, ContactBlock& block,
     const Vec3<lane> n = load(block.n);
     BodyPairLanes pair = gather_bodies(solver, block, &SolverBody::dp, &SolverBody::dth);
     Pushes due = pushes_due<rows>(block, n, pair, h);
-    if (again) due.off = both(due.off, due.lands);
+    // One point alone is there after one push, and has no more of them in a block of one row: so it is beside others too.
+    if (again) due.off = both(both(due.off, due.lands), is_used(block, 1));
     if (!any(due.off)) return false;
     const Row4 none = {};
     const Row4 q = solve_block<rows, false>(block.K, block.B, block.held, due.w, none, due.pulls, limits::approach_slack * h, active);

@@ -174,9 +174,10 @@ constexpr MassDistribution placed(const MassDistribution& part, const Matrix& A,
 /// Two parts as one body, in their common frame.
 ///
 /// Both are moved to the common centre of mass at once: M_a r_a^2 + M_b r_b^2 = M_a M_b / M |r_b - r_a|^2. So parts far from
-/// the origin lose nothing. A distribution of zeros is an empty part: what is combined with it stays.
+/// the origin lose nothing. A distribution of zeros is an empty part: what is combined with it stays, and no mass at all ends as
+/// bad_mass.
 constexpr MassDistribution combined(const MassDistribution& a, const MassDistribution& b) {
-    const scalar M = a.M + b.M, share = b.M / M;
+    const scalar M = a.M + b.M, share = M == 0 ? scalar(0) : b.M / M;
     const Vector a_to_b = b.r_CM - a.r_CM;
     return {M, a.r_CM + a_to_b * share, a.I + b.I + solids::parallel_axis(a.M * share, a_to_b)};
 }

@@ -268,7 +268,7 @@ constexpr Result<HullOf<room>> convex_hull(const Vector (&points)[room]) {
             for (int k = first; k < end; ++k) {
                 const int a = wrapping.loops[k], b = wrapping.loops[k + 1 < end ? k + 1 : first];
                 const int right = wrapping.face_with(b, a);
-                if (right < 0) return {Status::bad_shape, {}};
+                if (right < 0 || wrapping.face_with(a, b) != face_i) return {Status::bad_shape, {}};  // open, or three faces at an edge
                 if (a > b) continue;
                 if (hull.edge_count >= 3 * N - 6) return {Status::bad_shape, {}};
                 hull.edges[hull.edge_count++] = {renamed[a], renamed[b], static_cast<uint8_t>(face_i),

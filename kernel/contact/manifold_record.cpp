@@ -26,7 +26,7 @@ uint16_t take_record(const ManifoldView& manifolds) {
         return no_record;
     }
     manifolds.records[record] = {};
-    if (manifolds.anchors != nullptr) manifolds.anchors[record].margin = 0;
+    if (manifolds.anchors != nullptr) manifolds.anchors[record] = {};  // balls keep none, and those of another pair are none of a snapshot's
     return record;
 }
 

@@ -117,6 +117,13 @@ INGOT_INLINE void mix_materials(const SurfaceView& surfaces, const BodyPair& pai
     record.mu = sqrt(A.mu * B.mu);
 }
 
+/// What was found, and zero where it has no point: equal worlds are equal bytes, and a snapshot holds nothing of the stack.
+INGOT_INLINE void keep_manifold(const Manifold& found, Manifold& kept) {
+    kept.n = found.n;
+    kept.count = found.count;
+    for (int point_i = 0; point_i < Manifold::points_max; ++point_i) kept.points[point_i] = point_i < found.count ? found.points[point_i] : ManifoldPoint{};
+}
+
 /// The same contacts as the solver knows them: by bodies, where pairs are of shape slots.
 template <int shapes_of_body>
 void name_bodies(const ManifoldView& manifolds, BodyPair* body_pairs) {
@@ -166,7 +173,7 @@ void update_manifolds(const BodyView& bodies, const SurfaceView& surfaces, const
             carry_impulses(record, found_now);
         else
             mix_materials(surfaces, pair, record);
-        record.manifold = found_now;
+        keep_manifold(found_now, record.manifold);
         if (manifolds.anchors != nullptr && worth_renewing(surfaces.surfaces[pair.body_A], surfaces.surfaces[pair.body_B]))
             anchor(frame_of(bodies, pair.body_A), frame_of(bodies, pair.body_B), found_now, margin, manifolds.anchors[pair.record]);
         manifolds.pairs[(*manifolds.count)++] = pair;

@@ -38,6 +38,13 @@ void tell_events(Storage<S>& storage, StepReport& report) {
     if constexpr (has_compounds<S>) name_bodies<S::max_shapes_of_body>(events);
 }
 
+/// A body that froze cannot move any more: pairs are searched for anew, without those of which neither can. The compliance of such a pair is zero.
+template <class S>
+void forget_frozen_bounds(Storage<S>& storage) {
+    for (int slot = 0; slot < storage.slots_used * S::max_shapes_of_body; ++slot)
+        if (is_frozen(storage.bodies(), slot / S::max_shapes_of_body)) forget_bounds(storage.bounds, slot);
+}
+
 /// Advances a world by h seconds.
 ///
 /// Needs:   limits::step_min <= h <= limits::step_max; anything else, NaN included, is answered with bad_step and changes
@@ -113,7 +120,12 @@ StepReport step(World<S>& world, scalar h) {
 
     if constexpr (S::rotation::as_printed || flies_in_field<S>) mark_runaway_spins(bodies);
     clear_forces(bodies);
-    if (any_bad_bodies(bodies)) count(report.bodies_frozen, freeze_bad_bodies(bodies));
+    if (any_bad_bodies(bodies)) {
+        const int frozen = freeze_bad_bodies(bodies);
+        count(report.bodies_frozen, frozen);
+        if constexpr (stacks<S>)
+            if (frozen > 0) forget_frozen_bounds(storage);
+    }
     if constexpr (has_compounds<S>) storage.place_all_shapes();          // for queries
     if constexpr (has_field<S>) storage.advance_time(h);
     ++storage.steps;
