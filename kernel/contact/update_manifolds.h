@@ -140,6 +140,7 @@ void update_manifolds(const BodyView& bodies, const SurfaceView& surfaces, const
             continue;
         }
         ManifoldRecord& record = manifolds.records[pair.record];
+        for (int point_i = found_now.count; point_i < Manifold::points_max; ++point_i) found_now.points[point_i] = {};  // equal worlds are equal bytes
         record.manifold = found_now;
         if (held)
             carry_impulses(record, before);
