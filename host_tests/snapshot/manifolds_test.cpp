@@ -132,7 +132,10 @@ protected:
 
     template <class T>
     Bytes with(size_t offset, T number) const {
-        Bytes bytes = sound_;
+        return spoilt(sound_, offset, number);
+    }
+    template <class T>
+    static Bytes spoilt(Bytes bytes, size_t offset, T number) {
         uint64_t bits = 0;
         if constexpr (std::is_floating_point_v<T>) {
             ingot::ScalarBits of_number;
@@ -219,6 +222,30 @@ TEST_F(DamagedPile, of_who_touches_whom) {
     refuses(with(at - 2, uint16_t{Pile::max_manifolds + 1}), "more than the scene holds");
     refuses(with(at - 2, uint16_t{4}), "bytes left over");
     refuses(with(at - 2, uint16_t{6}), "bytes that are missing");
+}
+
+TEST_F(DamagedPile, of_a_body_in_it) {
+    const size_t first_slot = 44 + 4 * s, ground_to_A = 5;
+    refuses(with(first_slot + ground_to_A, scalar(2)), "an attitude that is no rotation");
+}
+
+TEST_F(DamagedPile, of_what_is_a_sensor) {
+    static World<WatchedPile> world, other, before;
+    fill_pile(world);
+    (void)ingot::step(world, h);
+    const Bytes sound = saved(world);
+    // The last body is the sensor, and manifolds follow it: their number, and so many. A filter comes before.
+    const size_t manifolds = static_cast<size_t>(ingot::step(world, h).contacts), at = sound.size() - checksum - manifolds * manifold_size - 3;
+    ASSERT_EQ(sound[at], 1);
+    ASSERT_EQ(sound[at + 1], manifolds);
+    fill_pile(other);
+    copy(before, other);
+    const Bytes twice = spoilt(sound, at, uint8_t{2});
+    EXPECT_EQ(ingot::load_snapshot(other, twice.data(), twice.size()), Status::bad_snapshot);
+    EXPECT_TRUE(same_bytes(other, before));
+    const Bytes none = spoilt(sound, at, uint8_t{0});
+    EXPECT_EQ(ingot::load_snapshot(other, none.data(), none.size()), Status::ok);
+    EXPECT_EQ(saved(other), none);
 }
 
 }  // namespace
