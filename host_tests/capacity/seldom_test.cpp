@@ -281,6 +281,10 @@ TEST(Meshes, beyond_the_range_are_refused_along_each_axis) {
         const Vector spoilt[4] = {corners[0], corners[1], corners[2], beyond};
         EXPECT_EQ(ingot::solid_mesh(1, spoilt, 4, triangles, 4).status, Status::out_of_range);
     }
+    for (const scalar edge : {limits::position_max, -limits::position_max}) {  // a range ends with its limit: what is refused is the flat solid
+        const Vector spoilt[4] = {corners[0], corners[1], corners[2], {edge, edge, edge}};
+        EXPECT_NE(ingot::solid_mesh(1, spoilt, 4, triangles, 4).status, Status::out_of_range);
+    }
     // The volume is 1/6, and the mass more than a scalar holds: that of a cube of edge 60 is 2e5 times the density.
     const Vector large[4] = {{0, 0, 0}, {60, 0, 0}, {0, 60, 0}, {0, 0, 60}};
     EXPECT_EQ(ingot::solid_mesh(ingot::scalar_max / 16, large, 4, triangles, 4).status, Status::out_of_range);
@@ -310,6 +314,43 @@ TEST(Impacts, of_what_is_apart_are_none) {
     ingot::collide_sphere_half_space(other, floor, sink);
     EXPECT_EQ(count, 1);
     EXPECT_EQ(contacts[0].separation, -1);
+}
+
+TEST(Impacts, of_what_overlaps_say_by_how_much) {
+    ingot::Contact contacts[8];
+    uint16_t count = 0, lost = 0;
+    ingot::ContactSink sink{{contacts, &count, 8}, 0, 1, 0, &lost};
+    const ingot::Matrix upright = ingot::identity_matrix<scalar>();
+    const ingot::Placed ball{ingot::Sphere{1}, {0, 0, scalar(1.75)}, upright}, other{ingot::Sphere{scalar(0.5)}, {0, 0, scalar(0.5)}, upright};
+    ingot::collide_sphere_sphere(ball, other, sink);
+    ASSERT_EQ(count, 1);
+    EXPECT_EQ(contacts[0].separation, scalar(-0.25));
+    EXPECT_EQ(contacts[0].n.z, 1);
+
+    // A box turned by its axes, its lowest face a quarter under the ground; all numbers are exact.
+    count = 0;
+    const ingot::Placed floor{ingot::HalfSpace{{0, 0, 1}, 0}, {}, upright}, box{ingot::Box{{1, 2, 4}}, {0, 0, scalar(1.75)}, {{0, 1, 0}, {0, 0, 1}, {1, 0, 0}}};
+    ingot::collide_box_half_space(box, floor, sink);
+    ASSERT_EQ(count, 4);
+    bool seen[2][2] = {};
+    for (const ingot::Contact& contact : {contacts[0], contacts[1], contacts[2], contacts[3]}) {
+        EXPECT_EQ(contact.separation, scalar(-0.25));
+        // r x n of the corner (+-4, +-1, -2) is (+-1, -+4, 0).
+        EXPECT_EQ(std::abs(contact.lever_A.x), 1);
+        EXPECT_EQ(std::abs(contact.lever_A.y), 4);
+        EXPECT_EQ(contact.lever_A.z, 0);
+        seen[contact.lever_A.x > 0][contact.lever_A.y > 0] = true;
+    }
+    EXPECT_TRUE(seen[0][0] && seen[0][1] && seen[1][0] && seen[1][1]) << "four different corners";
+}
+
+TEST(Shapes, hold_nothing_that_they_do_not_need) {
+    const Shape all[] = {ingot::Sphere{1}, ingot::Capsule{1, 2}, ingot::Cylinder{1, 2}, ingot::Box{{1, 2, 3}}};
+    for (const Shape& shape : all) EXPECT_EQ(shape.offset, 0);
+    for (int shape_i = 0; shape_i < 3; ++shape_i) {
+        EXPECT_EQ(all[shape_i].size.y, shape_i == 0 ? 0 : 2);
+        EXPECT_EQ(all[shape_i].size.z, 0);
+    }
 }
 
 /// The bounds of a body hold its shape, and by no more than the margin, whatever the attitude.
