@@ -209,7 +209,13 @@ TEST_F(DamagedPile, of_what_no_contact_can_be) {
     refuses(with(at + to_margin, scalar(-1)), "a margin below nothing");
     accepts(with(at + to_mu, limits::friction_max), "the most friction");
     accepts(with(at + to_e, scalar(1)), "restitution of one");
-    accepts(with(at + to_margin, scalar(0)), "anchors that know nothing");
+    // Anchors that know nothing are taken, and written as zeros.
+    const Bytes unknown = with(at + to_margin, scalar(0));
+    static World<Pile> other;
+    clear(other);
+    EXPECT_EQ(ingot::load_snapshot(other, unknown.data(), unknown.size()), Status::ok);
+    const Bytes again = saved(other);
+    for (size_t byte_i = to_on_A; byte_i < to_margin + s; ++byte_i) EXPECT_EQ(again[at + byte_i], 0) << "byte " << byte_i;
 }
 
 TEST_F(DamagedPile, of_who_touches_whom) {
