@@ -203,4 +203,94 @@ TYPED_TEST(FpTrapsOfAnySpin, none_with_spins_that_must_be_clamped) {
     for (int step_i = 0; step_i < 100; ++step_i) (void)ingot::step(world, limits::step_max);
 }
 
+/// Contacts with friction, all shapes that step, and what may be named beside them.
+template <class BroadPhase, bool renews>
+struct Pile : ingot::Scene {
+    static constexpr int max_bodies = 26;
+    static constexpr bool translates = true;
+    static constexpr int max_manifolds = 120;
+    static constexpr int max_overlaps = 26;
+    static constexpr int max_events = 100;
+    static constexpr bool renews_manifolds = renews;
+    using broad_phase = BroadPhase;
+    using shapes = ingot::Shapes<ingot::Sphere, ingot::Capsule, ingot::Box, ingot::Cylinder, ingot::HalfSpace>;
+};
+
+template <class S>
+class FpTrapsOfFriction : public ::testing::Test {
+protected:
+    static Shape shape(int kind) {
+        switch (kind % 4) {
+            case 0: return ingot::Sphere{scalar(0.5)};
+            case 1: return ingot::Box{{scalar(0.5), scalar(0.375), scalar(0.25)}};
+            case 2: return ingot::Capsule{scalar(0.25), scalar(0.5)};
+            default: return ingot::Cylinder{scalar(0.5), scalar(0.25)};
+        }
+    }
+    static void put_ground() {
+        clear(world_);
+        BodyDef floor = ground();
+        floor.friction = scalar(0.5);
+        ASSERT_TRUE(world_.add(floor).ok());
+        ASSERT_EQ(world_.set_gravity({0, 0, -10}), Status::ok);
+    }
+    static World<S> world_;
+};
+template <class S>
+World<S> FpTrapsOfFriction<S>::world_;
+using Piles = ::testing::Types<Pile<ingot::AllPairs, true>, Pile<ingot::SortedTree, true>, Pile<ingot::AllPairs, false>>;
+TYPED_TEST_SUITE(FpTrapsOfFriction, Piles);
+
+TYPED_TEST(FpTrapsOfFriction, none_in_a_heap_that_falls_and_settles) {
+    auto& world = this->world_;
+    this->put_ground();
+    const Traps traps;
+    BodyDef sensor = plain_body({0, 0, 1}, ingot::Box{{2, 2, 1}});
+    sensor.immovable = sensor.sensor = true;
+    ASSERT_TRUE(world.add(sensor).ok());
+    for (int body_i = 0; body_i < 24; ++body_i) {
+        BodyDef def = plain_body({scalar(body_i % 3) * scalar(0.75), scalar(body_i % 2) * scalar(0.5), scalar(body_i) + 1}, this->shape(body_i));
+        def.state.L = {scalar(body_i % 5), 1, scalar(body_i % 3)};
+        def.friction = scalar(body_i % 4) / 3;
+        def.restitution = scalar(body_i % 5) / 4;
+        ASSERT_TRUE(world.add(def).ok());
+    }
+    uint32_t contacts = 0;
+    for (int step_i = 0; step_i < 400; ++step_i) contacts += ingot::step(world, h).contacts;
+    EXPECT_GT(contacts, 1000u);
+    (void)world.state_hash();
+}
+
+TYPED_TEST(FpTrapsOfFriction, none_where_shapes_coincide) {
+    auto& world = this->world_;
+    for (int kind = 0; kind < 16; ++kind) {
+        this->put_ground();
+        const Traps traps;
+        for (const int one : {kind % 4, kind / 4}) {
+            BodyDef def = plain_body({0, 0, 0}, this->shape(one));
+            def.friction = 1;
+            ASSERT_TRUE(world.add(def).ok());
+        }
+        for (int step_i = 0; step_i < 60; ++step_i) (void)ingot::step(world, h);
+    }
+}
+
+TYPED_TEST(FpTrapsOfFriction, none_of_masses_and_frictions_at_the_ends_of_the_ranges) {
+    auto& world = this->world_;
+    for (const scalar friction : {scalar(0), limits::friction_max}) {
+        for (const scalar M : {scalar(1e-6), scalar(1e6)}) {
+            this->put_ground();
+            const Traps traps;
+            for (int body_i = 0; body_i < 6; ++body_i) {
+                BodyDef def = plain_body({0, 0, scalar(body_i) + scalar(0.5)}, ingot::Box{{scalar(0.5), scalar(0.5), scalar(0.5)}});
+                const scalar mass = body_i % 2 == 0 ? M : 1 / M;
+                def.mass = mass_of(mass, Vector{1, 1, 1} * (mass / 6));
+                def.friction = friction;
+                ASSERT_TRUE(world.add(def).ok());
+            }
+            for (int step_i = 0; step_i < 120; ++step_i) (void)ingot::step(world, h);
+        }
+    }
+}
+
 }  // namespace

@@ -205,7 +205,6 @@ void write_manifolds(ByteWriter& writer, const Storage<S>& storage) {
     for (int pair_i = 0; pair_i < count; ++pair_i) {
         const BodyPair& pair = storage.pairs[pair_i];
         SavedManifold saved{pair.body_A, pair.body_B, storage.records[pair.record], {}};
-        clear_spare_points(saved.record);
         if constexpr (S::renews_manifolds)  // what is not known is what the record had before
             if (storage.anchors[pair.record].margin > 0) saved.anchors = storage.anchors[pair.record];
         saved.numbers(writer, S::renews_manifolds);

@@ -178,7 +178,7 @@ bool is_sound(const SavedManifold& saved) {
     const ManifoldRecord& record = saved.record;
     const Manifold& manifold = record.manifold;
     if (manifold.count < 1 || manifold.count > Manifold::points_max || age_of(record) > limits::substeps_kept) return false;
-    if (abs(length_sq(manifold.n) - 1) > limits::flatness) return false;
+    if (!(abs(length_sq(manifold.n) - 1) <= limits::flatness)) return false;
     if (!(record.mu >= 0 && record.mu <= limits::friction_max && record.e >= 0 && record.e <= 1)) return false;
     bool sound = is_finite(record.j_friction) && is_finite(record.j_reference) && is_finite(record.j_twist);
     for (int point_i = 0; point_i < Manifold::points_max; ++point_i) {
