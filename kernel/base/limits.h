@@ -91,6 +91,14 @@ inline constexpr scalar bounce_speed_min = scalar(0.01);    ///< m/s; slower imp
 /// digits in float.
 inline constexpr scalar block_diagonal = scalar(1.01);
 
+// Sleep (sleep/).
+/// m/s; a body no point of which is faster is slow. What the solver leaves of contacts at rest is a thousandth of it and what a pile
+/// fidgets a tenth; what falls asleep loses less energy than a drop from 0.1 micrometres gives.
+inline constexpr scalar sleep_speed = scalar(1e-3);
+inline constexpr scalar sleep_time = scalar(0.5);  ///< s; a body that is slow only on its way has passed by then
+/// Of gravity; a body that more than this accelerates is not at rest, however slow.
+inline constexpr scalar balance = scalar(0.01);
+
 // Narrow phase (collide/). Fractions of a length are of the smallest half extent of both shapes, unless another is named.
 /// An edge axis is taken when it separates better than every face by this fraction: nearly parallel edges have no normal of
 /// their own, and the face's manifold has the crossing of the edges among its points.

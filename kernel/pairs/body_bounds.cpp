@@ -66,7 +66,7 @@ void forget_bounds(BoundsTile* bounds, int slot) {
     set_lane(bounds[at.tile].wide_high, at.lane, -nowhere);
 }
 
-bool refresh_bounds(const BodyView& bodies, const SurfaceView& surfaces, scalar h, BoundsTile* bounds) {
+bool find_bounds(const BodyView& bodies, const SurfaceView& surfaces, scalar h, BoundsTile* bounds) {
     mask left = splat<lane>(1) < lane{};
     for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) {
         BoundsTile& tile = bounds[tile_i];
@@ -82,8 +82,16 @@ bool refresh_bounds(const BodyView& bodies, const SurfaceView& surfaces, scalar 
             left = either(left, load(tile.wide_high[axis]) < load(tile.high[axis]));
         }
     }
-    if (!any(left)) return false;
+    return any(left);
+}
+
+void widen_bounds(const BodyView& bodies, BoundsTile* bounds) {
     for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) widen(bounds[tile_i], load(bodies.translation[tile_i].inv_M));
+}
+
+bool refresh_bounds(const BodyView& bodies, const SurfaceView& surfaces, scalar h, BoundsTile* bounds) {
+    if (!find_bounds(bodies, surfaces, h, bounds)) return false;
+    widen_bounds(bodies, bounds);
     return true;
 }
 
