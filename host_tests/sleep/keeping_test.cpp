@@ -146,6 +146,7 @@ TYPED_TEST(Keeping, a_world_that_was_saved_goes_on_to_the_bit) {
             ASSERT_EQ(ingot::load_snapshot(restored, bytes.data(), bytes.size()), Status::ok);
             ASSERT_EQ(saved(restored), bytes);
             copy_world(copied, world);
+            const uint32_t saved_at = world.step_count();
             asleep += world.asleep_count();
             EXPECT_EQ(restored.asleep_count(), world.asleep_count());
             EXPECT_EQ(restored.asleep_island_count(), world.asleep_island_count());
@@ -155,9 +156,10 @@ TYPED_TEST(Keeping, a_world_that_was_saved_goes_on_to_the_bit) {
                 for (int world_i = 0; world_i < 3; ++world_i) live(*all[world_i], dices[world_i]);
                 ASSERT_EQ(restored.state_hash(), world.state_hash()) << "seed " << seed << " moment " << moment << " call " << call_i;
                 ASSERT_EQ(saved(restored), saved(world)) << "seed " << seed << " moment " << moment << " call " << call_i;
+                if (world.step_count() == saved_at) continue;  // who is in a sensor is found anew by a step
                 ASSERT_EQ(restored.overlap_count(), world.overlap_count()) << "seed " << seed << " moment " << moment << " call " << call_i;
             }
-            ASSERT_TRUE(same_world(copied, world));
+            ASSERT_EQ(saved(copied), saved(world));
             dice = dices[0];
         }
     }

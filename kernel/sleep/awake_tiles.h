@@ -30,8 +30,8 @@ void over_runs(const BodyView& bodies, const Chosen& chosen, const Stage& stage)
 
 /// Lanes of a tile that sleep.
 INGOT_INLINE unsigned sleepers_of(const BodyView& bodies, const RestView& rest, int tile_i) {
-    const unsigned can_move = bits(load(bodies.translation[tile_i].inv_M) > lane{});
-    return can_move & ~static_cast<unsigned>(rest.awake[tile_i]);
+    const unsigned free_lanes = bits(load(bodies.translation[tile_i].inv_M) > lane{});
+    return free_lanes & ~static_cast<unsigned>(rest.awake[tile_i]);
 }
 
 /// What stages of motion write to a tile, to be given back to its lanes that sleep.

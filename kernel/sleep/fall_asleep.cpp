@@ -8,7 +8,7 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
-bool is_zero(const Vector& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
+bool is_none(const Vector& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
 
 bool is_at_rest(const BodyView& bodies, const SurfaceView& surfaces, const Vector& gravity, scalar speed, int slot) {
     const Place at = place_of(slot);
@@ -17,7 +17,7 @@ bool is_at_rest(const BodyView& bodies, const SurfaceView& surfaces, const Vecto
     if (((rotation.bad | translation.bad) >> at.lane & 1u) != 0) return false;
     const Vector v = lane_of(translation.v_CM, at.lane), L = lane_of(rotation.L, at.lane);
     const scalar g_sq = length_sq(gravity);
-    if (!(g_sq > 0)) return is_zero(v) && is_zero(L);
+    if (!(g_sq > 0)) return is_none(v) && is_none(L);
 
     const scalar R = surfaces.surfaces[slot].bounding_radius, speed_sq = speed * speed;
     const Vector a = lane_of(translation.F_T, at.lane) * translation.inv_M[at.lane] + gravity;
@@ -41,14 +41,14 @@ void fall_asleep(const BodyView& bodies, const SurfaceView& surfaces, const Vect
     for_slots(rest.awake, bodies.tile_count, [&](int slot) { rest.marks[slot] = 0; });
     // A root whose island is not ready is marked.
     for_slots(rest.awake, bodies.tile_count, [&](int slot) {
-        if (!can_move(bodies, slot)) return;
+        if (!is_free(bodies, slot)) return;
         scalar& slow_for = rest.slow_for[slot];
         const scalar longer = slow_for + h;
         slow_for = !is_at_rest(bodies, surfaces, gravity, limits.speed, slot) ? 0 : longer < limits.time ? longer : limits.time;
         if (slow_for < limits.time) rest.marks[rest.root(slot)] = 1;
     });
     for_slots(rest.awake, bodies.tile_count, [&](int slot) {
-        if (!can_move(bodies, slot) || rest.marks[rest.root(slot)] == 0) lie_down(bodies, rest, slot);
+        if (!is_free(bodies, slot) || rest.marks[rest.root(slot)] == 0) lie_down(bodies, rest, slot);
     });
 }
 

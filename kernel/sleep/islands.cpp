@@ -21,7 +21,7 @@ void join_islands(const BodyView& bodies, const RestView& rest, const ManifoldVi
     for_slots(rest.due, bodies.tile_count, alone);
     for (int manifold_i = 0; manifold_i < *manifolds.count; ++manifold_i) {
         const int A = manifolds.pairs[manifold_i].body_A, B = manifolds.pairs[manifold_i].body_B;
-        if ((rest.stirs(A) || rest.stirs(B)) && can_move(bodies, A) && can_move(bodies, B)) join(rest, A, B);
+        if ((rest.stirs(A) || rest.stirs(B)) && is_free(bodies, A) && is_free(bodies, B)) join(rest, A, B);
     }
 }
 
@@ -33,7 +33,7 @@ void wake_met_islands(const BodyView& bodies, const RestView& rest, const Manifo
     };
     for (int manifold_i = 0; manifold_i < *manifolds.count; ++manifold_i) {
         const int met = sleeper_met(manifolds.pairs[manifold_i]);
-        if (met < 0 || !can_move(bodies, met)) continue;
+        if (met < 0 || !is_free(bodies, met)) continue;
         if (!some_met)
             for (int slot = 0; slot < bodies.tile_count * lanes; ++slot) rest.marks[slot] = 0;
         some_met = true;
@@ -41,12 +41,12 @@ void wake_met_islands(const BodyView& bodies, const RestView& rest, const Manifo
     }
     if (!some_met) return;
     for (int slot = 0; slot < bodies.tile_count * lanes; ++slot)
-        if (can_move(bodies, slot) && !rest.is_awake(slot) && rest.marks[rest.root(slot)] != 0) stand_up(bodies, rest, slot);
+        if (is_free(bodies, slot) && !rest.is_awake(slot) && rest.marks[rest.root(slot)] != 0) stand_up(bodies, rest, slot);
 }
 
 void list_awake_pairs(const BodyView& bodies, const RestView& rest, const ManifoldView& manifolds, BodyPair* awake_pairs, uint16_t& count) {
     count = 0;
-    const auto moves = [&](int slot) { return rest.is_awake(slot) && can_move(bodies, slot); };
+    const auto moves = [&](int slot) { return rest.is_awake(slot) && is_free(bodies, slot); };
     for (int manifold_i = 0; manifold_i < *manifolds.count; ++manifold_i) {
         const BodyPair& pair = manifolds.pairs[manifold_i];
         if (moves(pair.body_A) || moves(pair.body_B)) awake_pairs[count++] = pair;

@@ -47,7 +47,7 @@ struct RestView {
 };
 
 /// True for a body that is neither immovable nor frozen, in a scene that translates.
-INGOT_INLINE bool can_move(const BodyView& bodies, int slot) {
+INGOT_INLINE bool is_free(const BodyView& bodies, int slot) {
     const Place at = place_of(slot);
     return bodies.translation[at.tile].inv_M[at.lane] > 0;
 }

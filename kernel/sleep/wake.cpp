@@ -23,17 +23,17 @@ void wake_island(const BodyView& bodies, const RestView& rest, int slot) {
     }
     const int island = rest.root(slot);
     for (int other = 0; other < bodies.tile_count * lanes; ++other)
-        if (can_move(bodies, other) && !rest.is_awake(other) && rest.root(other) == island) stand_up(bodies, rest, other);
+        if (is_free(bodies, other) && !rest.is_awake(other) && rest.root(other) == island) stand_up(bodies, rest, other);
 }
 
 void stir(const BodyView& bodies, const RestView& rest, const ManifoldView& manifolds, int slot) {
-    if (can_move(bodies, slot)) return wake_island(bodies, rest, slot);
+    if (is_free(bodies, slot)) return wake_island(bodies, rest, slot);
     RestView::set(rest.awake, slot);
     for (int manifold_i = 0; manifold_i < *manifolds.count; ++manifold_i) {
         const BodyPair& pair = manifolds.pairs[manifold_i];
         if (pair.body_A != slot && pair.body_B != slot) continue;
         const int other = pair.body_A == slot ? pair.body_B : pair.body_A;
-        if (can_move(bodies, other)) wake_island(bodies, rest, other);
+        if (is_free(bodies, other)) wake_island(bodies, rest, other);
     }
 }
 
@@ -46,7 +46,7 @@ void stir_and_leave(const BodyView& bodies, const RestView& rest, const Manifold
 
 void wake_all(const BodyView& bodies, const RestView& rest) {
     for (int slot = 0; slot < bodies.tile_count * lanes; ++slot)
-        if (can_move(bodies, slot)) stand_up(bodies, rest, slot);
+        if (is_free(bodies, slot)) stand_up(bodies, rest, slot);
 }
 
 } }  // namespace ingot

@@ -172,6 +172,9 @@ void write_manifolds(ByteWriter& writer, const Storage<S>& storage) {
         const BodyPair& pair = storage.pairs[pair_i];
         SavedManifold saved{pair.body_A, pair.body_B, storage.records[pair.record], {}};
         if constexpr (S::renews_manifolds) saved.anchors = storage.anchors[pair.record];
+        if (!(saved.anchors.margin > 0)) saved.anchors = {};  // they know nothing, and are of a record that was here before
+        Manifold& manifold = saved.record.manifold;           // what is beyond its points was never written
+        for (int point_i = manifold.count; point_i < Manifold::points_max; ++point_i) manifold.points[point_i] = {};
         saved.numbers(writer, S::renews_manifolds);
     }
 }

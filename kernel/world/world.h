@@ -483,10 +483,10 @@ private:
         if constexpr (S::sleeps) hash = hash_rest(storage_.is_awake(slot), storage_.slow_for[slot], hash);
         return hash;
     }
-    bool sleeps_in(int slot) const { return can_move(storage_.bodies(), slot) && !storage_.is_awake(slot); }
+    bool sleeps_in(int slot) const { return is_free(storage_.bodies(), slot) && !storage_.is_awake(slot); }
     Result<int> find_movable(BodyId id) const {
         const Result<int> slot = find(id);
-        if (!slot.ok() || can_move(storage_.bodies(), slot.value)) return slot;
+        if (!slot.ok() || is_free(storage_.bodies(), slot.value)) return slot;
         return {ingot::is_frozen(storage_.bodies(), slot.value) ? Status::frozen : Status::immovable, 0};
     }
     static bool same(const Vector& a, const Vector& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
