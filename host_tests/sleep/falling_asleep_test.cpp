@@ -12,8 +12,7 @@ TEST(FallingAsleep, a_box_on_the_floor_sleeps_after_the_time_and_keeps_every_bit
         (void)play.step(h);
         ASSERT_FALSE(play.world().is_asleep(play.id(1))) << step_i;
     }
-    (void)play.step(h);
-    (void)play.step(h);  // what rounding may lack in the sum of h
+    for (int step_i = 0; step_i < 2; ++step_i) (void)play.step(h);  // one for what rounding may lack in the sum of h
     ASSERT_TRUE(play.world().is_asleep(play.id(1)));
     EXPECT_FALSE(play.world().is_asleep(play.id(0))) << "the ground cannot move";
     EXPECT_EQ(play.world().asleep_count(), 1);
@@ -22,6 +21,7 @@ TEST(FallingAsleep, a_box_on_the_floor_sleeps_after_the_time_and_keeps_every_bit
     const BodyState before = play.state(1);
     EXPECT_TRUE(at_rest(before));
     const uint64_t hash = play.world().state_hash();
+    (void)play.step(h);
     for (int step_i = 0; step_i < 1000; ++step_i) {
         const StepReport report = play.step(h);
         ASSERT_TRUE(report.clean());

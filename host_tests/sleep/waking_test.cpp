@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What wakes an island, all of it at once, and what leaves it asleep.
+#include "scenes/stacked.h"
 #include "sleep/sleepers.h"
 
 #include <functional>
@@ -244,6 +245,21 @@ TEST(Waking, a_tower_that_slept_moves_as_one_that_never_did) {
     EXPECT_GT(play.r(10).x(), 0.05);
     // v differs by what sleep took, below sleep_speed: v dv / (mu g), and the same again for the cubes below that are dragged along.
     EXPECT_LE(apart, 2 * 1 * sleep_speed / (0.6 * 9.81) + differ);
+}
+
+/// The scene of the golden hashes: when it ends, the tower that was hit moves and two sleep.
+TEST(Waking, the_golden_scene_holds_sleepers_and_others) {
+    static ingot::World<SleepingTowers> world;
+    std::memset(static_cast<void*>(&world), 0, sizeof world);
+    ASSERT_EQ(set_up(world), Status::ok);
+    int most_islands = 0;
+    for (int step_i = 0; step_i < SleepingTowers::golden_steps; ++step_i) {
+        (void)ingot::step(world, SleepingTowers::h);
+        most_islands = std::max(most_islands, world.asleep_island_count());
+    }
+    EXPECT_EQ(most_islands, 3);
+    EXPECT_EQ(world.asleep_island_count(), 2);
+    EXPECT_EQ(world.asleep_count(), 8);
 }
 
 /// What is hit in the same step by something fast meets what sleeps next to it, and wakes it before.
