@@ -46,8 +46,11 @@ bool play(const char* name) {
         if (step_i == 300) ok = ok && world.apply_impulse(cube[3][4], {1, 2, 0}, {6, 0, 3}) == ingot::Status::ok;
         ok = ingot::step(world, display_rate_h).status == ingot::Status::ok && ok;
         if (world.asleep_count() > most) most = world.asleep_count();
-        if (step_i % 50 == 49)
-            std::printf("%s %d %016llx asleep %d in %d\n", name, step_i + 1, static_cast<unsigned long long>(world.state_hash()), world.asleep_count(), world.asleep_island_count());
+        if (step_i % 50 != 49) continue;
+        static uint8_t bytes[ingot::snapshot_size<Rows<Method>>()];
+        const auto size = ingot::save_snapshot(world, bytes, sizeof bytes);
+        std::printf("%s %d %016llx snapshot %016llx asleep %d in %d\n", name, step_i + 1, static_cast<unsigned long long>(world.state_hash()),
+                    static_cast<unsigned long long>(ingot::snapshot_checksum(bytes, size.value)), world.asleep_count(), world.asleep_island_count());
     }
     std::printf("%s most asleep %d\n", name, most);
     return ok && most > 20;

@@ -49,7 +49,7 @@ void bound(const BodyView& bodies, const Surface& surface, Place at, scalar h, B
 
 /// The skin is a tenth of the box, so that it fits bodies of every size; what cannot move needs none. It costs some pairs that do not touch and
 /// saves most searches.
-void widen(BoundsTile& tile, lane inv_M) {
+INGOT_INLINE void widen(BoundsTile& tile, lane inv_M) {
     const lane tenth = select(inv_M > lane{}, splat<lane>(scalar(0.1)), lane{});
     for (int axis = 0; axis < 3; ++axis) {
         const lane low = load(tile.low[axis]), high = load(tile.high[axis]), skin = greatest((high - low) * tenth, lane{});
@@ -66,7 +66,7 @@ void forget_bounds(BoundsTile* bounds, int slot) {
     set_lane(bounds[at.tile].wide_high, at.lane, -nowhere);
 }
 
-bool find_bounds(const BodyView& bodies, const SurfaceView& surfaces, scalar h, BoundsTile* bounds) {
+bool refresh_bounds(const BodyView& bodies, const SurfaceView& surfaces, scalar h, BoundsTile* bounds) {
     mask left = splat<lane>(1) < lane{};
     for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) {
         BoundsTile& tile = bounds[tile_i];
@@ -82,17 +82,13 @@ bool find_bounds(const BodyView& bodies, const SurfaceView& surfaces, scalar h, 
             left = either(left, load(tile.wide_high[axis]) < load(tile.high[axis]));
         }
     }
-    return any(left);
+    if (!any(left)) return false;
+    for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) widen(bounds[tile_i], load(bodies.translation[tile_i].inv_M));
+    return true;
 }
 
 void widen_bounds(const BodyView& bodies, BoundsTile* bounds) {
     for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) widen(bounds[tile_i], load(bodies.translation[tile_i].inv_M));
-}
-
-bool refresh_bounds(const BodyView& bodies, const SurfaceView& surfaces, scalar h, BoundsTile* bounds) {
-    if (!find_bounds(bodies, surfaces, h, bounds)) return false;
-    widen_bounds(bodies, bounds);
-    return true;
 }
 
 } }  // namespace ingot

@@ -20,8 +20,7 @@ struct alignas(tile_alignment) BoundsTile {
 /// last search still hold all that may touch.
 bool refresh_bounds(const BodyView& bodies, const SurfaceView& surfaces, scalar h, BoundsTile* bounds);
 
-/// The two halves of it: bounds of every body, and whether one has left its wide bounds; and all wide bounds anew.
-bool find_bounds(const BodyView& bodies, const SurfaceView& surfaces, scalar h, BoundsTile* bounds);
+/// New wide bounds around the bounds as they are: where refresh_bounds was called for some of the tiles, and one has left.
 void widen_bounds(const BodyView& bodies, BoundsTile* bounds);
 
 /// The next body in this slot leaves its wide bounds, whatever it is.

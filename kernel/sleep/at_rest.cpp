@@ -12,9 +12,9 @@ bool all_at_rest(const RestView& rest, int tile_count) {
 bool refresh_stirring_bounds(const BodyView& bodies, const SurfaceView& surfaces, scalar h, const RestView& rest, BoundsTile* bounds) {
     bool left = false;
     over_runs(bodies, [&](int tile_i) { return rest.tile_stirs(tile_i); }, [&](int first, const BodyView& run) {
-        left = find_bounds(run, {surfaces.surfaces + first * lanes, surfaces.slot_count - first * lanes}, h, bounds + first) || left;
+        left = refresh_bounds(run, {surfaces.surfaces + first * lanes, surfaces.slot_count - first * lanes}, h, bounds + first) || left;
     });
-    if (left) widen_bounds(bodies, bounds);
+    if (left) widen_bounds(bodies, bounds);  // of all, whichever tiles were in a run: the pairs of a search are the same for every lane count
     return left;
 }
 

@@ -33,6 +33,8 @@ void lie_down(const BodyView& bodies, const RestView& rest, int slot) {
     set_lane(bodies.rotation[at.tile].L, at.lane, Vector{});
     set_lane(bodies.translation[at.tile].v_CM, at.lane, Vector{});
     if (bodies.energy != nullptr) bodies.energy[at.tile].E_0[at.lane] = 0;
+    uint16_t& kicked = bodies.rotation[at.tile].kicked;
+    kicked = static_cast<uint16_t>(kicked & ~(1u << at.lane));
 }
 
 }  // namespace

@@ -125,10 +125,14 @@ StepReport step(World<S>& world, scalar h) {
         }
         update_manifolds<typename S::shapes>(bodies, storage.surface_view(), storage.bounds, h, storage.pair_rules(report), pairs, manifolds, report);
         if constexpr (S::sleeps) wake_what_is_met(storage, bodies, manifolds);
-        const ManifoldView moving = storage.moving_manifolds();
+        [[maybe_unused]] const ManifoldView moving = storage.moving_manifolds();
         if constexpr (has_events<S>) note_approaches(bodies, storage.gravity, h, moving, storage.notes);
         over_moving(storage, bodies, [](const BodyView& some) { refresh_inv_I_world(some); });   // Eq. 20
-        SolverView solver = storage.solver_of_moving();
+        SolverView solver = storage.solver();
+        if constexpr (S::sleeps) {
+            solver.pairs = moving.pairs;
+            solver.manifold_count = *moving.count;
+        }
         solve_manifolds<has_events<S>>(solver, bodies, storage.gravity, h, storage.impact_notes(), report);
         if constexpr (S::sleeps && has_events<S>) spread_notes(manifolds, moving.pairs, *moving.count, storage.notes);
         if constexpr (has_events<S>) tell_events(storage, report);

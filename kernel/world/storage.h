@@ -241,11 +241,10 @@ struct Storage : TranslationPart<S, S::translates>,
     /// Which pairs may touch.
     auto pair_rules(StepReport& report) {
         using Rules = PairRules<decltype(this->filter_view()), decltype(this->sensor_view(generation, report))>;
-        const Rules rules = {this->filter_view(), this->sensor_view(generation, report)};
         if constexpr (S::sleeps)
-            return RulesOfRest<Rules>{rules, this->rest_view()};
+            return RulesOfRest<Rules>{{this->filter_view(), this->sensor_view(generation, report)}, this->rest_view()};
         else
-            return rules;
+            return Rules{this->filter_view(), this->sensor_view(generation, report)};
     }
     /// The manifolds that a step solves: all, or those of bodies that are awake.
     ManifoldView moving_manifolds() {
@@ -255,12 +254,6 @@ struct Storage : TranslationPart<S, S::translates>,
             manifolds.count = &this->awake_pair_count;
         }
         return manifolds;
-    }
-    SolverView solver_of_moving() {
-        SolverView solver = this->solver();
-        solver.pairs = moving_manifolds().pairs;
-        solver.manifold_count = *moving_manifolds().count;
-        return solver;
     }
     SurfaceView surface_view() const { return {this->surfaces, slots_used}; }
     ContactView contact_view() { return {this->contacts, &this->contact_count, S::max_contacts}; }
