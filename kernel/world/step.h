@@ -29,13 +29,14 @@ void tell_events(Storage<S>& storage, StepReport& report) {
     const uint16_t tag = storage.world_tag;
     const ManifoldView manifolds = storage.manifold_view();
     const PairOfBodiesList before = storage.touching_list_before(), touching = storage.touching_list();
-    find_touching(manifolds, storage.notes, storage.generation, before, touching);
+    find_touching(manifolds, storage.notes, storage.generation_of_shapes(storage.generation), before, touching);
 
     tell_missing(before, touching, EventKind::end, tag, events);
     if constexpr (has_sensors<S>) tell_missing(storage.overlap_list_before(), storage.overlap_list(), EventKind::leave, tag, events);
     tell_begins(manifolds, storage.notes, before, touching, tag, events);
     if constexpr (has_sensors<S>) tell_missing(storage.overlap_list(), storage.overlap_list_before(), EventKind::enter, tag, events);
     tell_hits(manifolds, storage.notes, S::hit_speed, before, touching, tag, events);
+    if constexpr (has_compounds<S>) name_bodies<S::max_shapes_of_body>(events);
 }
 
 /// A step in which nothing moves: it leaves the world as it was.
@@ -119,11 +120,15 @@ StepReport step(World<S>& world, scalar h) {
         if constexpr (has_events<S>) keep_lists(storage);
         const PairList pairs = storage.pair_list();
         const ManifoldView manifolds = storage.manifold_view();
-        if (refresh_bounds_of(storage, bodies, h)) {
-            storage.find_pairs(bodies, storage.bounds, pairs);
+        if constexpr (has_compounds<S>) storage.place_all_shapes();
+        const BodyView shapes = storage.shapes();
+        if (refresh_bounds_of(storage, shapes, h)) {
+            storage.find_pairs(shapes, storage.bounds, pairs);
+            if constexpr (has_compounds<S>) drop_pairs_of_one_body<S::max_shapes_of_body>(pairs);
             hold_records(manifolds, pairs);
         }
-        update_manifolds<typename S::shapes>(bodies, storage.surface_view(), storage.bounds, h, storage.pair_rules(report), pairs, manifolds, report);
+        update_manifolds<ShapesOf<S>>(shapes, storage.surface_view(), storage.bounds, h, storage.pair_rules(report), pairs, manifolds, report);
+        if constexpr (has_compounds<S>) name_bodies<S::max_shapes_of_body>(manifolds, storage.body_pairs);
         if constexpr (S::sleeps) wake_what_is_met(storage, bodies, manifolds);
         [[maybe_unused]] const ManifoldView moving = storage.moving_manifolds();
         if constexpr (has_events<S>) note_approaches(bodies, storage.gravity, h, moving, storage.notes);
@@ -162,6 +167,7 @@ StepReport step(World<S>& world, scalar h) {
     if constexpr (S::rotation::as_printed || flies_in_field<S>) mark_runaway_spins(bodies);
     clear_forces(bodies);
     if (any_bad_bodies(bodies)) count(report.bodies_frozen, freeze_bad_bodies(bodies));
+    if constexpr (has_compounds<S>) storage.place_all_shapes();          // for queries
     if constexpr (has_field<S>) storage.advance_time(h);
     ++storage.steps;
     return report;
