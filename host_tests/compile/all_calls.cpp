@@ -20,6 +20,13 @@ struct Stacking : ingot::Scene {
     using broad_phase = BroadPhase;
 };
 
+/// The same, asleep at times.
+template <class BroadPhase>
+struct Sleeping : Stacking<BroadPhase> {
+    static constexpr int max_events = 0;
+    static constexpr bool sleeps = true;
+};
+
 template <class Field, class Flight>
 struct Flying : ingot::Scene {
     static constexpr bool translates = true;
@@ -84,6 +91,16 @@ bool use_stack(ingot::World<Stacking<BroadPhase>>& world) {
            world.overlap(0).ok() && world.events().count > 0;
 }
 
+/// Those of sleep.
+template <class BroadPhase>
+bool use_sleep(ingot::World<Sleeping<BroadPhase>>& world);
+template <class BroadPhase>
+bool use_sleep(ingot::World<Sleeping<BroadPhase>>& world) {
+    const ingot::BodyId id = world.body_at(0);
+    return use_members(world) && world.set_filter(id, {}) == ingot::Status::ok && world.is_asleep(id) && world.wake(id) == ingot::Status::ok &&
+           world.sleep(id) == ingot::Status::ok && world.asleep_count() > 0 && world.asleep_island_count() > 0;
+}
+
 #define INGOT_ALL_OF(Method)                                        \
     template bool use_impacts(ingot::World<Everything<Method>>&); \
     template int use(ingot::World<Everything<Method>>&);            \
@@ -100,6 +117,9 @@ template bool use_stack(ingot::World<Stacking<ingot::AllPairs>>&);
 template int use(ingot::World<Stacking<ingot::AllPairs>>&);
 template bool use_stack(ingot::World<Stacking<ingot::SortedTree>>&);
 template int use(ingot::World<Stacking<ingot::SortedTree>>&);
+template bool use_sleep(ingot::World<Sleeping<ingot::AllPairs>>&);
+template int use(ingot::World<Sleeping<ingot::AllPairs>>&);
+template int keep(ingot::World<Sleeping<ingot::AllPairs>>&);
 
 #define INGOT_FLIGHT_OF(...) template ingot::StepReport ingot::step(ingot::World<Flying<__VA_ARGS__>>&, ingot::scalar)
 INGOT_FLIGHT_OF(ingot::GravityGradient, ingot::KickDriftKick);

@@ -10,11 +10,12 @@ set(motion_may base math body)
 set(collide_may base math body)
 set(pairs_may base math body collide)
 set(contact_may base math body collide pairs)
+set(sleep_may base math body collide pairs contact)
 set(query_may base math body collide)
 set(solve_may base math body collide)
 set(blocks_may base math body collide pairs contact)
 set(direct_may base math body collide pairs contact blocks)
-set(world_may base math body motion collide query pairs contact solve blocks direct)
+set(world_may base math body motion collide query pairs contact solve blocks direct sleep)
 set(freestanding "stdint\\.h|stddef\\.h|float\\.h|limits\\.h")
 
 # A stage is a .h/.cpp pair of these rooms; what it may include of its own room is shared vocabulary, not another stage.
@@ -24,6 +25,7 @@ set(collide_shares body_filter contact shapes bounds collide_shapes convex_hull 
   contact_patch narrow_phase nearest_points)
 set(pairs_shares body_bounds body_pairs)
 set(contact_shares contact_events pair_rules manifold_record manifold_anchors)
+set(sleep_shares rest_view awake_tiles wake)
 set(query_shares candidates query_filter ray_on_shapes cast_ray)
 set(solve_shares contact_rows impulse)
 # solve_manifolds conducts the stages of a substep.

@@ -139,6 +139,24 @@ struct Wrong : ingot::Scene {
 #ifdef HIT_SPEED_BELOW_ZERO
     static constexpr ingot::scalar hit_speed = -1;
 #endif
+#ifdef SLEEP_WITHOUT_CONTACTS
+    static constexpr bool sleeps = true;
+#endif
+#ifdef SLEEP_IN_A_FIELD
+    static constexpr bool translates = true, sleeps = true;
+    static constexpr int max_manifolds = 4;
+    using force_field = ingot::Spring;
+#endif
+#ifdef SLEEP_OF_COMPOUNDS
+    static constexpr bool translates = true, sleeps = true;
+    static constexpr int max_manifolds = 4, max_shapes_of_body = 2;
+#endif
+#ifdef SLEEP_SPEED_BELOW_ZERO
+    static constexpr ingot::scalar sleep_speed = -1;
+#endif
+#ifdef SLEEP_TIME_BELOW_ZERO
+    static constexpr ingot::scalar sleep_time = -1;
+#endif
 #ifdef SUBSTEPS_OF_METHOD
     using rotation = ingot::DiscreteMoserVeselov<6, true, true, 3>;
 #endif
@@ -197,6 +215,9 @@ int main() {
 #endif
 #ifdef EVENTS_WITHOUT_EVENTS
     (void)world.events();
+#endif
+#ifdef WAKE_WITHOUT_SLEEP
+    (void)world.wake(id);
 #endif
 #ifdef SNAPSHOT_OF_EVENTS
     struct Told : ingot::Scene {

@@ -84,6 +84,10 @@ void read_body(Reader& in, unsigned parts) {
         (void)in.integer("filter.mask", 4);
     }
     if ((parts & Part::sensors) != 0 && !several) (void)in.integer("sensor", 1);
+    if ((parts & Part::sleep) != 0) {
+        (void)in.integer("awake", 1);
+        in.real("slow_for");
+    }
 }
 
 void read_anchors(Reader& in) {

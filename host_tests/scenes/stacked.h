@@ -86,6 +86,24 @@ struct MixedPile : Stacked<21, 110> {
     }
 };
 
+/// Three towers of four fall asleep, and a ball that rolls into the first wakes it: of islands at the end, some sleep and one moves.
+struct SleepingTowers : Stacked<14, 48> {
+    using shapes = ingot::Shapes<ingot::Sphere, ingot::Box, ingot::HalfSpace>;
+    static constexpr bool sleeps = true;
+    static constexpr const char* name = "sleeping_towers";
+    static constexpr const char* title = "towers that sleep, and a ball that wakes one";
+    static constexpr int golden_steps = 130;
+
+    static constexpr PlacedBody body(int body_i) {
+        if (body_i == 0) return flat_ground(scalar(0.6));
+        if (body_i < 13)  // slot by slot another tower: a tile holds bodies of all
+            return unit_cube({3 * static_cast<scalar>((body_i - 1) % 3), 0, static_cast<scalar>((body_i - 1) / 3) + scalar(0.5)}, scalar(0.6));
+        PlacedBody ball = solid_ball(1, scalar(0.5), {-6, scalar(0.2), scalar(0.5)}, scalar(0.6));
+        ball.move({3, 0, 0}, {0, 6, 0});
+        return ball;
+    }
+};
+
 /// Adds the bodies of a scene one by one: no target keeps them all.
 template <class S>
 ingot::Status set_up_placed(ingot::World<S>& world) {
@@ -103,5 +121,6 @@ inline ingot::Status set_up(ingot::World<MassRatio1e6>& world) { return set_up_p
 inline ingot::Status set_up(ingot::World<Tower20>& world) { return set_up_placed(world); }
 inline ingot::Status set_up(ingot::World<ChosenBoxes>& world) { return set_up_placed(world); }
 inline ingot::Status set_up(ingot::World<MixedPile>& world) { return set_up_placed(world); }
+inline ingot::Status set_up(ingot::World<SleepingTowers>& world) { return set_up_placed(world); }
 
 }  // namespace scenes

@@ -117,6 +117,14 @@ inline constexpr double direct_roundings = 1e-12;           ///< of the load of 
 inline constexpr double direct_settled_speed = 1e-9;        ///< m/s; what a solve may leave. What the sweeps leave is a thousand times that
 inline constexpr double direct_settled_length = 1e-9;       ///< m
 
+// Sleep (sleep/).
+/// m/s; a body no point of which is faster is slow. What the solver leaves of contacts at rest is a thousandth of it and what a pile
+/// fidgets a tenth; what falls asleep loses less energy than a drop from 0.1 micrometres gives.
+inline constexpr scalar sleep_speed = scalar(1e-3);
+inline constexpr scalar sleep_time = scalar(0.5);  ///< s; a body that is slow only on its way has passed by then
+/// Of gravity; a body that more than this accelerates is not at rest, however slow.
+inline constexpr scalar balance = scalar(0.01);
+
 // Narrow phase (collide/). Fractions of a length are of the smallest half extent of both shapes, unless another is named.
 /// An edge axis is taken when it separates better than every face by this fraction: nearly parallel edges have no normal of
 /// their own, and the face's manifold has the crossing of the edges among its points.

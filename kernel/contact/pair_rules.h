@@ -70,6 +70,8 @@ struct PairRules {
     bool may_touch(const BodyPair& pair, const Overlap& overlap) const {
         return filters.let_meet(pair.body_A, pair.body_B) && !sensors.take(pair, overlap);
     }
+    /// True where nothing can have changed since the step before: in scenes whose bodies sleep.
+    static constexpr bool keeps(const BodyPair&) { return false; }
 };
 
 } }  // namespace ingot

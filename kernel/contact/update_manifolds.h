@@ -145,6 +145,13 @@ void update_manifolds(const BodyView& bodies, const SurfaceView& surfaces, const
         BodyPair& pair = found.pairs[pair_i];
         const bool held = pair.record != no_record;
         const auto overlap = [&] { return shapes_overlap<Shapes>(bodies, surfaces, pair); };
+        if (rules.keeps(pair)) {
+            if (held)
+                manifolds.pairs[(*manifolds.count)++] = pair;
+            else if (bounds_overlap(bounds, pair.body_A, pair.body_B))
+                (void)rules.may_touch(pair, overlap);  // a sensor notes who is in it
+            continue;
+        }
         if (!bounds_overlap(bounds, pair.body_A, pair.body_B) || !rules.may_touch(pair, overlap)) {
             if (held) give_back(manifolds, pair.record);
             continue;

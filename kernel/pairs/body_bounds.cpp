@@ -49,7 +49,7 @@ void bound(const BodyView& bodies, const Surface& surface, Place at, scalar h, B
 
 /// The skin is a tenth of the box, so that it fits bodies of every size; what cannot move needs none. It costs some pairs that do not touch and
 /// saves most searches.
-void widen(BoundsTile& tile, lane inv_M) {
+INGOT_INLINE void widen(BoundsTile& tile, lane inv_M) {
     const lane tenth = select(inv_M > lane{}, splat<lane>(scalar(0.1)), lane{});
     for (int axis = 0; axis < 3; ++axis) {
         const lane low = load(tile.low[axis]), high = load(tile.high[axis]), skin = greatest((high - low) * tenth, lane{});
@@ -85,6 +85,10 @@ bool refresh_bounds(const BodyView& bodies, const SurfaceView& surfaces, scalar 
     if (!any(left)) return false;
     for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) widen(bounds[tile_i], load(bodies.translation[tile_i].inv_M));
     return true;
+}
+
+void widen_bounds(const BodyView& bodies, BoundsTile* bounds) {
+    for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) widen(bounds[tile_i], load(bodies.translation[tile_i].inv_M));
 }
 
 } }  // namespace ingot

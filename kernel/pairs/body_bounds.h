@@ -20,6 +20,9 @@ struct alignas(tile_alignment) BoundsTile {
 /// last search still hold all that may touch.
 bool refresh_bounds(const BodyView& bodies, const SurfaceView& surfaces, scalar h, BoundsTile* bounds);
 
+/// New wide bounds around the bounds as they are: where refresh_bounds was called for some of the tiles, and one has left.
+void widen_bounds(const BodyView& bodies, BoundsTile* bounds);
+
 /// The next body in this slot leaves its wide bounds, whatever it is.
 void forget_bounds(BoundsTile* bounds, int slot);
 

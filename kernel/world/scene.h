@@ -36,6 +36,9 @@ struct Scene {
     static constexpr int  max_events   = 0;      ///< of contacts and sensors in one step, 0 .. 65535: see contact/contact_events.h
     static constexpr scalar hit_speed  = 1;      ///< m/s; contacts that meet faster are told as hits
     static constexpr bool renews_manifolds = true;   ///< where bodies hardly move, manifolds are moved along with them and not searched anew
+    static constexpr bool sleeps       = false;  ///< islands of bodies at rest are left out of the step until something wakes them
+    static constexpr scalar sleep_speed = limits::sleep_speed;  ///< m/s; no point of a body at rest moves faster
+    static constexpr scalar sleep_time  = limits::sleep_time;   ///< s; for which all bodies of an island are at rest before it falls asleep
     using broad_phase = AllPairs;                ///< or SortedTree, for many bodies
     /// Of contacts with friction. Sweeps carry piles, towers of 20, and up to 100 kg on 1 kg, with no memory of their own: what a small target
     /// wants. ChosenSolver picks for each island: sweeps, or for mass ratios from 50 on, towers of 15 and more, and what sweeps do not settle a direct
@@ -156,6 +159,11 @@ constexpr bool check_scene() {
     static_assert(S::max_events >= 0 && S::max_events <= 65535, "a scene tells 0 to 65535 events in a step: set max_events");
     static_assert(!has_events<S> || stacks<S>, "events are of contacts with friction: set max_manifolds, or max_events = 0");
     static_assert(S::hit_speed >= 0 && S::hit_speed <= limits::speed_runaway, "hits are told from a speed of 0 or more on: set hit_speed");
+    static_assert(!S::sleeps || stacks<S>, "sleep is for scenes of contacts with friction: set max_manifolds, or sleeps = false");
+    static_assert(!S::sleeps || !has_field<S>, "a force_field does not let bodies sleep, for it may change: leave it out, or set sleeps = false");
+    static_assert(!S::sleeps || !has_compounds<S>, "bodies of several shapes do not sleep: set max_shapes_of_body = 1, or sleeps = false");
+    static_assert(S::sleep_speed >= 0 && S::sleep_speed <= limits::speed_runaway, "bodies at rest move at 0 m/s or more: set sleep_speed");
+    static_assert(S::sleep_time >= 0 && S::sleep_time <= scalar(1e6), "bodies fall asleep after 0 to 1000000 s: set sleep_time");
     static_assert(flies_in_field<S> || S::flight::order == 2,
                   "a flight of order 4 is for scenes with a force_field, without contacts, and not for Listing 1: leave it out");
     static_assert(S::flight::takes_velocities || !S::force_field::depends_on_velocity,

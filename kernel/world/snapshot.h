@@ -77,6 +77,8 @@ constexpr size_t saved_body_size() {
     if (has_shapes<S> && !has_compounds<S>) surface.numbers(counter);
     if (S::filters) saved_filter_numbers(counter, filter);
     if (has_sensors<S> && !has_compounds<S>) counter(sensor);
+    SavedRest rest{};
+    if (S::sleeps) rest.numbers(counter);
     return counter.count();
 }
 /// One shape of a body of several.
@@ -140,6 +142,7 @@ constexpr uint16_t snapshot_parts() {
     if (stacks<S> && S::renews_manifolds) parts |= SnapshotPart::anchors;
     if (has_compounds<S>) parts |= SnapshotPart::compounds;
     if (stacks<S> && solves_directly<S>) parts |= SnapshotPart::unsettled;
+    if (S::sleeps) parts |= SnapshotPart::sleep;
     return static_cast<uint16_t>(parts);
 }
 
@@ -185,6 +188,10 @@ constexpr uint64_t scene_signature() {
     if constexpr (stacks<S> && solves_directly<S>) {
         add(static_cast<uint64_t>(S::solver::island_capacity));
         add(static_cast<uint64_t>(S::solver::entries_per_row));
+    }
+    if (S::sleeps) {  // in micrometres and microseconds
+        add(static_cast<uint64_t>(S::sleep_speed * scalar(1e6)));
+        add(static_cast<uint64_t>(S::sleep_time * scalar(1e6)));
     }
     return hash;
 }
@@ -345,6 +352,10 @@ Result<size_t> save_snapshot(const World<S>& world, uint8_t* bytes, size_t room)
             uint8_t sensor = storage.is_sensor[slot];
             writer(sensor);
         }
+        if constexpr (S::sleeps) {
+            SavedRest rest{static_cast<uint8_t>(storage.is_awake(slot) ? 1 : 0), storage.slow_for[slot]};
+            rest.numbers(writer);
+        }
     }
     if constexpr (stacks<S>) write_manifolds<S>(writer, storage);
     uint64_t checksum = snapshot_checksum(bytes, size - sizeof checksum);
@@ -417,7 +428,23 @@ Status read_body(ByteReader& reader, int slot, Storage<S>* to) {
         if (sensor > 1) return Status::bad_snapshot;
         if (to != nullptr) to->is_sensor[slot] = sensor;
     }
+    if constexpr (S::sleeps) {
+        SavedRest rest{};
+        rest.numbers(reader);
+        if (!is_sound(rest, body, S::sleep_time)) return Status::bad_snapshot;
+        if (to != nullptr && rest.awake != 0) RestView::set(to->awake, slot);
+        if (to != nullptr) to->slow_for[slot] = rest.slow_for;
+    }
     return Status::ok;
+}
+
+/// What sleep knows beside the bodies' own: whoever is at rest is due, since it has no bounds yet, and islands are those of the manifolds.
+template <class S>
+void make_islands_anew(Storage<S>& storage) {
+    const BodyView bodies = storage.bodies();
+    for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) storage.due[tile_i] = all_lanes;
+    for (int slot = 0; slot < bodies.tile_count * lanes; ++slot) storage.parent[slot] = static_cast<uint16_t>(slot);
+    join_islands(bodies, storage.rest_view(), storage.manifold_view());
 }
 
 /// Reads what comes after the header. Without storage it only checks.
@@ -439,6 +466,8 @@ Status read_snapshot_contents(ByteReader reader, Storage<S>* to) {
         if (to != nullptr) to->place_all_shapes();
     if constexpr (stacks<S>)
         if (status == Status::ok) status = read_manifolds<S>(reader, whole.slots_used, to);
+    if constexpr (S::sleeps)
+        if (status == Status::ok && to != nullptr) make_islands_anew(*to);
     if (status != Status::ok) return status;
     return reader.at_end() ? Status::ok : Status::bad_snapshot;
 }

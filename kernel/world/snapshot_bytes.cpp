@@ -168,6 +168,12 @@ bool is_sound(const SavedBody& body, bool translates) {
     return are_moments_of_a_solid(body.inv_I_ratio, body.inv_I_scale) && turns_within_range(body);
 }
 
+bool is_sound(const SavedRest& saved, const SavedBody& body, scalar sleep_time) {
+    if (saved.awake > 1 || !(saved.slow_for >= 0 && saved.slow_for <= sleep_time)) return false;
+    if (saved.awake != 0) return true;
+    return is_zero_vector(body.L) && is_zero_vector(body.tau_T) && is_zero_vector(body.v_CM) && is_zero_vector(body.F_T);
+}
+
 bool is_sound(const SavedSurface& surface, bool can_move) {
     const Shape shape{static_cast<ShapeKind>(surface.kind), surface.size, surface.offset};
     if (shape.kind == ShapeKind::half_space && can_move) return false;

@@ -113,7 +113,7 @@ private:
 /// Bits of SnapshotHeader::parts.
 struct SnapshotPart {
     static constexpr uint16_t doubles = 1, translation = 2, compensation = 4, energy = 8, field = 16, surfaces = 32, manifolds = 64, anchors = 128, filters = 256, sensors = 512,
-                              compounds = 1024, unsettled = 2048;
+                              compounds = 1024, unsettled = 2048, sleep = 4096;
 };
 
 /// What comes first in a snapshot, whatever its scene.
@@ -194,6 +194,18 @@ struct SavedSurface {
     }
 };
 
+/// Whether one living body sleeps, in scenes with sleep. Its island is known from the manifolds.
+struct SavedRest {
+    uint8_t awake;
+    scalar slow_for;
+
+    template <class Stream>
+    constexpr void numbers(Stream& each) {
+        each(awake);
+        each(slow_for);
+    }
+};
+
 /// What is kept of two bodies that touch, in scenes with manifolds.
 struct SavedManifold {
     uint16_t body_A, body_B;
@@ -248,6 +260,8 @@ void write_saved_body(const BodyView& bodies, int slot, const SavedBody& body);
 /// True for what the body of a world can have become: numbers finite and within their ranges, A a rotation, the moments those
 /// of a solid; an immovable or frozen body without motion and forces.
 bool is_sound(const SavedBody& body, bool translates);
+/// True for what a body can have become whose scene falls asleep after sleep_time, s: one at rest has no motion and no forces.
+bool is_sound(const SavedRest& saved, const SavedBody& body, scalar sleep_time);
 /// True for what World::add takes. can_move: a half space cannot.
 bool is_sound(const SavedSurface& surface, bool can_move);
 /// True for what two bodies of those slots can have become. Slots are looked at by the caller.

@@ -45,6 +45,44 @@ void forget_frozen_bounds(Storage<S>& storage) {
         if (is_frozen(storage.bodies(), slot / S::max_shapes_of_body)) forget_bounds(storage.bounds, slot);
 }
 
+/// A step in which nothing moves: it leaves the world as it was.
+template <class S>
+StepReport pass_at_rest(Storage<S>& storage, scalar h, StepReport& report) {
+    if constexpr (has_events<S>) (void)storage.begin_events(report);
+    (void)storage.h_changes_to(h);
+    count(report.contacts, storage.manifold_count);
+    count(report.contacts_lost, storage.pairs_lost);
+    ++storage.steps;
+    return report;
+}
+
+template <class S>
+bool refresh_bounds_of(Storage<S>& storage, const BodyView& bodies, scalar h) {
+    if constexpr (S::sleeps)
+        return refresh_stirring_bounds(bodies, storage.surface_view(), h, storage.rest_view(), storage.bounds);
+    else
+        return refresh_bounds(bodies, storage.surface_view(), h, storage.bounds);
+}
+
+/// Islands of the step, those awake that can meet what moves, and the pairs that are to be solved.
+template <class S>
+void wake_what_is_met(Storage<S>& storage, const BodyView& bodies, const ManifoldView& manifolds) {
+    const RestView rest = storage.rest_view();
+    join_islands(bodies, rest, manifolds);
+    for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) rest.due[tile_i] = 0;
+    wake_met_islands(bodies, rest, manifolds);
+    list_awake_pairs(bodies, rest, manifolds, storage.awake_pairs, storage.awake_pair_count);
+}
+
+/// Calls a stage for the bodies that move: all, or those that are awake.
+template <class S, class Stage>
+INGOT_INLINE void over_moving(Storage<S>& storage, const BodyView& bodies, const Stage& stage) {
+    if constexpr (S::sleeps)
+        over_awake_bodies(bodies, storage.rest_view(), stage);
+    else
+        stage(bodies);
+}
+
 /// Advances a world by h seconds.
 ///
 /// Needs:   limits::step_min <= h <= limits::step_max; anything else, NaN included, is answered with bad_step and changes
@@ -83,31 +121,45 @@ StepReport step(World<S>& world, scalar h) {
         const auto drivers = storage.drivers(storage.gravity_or_none());
         count(report.spins_clamped, S::flight::template fly<typename S::rotation>(bodies, drivers, h, clock));
     } else if constexpr (stacks<S>) {
+        if constexpr (S::sleeps)
+            if (all_at_rest(storage.rest_view(), bodies.tile_count)) return pass_at_rest(storage, h, report);
         if constexpr (has_events<S>) keep_lists(storage);
         const PairList pairs = storage.pair_list();
         const ManifoldView manifolds = storage.manifold_view();
         if constexpr (has_compounds<S>) storage.place_all_shapes();
         const BodyView shapes = storage.shapes();
-        if (refresh_bounds(shapes, storage.surface_view(), h, storage.bounds)) {
+        if (refresh_bounds_of(storage, shapes, h)) {
             storage.find_pairs(shapes, storage.bounds, pairs);
             if constexpr (has_compounds<S>) drop_pairs_of_one_body<S::max_shapes_of_body>(pairs);
             hold_records(manifolds, pairs);
         }
         update_manifolds<ShapesOf<S>>(shapes, storage.surface_view(), storage.bounds, h, storage.pair_rules(report), pairs, manifolds, report);
         if constexpr (has_compounds<S>) name_bodies<S::max_shapes_of_body>(manifolds, storage.body_pairs);
-        if constexpr (has_events<S>) note_approaches(bodies, storage.gravity, h, storage.manifolds_of_bodies(), storage.notes);
-        refresh_inv_I_world(bodies);                                      // Eq. 20
+        if constexpr (S::sleeps) wake_what_is_met(storage, bodies, manifolds);
+        [[maybe_unused]] const ManifoldView moving = storage.moving_manifolds();
+        if constexpr (has_events<S>) note_approaches(bodies, storage.gravity, h, moving, storage.notes);
+        over_moving(storage, bodies, [](const BodyView& some) { refresh_inv_I_world(some); });   // Eq. 20
         SolverView solver = storage.solver();
+        if constexpr (S::sleeps) {
+            solver.pairs = moving.pairs;
+            solver.manifold_count = *moving.count;
+        }
         storage.template solve_contacts<has_events<S>>(solver, bodies, storage.gravity, h, storage.impact_notes(), report);
+        if constexpr (S::sleeps && has_events<S>) spread_notes(manifolds, moving.pairs, *moving.count, storage.notes);
         if constexpr (has_events<S>) tell_events(storage, report);
 
-        integrate_L(bodies, h);
-        integrate_v(bodies, h, storage.gravity);
+        over_moving(storage, bodies, [&](const BodyView& some) {
+            integrate_L(some, h);
+            integrate_v(some, h, storage.gravity);
+        });
         write_contact_motion(solver, bodies, storage.gravity, h);
         const FlightClock clock{storage.steps, storage.h_changes_to(h), h / 2};
-        count(report.spins_clamped, S::rotation::integrate_A(bodies, h, clock));
-        integrate_r(bodies, h, storage.gravity);
+        over_moving(storage, bodies, [&](const BodyView& some) {
+            count(report.spins_clamped, S::rotation::integrate_A(some, h, clock));
+            integrate_r(some, h, storage.gravity);
+        });
         turn_by_corrections(solver, bodies, h);
+        if constexpr (S::sleeps) fall_asleep(bodies, storage.surface_view(), storage.gravity, h, {S::sleep_speed, S::sleep_time}, storage.rest_view());
     } else {
         integrate_L(bodies, h);
         if constexpr (S::translates) integrate_v(bodies, h, storage.gravity);

@@ -9,6 +9,10 @@
 #include "../collide/find_contacts.h"
 #include "../blocks/solver_view.h"
 #include "../contact/contact_events.h"
+#include "../sleep/at_rest.h"
+#include "../sleep/fall_asleep.h"
+#include "../sleep/islands.h"
+#include "../sleep/wake.h"
 #include "scene.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -229,6 +233,22 @@ struct EventPart<S, false> {
     static constexpr ImpactNote* impact_notes() { return nullptr; }
 };
 
+template <class S, bool present>
+struct SleepPart {
+    static constexpr unsigned tiles = static_cast<unsigned>(tile_capacity<S>);
+    uint16_t awake[tiles] = {}, due[tiles] = {};
+    scalar slow_for[static_cast<unsigned>(S::max_bodies)] = {};
+    uint16_t parent[tiles * lanes] = {};
+    uint8_t marks[tiles * lanes] = {};
+    BodyPair awake_pairs[static_cast<unsigned>(S::max_manifolds)] = {};
+    uint16_t awake_pair_count = 0;
+
+    RestView rest_view() { return {awake, due, slow_for, parent, marks}; }
+    bool is_awake(int slot) const { return RestView::has(awake, slot); }
+};
+template <class S>
+struct SleepPart<S, false> {};
+
 template <class S>
 struct Storage : TranslationPart<S, S::translates>,
                  CompensationPart<S, S::rotation::compensates>,
@@ -240,7 +260,8 @@ struct Storage : TranslationPart<S, S::translates>,
                  ManifoldPart<S, stacks<S>>,
                  FilterPart<S, S::filters>,
                  SensorPart<S, has_sensors<S>>,
-                 EventPart<S, has_events<S>> {
+                 EventPart<S, has_events<S>>,
+                 SleepPart<S, S::sleeps> {
     RotationTile rotation[tile_capacity<S>] = {};
     uint32_t generation[static_cast<unsigned>(S::max_bodies)] = {};  ///< see BodyId: odd while a body lives in the slot
     uint32_t steps = 0;         ///< taken
@@ -257,8 +278,11 @@ struct Storage : TranslationPart<S, S::translates>,
 
     /// Which pairs may touch.
     auto pair_rules(StepReport& report) {
-        return PairRules<decltype(this->filter_view()), decltype(this->sensor_view(generation, report))>{
-            this->filter_view(), this->sensor_view(this->generation_of_shapes(generation), report)};
+        using Rules = PairRules<decltype(this->filter_view()), decltype(this->sensor_view(generation, report))>;
+        if constexpr (S::sleeps)
+            return RulesOfRest<Rules>{{this->filter_view(), this->sensor_view(generation, report)}, this->rest_view()};
+        else
+            return Rules{this->filter_view(), this->sensor_view(this->generation_of_shapes(generation), report)};
     }
     SurfaceView surface_view() const { return {this->surfaces, slots_used * S::max_shapes_of_body}; }
 
@@ -274,6 +298,15 @@ struct Storage : TranslationPart<S, S::translates>,
     ManifoldView manifolds_of_bodies() {
         ManifoldView manifolds = this->manifold_view();
         manifolds.pairs = this->by_bodies(manifolds.pairs);
+        return manifolds;
+    }
+    /// Those that a step solves: all, or those of bodies that are awake.
+    ManifoldView moving_manifolds() {
+        ManifoldView manifolds = manifolds_of_bodies();
+        if constexpr (S::sleeps) {
+            manifolds.pairs = this->awake_pairs;
+            manifolds.count = &this->awake_pair_count;
+        }
         return manifolds;
     }
     ContactView contact_view() { return {this->contacts, &this->contact_count, S::max_contacts}; }

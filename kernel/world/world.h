@@ -71,6 +71,7 @@ public:
             if constexpr (has_shapes<S>) write_surface(storage_.surfaces[slot], def);
             if constexpr (has_sensors<S>) storage_.is_sensor[slot] = def.sensor ? 1 : 0;
         }
+        if constexpr (S::sleeps) begin_awake(storage_.rest_view(), slot);
         return {Status::ok, id_of(slot)};
     }
 
@@ -109,6 +110,7 @@ public:
     Status remove(BodyId id) {
         const Result<int> slot = find(id);
         if (!slot.ok()) return slot.status;
+        if constexpr (S::sleeps) stir_and_leave(storage_.bodies(), storage_.rest_view(), storage_.manifold_view(), slot.value);
         ++storage_.generation[slot.value];
         if (slot.value < storage_.free_hint) storage_.free_hint = slot.value;
         set_identity_body(storage_.bodies(), slot.value);
@@ -157,7 +159,7 @@ public:
             if (status == Status::ok) place_shapes(storage_.bodies(), storage_.compound_view(), slot.value);
             return status;
         }
-        return slot.ok() ? write_state(storage_.bodies(), slot.value, state) : slot.status;
+        return slot.ok() ? stirred(slot.value, write_state(storage_.bodies(), slot.value, state)) : slot.status;
     }
 
     /// Mass, kg, to the rounding of two divisions; 0 for an immovable body.
@@ -187,20 +189,20 @@ public:
         if (!slot.ok()) return slot.status;
         const Status status = check_vector(P, limits::position_max);
         if (status != Status::ok) return status;
-        return accumulate_force(storage_.bodies(), slot.value, F, moment_about_centre(storage_.bodies(), slot.value, F, P));
+        return stirred(slot.value, accumulate_force(storage_.bodies(), slot.value, F, moment_about_centre(storage_.bodies(), slot.value, F, P)));
     }
 
     /// A force at the centre of mass, N: it does not turn the body.
     Status add_central_force(BodyId id, const Vector& F) {
         translation_only();
         const Result<int> slot = find(id);
-        return slot.ok() ? accumulate_force(storage_.bodies(), slot.value, F, {}) : slot.status;
+        return slot.ok() ? stirred(slot.value, accumulate_force(storage_.bodies(), slot.value, F, {})) : slot.status;
     }
 
     /// A torque, N m.
     Status add_torque(BodyId id, const Vector& tau) {
         const Result<int> slot = find(id);
-        return slot.ok() ? accumulate_force(storage_.bodies(), slot.value, {}, tau) : slot.status;
+        return slot.ok() ? stirred(slot.value, accumulate_force(storage_.bodies(), slot.value, {}, tau)) : slot.status;
     }
 
     // Impulses, which act at once.
@@ -213,20 +215,20 @@ public:
         if (!slot.ok()) return slot.status;
         const Status status = check_vector(P, limits::position_max);
         if (status != Status::ok) return status;
-        return accumulate_impulse(storage_.bodies(), slot.value, j, moment_about_centre(storage_.bodies(), slot.value, j, P));
+        return stirred(slot.value, accumulate_impulse(storage_.bodies(), slot.value, j, moment_about_centre(storage_.bodies(), slot.value, j, P)));
     }
 
     /// An impulse through the centre of mass, N s.
     Status apply_central_impulse(BodyId id, const Vector& j) {
         translation_only();
         const Result<int> slot = find(id);
-        return slot.ok() ? accumulate_impulse(storage_.bodies(), slot.value, j, {}) : slot.status;
+        return slot.ok() ? stirred(slot.value, accumulate_impulse(storage_.bodies(), slot.value, j, {})) : slot.status;
     }
 
     /// An angular impulse, N m s: L += k.
     Status apply_angular_impulse(BodyId id, const Vector& k) {
         const Result<int> slot = find(id);
-        return slot.ok() ? accumulate_impulse(storage_.bodies(), slot.value, {}, k) : slot.status;
+        return slot.ok() ? stirred(slot.value, accumulate_impulse(storage_.bodies(), slot.value, {}, k)) : slot.status;
     }
 
     /// Lets two bodies collide at the world point P with unit normal n from B to A and restitution e (Fig. 4).
@@ -237,13 +239,18 @@ public:
         const Result<int> slot_A = find(id_A), slot_B = find(id_B);
         if (!slot_A.ok() || !slot_B.ok()) return {slot_A.ok() ? slot_B.status : slot_A.status, 0};
         if (slot_A.value == slot_B.value) return {Status::bad_shape, 0};
-        return collide_bodies(storage_.bodies(), slot_A.value, slot_B.value, P, n, e);
+        const Result<scalar> j = collide_bodies(storage_.bodies(), slot_A.value, slot_B.value, P, n, e);
+        if constexpr (S::sleeps)
+            if (j.ok() && j.value != 0) (void)stirred(slot_A.value, stirred(slot_B.value, j.status));
+        return j;
     }
 
     /// Gravity of all bodies, m s^-2. Errors: not_finite, out_of_range (limits::gravity_max).
     Status set_gravity(const Vector& gravity) {
         translation_only();
         const Status status = check_vector(gravity, limits::gravity_max);
+        if constexpr (S::sleeps)
+            if (status == Status::ok && !same(storage_.gravity, gravity)) wake_all(storage_.bodies(), storage_.rest_view());
         if (status == Status::ok) storage_.gravity = gravity + Vector{};
         return status;
     }
@@ -317,7 +324,7 @@ public:
         filters_only();
         const Result<int> slot = find(id);
         if (slot.ok()) storage_.filters[slot.value] = filter;
-        return slot.status;
+        return slot.ok() ? stirred(slot.value, Status::ok) : slot.status;
     }
 
     // Bodies in sensors, as they were at the begin of the last step; 0 <= index < overlap_count(), in the order of slots.
@@ -342,6 +349,48 @@ public:
     EventView events() const {
         events_only();
         return {storage_.events, storage_.event_count};
+    }
+
+    // Sleep, in scenes with `sleeps`. Bodies that touch, or are near enough to, are one island; it falls asleep when all of it was at rest for
+    // Scene::sleep_time. It then costs next to nothing and keeps its bits, at v_CM = L = 0, until something wakes it, all of it at once: a body
+    // that moves and comes near enough for a manifold; one that is added there; a call that sets the state, the filter, a force or an impulse
+    // of one of its bodies, or removes one, or does so with an immovable body that it touches; another gravity. What is called for every step keeps
+    // an island awake. Queries and sensors see bodies that sleep.
+
+    /// False for bodies that cannot move, and for ids of none.
+    bool is_asleep(BodyId id) const {
+        sleep_only();
+        const Result<int> slot = find(id);
+        return slot.ok() && sleeps_in(slot.value);
+    }
+    /// Wakes the island of a body. Errors: immovable, frozen.
+    Status wake(BodyId id) {
+        sleep_only();
+        const Result<int> slot = find_movable(id);
+        if (slot.ok()) wake_island(storage_.bodies(), storage_.rest_view(), slot.value);
+        return slot.status;
+    }
+    /// Takes a body for one that was at rest for Scene::sleep_time: its island need not wait for it, and falls asleep in the next step if all of it
+    /// is at rest. So what is put down at rest is asleep from the start. Errors: immovable, frozen.
+    Status sleep(BodyId id) {
+        sleep_only();
+        const Result<int> slot = find_movable(id);
+        if (slot.ok()) storage_.slow_for[slot.value] = S::sleep_time;
+        return slot.status;
+    }
+    /// Bodies that sleep. Cost: O(max_bodies).
+    int asleep_count() const {
+        sleep_only();
+        int count = 0;
+        for (int slot = 0; slot < storage_.slots_used; ++slot) count += lives(slot) && sleeps_in(slot) ? 1 : 0;
+        return count;
+    }
+    /// Islands that sleep. Cost: O(max_bodies).
+    int asleep_island_count() const {
+        sleep_only();
+        int count = 0;
+        for (int slot = 0; slot < storage_.slots_used; ++slot) count += lives(slot) && sleeps_in(slot) && storage_.parent[slot] == slot ? 1 : 0;
+        return count;
     }
 
     // Queries, of bodies where they are now: they change nothing, and may be asked between any two calls.
@@ -416,7 +465,7 @@ public:
     uint64_t state_hash() const {
         uint64_t hash = state_hash_seed;
         for (int slot = 0; slot < storage_.slots_used; ++slot)
-            if (lives(slot)) hash = hash_body(storage_.bodies(), slot, hash);
+            if (lives(slot)) hash = hash_of(slot, hash);
         return hash;
     }
 
@@ -459,6 +508,9 @@ private:
         static_assert(has_events<S>, "this scene names no events: set max_events");
     }
 
+    static constexpr void sleep_only() {
+        static_assert(S::sleeps, "bodies of this scene do not sleep: set sleeps = true");
+    }
     static constexpr void compounds_only() {
         static_assert(has_compounds<S>, "bodies of this scene have one shape: set max_shapes_of_body");
     }
@@ -504,6 +556,24 @@ private:
             forget_contacts(storage_.manifold_view(), storage_.pair_list(), storage_.bounds, shape_slot);
         }
     }
+    /// Passes on the answer of a call, which wakes what sleeps where it did something.
+    Status stirred([[maybe_unused]] int slot, Status status) {
+        if constexpr (S::sleeps)
+            if (status == Status::ok) stir(storage_.bodies(), storage_.rest_view(), storage_.manifold_view(), slot);
+        return status;
+    }
+    uint64_t hash_of(int slot, uint64_t hash) const {
+        hash = hash_body(storage_.bodies(), slot, hash);
+        if constexpr (S::sleeps) hash = hash_rest(storage_.is_awake(slot), storage_.slow_for[slot], hash);
+        return hash;
+    }
+    bool sleeps_in(int slot) const { return is_free(storage_.bodies(), slot) && !storage_.is_awake(slot); }
+    Result<int> find_movable(BodyId id) const {
+        const Result<int> slot = find(id);
+        if (!slot.ok() || is_free(storage_.bodies(), slot.value)) return slot;
+        return {ingot::is_frozen(storage_.bodies(), slot.value) ? Status::frozen : Status::immovable, 0};
+    }
+    static bool same(const Vector& a, const Vector& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
 
     /// The slot that a query leaves out.
     Result<int> slot_of_exception(const QueryFilter& filter) const {

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// What a step leaves out where bodies are at rest.
+#pragma once
+
+#include "../contact/contact_events.h"
+#include "awake_tiles.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// True when a step has nothing to do for any body.
+bool all_at_rest(const RestView& rest, int tile_count);
+
+/// The rules of the scene for pairs; and the manifold of two bodies at rest is kept as it is, or there still is none.
+template <class Rules>
+struct RulesOfRest : Rules {
+    RestView rest;
+
+    bool keeps(const BodyPair& pair) const { return !rest.stirs(pair.body_A) && !rest.stirs(pair.body_B); }
+};
+
+/// refresh_bounds for bodies that stir; the others have theirs.
+bool refresh_stirring_bounds(const BodyView& bodies, const SurfaceView& surfaces, scalar h, const RestView& rest, BoundsTile* bounds);
+
+/// Notes of the pairs that a step has solved, from the order of those to that of all manifolds, in place. The others have nothing to tell.
+void spread_notes(const ManifoldView& manifolds, const BodyPair* awake_pairs, int awake_count, ImpactNote* notes);
+
+} }  // namespace ingot

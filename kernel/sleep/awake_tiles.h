@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// Stages work on views of tiles: a run of tiles is a view too, so no stage knows of sleep.
+#pragma once
+
+#include "rest_view.h"
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpsabi"  // see lanes.h
+
+namespace ingot { inline namespace INGOT_ABI {
+
+INGOT_INLINE BodyView tiles_of(const BodyView& bodies, int first, int count) {
+    return {bodies.rotation + first, bodies.translation + first, bodies.compensation == nullptr ? nullptr : bodies.compensation + first,
+            bodies.energy == nullptr ? nullptr : bodies.energy + first, count};
+}
+
+/// Calls stage(first tile, view) for each run of tiles that are chosen.
+template <class Chosen, class Stage>
+void over_runs(const BodyView& bodies, const Chosen& chosen, const Stage& stage) {
+    int tile_i = 0;
+    while (tile_i < bodies.tile_count) {
+        const int first = tile_i;
+        while (tile_i < bodies.tile_count && chosen(tile_i)) ++tile_i;
+        if (tile_i == first)
+            ++tile_i;
+        else
+            stage(first, tiles_of(bodies, first, tile_i - first));
+    }
+}
+
+/// Lanes of a tile that sleep.
+INGOT_INLINE unsigned sleepers_of(const BodyView& bodies, const RestView& rest, int tile_i) {
+    const unsigned free_lanes = bits(load(bodies.translation[tile_i].inv_M) > lane{});
+    return free_lanes & ~static_cast<unsigned>(rest.awake[tile_i]);
+}
+
+/// What stages of motion write to a tile, to be given back to its lanes that sleep.
+class KeptTile {
+public:
+    KeptTile(const BodyView& bodies, int tile_i) : rotation_(bodies.rotation[tile_i]), translation_(bodies.translation[tile_i]) {
+        if (bodies.compensation != nullptr) compensation_ = bodies.compensation[tile_i];
+        if (bodies.energy != nullptr) energy_ = bodies.energy[tile_i];
+    }
+    void give_back(const BodyView& bodies, int tile_i, unsigned lane_bits) const {
+        for (int lane_i = 0; lane_i < lanes; ++lane_i) {
+            if ((lane_bits >> lane_i & 1u) == 0) continue;
+            set_lane(bodies.rotation[tile_i].A, lane_i, lane_of(rotation_.A, lane_i));
+            set_lane(bodies.rotation[tile_i].L, lane_i, lane_of(rotation_.L, lane_i));
+            set_lane(bodies.translation[tile_i].r_CM, lane_i, lane_of(translation_.r_CM, lane_i));
+            set_lane(bodies.translation[tile_i].v_CM, lane_i, lane_of(translation_.v_CM, lane_i));
+            if (bodies.compensation != nullptr) set_lane(bodies.compensation[tile_i].A_low, lane_i, lane_of(compensation_.A_low, lane_i));
+            if (bodies.energy != nullptr) bodies.energy[tile_i].E_0[lane_i] = energy_.E_0[lane_i];
+        }
+    }
+
+private:
+    RotationTile rotation_;
+    TranslationTile translation_;
+    CompensationTile compensation_ = {};
+    EnergyTile energy_ = {};
+};
+
+/// Calls stage(view) until it has seen every tile with an awake body once. Bodies that sleep keep their bits.
+template <class Stage>
+void over_awake_bodies(const BodyView& bodies, const RestView& rest, const Stage& stage) {
+    const auto all_awake = [&](int tile_i) { return rest.awake[tile_i] != 0 && sleepers_of(bodies, rest, tile_i) == 0; };
+    over_runs(bodies, all_awake, [&](int, const BodyView& run) { stage(run); });
+    if constexpr (lanes == 1) return;
+    for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) {
+        const unsigned sleepers = rest.awake[tile_i] != 0 ? sleepers_of(bodies, rest, tile_i) : 0;
+        if (sleepers == 0) continue;
+        const KeptTile kept(bodies, tile_i);
+        stage(tiles_of(bodies, tile_i, 1));
+        kept.give_back(bodies, tile_i, sleepers);
+    }
+}
+
+} }  // namespace ingot
+
+#pragma GCC diagnostic pop

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "fall_asleep.h"
+
+#include "../base/limits.h"
+#include "../body/auxiliary.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+namespace {
+
+bool is_none(const Vector& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
+
+bool is_at_rest(const BodyView& bodies, const SurfaceView& surfaces, const Vector& gravity, scalar speed, int slot) {
+    const Place at = place_of(slot);
+    const TranslationTile& translation = bodies.translation[at.tile];
+    const RotationTile& rotation = bodies.rotation[at.tile];
+    if (((rotation.bad | translation.bad) >> at.lane & 1u) != 0) return false;
+    const Vector v = lane_of(translation.v_CM, at.lane), L = lane_of(rotation.L, at.lane);
+    const scalar g_sq = length_sq(gravity);
+    if (!(g_sq > 0)) return is_none(v) && is_none(L);
+
+    const scalar R = surfaces.surfaces[slot].bounding_radius, speed_sq = speed * speed;
+    const Vector a = lane_of(translation.F_T, at.lane) * translation.inv_M[at.lane] + gravity;
+    return length_sq(v) <= speed_sq && length_sq(omega_of(bodies, slot)) * (R * R) <= speed_sq &&
+           length_sq(a) <= limits::balance * limits::balance * g_sq;
+}
+
+/// Immovable bodies have no motion to lose.
+void lie_down(const BodyView& bodies, const RestView& rest, int slot) {
+    const Place at = place_of(slot);
+    RestView::clear(rest.awake, slot);
+    RestView::set(rest.due, slot);
+    set_lane(bodies.rotation[at.tile].L, at.lane, Vector{});
+    set_lane(bodies.translation[at.tile].v_CM, at.lane, Vector{});
+    if (bodies.energy != nullptr) bodies.energy[at.tile].E_0[at.lane] = 0;
+    uint16_t& kicked = bodies.rotation[at.tile].kicked;
+    kicked = static_cast<uint16_t>(kicked & ~(1u << at.lane));
+}
+
+}  // namespace
+
+void fall_asleep(const BodyView& bodies, const SurfaceView& surfaces, const Vector& gravity, scalar h, const SleepLimits& limits, const RestView& rest) {
+    for_slots(rest.awake, bodies.tile_count, [&](int slot) { rest.marks[slot] = 0; });
+    // A root whose island is not ready is marked.
+    for_slots(rest.awake, bodies.tile_count, [&](int slot) {
+        if (!is_free(bodies, slot)) return;
+        scalar& slow_for = rest.slow_for[slot];
+        const scalar longer = slow_for + h;
+        slow_for = !is_at_rest(bodies, surfaces, gravity, limits.speed, slot) ? 0 : longer < limits.time ? longer : limits.time;
+        if (slow_for < limits.time) rest.marks[rest.root(slot)] = 1;
+    });
+    for_slots(rest.awake, bodies.tile_count, [&](int slot) {
+        if (!is_free(bodies, slot) || rest.marks[rest.root(slot)] == 0) lie_down(bodies, rest, slot);
+    });
+}
+
+} }  // namespace ingot

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "../contact/manifold_record.h"
+#include "rest_view.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// A body comes into its slot: awake, an island of its own.
+void begin_awake(const RestView& rest, int slot);
+
+/// Wakes one body, and no other of its island. A rotation that keeps the energy of its flight begins a new flight.
+void stand_up(const BodyView& bodies, const RestView& rest, int slot);
+
+/// Wakes the island of a body that can move; one that is awake is only taken for fast once.
+/// Cost: O(bodies) when it sleeps.
+void wake_island(const BodyView& bodies, const RestView& rest, int slot);
+
+/// Something was done to the body of the slot: its island wakes; if it cannot move, all that have a manifold with it do, and in the next
+/// step what has one then.
+/// Cost: O(bodies), and O(manifolds) for a body that cannot move; O(bodies manifolds) at worst, where many islands lie on it.
+void stir(const BodyView& bodies, const RestView& rest, const ManifoldView& manifolds, int slot);
+
+/// As stir, of a body that leaves its slot.
+void stir_and_leave(const BodyView& bodies, const RestView& rest, const ManifoldView& manifolds, int slot);
+
+/// For a change that all bodies feel.
+void wake_all(const BodyView& bodies, const RestView& rest);
+
+} }  // namespace ingot
