@@ -228,19 +228,19 @@ bool change_friction(const DirectView& island, DirectManifold& manifold, DirectR
 /// round in circles: after half of the rounds it is one at a time, which starts where the last one changed.
 template <bool displaces>
 bool change_active(const DirectView& island, wide_scalar settled, int set_i, int& begin) {
-    bool changed = false;
+    bool differs = false;
     for (int step_i = 0; step_i < island.manifold_count; ++step_i) {
         const int manifold_i = (begin + step_i) % island.manifold_count;
         DirectManifold& manifold = island.manifolds[manifold_i];
         DirectRow* const rows = island.rows + manifold_i * direct_rows;
         bool here = change_normals<displaces>(island, manifold, rows, settled);
         if (!displaces) here = change_friction(island, manifold, rows, settled) || here;
-        changed = changed || here;
+        differs = differs || here;
         if (!here || set_i < limits::direct_sets_max / 2) continue;
         begin = manifold_i + 1;
         break;
     }
-    return changed;
+    return differs;
 }
 
 void write_back(const SolverView& solver, const DirectView& island) {
