@@ -91,6 +91,17 @@ inline constexpr scalar bounce_speed_min = scalar(0.01);    ///< m/s; slower imp
 /// digits in float.
 inline constexpr scalar block_diagonal = scalar(1.01);
 
+// Bodies too fast for a step (fast/).
+/// A body is fast when it gets further in a step than this fraction of its least half extent: it may be beyond something before a step sees it.
+inline constexpr scalar fast_share = scalar(0.5);
+/// Bodies on their way have met when they are apart by this fraction of the lesser of their least half extents, and no more than
+/// impact_gap_max: the step that follows finds them touching.
+inline constexpr scalar impact_gap = scalar(1e-3);
+inline constexpr scalar impact_gap_max = touching_gap / 4;  ///< m
+inline constexpr int approaches_max = 64;     ///< of the search for a time of impact; then they are taken for met: too early, never too late
+inline constexpr int impacts_in_step_max = 64;  ///< of fast bodies; those that are left wait for the next step, and are counted
+inline constexpr scalar last_moment = scalar(1e-5);  ///< of a step; what meets later does so in the next
+
 // Narrow phase (collide/). Fractions of a length are of the smallest half extent of both shapes, unless another is named.
 /// An edge axis is taken when it separates better than every face by this fraction: nearly parallel edges have no normal of
 /// their own, and the face's manifold has the crossing of the edges among its points.

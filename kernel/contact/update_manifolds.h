@@ -29,6 +29,18 @@ INGOT_INLINE scalar margin_of(const BodyView& bodies, const BoundsTile* bounds, 
     return limits::contact_margin + sqrt(length_sq(v)) * h + bounds[A.tile].spin_reach[A.lane] + bounds[B.tile].spin_reach[B.lane];
 }
 
+/// For scenes without fast bodies: see fast/.
+struct NoneFast {
+    constexpr bool operator()(int) const { return false; }
+};
+
+/// Of a pair with a fast body: it has a manifold if it touches. What is further is no plane yet: a fast body may pass by.
+INGOT_INLINE scalar margin_of_fast(const BodyView& bodies, const BodyPair& pair) {
+    const Place A = place_of(pair.body_A), B = place_of(pair.body_B);
+    const Vector r_A = lane_of(bodies.translation[A.tile].r_CM, A.lane), r_B = lane_of(bodies.translation[B.tile].r_CM, B.lane);
+    return limits::touching_gap + 8 * epsilon * sqrt(length_sq(r_A) + length_sq(r_B));
+}
+
 /// The routine for the two shapes; A has the kind that comes first. Only the routines of shapes that the scene names are linked.
 /// False for a pair that has none: hulls, until bodies can say which.
 template <class Shapes>
@@ -106,9 +118,9 @@ INGOT_INLINE void mix_materials(const SurfaceView& surfaces, const BodyPair& pai
 ///
 /// Pairs that the rules of the scene keep apart have none: see pair_rules.h.
 /// Full: contacts that are held stay, new ones are refused in the order of slots, and counted in contacts_lost.
-template <class Shapes, class Rules>
+template <class Shapes, class Rules, class IsFast = NoneFast>
 void update_manifolds(const BodyView& bodies, const SurfaceView& surfaces, const BoundsTile* bounds, scalar h, const Rules& rules,
-                      const PairList& found, const ManifoldView& manifolds, StepReport& report) {
+                      const PairList& found, const ManifoldView& manifolds, StepReport& report, const IsFast& is_fast = {}) {
     *manifolds.count = 0;
     for (int pair_i = 0; pair_i < *found.count; ++pair_i) {
         BodyPair& pair = found.pairs[pair_i];
@@ -118,7 +130,7 @@ void update_manifolds(const BodyView& bodies, const SurfaceView& surfaces, const
             if (held) give_back(manifolds, pair.record);
             continue;
         }
-        const scalar margin = margin_of(bodies, bounds, pair, h);
+        const scalar margin = is_fast(pair.body_A) || is_fast(pair.body_B) ? margin_of_fast(bodies, pair) : margin_of(bodies, bounds, pair, h);
         if (held && manifolds.anchors != nullptr) {
             if (renew_manifold(bodies, surfaces, pair, margin, manifolds.anchors[pair.record], manifolds.records[pair.record].manifold)) {
                 manifolds.pairs[(*manifolds.count)++] = pair;

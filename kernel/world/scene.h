@@ -35,6 +35,7 @@ struct Scene {
     static constexpr int  max_events   = 0;      ///< of contacts and sensors in one step, 0 .. 65535: see contact/contact_events.h
     static constexpr scalar hit_speed  = 1;      ///< m/s; contacts that meet faster are told as hits
     static constexpr bool renews_manifolds = true;   ///< where bodies hardly move, manifolds are moved along with them and not searched anew
+    static constexpr bool continuous   = false;  ///< fast bodies are followed within a step, impact by impact: none passes through another
     using broad_phase = AllPairs;                ///< or SortedTree, for many bodies
     using shapes   = Shapes<>;
     using rotation = MoserVeselov;               ///< or another method of motion/
@@ -55,6 +56,9 @@ inline constexpr bool has_sensors = S::max_overlaps > 0;
 
 template <class S>
 inline constexpr bool has_events = S::max_events > 0;
+
+template <class S>
+inline constexpr bool follows_fast_bodies = S::continuous;
 
 template <class S>
 inline constexpr bool has_field = is_field<typename S::force_field>;
@@ -78,6 +82,7 @@ constexpr bool check_scene() {
     static_assert(!stacks<S> || S::translates, "bodies that touch move: set translates = true, or max_manifolds = 0");
     static_assert(!collides<S> || S::translates, "bodies that collide move: set translates = true, or max_contacts = 0");
     static_assert(!S::filters || stacks<S>, "filters are for contacts with friction: set max_manifolds, or filters = false");
+    static_assert(!S::continuous || stacks<S>, "fast bodies are followed in scenes of contacts with friction: set max_manifolds, or continuous = false");
     static_assert(S::max_overlaps >= 0 && S::max_overlaps <= 65535, "a scene notes 0 to 65535 overlaps with sensors: set max_overlaps");
     static_assert(!has_sensors<S> || stacks<S>, "sensors are for scenes of contacts with friction: set max_manifolds, or max_overlaps = 0");
     static_assert(S::max_events >= 0 && S::max_events <= 65535, "a scene tells 0 to 65535 events in a step: set max_events");

@@ -8,6 +8,7 @@
 #include "../solve/contact_rows.h"
 #include "../solve/solve_contact_forces.h"
 #include "../contact/update_manifolds.h"
+#include "../fast/fly_fast_bodies.h"
 #include "../solve/solve_impacts.h"
 #include "../blocks/move_bodies.h"
 #include "../blocks/solve_manifolds.h"
@@ -36,6 +37,22 @@ void tell_events(Storage<S>& storage, StepReport& report) {
     tell_begins(manifolds, storage.notes, before, touching, tag, events);
     if constexpr (has_sensors<S>) tell_missing(storage.overlap_list(), storage.overlap_list_before(), EventKind::enter, tag, events);
     tell_hits(manifolds, storage.notes, S::hit_speed, before, touching, tag, events);
+}
+
+/// Tells which bodies are too fast for a step.
+template <class S>
+auto who_is_fast([[maybe_unused]] const Storage<S>& storage) {
+    if constexpr (S::continuous)
+        return [paths = storage.paths](int slot) { return paths[slot].fast; };
+    else
+        return NoneFast{};
+}
+
+template <class S>
+void follow_fast_bodies(Storage<S>& storage, const SolverView& solver, scalar h, StepReport& report) {
+    const auto meets = [&storage](int slot_A, int slot_B) { return storage.can_meet(slot_A, slot_B); };
+    const Flights<decltype(meets)> flights = {storage.bodies(), storage.surface_view(), solver, storage.paths, {storage.gravity, h}, meets};
+    fly_fast_bodies<typename S::shapes, typename S::rotation, has_events<S>>(flights, report);
 }
 
 /// Advances a world by h seconds.
@@ -83,7 +100,9 @@ StepReport step(World<S>& world, scalar h) {
             storage.find_pairs(bodies, storage.bounds, pairs);
             hold_records(manifolds, pairs);
         }
-        update_manifolds<typename S::shapes>(bodies, storage.surface_view(), storage.bounds, h, storage.pair_rules(report), pairs, manifolds, report);
+        if constexpr (S::continuous) begin_paths(bodies, storage.surface_view(), h, storage.paths);
+        update_manifolds<typename S::shapes>(bodies, storage.surface_view(), storage.bounds, h, storage.pair_rules(report), pairs, manifolds, report,
+                                             who_is_fast(storage));
         if constexpr (has_events<S>) note_approaches(bodies, storage.gravity, h, manifolds, storage.notes);
         refresh_inv_I_world(bodies);                                      // Eq. 20
         SolverView solver = storage.solver();
@@ -97,6 +116,7 @@ StepReport step(World<S>& world, scalar h) {
         count(report.spins_clamped, S::rotation::integrate_A(bodies, h, clock));
         integrate_r(bodies, h, storage.gravity);
         turn_by_corrections(solver, bodies, h);
+        if constexpr (S::continuous) follow_fast_bodies<S>(storage, solver, h, report);
     } else {
         integrate_L(bodies, h);
         if constexpr (S::translates) integrate_v(bodies, h, storage.gravity);

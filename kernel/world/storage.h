@@ -9,6 +9,7 @@
 #include "../collide/find_contacts.h"
 #include "../blocks/solver_view.h"
 #include "../contact/contact_events.h"
+#include "../fast/body_path.h"
 #include "scene.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -143,6 +144,13 @@ struct FilterPart<S, false> {
 };
 
 template <class S, bool present>
+struct PathPart {
+    BodyPath paths[static_cast<unsigned>(S::max_bodies)] = {};
+};
+template <class S>
+struct PathPart<S, false> {};
+
+template <class S, bool present>
 struct SensorPart {
     uint8_t is_sensor[static_cast<unsigned>(S::max_bodies)] = {};
     PairOfBodies overlaps[static_cast<unsigned>(S::max_overlaps)] = {};
@@ -202,6 +210,7 @@ struct Storage : TranslationPart<S, S::translates>,
                  ManifoldPart<S, stacks<S>>,
                  FilterPart<S, S::filters>,
                  SensorPart<S, has_sensors<S>>,
+                 PathPart<S, follows_fast_bodies<S>>,
                  EventPart<S, has_events<S>> {
     RotationTile rotation[tile_capacity<S>] = {};
     uint32_t generation[static_cast<unsigned>(S::max_bodies)] = {};  ///< see BodyId: odd while a body lives in the slot
@@ -221,6 +230,12 @@ struct Storage : TranslationPart<S, S::translates>,
     auto pair_rules(StepReport& report) {
         return PairRules<decltype(this->filter_view()), decltype(this->sensor_view(generation, report))>{
             this->filter_view(), this->sensor_view(generation, report)};
+    }
+    /// Bodies whose surfaces are solid to each other.
+    bool can_meet(int slot_A, int slot_B) const {
+        if constexpr (has_sensors<S>)
+            if (this->is_sensor[slot_A] != 0 || this->is_sensor[slot_B] != 0) return false;
+        return this->filter_view().let_meet(slot_A, slot_B);
     }
     SurfaceView surface_view() const { return {this->surfaces, slots_used}; }
     ContactView contact_view() { return {this->contacts, &this->contact_count, S::max_contacts}; }

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "body_path.h"
+
+#include "../base/limits.h"
+#include "../body/auxiliary.h"
+#include "../math/rotation.h"
+#include "../math/sqrt.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+namespace {
+
+constexpr scalar turn_max = limits::substeps_max * limits::angle_per_substep;  ///< rad; methods turn no body further in a step
+
+Vector turn_in_range(const Vector& turn) {
+    const scalar angle_sq = length_sq(turn);
+    return angle_sq > turn_max * turn_max ? turn * (turn_max / sqrt(angle_sq)) : turn;
+}
+
+Matrix turned_by(const Matrix& A, const Vector& turn) {
+    const scalar angle = sqrt(length_sq(turn));
+    return angle > 0 ? axis_angle(turn * (1 / angle), angle) * A : A;
+}
+
+/// The small turn that takes A to B: a_i x b_i of their columns add up to twice it.
+Vector turn_between(const Matrix& A, const Matrix& B) { return (cross(A.c0, B.c0) + cross(A.c1, B.c1) + cross(A.c2, B.c2)) * scalar(0.5); }
+
+bool is_fast(const Surface& surface, scalar travel, scalar angle) {
+    const scalar spin = (angle < 2 ? angle : scalar(2)) * surface.bounding_radius;  // no point gets further from where it was than the diameter
+    return travel + spin > limits::fast_share * least_half_extent(surface.shape);
+}
+
+bool is_movable(const BodyView& bodies, Place at) { return bodies.translation[at.tile].inv_M[at.lane] > 0; }
+
+}  // namespace
+
+scalar least_half_extent(const Shape& shape) {
+    const Vector& size = shape.size;
+    const auto lesser = [](scalar a, scalar b) { return a < b ? a : b; };
+    switch (shape.kind) {
+        case ShapeKind::sphere:
+        case ShapeKind::capsule: return size.x;
+        case ShapeKind::cylinder: return lesser(size.x, size.y);
+        case ShapeKind::box: return lesser(size.x, lesser(size.y, size.z));
+        case ShapeKind::hull: return size.x * scalar(0.1);  // its form is not known here
+        default: return limits::unbounded;
+    }
+}
+
+PlacedShape place_on_path(const BodyPath& path, const Shape& shape, scalar t) {
+    const scalar u = t - path.from;
+    return {shape, path.r_CM + (path.way + path.fall * u) * u, turned_by(path.A, path.turn * u), nullptr};
+}
+
+void begin_paths(const BodyView& bodies, const SurfaceView& surfaces, scalar h, BodyPath* paths) {
+    for (int slot = 0; slot < surfaces.slot_count; ++slot) {
+        const Place at = place_of(slot);
+        const Vector way = lane_of(bodies.translation[at.tile].v_CM, at.lane) * h, turn = omega_of(bodies, slot) * h;
+        BodyPath& path = paths[slot];
+        path = {};
+        path.way = way;
+        path.turn = turn;
+        path.r_CM = lane_of(bodies.translation[at.tile].r_CM, at.lane);
+        path.A = lane_of(bodies.rotation[at.tile].A, at.lane);
+        path.hit = never;
+        path.fast = is_movable(bodies, at) && is_fast(surfaces.surfaces[slot], sqrt(length_sq(way)), sqrt(length_sq(turn)));
+    }
+}
+
+void lay_path(const BodyView& bodies, const Surface& surface, int slot, const Vector& omega_begin, const PathClock& clock, BodyPath& path) {
+    const Place at = place_of(slot);
+    const TranslationTile& tile = bodies.translation[at.tile];
+    const Vector r_end = lane_of(tile.r_CM, at.lane), v_end = lane_of(tile.v_CM, at.lane), omega_end = omega_of(bodies, slot);
+    const Matrix A_end = lane_of(bodies.rotation[at.tile].A, at.lane);
+    const scalar left = 1 - path.from;
+    if (path.falls_free) {
+        const Vector a = lane_of(tile.F_T, at.lane) * tile.inv_M[at.lane] + clock.gravity, v = v_end - a * (left * clock.h);
+        path.fall = a * (clock.h * clock.h / 2);
+        path.way = v * clock.h;
+        path.r_CM = r_end - (path.way + path.fall * left) * left;
+        path.turn = turn_in_range(omega_end * clock.h);
+        path.A = turned_by(A_end, path.turn * -left);
+    } else {
+        path.fall = {};
+        path.way = (r_end - path.r_CM) * (1 / left);
+        path.turn = turn_in_range((omega_begin + omega_end) * (clock.h / 2));
+        path.turn += turn_between(turned_by(path.A, path.turn * left), A_end) * (1 / left);
+    }
+    path.hit = never;
+    const bool good = ((bodies.rotation[at.tile].bad | tile.bad) >> at.lane & 1u) == 0 && is_finite(path.way) && is_finite(path.turn);
+    path.fast = good && is_movable(bodies, at) &&
+                is_fast(surface, sqrt(length_sq(path.way + path.fall * left)) * left, sqrt(length_sq(path.turn)) * left);
+}
+
+void end_path(BodyPath& path, const Vector& r_CM, const Matrix& A, scalar t) {
+    path.r_CM = r_CM;
+    path.A = A;
+    path.way = path.fall = path.turn = {};
+    path.from = t;
+    path.hit = never;
+    path.fast = false;
+}
+
+} }  // namespace ingot
