@@ -92,8 +92,8 @@ inline constexpr scalar bounce_speed_min = scalar(0.01);    ///< m/s; slower imp
 inline constexpr scalar block_diagonal = scalar(1.01);
 
 // Bodies too fast for a step (fast/).
-/// A body is fast when it gets further in a step than this fraction of its least half extent: it may be beyond something before a step sees it.
-inline constexpr scalar fast_share = scalar(0.5);
+/// A body is fast when it gets further in a step than this times its least half extent: it may be beyond something before a step sees it.
+inline constexpr scalar fast_share = 1;
 /// Bodies on their way have met when they are apart by this fraction of the lesser of their least half extents, and no more than
 /// impact_gap_max: the step that follows finds them touching.
 inline constexpr scalar impact_gap = scalar(1e-3);

@@ -35,7 +35,7 @@ struct [[nodiscard]] StepReport {
     constexpr bool clean() const {
         return status == Status::ok && bodies_frozen == 0 && spins_clamped == 0 && contacts_lost == 0 &&
                pairs_untested == 0 && impacts_left == 0 && sweeps_unfinished == 0 &&
-               overlaps_lost == 0 && events_lost == 0;
+               overlaps_lost == 0 && events_lost == 0 && flights_cut == 0;
     }
 };
 
