@@ -62,34 +62,34 @@ void begin_paths(const BodyView& bodies, const SurfaceView& surfaces, scalar h, 
         path.turn = turn;
         path.r_CM = lane_of(bodies.translation[at.tile].r_CM, at.lane);
         path.A = lane_of(bodies.rotation[at.tile].A, at.lane);
-        path.hit = never;
+        path.until = 1;
+        path.next = never;
         path.fast = is_movable(bodies, at) && is_fast(surfaces.surfaces[slot], sqrt(length_sq(way)), sqrt(length_sq(turn)));
     }
 }
 
-void lay_path(const BodyView& bodies, const Surface& surface, int slot, const Vector& omega_begin, const PathClock& clock, BodyPath& path) {
-    const Place at = place_of(slot);
-    const TranslationTile& tile = bodies.translation[at.tile];
-    const Vector r_end = lane_of(tile.r_CM, at.lane), v_end = lane_of(tile.v_CM, at.lane), omega_end = omega_of(bodies, slot);
-    const Matrix A_end = lane_of(bodies.rotation[at.tile].A, at.lane);
+scalar end_of_path(const Vector& turn, scalar from) {
+    const scalar angle = sqrt(length_sq(turn_in_range(turn)));
+    return angle * (1 - from) > limits::angle_per_path ? from + limits::angle_per_path / angle : scalar(1);
+}
+
+void lay_path(const PathPoint& begin, scalar from, const PathPoint& end, scalar until, const Vector& fall, BodyPath& path) {
+    const scalar time = until - from;
+    path.r_CM = begin.r_CM;
+    path.A = begin.A;
+    path.fall = fall;
+    path.way = (end.r_CM - begin.r_CM) * (1 / time) - fall * time;
+    path.turn = turn_in_range((begin.turn + end.turn) * scalar(0.5));
+    path.turn += turn_between(turned_by(path.A, path.turn * time), end.A) * (1 / time);
+    path.from = from;
+    path.until = until;
+    path.next = never;
+}
+
+bool is_fast_path(const BodyPath& path, const Surface& surface) {
     const scalar left = 1 - path.from;
-    if (path.falls_free) {
-        const Vector a = lane_of(tile.F_T, at.lane) * tile.inv_M[at.lane] + clock.gravity, v = v_end - a * (left * clock.h);
-        path.fall = a * (clock.h * clock.h / 2);
-        path.way = v * clock.h;
-        path.r_CM = r_end - (path.way + path.fall * left) * left;
-        path.turn = turn_in_range(omega_end * clock.h);
-        path.A = turned_by(A_end, path.turn * -left);
-    } else {
-        path.fall = {};
-        path.way = (r_end - path.r_CM) * (1 / left);
-        path.turn = turn_in_range((omega_begin + omega_end) * (clock.h / 2));
-        path.turn += turn_between(turned_by(path.A, path.turn * left), A_end) * (1 / left);
-    }
-    path.hit = never;
-    const bool good = ((bodies.rotation[at.tile].bad | tile.bad) >> at.lane & 1u) == 0 && is_finite(path.way) && is_finite(path.turn);
-    path.fast = good && is_movable(bodies, at) &&
-                is_fast(surface, sqrt(length_sq(path.way + path.fall * left)) * left, sqrt(length_sq(path.turn)) * left);
+    return is_finite(path.way) && is_finite(path.turn) &&
+           is_fast(surface, sqrt(length_sq(path.way + path.fall * left)) * left, sqrt(length_sq(path.turn)) * left);
 }
 
 void end_path(BodyPath& path, const Vector& r_CM, const Matrix& A, scalar t) {
@@ -97,7 +97,8 @@ void end_path(BodyPath& path, const Vector& r_CM, const Matrix& A, scalar t) {
     path.A = A;
     path.way = path.fall = path.turn = {};
     path.from = t;
-    path.hit = never;
+    path.until = 1;
+    path.next = never;
     path.fast = false;
 }
 

@@ -16,6 +16,12 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
+/// What free fall is made of beside the body: gravity, and h of the whole step.
+struct FallClock {
+    Vector gravity;
+    scalar h;
+};
+
 /// Everything the flights of a step work on.
 template <class Meets>
 struct Flights {
@@ -23,58 +29,58 @@ struct Flights {
     SurfaceView surfaces;
     SolverView solver;  ///< done for this step: its memory, and who took part
     BodyPath* paths;
-    PathClock clock;
+    FallClock clock;
     Meets meets;        ///< bool(slot, slot)
 };
 
-/// Looks whether one body meets another before all that it is known to meet.
+/// Looks whether one body meets another before all else that comes to it.
 template <class Meets>
 void consider(const Flights<Meets>& flights, int slot, int other) {
     const Surface &A = flights.surfaces.surfaces[slot], &B = flights.surfaces.surfaces[other];
     BodyPath& path = flights.paths[slot];
     const BodyPath& path_B = flights.paths[other];
     if (other == slot || B.shape.kind == ShapeKind::none || !may_meet(path, A, path_B, B) || !flights.meets(slot, other)) return;
-    const scalar latest = path.hit < 1 ? path.hit : scalar(1);
+    const scalar latest = least(path.next, least(path.until, path_B.until));
     const scalar t = time_of_impact(path, A.shape, path_B, B.shape, latest);
     if (!(t < latest)) return;
-    path.hit = t;
-    path.hit_slot = static_cast<uint16_t>(other);
+    path.next = t;
+    path.next_slot = static_cast<uint16_t>(other);
 }
 
-/// The first impact of a body.
+/// The first that comes to a body.
 template <class Meets>
-void find_hit(const Flights<Meets>& flights, int slot) {
-    flights.paths[slot].hit = never;
+void find_next(const Flights<Meets>& flights, int slot) {
+    BodyPath& path = flights.paths[slot];
+    path.next = path.until < 1 ? path.until : never;
+    path.next_slot = static_cast<uint16_t>(slot);
     for (int other = 0; other < flights.surfaces.slot_count; ++other) consider(flights, slot, other);
 }
 
-/// The fast body whose impact comes first; -1: none has any.
+/// The fast body to which something comes first; -1: nothing comes.
 template <class Meets>
-int first_to_hit(const Flights<Meets>& flights) {
+int first_of_all(const Flights<Meets>& flights) {
     int first = -1;
     scalar earliest = 1;
     for (int slot = 0; slot < flights.surfaces.slot_count; ++slot) {
         const BodyPath& path = flights.paths[slot];
-        if (!path.fast || !(path.hit < earliest)) continue;
+        if (!path.fast || !(path.next < earliest)) continue;
         first = slot;
-        earliest = path.hit;
+        earliest = path.next;
     }
     return first;
 }
 
 /// After the paths of two bodies have changed: the impacts that are no more, and those that come of it.
 template <class Meets>
-void find_hits_anew(const Flights<Meets>& flights, int slot_A, int slot_B) {
+void find_next_anew(const Flights<Meets>& flights, int slot_A, int slot_B) {
     for (int slot = 0; slot < flights.surfaces.slot_count; ++slot) {
         const BodyPath& path = flights.paths[slot];
         if (!path.fast) continue;
-        const bool own = slot == slot_A || slot == slot_B;
-        const bool gone = path.hit < 1 && (path.hit_slot == slot_A || path.hit_slot == slot_B);
-        if (own || gone) {
-            find_hit(flights, slot);
+        if (slot == slot_A || slot == slot_B || path.next_slot == slot_A || path.next_slot == slot_B) {
+            find_next(flights, slot);
         } else {
             consider(flights, slot, slot_A);
-            consider(flights, slot, slot_B);
+            if (slot_B != slot_A) consider(flights, slot, slot_B);
         }
     }
 }
@@ -88,71 +94,139 @@ void fly_freely(const BodyView& bodies, const Vector& gravity, scalar h) {
     integrate_r(bodies, h, gravity);
 }
 
-/// The motion of a body at time t of its path. In free fall it is the motion of the end, flown back. Else it is on the chord, with the velocity of
+/// The motion of a body at time t. In free fall it is the motion of the end of the step, flown back: exact. Else it is on the path, with the velocity of
 /// the end; where forces would have worked on it on the rest of the way, its speed is less by that.
 template <class Rotation, class Meets>
 FlightState motion_at(const Flights<Meets>& flights, int slot, scalar t, TwoBodies& room) {
     const BodyPath& path = flights.paths[slot];
+    room.clear();
+    room.take(0, flights.bodies, flights.surfaces, slot);
     if (path.falls_free) {
-        room.clear();
-        room.take(0, flights.bodies, flights.surfaces, slot);
-        fly_freely<Rotation>(room.bodies(), flights.clock.gravity, (t - 1) * flights.clock.h);
+        if (t < 1) fly_freely<Rotation>(room.bodies(), flights.clock.gravity, (t - 1) * flights.clock.h);
         return flight_state(room.bodies(), 0);
     }
     const PlacedShape place = place_on_path(path, flights.surfaces.surfaces[slot].shape, t);
-    FlightState motion = flight_state(flights.bodies, slot);
+    FlightState motion = flight_state(room.bodies(), 0);
     const scalar work = 2 * dot(flights.clock.gravity, motion.r_CM - place.r), v_sq = length_sq(motion.v_CM);
     if (work > 0 && v_sq > 0) motion.v_CM = motion.v_CM * sqrt(work < v_sq ? 1 - work / v_sq : scalar(0));
     motion.r_CM = place.r;
     motion.A = place.A;
+    put_state(room.bodies(), 0, motion);
     return motion;
 }
 
-/// Two bodies that meet at time t go on to the end of the step by themselves.
-template <class Shapes, class Rotation, bool notes_impulses, class Meets>
-void go_on_together(const Flights<Meets>& flights, int slot_A, int slot_B, scalar t, TwoBodies& room, StepReport& report) {
-    const int slots[2] = {slot_A, slot_B};
-    FlightState begin[2];
-    for (int which = 0; which < 2; ++which) begin[which] = motion_at<Rotation>(flights, slots[which], t, room);
-    room.clear();
-    for (int which = 0; which < 2; ++which) {
-        room.take(which, flights.bodies, flights.surfaces, slots[which]);
-        put_state(room.bodies(), which, begin[which]);
-    }
-    const BodyView two = room.bodies();
-    const Vector omega_begin[2] = {omega_of(two, 0), omega_of(two, 1)};
-    const scalar h = (1 - t) * flights.clock.h;
+template <class Rotation, class Meets>
+PathPoint point_at(const Flights<Meets>& flights, int slot, scalar t, TwoBodies& room) {
+    const FlightState motion = motion_at<Rotation>(flights, slot, t, room);
+    return {motion.r_CM, motion.v_CM * flights.clock.h, omega_of(room.bodies(), 0) * flights.clock.h, motion.A};
+}
 
+/// Lays the path of a body in free fall from time t on, as far as a steady turn goes.
+template <class Rotation, class Meets>
+void lay_free_path(const Flights<Meets>& flights, int slot, scalar t, TwoBodies& room) {
+    const Place at = place_of(slot);
+    const TranslationTile& tile = flights.bodies.translation[at.tile];
+    const scalar h = flights.clock.h;
+    const Vector a = lane_of(tile.F_T, at.lane) * tile.inv_M[at.lane] + flights.clock.gravity;
+    BodyPath& path = flights.paths[slot];
+    const PathPoint begin = point_at<Rotation>(flights, slot, t, room);
+    const scalar until = end_of_path(begin.turn, t);
+    lay_path(begin, t, point_at<Rotation>(flights, slot, until, room), until, a * (h * h / 2), path);
+}
+
+/// Lays the path of a body that contacts have moved from `begin` at time t to the end of the step: a chord.
+template <class Rotation, class Meets>
+void lay_chord(const Flights<Meets>& flights, int slot, const PathPoint& begin, scalar t, TwoBodies& room) {
+    flights.paths[slot].falls_free = true;  // its end is where it is
+    const PathPoint end = point_at<Rotation>(flights, slot, 1, room);
+    flights.paths[slot].falls_free = false;
+    lay_path(begin, t, end, 1, {}, flights.paths[slot]);
+}
+
+template <class Meets>
+bool is_sound(const Flights<Meets>& flights, int slot) {
+    const Place at = place_of(slot);
+    const TranslationTile& tile = flights.bodies.translation[at.tile];
+    return tile.inv_M[at.lane] > 0 && ((flights.bodies.rotation[at.tile].bad | tile.bad) >> at.lane & 1u) == 0;
+}
+
+/// Two bodies that touch, alone in their room, for h seconds. True if they press on each other at the end.
+template <class Shapes, class Rotation, bool notes_impulses, class Meets>
+bool stay_together(const Flights<Meets>& flights, TwoBodies& room, scalar h, StepReport& report) {
+    const BodyView two = room.bodies();
     Manifold before, found;
     before.n = {};
     before.count = 0;
     room.pair = {0, 1, 0};
     if (!find_manifold<Shapes>(two, room.surface_view(), room.pair, room.margin(h), before, found)) count(report.pairs_untested);
     room.set_manifold(found);
-    if (found.count > 0) {
-        mix_materials(room.surface_view(), room.pair, room.record);
-        refresh_inv_I_world(two);
-        SolverView solver = room.solver(flights.solver);
-        ImpactNote note{};
-        solve_manifolds<notes_impulses>(solver, two, flights.clock.gravity, h, &note, report);
-        integrate_L(two, h);
-        integrate_v(two, h, flights.clock.gravity);
-        write_contact_motion(solver, two, flights.clock.gravity, h);
-        count(report.spins_clamped, Rotation::integrate_A(two, h, FlightClock{0, true, h / 2}));
-        integrate_r(two, h, flights.clock.gravity);
-        turn_by_corrections(solver, two, h);
-    } else {
+    if (found.count == 0) {
         fly_freely<Rotation>(two, flights.clock.gravity, h);
+        return false;
     }
+    mix_materials(room.surface_view(), room.pair, room.record);
+    refresh_inv_I_world(two);
+    SolverView solver = room.solver(flights.solver);
+    ImpactNote note{};
+    room.keep_forces();
+    solve_manifolds<notes_impulses>(solver, two, flights.clock.gravity, h, &note, report);
+    integrate_L(two, h);
+    integrate_v(two, h, flights.clock.gravity);
+    write_contact_motion(solver, two, flights.clock.gravity, h);
+    (void)Rotation::integrate_A(two, h, FlightClock{0, true, h / 2});
+    integrate_r(two, h, flights.clock.gravity);
+    turn_by_corrections(solver, two, h);
+    room.return_forces();
+    return room.carries();
+}
 
+/// Two bodies that meet at time t: they are together for a moment, in which they give each other what contacts do. Then they fly on; where neither
+/// is fast any more, they stay together for the rest of the step.
+template <class Shapes, class Rotation, bool notes_impulses, class Meets>
+void meet(const Flights<Meets>& flights, int slot_A, int slot_B, scalar t, TwoBodies& room, StepReport& report) {
+    const int slots[2] = {slot_A, slot_B};
+    FlightState begin[2];
+    for (int which = 0; which < 2; ++which)
+        begin[which] = is_sound(flights, slots[which]) ? motion_at<Rotation>(flights, slots[which], t, room) : flight_state(flights.bodies, slots[which]);
+    room.clear();
     for (int which = 0; which < 2; ++which) {
-        const Place at = place_of(slots[which]);
-        if (!(flights.bodies.translation[at.tile].inv_M[at.lane] > 0)) continue;
-        BodyPath& path = flights.paths[slots[which]];
-        put_state(flights.bodies, slots[which], flight_state(two, which));
-        end_path(path, begin[which].r_CM, begin[which].A, t);
-        path.falls_free = !room.carries();
-        lay_path(flights.bodies, flights.surfaces.surfaces[slots[which]], slots[which], omega_begin[which], flights.clock, path);
+        room.take(which, flights.bodies, flights.surfaces, slots[which]);
+        put_state(room.bodies(), which, begin[which]);
+    }
+    const scalar h = (1 - t) * flights.clock.h, moment = least(h, room.moment());
+    bool pressed = stay_together<Shapes, Rotation, notes_impulses>(flights, room, moment, report);
+    PathPoint after[2];
+    for (int which = 0; which < 2; ++which) {
+        const FlightState motion = flight_state(room.bodies(), which);
+        after[which] = {motion.r_CM, motion.v_CM * flights.clock.h, omega_of(room.bodies(), which) * flights.clock.h, motion.A};
+    }
+    const scalar left = h - moment;
+    if (left > 0) {
+        if (pressed && !room.some_fast(left))
+            pressed = stay_together<Shapes, Rotation, notes_impulses>(flights, room, left, report);
+        else {
+            fly_freely<Rotation>(room.bodies(), flights.clock.gravity, left);
+            pressed = false;
+        }
+    }
+    for (int which = 0; which < 2; ++which)
+        if (is_sound(flights, slots[which])) put_state(flights.bodies, slots[which], flight_state(room.bodies(), which));
+
+    const scalar parted = left > 0 ? t + moment / flights.clock.h : scalar(1);
+    for (int which = 0; which < 2; ++which) {
+        const int slot = slots[which];
+        if (!is_sound(flights, slot)) continue;
+        BodyPath& path = flights.paths[slot];
+        if (parted >= 1 - limits::last_moment) {
+            end_path(path, after[which].r_CM, after[which].A, 1);
+            continue;
+        }
+        path.falls_free = !pressed;
+        if (pressed)
+            lay_chord<Rotation>(flights, slot, after[which], parted, room);
+        else
+            lay_free_path<Rotation>(flights, slot, parted, room);
+        path.fast = is_fast_path(path, flights.surfaces.surfaces[slot]);
     }
 }
 
@@ -164,48 +238,65 @@ void wait_at(const Flights<Meets>& flights, int slot, scalar t, TwoBodies& room)
     end_path(flights.paths[slot], motion.r_CM, motion.A, t);
 }
 
-/// Follows the fast bodies of a step of h seconds through their impacts. Comes last, when all bodies are where they would be without.
-///
-/// Impact by impact in the order of time, two bodies that meet are taken back to that time and go on together for the rest of the step, with all that
-/// contacts have: restitution, friction, forces. A body that takes part in the contacts of the step is not taken from them: whoever meets it waits
-/// there for the next step, which finds both touching; so do those that are left after limits::impacts_in_step_max. They are counted in
-/// report.flights_cut: the rest of the step is lost to them, and no energy or momentum.
-/// What was fast only since the contacts of this step is seen too: all goes by the ways that bodies have gone.
-/// Cost: a look at every body for each fast one, and some searches for nearest points for those near its path.
-template <class Shapes, class Rotation, bool notes_impulses, class Meets>
-void fly_fast_bodies(const Flights<Meets>& flights, StepReport& report) {
+/// The paths of all bodies as they have gone in this step. True if one is fast.
+template <class Rotation, class Meets>
+bool lay_all_paths(const Flights<Meets>& flights, TwoBodies& room) {
     bool some = false;
     for (int slot = 0; slot < flights.surfaces.slot_count; ++slot) {
         BodyPath& path = flights.paths[slot];
+        const PathPoint begin = {path.r_CM, path.way, path.turn, path.A};
         path.held = flights.solver.local_of[slot] != 0;
         path.falls_free = !path.held;
-        lay_path(flights.bodies, flights.surfaces.surfaces[slot], slot, path.turn * (1 / flights.clock.h), flights.clock, path);
+        path.until = 1;
+        if (!is_sound(flights, slot)) {
+            end_path(path, flight_state(flights.bodies, slot).r_CM, flight_state(flights.bodies, slot).A, 0);
+        } else if (path.held) {
+            lay_chord<Rotation>(flights, slot, begin, 0, room);
+            path.fast = is_fast_path(path, flights.surfaces.surfaces[slot]);
+        } else if (path.fast) {
+            lay_free_path<Rotation>(flights, slot, 0, room);
+        } else {
+            path.way = flight_state(flights.bodies, slot).r_CM - begin.r_CM;
+        }
         some = some || path.fast;
     }
-    if (!some) return;
-    for (int slot = 0; slot < flights.surfaces.slot_count; ++slot)
-        if (flights.paths[slot].fast) find_hit(flights, slot);
+    return some;
+}
 
+/// Follows the fast bodies of a step of h seconds through their impacts. Comes last, when all bodies are where they would be without.
+///
+/// Impact by impact in the order of time, two bodies that meet are taken back to that time, touch as in any step, with restitution, friction and
+/// forces, and go on to the end of the step. A body that takes part in the contacts of the step is not taken from them: whoever meets it waits there
+/// for the next step, which finds both touching; so do those that are left after limits::impacts_in_step_max. They are counted in
+/// report.flights_cut: the rest of the step is lost to them, and no energy or momentum.
+/// What was made fast by the contacts of this step is seen too: all goes by the ways that bodies have gone.
+/// Bound: impacts_in_step_max impacts, and as many parts of paths as their turns need, 2 limits::substeps_max a body and step.
+/// Cost:  a look at every body for each fast one, and some searches for nearest points for those near its path.
+template <class Shapes, class Rotation, bool notes_impulses, class Meets>
+void fly_fast_bodies(const Flights<Meets>& flights, StepReport& report) {
     TwoBodies room;
-    for (int impact_i = 0; impact_i < limits::impacts_in_step_max; ++impact_i) {
-        const int slot_A = first_to_hit(flights);
-        if (slot_A < 0) return;
-        const BodyPath &A = flights.paths[slot_A], &B = flights.paths[A.hit_slot];
-        const int slot_B = A.hit_slot;
-        const scalar t = A.hit;
-        if (!A.held && !B.held && t < 1 - limits::last_moment) {
-            go_on_together<Shapes, Rotation, notes_impulses>(flights, slot_A, slot_B, t, room, report);
+    if (!lay_all_paths<Rotation>(flights, room)) return;
+    for (int slot = 0; slot < flights.surfaces.slot_count; ++slot)
+        if (flights.paths[slot].fast) find_next(flights, slot);
+
+    int impacts = 0;
+    for (int slot_A = first_of_all(flights); slot_A >= 0; slot_A = first_of_all(flights)) {
+        const BodyPath& A = flights.paths[slot_A];
+        const int slot_B = A.next_slot;
+        const BodyPath& B = flights.paths[slot_B];
+        const scalar t = A.next;
+        if (slot_B == slot_A) {
+            lay_free_path<Rotation>(flights, slot_A, t, room);
+        } else if (!A.held && !B.held && t < 1 - limits::last_moment && impacts < limits::impacts_in_step_max) {
+            ++impacts;
+            meet<Shapes, Rotation, notes_impulses>(flights, slot_A, slot_B, t, room, report);
         } else {
-            const bool B_waits = B.fast;
+            const bool both = B.fast;
             wait_at<Rotation>(flights, slot_A, t, room);
-            if (B_waits) wait_at<Rotation>(flights, slot_B, t, room);
-            if (t < 1 - limits::last_moment) count(report.flights_cut, B_waits ? 2 : 1);
+            if (both) wait_at<Rotation>(flights, slot_B, t, room);
+            if (t < 1 - limits::last_moment) count(report.flights_cut, both ? 2 : 1);
         }
-        find_hits_anew(flights, slot_A, slot_B);
-    }
-    for (int slot = first_to_hit(flights); slot >= 0; slot = first_to_hit(flights)) {
-        wait_at<Rotation>(flights, slot, flights.paths[slot].hit, room);
-        count(report.flights_cut);
+        find_next_anew(flights, slot_A, slot_B);
     }
 }
 

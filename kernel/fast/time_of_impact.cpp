@@ -59,11 +59,11 @@ scalar time_open(const Approach& now, const Vector& turn_A, const Vector& turn_B
     return rate * never > 2 * gap ? 2 * gap / rate : never;
 }
 
-Shape half_of(const Shape& shape) { return {shape.kind, shape.size * scalar(0.5), shape.offset}; }
+Shape core_of(const Shape& shape) { return {shape.kind, shape.size * (1 - limits::skin_share), shape.offset}; }
 
 }  // namespace
 
-scalar time_of_impact(const BodyPath& path_A, const Shape& A, const BodyPath& path_B, const Shape& B, scalar until) {
+scalar time_of_impact(const BodyPath& path_A, const Shape& A, const BodyPath& path_B, const Shape& B, scalar latest) {
     const scalar begin = path_A.from > path_B.from ? path_A.from : path_B.from;
     scalar t = begin;
     bool touching = true;  // until they are seen apart
@@ -77,14 +77,14 @@ scalar time_of_impact(const BodyPath& path_A, const Shape& A, const BodyPath& pa
         if (!nearest.overlap) plane = plane_between(A_now, now.B, nearest);
         touching = touching && plane.gap <= gap;
         if (touching) {
-            A_now.shape = half_of(A);
+            A_now.shape = core_of(A);
             nearest = closest_points(A_now, now.B);
             if (nearest.overlap) return approach_i == 0 ? never : t;  // deep in each other from the begin: a matter of overlaps
             plane = plane_between(A_now, now.B, nearest);
         }
         if (plane.gap <= gap) return touching && approach_i == 0 ? never : t;
         const scalar open = time_open(now, path_A.turn, path_B.turn, A_now, plane.n, plane.gap - gap / 2);
-        if (t + open > until) return never;
+        if (t + open > latest) return never;
         t += open;
     }
     return t;
@@ -93,8 +93,9 @@ scalar time_of_impact(const BodyPath& path_A, const Shape& A, const BodyPath& pa
 bool may_meet(const BodyPath& path_A, const Surface& A, const BodyPath& path_B, const Surface& B) {
     if (B.shape.kind == ShapeKind::half_space) return true;
     const scalar begin = path_A.from > path_B.from ? path_A.from : path_B.from;
+    const scalar end = smaller(path_A.until, path_B.until);
     const auto place = [](const BodyPath& path, scalar t) { return path.r_CM + (path.way + path.fall * (t - path.from)) * (t - path.from); };
-    const Vector between = place(path_A, begin) - place(path_B, begin), way = place(path_A, 1) - place(path_B, 1) - between;
+    const Vector between = place(path_A, begin) - place(path_B, begin), way = place(path_A, end) - place(path_B, end) - between;
     const scalar way_sq = length_sq(way), along = -dot(between, way);
     const scalar t = along > 0 ? (along < way_sq ? along / way_sq : scalar(1)) : scalar(0);
     // A parabola leaves its chord by a quarter of the fall.

@@ -5,6 +5,7 @@
 #include "../body/auxiliary.h"
 #include "../body/freeze_bad_bodies.h"
 #include "../math/sqrt.h"
+#include "body_path.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -75,6 +76,44 @@ void TwoBodies::set_manifold(const Manifold& manifold) {
 bool TwoBodies::carries() const {
     bool some = false;
     for (int point_i = 0; point_i < record.manifold.count; ++point_i) some = some || record.j[point_i] > 0;
+    return some;
+}
+
+void TwoBodies::keep_forces() {
+    for (int which = 0; which < 2; ++which) {
+        const Place at = place_of(which);
+        F_T[which] = lane_of(translation[at.tile].F_T, at.lane);
+        tau_T[which] = lane_of(rotation[at.tile].tau_T, at.lane);
+    }
+}
+
+void TwoBodies::return_forces() {
+    for (int which = 0; which < 2; ++which) {
+        const Place at = place_of(which);
+        set_lane(translation[at.tile].F_T, at.lane, F_T[which]);
+        set_lane(rotation[at.tile].tau_T, at.lane, tau_T[which]);
+    }
+}
+
+scalar TwoBodies::moment() {
+    const scalar size_A = least_half_extent(surfaces[0].shape), size_B = least_half_extent(surfaces[1].shape);
+    scalar spin = 0, fastest = sqrt(length_sq(flight_state(bodies(), 0).v_CM - flight_state(bodies(), 1).v_CM));
+    for (int which = 0; which < 2; ++which) {
+        const scalar own = sqrt(length_sq(omega_of(bodies(), which)));
+        fastest += own * surfaces[which].bounding_radius;
+        spin = own > spin ? own : spin;
+    }
+    const scalar way = limits::together_share * (size_A < size_B ? size_A : size_B), angle = limits::angle_per_path / 2;
+    const scalar by_way = fastest * limits::step_max > way ? way / fastest : limits::step_max, by_turn = spin * limits::step_max > angle ? angle / spin : limits::step_max;
+    return by_way < by_turn ? by_way : by_turn;
+}
+
+bool TwoBodies::some_fast(scalar h) {
+    bool some = false;
+    for (int which = 0; which < 2; ++which) {
+        const scalar travel = sqrt(length_sq(flight_state(bodies(), which).v_CM)) * h, turn = sqrt(length_sq(omega_of(bodies(), which))) * h;
+        some = some || travel + turn * surfaces[which].bounding_radius > limits::fast_share * least_half_extent(surfaces[which].shape);
+    }
     return some;
 }
 

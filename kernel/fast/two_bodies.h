@@ -27,6 +27,7 @@ struct TwoBodies {
     BodyPair pair;
     ManifoldRecord record;
     uint16_t local_of[tiles * lanes];
+    Vector F_T[2], tau_T[2];
 
     BodyView bodies() { return {rotation, translation, compensation, energy, tiles}; }
     SurfaceView surface_view() const { return {surfaces, 2}; }
@@ -40,6 +41,13 @@ struct TwoBodies {
     void set_manifold(const Manifold& manifold);
     /// The manifold still carries something at the end.
     bool carries() const;
+    /// The forces of users, while those of contacts stand in their place.
+    void keep_forces();
+    void return_forces();
+    /// s; as long as the two move little against each other.
+    scalar moment();
+    /// One of them gets past its own size within h seconds.
+    bool some_fast(scalar h);
     /// m; how far apart the two can be and still touch within h seconds.
     scalar margin(scalar h);
 };
