@@ -25,7 +25,7 @@ set(collide_shares body_filter contact shapes bounds collide_shapes convex_hull 
 set(pairs_shares body_bounds body_pairs)
 set(contact_shares contact_events pair_rules manifold_record manifold_anchors)
 set(query_shares candidates query_filter ray_on_shapes cast_ray)
-set(fast_shares body_path time_of_impact two_bodies)
+set(fast_shares body_path fast_pairs time_of_impact two_bodies)
 set(solve_shares contact_rows impulse)
 # solve_manifolds conducts the stages of a substep.
 set(blocks_shares block_solve contact_block block_rows solver_body solver_view conjugate_gradients move_bodies note_impulses order_manifolds

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "body_path.h"
+#include "fast_pairs.h"
 
 #include "../base/limits.h"
 #include "../body/auxiliary.h"
@@ -10,7 +10,7 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
-constexpr scalar turn_max = limits::substeps_max * limits::angle_per_substep;  ///< rad; methods turn no body further in a step
+constexpr scalar turn_max = 500;  ///< rad in a step, of a path; no method follows a body that far
 
 Vector turn_in_range(const Vector& turn) {
     const scalar angle_sq = length_sq(turn);
@@ -62,6 +62,8 @@ void begin_paths(const BodyView& bodies, const SurfaceView& surfaces, scalar h, 
         path.turn = turn;
         path.r_CM = lane_of(bodies.translation[at.tile].r_CM, at.lane);
         path.A = lane_of(bodies.rotation[at.tile].A, at.lane);
+        path.v_CM = lane_of(bodies.translation[at.tile].v_CM, at.lane);
+        path.L = lane_of(bodies.rotation[at.tile].L, at.lane);
         path.until = 1;
         path.next = never;
         path.fast = is_movable(bodies, at) && is_fast(surfaces.surfaces[slot], sqrt(length_sq(way)), sqrt(length_sq(turn)));
@@ -70,7 +72,8 @@ void begin_paths(const BodyView& bodies, const SurfaceView& surfaces, scalar h, 
 
 scalar end_of_path(const Vector& turn, scalar from) {
     const scalar angle = sqrt(length_sq(turn_in_range(turn)));
-    return angle * (1 - from) > limits::angle_per_path ? from + limits::angle_per_path / angle : scalar(1);
+    const scalar of_part = greatest(limits::angle_per_path, angle / limits::path_parts_max);
+    return angle * (1 - from) > of_part ? from + of_part / angle : scalar(1);
 }
 
 void lay_path(const PathPoint& begin, scalar from, const PathPoint& end, scalar until, const Vector& fall, BodyPath& path) {
@@ -90,6 +93,30 @@ bool is_fast_path(const BodyPath& path, const Surface& surface) {
     const scalar left = 1 - path.from;
     return is_finite(path.way) && is_finite(path.turn) &&
            is_fast(surface, sqrt(length_sq(path.way + path.fall * left)) * left, sqrt(length_sq(path.turn)) * left);
+}
+
+bool FastPairs::meets_in_flight(const BodyPair& pair, const Manifold& manifold) const {
+    const int slots[2] = {pair.body_A, pair.body_B};
+    Vector r[2], v[2], omega[2];
+    scalar least_extent = limits::unbounded, least_fast = limits::unbounded, closing = 0;
+    for (int which = 0; which < 2; ++which) {
+        const int slot = slots[which];
+        const Place at = place_of(slot);
+        if (!paths[slot].fast && is_movable(bodies, at)) return false;
+        r[which] = lane_of(bodies.translation[at.tile].r_CM, at.lane);
+        v[which] = lane_of(bodies.translation[at.tile].v_CM, at.lane);
+        omega[which] = omega_of(bodies, slot);
+        const scalar extent = least_half_extent(surfaces.surfaces[slot].shape);
+        least_extent = least(least_extent, extent);
+        if (paths[slot].fast) least_fast = least(least_fast, extent);
+    }
+    const scalar deep = limits::skin_share * scalar(0.5) * least_fast;
+    for (int point_i = 0; point_i < manifold.count; ++point_i) {
+        if (manifold.points[point_i].separation < -deep) return false;
+        const Vector& P = manifold.points[point_i].P;
+        closing = greatest(closing, -dot(manifold.n, v[0] + cross(omega[0], P - r[0]) - v[1] - cross(omega[1], P - r[1])));
+    }
+    return closing * h > limits::skin_share * least_extent;
 }
 
 void end_path(BodyPath& path, const Vector& r_CM, const Matrix& A, scalar t) {

@@ -12,6 +12,7 @@ namespace ingot { inline namespace INGOT_ABI {
 struct BodyPath {
     Vector r_CM;       ///< m, at `from`
     Matrix A;          ///< body to world, at `from`
+    Vector v_CM, L;    ///< at `from`, in free fall
     Vector way, fall;  ///< m; r = r_CM + u (way + u fall), u = t - from
     Vector turn;       ///< rad in a whole step
     scalar from, until;

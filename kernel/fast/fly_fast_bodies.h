@@ -11,6 +11,7 @@
 #include "../motion/integrate_L.h"
 #include "../motion/integrate_r.h"
 #include "../motion/integrate_v.h"
+#include "fast_pairs.h"
 #include "time_of_impact.h"
 #include "two_bodies.h"
 
@@ -33,6 +34,21 @@ struct Flights {
     Meets meets;        ///< bool(slot, slot)
 };
 
+/// True for pairs with a manifold in this step. Bound: a search in a sorted list.
+INGOT_INLINE bool is_solved(const SolverView& solver, int slot_A, int slot_B) {
+    const uint16_t low = static_cast<uint16_t>(slot_A < slot_B ? slot_A : slot_B), high = static_cast<uint16_t>(slot_A < slot_B ? slot_B : slot_A);
+    const uint32_t key = BodyPair{low, high, no_record}.key();
+    int from = 0, to = solver.manifold_count;
+    while (from < to) {
+        const int middle = from + (to - from) / 2;
+        if (solver.pairs[middle].key() < key)
+            from = middle + 1;
+        else
+            to = middle;
+    }
+    return from < solver.manifold_count && solver.pairs[from].key() == key;
+}
+
 /// Looks whether one body meets another before all else that comes to it.
 template <class Meets>
 void consider(const Flights<Meets>& flights, int slot, int other) {
@@ -41,7 +57,7 @@ void consider(const Flights<Meets>& flights, int slot, int other) {
     const BodyPath& path_B = flights.paths[other];
     if (other == slot || B.shape.kind == ShapeKind::none || !may_meet(path, A, path_B, B) || !flights.meets(slot, other)) return;
     const scalar latest = least(path.next, least(path.until, path_B.until));
-    const scalar t = time_of_impact(path, A.shape, path_B, B.shape, latest);
+    const scalar t = time_of_impact(path, A.shape, path_B, B.shape, latest, !is_solved(flights.solver, slot, other));
     if (!(t < latest)) return;
     path.next = t;
     path.next_slot = static_cast<uint16_t>(other);
@@ -94,53 +110,68 @@ void fly_freely(const BodyView& bodies, const Vector& gravity, scalar h) {
     integrate_r(bodies, h, gravity);
 }
 
-/// The motion of a body at time t. In free fall it is the motion of the end of the step, flown back: exact. Else it is on the path, with the velocity of
-/// the end; where forces would have worked on it on the rest of the way, its speed is less by that.
+/// A body in free fall, alone in the room, from the begin of its path to time t.
 template <class Rotation, class Meets>
-FlightState motion_at(const Flights<Meets>& flights, int slot, scalar t, TwoBodies& room) {
+void fly_alone(const Flights<Meets>& flights, int slot, scalar t, TwoBodies& room) {
     const BodyPath& path = flights.paths[slot];
     room.clear();
     room.take(0, flights.bodies, flights.surfaces, slot);
+    put_state(room.bodies(), 0, {path.r_CM, path.v_CM, path.L, path.A});
+    if (t > path.from) fly_freely<Rotation>(room.bodies(), flights.clock.gravity, (t - path.from) * flights.clock.h);
+}
+
+/// The motion of a body at time t. In free fall it is exact. Else it is on the chord, with the velocity of the end; where forces would have worked on
+/// it on the rest of the way, its speed is less by that.
+template <class Rotation, class Meets>
+FlightState motion_at(const Flights<Meets>& flights, int slot, scalar t, TwoBodies& room) {
+    const BodyPath& path = flights.paths[slot];
+    FlightState motion = flight_state(flights.bodies, slot);
+    if (!(flights.bodies.translation[place_of(slot).tile].inv_M[place_of(slot).lane] > 0)) return motion;
     if (path.falls_free) {
-        if (t < 1) fly_freely<Rotation>(room.bodies(), flights.clock.gravity, (t - 1) * flights.clock.h);
+        fly_alone<Rotation>(flights, slot, t, room);
         return flight_state(room.bodies(), 0);
     }
     const PlacedShape place = place_on_path(path, flights.surfaces.surfaces[slot].shape, t);
-    FlightState motion = flight_state(room.bodies(), 0);
     const scalar work = 2 * dot(flights.clock.gravity, motion.r_CM - place.r), v_sq = length_sq(motion.v_CM);
     if (work > 0 && v_sq > 0) motion.v_CM = motion.v_CM * sqrt(work < v_sq ? 1 - work / v_sq : scalar(0));
     motion.r_CM = place.r;
     motion.A = place.A;
-    put_state(room.bodies(), 0, motion);
     return motion;
 }
 
-template <class Rotation, class Meets>
-PathPoint point_at(const Flights<Meets>& flights, int slot, scalar t, TwoBodies& room) {
-    const FlightState motion = motion_at<Rotation>(flights, slot, t, room);
-    return {motion.r_CM, motion.v_CM * flights.clock.h, omega_of(room.bodies(), 0) * flights.clock.h, motion.A};
+INGOT_INLINE PathPoint path_point(const BodyView& bodies, int slot, scalar h) {
+    const FlightState motion = flight_state(bodies, slot);
+    return {motion.r_CM, motion.v_CM * h, omega_of(bodies, slot) * h, motion.A};
 }
 
-/// Lays the path of a body in free fall from time t on, as far as a steady turn goes.
+/// Lays the path of a body in free fall on from a motion at time t, as far as a steady turn goes; to the end of the step the body itself goes too.
 template <class Rotation, class Meets>
-void lay_free_path(const Flights<Meets>& flights, int slot, scalar t, TwoBodies& room) {
+void lay_free_path(const Flights<Meets>& flights, int slot, const FlightState& from, scalar t, TwoBodies& room) {
     const Place at = place_of(slot);
     const TranslationTile& tile = flights.bodies.translation[at.tile];
     const scalar h = flights.clock.h;
     const Vector a = lane_of(tile.F_T, at.lane) * tile.inv_M[at.lane] + flights.clock.gravity;
     BodyPath& path = flights.paths[slot];
-    const PathPoint begin = point_at<Rotation>(flights, slot, t, room);
+    path.r_CM = from.r_CM;
+    path.v_CM = from.v_CM;
+    path.L = from.L;
+    path.A = from.A;
+    path.from = t;
+    path.falls_free = true;
+    fly_alone<Rotation>(flights, slot, t, room);
+    const PathPoint begin = path_point(room.bodies(), 0, h);
     const scalar until = end_of_path(begin.turn, t);
-    lay_path(begin, t, point_at<Rotation>(flights, slot, until, room), until, a * (h * h / 2), path);
+    fly_alone<Rotation>(flights, slot, until, room);
+    lay_path(begin, t, path_point(room.bodies(), 0, h), until, a * (h * h / 2), path);
+    const bool is_there = t <= 0;  // a step that flies in one part has gone so already
+    if (until >= 1 && !is_there) put_state(flights.bodies, slot, flight_state(room.bodies(), 0));
 }
 
 /// Lays the path of a body that contacts have moved from `begin` at time t to the end of the step: a chord.
-template <class Rotation, class Meets>
-void lay_chord(const Flights<Meets>& flights, int slot, const PathPoint& begin, scalar t, TwoBodies& room) {
-    flights.paths[slot].falls_free = true;  // its end is where it is
-    const PathPoint end = point_at<Rotation>(flights, slot, 1, room);
+template <class Meets>
+void lay_chord(const Flights<Meets>& flights, int slot, const PathPoint& begin, scalar t) {
     flights.paths[slot].falls_free = false;
-    lay_path(begin, t, end, 1, {}, flights.paths[slot]);
+    lay_path(begin, t, path_point(flights.bodies, slot, flights.clock.h), 1, {}, flights.paths[slot]);
 }
 
 template <class Meets>
@@ -181,52 +212,42 @@ bool stay_together(const Flights<Meets>& flights, TwoBodies& room, scalar h, Ste
 }
 
 /// Two bodies that meet at time t: they are together for a moment, in which they give each other what contacts do. Then they fly on; where neither
-/// is fast any more, they stay together for the rest of the step.
+/// is fast any more and they press on each other, they stay together for the rest of the step.
 template <class Shapes, class Rotation, bool notes_impulses, class Meets>
 void meet(const Flights<Meets>& flights, int slot_A, int slot_B, scalar t, TwoBodies& room, StepReport& report) {
     const int slots[2] = {slot_A, slot_B};
-    FlightState begin[2];
-    for (int which = 0; which < 2; ++which)
-        begin[which] = is_sound(flights, slots[which]) ? motion_at<Rotation>(flights, slots[which], t, room) : flight_state(flights.bodies, slots[which]);
+    FlightState states[2];
+    for (int which = 0; which < 2; ++which) states[which] = motion_at<Rotation>(flights, slots[which], t, room);
     room.clear();
     for (int which = 0; which < 2; ++which) {
         room.take(which, flights.bodies, flights.surfaces, slots[which]);
-        put_state(room.bodies(), which, begin[which]);
+        put_state(room.bodies(), which, states[which]);
     }
     const scalar h = (1 - t) * flights.clock.h, moment = least(h, room.moment());
     bool pressed = stay_together<Shapes, Rotation, notes_impulses>(flights, room, moment, report);
+    const scalar parted = moment < h ? t + moment / flights.clock.h : scalar(1);
+    const bool over = parted >= 1 - limits::last_moment;
     PathPoint after[2];
     for (int which = 0; which < 2; ++which) {
-        const FlightState motion = flight_state(room.bodies(), which);
-        after[which] = {motion.r_CM, motion.v_CM * flights.clock.h, omega_of(room.bodies(), which) * flights.clock.h, motion.A};
+        states[which] = flight_state(room.bodies(), which);
+        after[which] = path_point(room.bodies(), which, flights.clock.h);
     }
-    const scalar left = h - moment;
-    if (left > 0) {
-        if (pressed && !room.some_fast(left))
-            pressed = stay_together<Shapes, Rotation, notes_impulses>(flights, room, left, report);
-        else {
-            fly_freely<Rotation>(room.bodies(), flights.clock.gravity, left);
-            pressed = false;
-        }
-    }
-    for (int which = 0; which < 2; ++which)
-        if (is_sound(flights, slots[which])) put_state(flights.bodies, slots[which], flight_state(room.bodies(), which));
+    pressed = pressed && !over && !room.some_fast(h - moment);
+    if (pressed) (void)stay_together<Shapes, Rotation, notes_impulses>(flights, room, h - moment, report);
 
-    const scalar parted = left > 0 ? t + moment / flights.clock.h : scalar(1);
+    const FlightState ends[2] = {flight_state(room.bodies(), 0), flight_state(room.bodies(), 1)};
     for (int which = 0; which < 2; ++which) {
         const int slot = slots[which];
         if (!is_sound(flights, slot)) continue;
         BodyPath& path = flights.paths[slot];
-        if (parted >= 1 - limits::last_moment) {
-            end_path(path, after[which].r_CM, after[which].A, 1);
-            continue;
-        }
-        path.falls_free = !pressed;
-        if (pressed)
-            lay_chord<Rotation>(flights, slot, after[which], parted, room);
+        put_state(flights.bodies, slot, ends[which]);
+        if (over)
+            end_path(path, ends[which].r_CM, ends[which].A, 1);
+        else if (pressed)
+            lay_chord(flights, slot, after[which], parted);
         else
-            lay_free_path<Rotation>(flights, slot, parted, room);
-        path.fast = is_fast_path(path, flights.surfaces.surfaces[slot]);
+            lay_free_path<Rotation>(flights, slot, states[which], parted, room);
+        path.fast = !over && is_sound(flights, slot) && is_fast_path(path, flights.surfaces.surfaces[slot]);
     }
 }
 
@@ -251,10 +272,10 @@ bool lay_all_paths(const Flights<Meets>& flights, TwoBodies& room) {
         if (!is_sound(flights, slot)) {
             end_path(path, flight_state(flights.bodies, slot).r_CM, flight_state(flights.bodies, slot).A, 0);
         } else if (path.held) {
-            lay_chord<Rotation>(flights, slot, begin, 0, room);
+            lay_chord(flights, slot, begin, 0);
             path.fast = is_fast_path(path, flights.surfaces.surfaces[slot]);
         } else if (path.fast) {
-            lay_free_path<Rotation>(flights, slot, 0, room);
+            lay_free_path<Rotation>(flights, slot, {path.r_CM, path.v_CM, path.L, path.A}, 0, room);
         } else {
             path.way = flight_state(flights.bodies, slot).r_CM - begin.r_CM;
         }
@@ -267,7 +288,7 @@ bool lay_all_paths(const Flights<Meets>& flights, TwoBodies& room) {
 ///
 /// Impact by impact in the order of time, two bodies that meet are taken back to that time, touch as in any step, with restitution, friction and
 /// forces, and go on to the end of the step. A body that takes part in the contacts of the step is not taken from them: whoever meets it waits there
-/// for the next step, which finds both touching; so do those that are left after limits::impacts_in_step_max. They are counted in
+/// for the next step, which finds both touching; so do those that are left after limits::impacts_in_step_max. Only what meets at the very begin is not left waiting, lest it wait for ever. They are counted in
 /// report.flights_cut: the rest of the step is lost to them, and no energy or momentum.
 /// What was made fast by the contacts of this step is seen too: all goes by the ways that bodies have gone.
 /// Bound: impacts_in_step_max impacts, and as many parts of paths as their turns need, 2 limits::substeps_max a body and step.
@@ -286,8 +307,8 @@ void fly_fast_bodies(const Flights<Meets>& flights, StepReport& report) {
         const BodyPath& B = flights.paths[slot_B];
         const scalar t = A.next;
         if (slot_B == slot_A) {
-            lay_free_path<Rotation>(flights, slot_A, t, room);
-        } else if (!A.held && !B.held && t < 1 - limits::last_moment && impacts < limits::impacts_in_step_max) {
+            lay_free_path<Rotation>(flights, slot_A, motion_at<Rotation>(flights, slot_A, t, room), t, room);
+        } else if ((t <= 0 || (!A.held && !B.held)) && t < 1 - limits::last_moment && impacts < limits::impacts_in_step_max) {
             ++impacts;
             meet<Shapes, Rotation, notes_impulses>(flights, slot_A, slot_B, t, room, report);
         } else {

@@ -63,7 +63,7 @@ Shape core_of(const Shape& shape) { return {shape.kind, shape.size * (1 - limits
 
 }  // namespace
 
-scalar time_of_impact(const BodyPath& path_A, const Shape& A, const BodyPath& path_B, const Shape& B, scalar latest) {
+scalar time_of_impact(const BodyPath& path_A, const Shape& A, const BodyPath& path_B, const Shape& B, scalar latest, bool unsolved) {
     const scalar begin = path_A.from > path_B.from ? path_A.from : path_B.from;
     scalar t = begin;
     bool touching = true;  // until they are seen apart
@@ -81,6 +81,11 @@ scalar time_of_impact(const BodyPath& path_A, const Shape& A, const BodyPath& pa
             nearest = closest_points(A_now, now.B);
             if (nearest.overlap) return approach_i == 0 ? never : t;  // deep in each other from the begin: a matter of overlaps
             plane = plane_between(A_now, now.B, nearest);
+            if (approach_i == 0 && unsolved) {
+                const scalar skin = limits::skin_share * smaller(least_half_extent(A), least_half_extent(B));
+                const Vector v = now.v + cross(path_A.turn, nearest.P_A - now.A.r) - cross(path_B.turn, nearest.P_B);
+                if (-dot(plane.n, v) * (1 - t) > skin) return t;
+            }
         }
         if (plane.gap <= gap) return touching && approach_i == 0 ? never : t;
         const scalar open = time_open(now, path_A.turn, path_B.turn, A_now, plane.n, plane.gap - gap / 2);

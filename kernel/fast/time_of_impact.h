@@ -13,9 +13,11 @@ namespace ingot { inline namespace INGOT_ABI {
 ///
 /// Met: apart by limits::impact_gap, and the roundings of the positions. Bodies that touch from the begin are left to the contacts until they
 /// have parted; meanwhile A without its skin (limits::skin_share) may not reach B. Where even that is inside B nothing is met.
+/// `unsolved`: no contact of this step has seen to them; if they touch from the begin, and their nearest points close by more than that skin in the rest
+/// of the step, they meet at once.
 /// After limits::approaches_max they are taken for met where they are: too early, never too late.
 /// Frames: world. Source: Mirtich, "Impulse-based dynamic simulation", 1996, 2.3; the second order is ours.
-scalar time_of_impact(const BodyPath& path_A, const Shape& A, const BodyPath& path_B, const Shape& B, scalar latest);
+scalar time_of_impact(const BodyPath& path_A, const Shape& A, const BodyPath& path_B, const Shape& B, scalar latest, bool unsolved);
 
 /// False where the balls that hold the shapes stay apart.
 bool may_meet(const BodyPath& path_A, const Surface& A, const BodyPath& path_B, const Surface& B);

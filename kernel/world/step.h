@@ -39,13 +39,13 @@ void tell_events(Storage<S>& storage, StepReport& report) {
     tell_hits(manifolds, storage.notes, S::hit_speed, before, touching, tag, events);
 }
 
-/// Tells which bodies are too fast for a step.
+/// The pairs that are too fast for a step.
 template <class S>
-auto who_is_fast([[maybe_unused]] const Storage<S>& storage) {
+auto fast_pairs_of([[maybe_unused]] Storage<S>& storage, [[maybe_unused]] scalar h) {
     if constexpr (S::continuous)
-        return [paths = storage.paths](int slot) { return paths[slot].fast; };
+        return FastPairs{storage.bodies(), storage.surface_view(), storage.paths, h};
     else
-        return NoneFast{};
+        return NoFastPairs{};
 }
 
 template <class S>
@@ -102,7 +102,7 @@ StepReport step(World<S>& world, scalar h) {
         }
         if constexpr (S::continuous) begin_paths(bodies, storage.surface_view(), h, storage.paths);
         update_manifolds<typename S::shapes>(bodies, storage.surface_view(), storage.bounds, h, storage.pair_rules(report), pairs, manifolds, report,
-                                             who_is_fast(storage));
+                                             fast_pairs_of(storage, h));
         if constexpr (has_events<S>) note_approaches(bodies, storage.gravity, h, manifolds, storage.notes);
         refresh_inv_I_world(bodies);                                      // Eq. 20
         SolverView solver = storage.solver();
