@@ -110,13 +110,15 @@ bool FastPairs::meets_in_flight(const BodyPair& pair, const Manifold& manifold) 
         least_extent = least(least_extent, extent);
         if (paths[slot].fast) least_fast = least(least_fast, extent);
     }
-    const scalar deep = limits::skin_share * scalar(0.5) * least_fast;
+    const scalar deep = limits::skin_share * least_fast;
     for (int point_i = 0; point_i < manifold.count; ++point_i) {
         if (manifold.points[point_i].separation < -deep) return false;
         const Vector& P = manifold.points[point_i].P;
         closing = greatest(closing, -dot(manifold.n, v[0] + cross(omega[0], P - r[0]) - v[1] - cross(omega[1], P - r[1])));
     }
-    return closing * h > limits::skin_share * least_extent;
+    bool tilts = false;
+    for (const Vector& one : omega) tilts = tilts || length_sq(cross(one, manifold.n)) * h * h > limits::angle_per_path * limits::angle_per_path / 4;
+    return tilts || closing * h > limits::skin_share * least_extent;
 }
 
 void end_path(BodyPath& path, const Vector& r_CM, const Matrix& A, scalar t) {
@@ -126,7 +128,7 @@ void end_path(BodyPath& path, const Vector& r_CM, const Matrix& A, scalar t) {
     path.from = t;
     path.until = 1;
     path.next = never;
-    path.fast = false;
+    path.fast = path.falls_free = false;
 }
 
 } }  // namespace ingot

@@ -308,7 +308,7 @@ void fly_fast_bodies(const Flights<Meets>& flights, StepReport& report) {
         const scalar t = A.next;
         if (slot_B == slot_A) {
             lay_free_path<Rotation>(flights, slot_A, motion_at<Rotation>(flights, slot_A, t, room), t, room);
-        } else if ((t <= 0 || (!A.held && !B.held)) && t < 1 - limits::last_moment && impacts < limits::impacts_in_step_max) {
+        } else if ((t <= limits::last_moment || (!A.held && !B.held)) && t < 1 - limits::last_moment && impacts < limits::impacts_in_step_max) {
             ++impacts;
             meet<Shapes, Rotation, notes_impulses>(flights, slot_A, slot_B, t, room, report);
         } else {

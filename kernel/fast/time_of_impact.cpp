@@ -61,33 +61,44 @@ scalar time_open(const Approach& now, const Vector& turn_A, const Vector& turn_B
 
 Shape core_of(const Shape& shape) { return {shape.kind, shape.size * (1 - limits::skin_share), shape.offset}; }
 
+/// The ball about the centre that is half as large as the shape is thick.
+Shape ball_in(const Shape& shape) { return Sphere{least_half_extent(shape) * scalar(0.5)}; }
+
 }  // namespace
 
 scalar time_of_impact(const BodyPath& path_A, const Shape& A, const BodyPath& path_B, const Shape& B, scalar latest, bool unsolved) {
-    const scalar begin = path_A.from > path_B.from ? path_A.from : path_B.from;
-    scalar t = begin;
-    bool touching = true;  // until they are seen apart
+    scalar t = path_A.from > path_B.from ? path_A.from : path_B.from;
+    bool touching = true, deep = false;  // until they are seen apart
     for (int approach_i = 0; approach_i < limits::approaches_max; ++approach_i) {
         const Approach now = approach_at(path_A, A, path_B, B, t);
         const scalar gap = meeting_gap(now, path_A.r_CM, path_B.r_CM);
         PlacedShape A_now = now.A;
+        if (deep) A_now.shape = ball_in(A);
         Nearest nearest = closest_points(A_now, now.B);
-        if (!touching && nearest.overlap) return t;  // by a rounding
+        if (nearest.overlap && (deep || !touching)) return deep && approach_i == 0 ? never : t;
         PlaneBetween plane = {};
         if (!nearest.overlap) plane = plane_between(A_now, now.B, nearest);
         touching = touching && plane.gap <= gap;
         if (touching) {
             A_now.shape = core_of(A);
             nearest = closest_points(A_now, now.B);
-            if (nearest.overlap) return approach_i == 0 ? never : t;  // deep in each other from the begin: a matter of overlaps
+            if (nearest.overlap && approach_i == 0) {
+                deep = true;
+                A_now.shape = ball_in(A);
+                nearest = closest_points(A_now, now.B);
+                if (nearest.overlap) return never;
+            }
+            if (nearest.overlap) return t;
             plane = plane_between(A_now, now.B, nearest);
-            if (approach_i == 0 && unsolved) {
+            if (approach_i == 0 && unsolved && !deep) {
                 const scalar skin = limits::skin_share * smaller(least_half_extent(A), least_half_extent(B));
                 const Vector v = now.v + cross(path_A.turn, nearest.P_A - now.A.r) - cross(path_B.turn, nearest.P_B);
                 if (-dot(plane.n, v) * (1 - t) > skin) return t;
             }
+            touching = !deep;
         }
-        if (plane.gap <= gap) return touching && approach_i == 0 ? never : t;
+        const bool leaves = !(dot(plane.n, now.v) < 0);
+        if (plane.gap <= gap) return approach_i == 0 && (touching || (deep && leaves)) ? never : t;
         const scalar open = time_open(now, path_A.turn, path_B.turn, A_now, plane.n, plane.gap - gap / 2);
         if (t + open > latest) return never;
         t += open;
