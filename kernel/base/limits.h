@@ -68,8 +68,14 @@ inline constexpr int few_manifolds = 64;          ///< a world with no more of t
 inline constexpr int sweeps_of_few = 64;          ///< the most sweeps of a substep there
 inline constexpr scalar settled_speed_of_few = scalar(2e-7);  ///< m/s; settled_speed there
 /// m/s; a sweep that corrects no speed by more than this is the last of its substep. Contacts at rest then cost one sweep. What is left adds up to
-/// less than 0.1 mm in a minute.
+/// less than 0.1 mm in a minute. In a longer substep so much more: it is an acceleration.
 inline constexpr scalar settled_speed = scalar(1.5e-6);
+inline constexpr scalar stirring_share = scalar(0.5);     ///< of settled_speed: contacts of bodies that a sweep stirs by more are visited by the next
+/// Where many touch and nothing that does accelerates by more than this share of what gravity and forces give it, a step is cut into fewer
+/// substeps: those are there for what changes.
+inline constexpr scalar calm_acceleration = scalar(1e-4);
+inline constexpr int calm_substeps = 2;
+inline constexpr int calm_sweeps = sweeps * substeps / calm_substeps;  ///< at most, in each
 inline constexpr scalar settled_gap = scalar(2e-8);      ///< m; a contact with no more than this to be taken back is not displaced
 inline constexpr scalar settled_turn = 2 * epsilon;       ///< rad; corrections that round to nothing
 inline constexpr scalar friction_max = 1000;             ///< coefficient mu of a body

@@ -9,47 +9,42 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
-void copy4(scalar (&to)[4], const scalar (&from)[4]) {
-    for (int i = 0; i < 4; ++i) to[i] = from[i];
+/// P = beta P + (now - before); now += beta P; before = now. The fourth number, which is no coordinate, stays.
+INGOT_INLINE void go_on(scalar (&now)[4], scalar (&before)[4], scalar (&P)[4], scalar beta) {
+    scalar along[4], next[4];
+    for (int i = 0; i < 4; ++i) along[i] = beta * P[i] + (now[i] - before[i]);
+    for (int i = 0; i < 4; ++i) next[i] = now[i] + beta * along[i];
+    next[3] = now[3];
+    for (int i = 0; i < 4; ++i) P[i] = along[i];
+    for (int i = 0; i < 4; ++i) now[i] = before[i] = next[i];
 }
 
-/// P = beta P + (now - before); now += beta P. The fourth number, which is no coordinate, stays.
-void go_on(scalar (&now)[4], const scalar (&before)[4], scalar (&P)[4], scalar beta) {
-    const scalar fourth = now[3];
-    for (int i = 0; i < 4; ++i) {
-        P[i] = beta * P[i] + (now[i] - before[i]);
-        now[i] = now[i] + beta * P[i];
-    }
-    now[3] = fourth;
+/// The same for the impulses of a row.
+INGOT_INLINE void go_on(scalar (&j)[lanes], scalar (&j_sweep)[lanes], scalar (&direction)[lanes], lane beta) {
+    const lane now = load(j), along = beta * load(direction) + (now - load(j_sweep)), next = now + beta * along;
+    store(direction, along);
+    store(j, next);
+    store(j_sweep, next);
 }
 
 }  // namespace
 
-void begin_sweep(const SolverView& solver) {
-    for (int block_i = 0; block_i < solver.block_count; ++block_i) {
-        ContactBlock& block = solver.blocks[block_i];
-        for (int row = 0; row < block.rows; ++row) store(block.row[row].j_sweep, load(block.row[row].j));
-        for (int axis = 0; axis < 2; ++axis) store(block.friction.j_sweep[axis], load(block.friction.j[axis]));
-        if (block.rows > 1) store(block.twist.j_sweep, load(block.twist.j));
-    }
+void begin_sweeps(const SolverView& solver) {
     for (int body_i = 1; body_i < solver.body_count; ++body_i) {
-        copy4(solver.histories[body_i].v_sweep, solver.bodies[body_i].v_CM);
-        copy4(solver.histories[body_i].L_sweep, solver.bodies[body_i].L);
+        const SolverBody& body = solver.bodies[body_i];
+        SolverBodyHistory& history = solver.histories[body_i];
+        for (int i = 0; i < 4; ++i) history.v_sweep[i] = body.v_CM[i];
+        for (int i = 0; i < 4; ++i) history.L_sweep[i] = body.L[i];
     }
 }
 
 void extrapolate(const SolverView& solver, scalar beta) {
-    const lane b = splat<lane>(beta);
-    const auto go_on_lanes = [&](scalar (&j)[lanes], const scalar (&j_sweep)[lanes], scalar (&direction)[lanes]) {
-        const lane now = load(j), along = b * load(direction) + (now - load(j_sweep));
-        store(direction, along);
-        store(j, now + b * along);
-    };
+    const lane beta_of_rows = splat<lane>(beta);
     for (int block_i = 0; block_i < solver.block_count; ++block_i) {
         ContactBlock& block = solver.blocks[block_i];
-        for (int row = 0; row < block.rows; ++row) go_on_lanes(block.row[row].j, block.row[row].j_sweep, block.row[row].direction);
-        for (int axis = 0; axis < 2; ++axis) go_on_lanes(block.friction.j[axis], block.friction.j_sweep[axis], block.friction.direction[axis]);
-        if (block.rows > 1) go_on_lanes(block.twist.j, block.twist.j_sweep, block.twist.direction);
+        for (int row = 0; row < block.rows; ++row) go_on(block.row[row].j, block.row[row].j_sweep, block.row[row].direction, beta_of_rows);
+        for (int axis = 0; axis < 2; ++axis) go_on(block.friction.j[axis], block.friction.j_sweep[axis], block.friction.direction[axis], beta_of_rows);
+        if (block.rows > 1) go_on(block.twist.j, block.twist.j_sweep, block.twist.direction, beta_of_rows);
     }
     for (int body_i = 1; body_i < solver.body_count; ++body_i) {
         SolverBody& body = solver.bodies[body_i];

@@ -5,10 +5,10 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// Remembers impulses and motions before a sweep, for extrapolate.
-void begin_sweep(const SolverView& solver);
+/// Remembers motions before the first sweep of a substep, for extrapolate. (Impulses: warm_start has.)
+void begin_sweeps(const SolverView& solver);
 
-/// Goes on by beta in the direction of the sweeps so far (nonlinear conjugate gradients).
+/// Between two sweeps: goes on by beta in the direction of the sweeps so far (nonlinear conjugate gradients).
 void extrapolate(const SolverView& solver, scalar beta);
 
 } }  // namespace ingot

@@ -59,6 +59,7 @@ void kick_bodies(SolverView& solver, scalar h) {
         SolverBody& body = solver.bodies[body_i];
         SolverBodyHistory& history = solver.histories[body_i];
         for (int i = 0; i < 4; ++i) history.v_begin[i] = body.v_CM[i];  // the fourth of a and tau is 0
+        for (int i = 0; i < 4; ++i) history.L_begin[i] = body.L[i];
         for (int i = 0; i < 4; ++i) body.v_CM[i] = body.v_CM[i] + history.a[i] * h;
         for (int i = 0; i < 4; ++i) body.L[i] = body.L[i] + history.tau[i] * h;
         fastest_sq = greatest(fastest_sq, length_sq(vector_of(body.v_CM)));
@@ -76,12 +77,15 @@ void drift_bodies(SolverView& solver, const BodyView& bodies, scalar h) {
         const scalar smooth = 2 * h * body.dp[3];
         const bool hit = length_sq(change) > smooth * smooth;
         const Vector dp = vector_of(body.dp) + (hit ? v : v - change * scalar(0.5)) * h;
-        const Vector turn = lane_of(bodies.translation[at.tile].inv_I_world, at.lane) * L * h;
+        const SymmetricMatrix inv_I_world = lane_of(bodies.translation[at.tile].inv_I_world, at.lane);
+        const Vector turn = inv_I_world * L * h, spun = L - vector_of(history.L_begin);
         solver.some_hit = solver.some_hit || hit;
+        const scalar calm_change = limits::calm_acceleration * body.dp[3] * h + limits::settled_speed;
+        solver.calm = solver.calm && length_sq(change) + dot(spun, inv_I_world * spun) * body.v_CM[3] <= calm_change * calm_change;
         set4(body.dp, dp, body.dp[3]);
         set4(body.dth, vector_of(body.dth) + turn);
         body.L[3] = hit ? scalar(1) : scalar(0);
-        set4(history.L_sum, vector_of(history.L_sum) + L);
+        set4(history.L_sum, vector_of(history.L_sum) + L * shares_of_substep(solver));
     }
 }
 

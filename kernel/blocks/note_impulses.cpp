@@ -3,6 +3,10 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
+void clear_impulse_notes(const SolverView& solver, ImpactNote* notes) {
+    for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i) notes[manifold_i].carried = false;
+}
+
 void note_impulses(const SolverView& solver, ImpactNote* notes) {
     for (int block_i = 0; block_i < solver.block_count; ++block_i) {
         const ContactBlock& block = solver.blocks[block_i];

@@ -81,7 +81,7 @@ void add_visits(SolverView& solver, const uint16_t* from_order, int count) {
         const int block = solver.lane_count / lanes, first_lane = solver.lane_count % lanes;
         const int room = lanes - first_lane, taken = count - i < room ? count - i : room;
         const unsigned bits = ((1u << taken) - 1u) << first_lane;
-        solver.visits[solver.visit_count++] = {static_cast<uint16_t>(block), static_cast<uint16_t>(bits)};
+        solver.visits[solver.visit_count++] = {static_cast<uint16_t>(block), static_cast<uint16_t>(bits), static_cast<uint16_t>(i)};
         for (int end = i + taken; i < end; ++i) solver.order[solver.lane_count++] = from_order[i];
     }
 }

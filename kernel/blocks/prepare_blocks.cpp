@@ -211,18 +211,19 @@ INGOT_INLINE void prepare_twist(TwistRow& twist, const LaneContacts& contacts, l
 }
 
 /// The impulses of the step before; friction's as components of what they were in the world.
-void recall(ContactBlock& block, int lane_i, const ManifoldRecord& record) {
+void recall(const SolverView& solver, ContactBlock& block, int lane_i, const ManifoldRecord& record) {
+    const scalar share = shares_of_substep(solver);
     for (int row = 0; row < block.rows; ++row) {
-        block.row[row].j[lane_i] = record.j[row];
-        block.row[row].j_before[lane_i] = record.j_before[row];
+        block.row[row].j[lane_i] = record.j[row] * share;
+        block.row[row].j_before[lane_i] = record.j_before[row] * share;
     }
     const Vector t_1 = lane_of(block.t_1, lane_i), t_2 = lane_of(block.t_2, lane_i);
-    block.friction.j[0][lane_i] = dot(record.j_friction, t_1);
-    block.friction.j[1][lane_i] = dot(record.j_friction, t_2);
-    block.friction.reference[0][lane_i] = dot(record.j_reference, t_1);
-    block.friction.reference[1][lane_i] = dot(record.j_reference, t_2);
-    block.twist.j[lane_i] = record.manifold.count > 1 ? record.j_twist : 0;
-    block.substeps[lane_i] = static_cast<scalar>(record.substeps);
+    block.friction.j[0][lane_i] = dot(record.j_friction, t_1) * share;
+    block.friction.j[1][lane_i] = dot(record.j_friction, t_2) * share;
+    block.friction.reference[0][lane_i] = dot(record.j_reference, t_1) * share;
+    block.friction.reference[1][lane_i] = dot(record.j_reference, t_2) * share;
+    block.twist.j[lane_i] = record.manifold.count > 1 ? record.j_twist * share : 0;
+    block.substeps[lane_i] = static_cast<scalar>(age_of(record));
 }
 
 void prepare_block(const SolverView& solver, const BodyView& bodies, int block_i) {
@@ -243,7 +244,7 @@ void prepare_block(const SolverView& solver, const BodyView& bodies, int block_i
     const Middle middle = middle_of(contacts, block.rows);
     prepare_friction(block.friction, contacts, middle.P);
     prepare_twist(block.twist, contacts, middle.radius);
-    for (int lane_i = 0; lane_i < lanes; ++lane_i) recall(block, lane_i, record_of(solver, block.manifold[lane_i]));
+    for (int lane_i = 0; lane_i < lanes; ++lane_i) recall(solver, block, lane_i, record_of(solver, block.manifold[lane_i]));
 }
 
 }  // namespace
@@ -254,6 +255,7 @@ void prepare_blocks(const SolverView& solver, const BodyView& bodies) {
 
 void remember_impulses(const SolverView& solver) {
     constexpr scalar substeps_max = limits::substeps_kept;
+    const scalar part = 1 / shares_of_substep(solver);
     for (int block_i = 0; block_i < solver.block_count; ++block_i) {
         const ContactBlock& block = solver.blocks[block_i];
         for (int lane_i = 0; lane_i < lanes; ++lane_i) {
@@ -261,15 +263,16 @@ void remember_impulses(const SolverView& solver) {
             if (manifold_i == no_manifold) continue;
             ManifoldRecord& record = solver.records[solver.pairs[manifold_i].record];
             const scalar substeps = block.substeps[lane_i];
-            record.substeps = static_cast<uint16_t>(substeps < substeps_max ? substeps : substeps_max);
+            const auto age = static_cast<uint16_t>(substeps < substeps_max ? substeps : substeps_max);
+            record.substeps = solver.calm ? static_cast<uint16_t>(age | calm_bit) : age;
             for (int row = 0; row < record.manifold.count; ++row) {
-                record.j[row] = block.row[row].j[lane_i];
-                record.j_before[row] = block.row[row].j_before[lane_i];
+                record.j[row] = block.row[row].j[lane_i] * part;
+                record.j_before[row] = block.row[row].j_before[lane_i] * part;
             }
             const Vector t_1 = lane_of(block.t_1, lane_i), t_2 = lane_of(block.t_2, lane_i);
-            record.j_friction = t_1 * block.friction.j[0][lane_i] + t_2 * block.friction.j[1][lane_i];
-            record.j_reference = t_1 * block.friction.reference[0][lane_i] + t_2 * block.friction.reference[1][lane_i];
-            record.j_twist = block.twist.j[lane_i];
+            record.j_friction = (t_1 * block.friction.j[0][lane_i] + t_2 * block.friction.j[1][lane_i]) * part;
+            record.j_reference = (t_1 * block.friction.reference[0][lane_i] + t_2 * block.friction.reference[1][lane_i]) * part;
+            record.j_twist = block.twist.j[lane_i] * part;
         }
     }
 }

@@ -12,10 +12,12 @@ namespace ingot { inline namespace INGOT_ABI {
 /// The step is cut into limits::substeps. In each, forces act, the impulses of the substep before are given again, and a few sweeps over the
 /// contacts correct them, up and down the levels, joined by nonlinear conjugate gradients; then bodies are displaced, and one sweep
 /// takes back overlaps by displacements that no velocity ever sees. No softness, no slop, no leak: loads do not sink, and corrections give
-/// no energy. Restitution finds the time of impact within the substep.
+/// no energy. Restitution finds the time of impact within the substep. Where many touch and nothing that does accelerates, fewer substeps do.
 ///
 /// Reads v_CM, L, F_T and tau_T of the begin of the step, before integrate_v and integrate_L. Writes nothing to bodies: see
-/// write_contact_motion. Bound: substeps * sweeps_of_young visits a manifold. For scenes with events, `notes` are told who pushed whom.
+/// write_contact_motion. For scenes with events, `notes` are told who pushed whom.
+/// Bound:   substeps * sweeps_of_few visits a manifold where few touch; else substeps * sweeps_of_young, or calm_substeps * calm_sweeps and then
+///          substeps * sweeps.
 template <bool notes_impulses>
 void solve_manifolds(SolverView& solver, const BodyView& bodies, const Vector& gravity, scalar h, ImpactNote* notes, StepReport& report);
 

@@ -22,6 +22,7 @@ struct alignas(4 * sizeof(scalar)) SolverBodyHistory {
     scalar a[4];          ///< m s^-2, of gravity and forces
     scalar tau[4];        ///< N m
     scalar v_begin[4];    ///< of the substep
+    scalar L_begin[4];
     scalar v_sweep[4];    ///< before the sweep at hand
     scalar L_sweep[4];
     scalar P_v[4];        ///< conjugate direction

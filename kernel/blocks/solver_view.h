@@ -2,6 +2,7 @@
 // Everything the many-body solver works on, without its capacities.
 #pragma once
 
+#include "../base/limits.h"
 #include "../contact/manifold_record.h"
 #include "contact_block.h"
 
@@ -10,6 +11,7 @@ namespace ingot { inline namespace INGOT_ABI {
 /// Lanes of one block that are solved together: they share no body that can move.
 struct Visit {
     uint16_t block, lane_bits;
+    uint16_t first;  ///< of its first manifold: how many of the same colour come before
 };
 
 struct SolverView {
@@ -34,6 +36,11 @@ struct SolverView {
     int lane_count, lane_capacity;  ///< of all blocks
     scalar speed_max;          ///< m/s, of the bodies in this substep
     bool some_hit;             ///< a body was hit in the substep before
+    int substeps;              ///< of this step: limits::substeps, or limits::calm_substeps
+    bool calm;                 ///< nothing that touches has accelerated in this step
 };
+
+/// Impulses are kept as they are in a step of limits::substeps substeps; a longer one has so many times as much.
+inline scalar shares_of_substep(const SolverView& solver) { return static_cast<scalar>(limits::substeps / solver.substeps); }
 
 } }  // namespace ingot

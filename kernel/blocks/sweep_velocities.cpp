@@ -83,53 +83,84 @@ INGOT_INLINE void solve_friction(ContactBlock& block, BodyPairLanes& pair, lane 
     change.add(d_2, load(friction.K[1]));
 }
 
-/// Solves what one visit names: normals, twist, friction.
+INGOT_INLINE BodyPairLanes chosen(mask m, const BodyPairLanes& a, const BodyPairLanes& b) {
+    BodyPairLanes pair = {select(m, a.linear_A, b.linear_A), select(m, a.angular_A, b.angular_A), select(m, a.linear_B, b.linear_B),
+                          select(m, a.angular_B, b.angular_B), {}};
+    for (int i = 0; i < 4; ++i) pair.last[i] = select(m, a.last[i], b.last[i]);
+    return pair;
+}
+
+/// Normals, twist, friction of the active lanes. `whole`: of all.
 template <int rows, bool whole>
-INGOT_INLINE void visit_velocities(const SolverView& solver, ContactBlock& block, uint16_t lane_bits, lane& residual) {
-    const mask active = whole ? splat<lane>(1) > lane{} : mask_from_bits(lane_bits);
+INGOT_INLINE void solve_rows(ContactBlock& block, BodyPairLanes& pair, mask visited, mask active, scalar sweep, scalar stirring, lane& residual) {
     const Vec3<lane> n = load(block.n);
-    BodyPairLanes pair = gather_bodies(solver, block, &SolverBody::v_CM, &SolverBody::L);
+    const lane inv_M_A = load(block.inv_M_A), inv_M_B = load(block.inv_M_B);
+    const BodyPairLanes before = pair;
     Change change{};
     const lane limit = load(block.mu) * solve_normals<rows, whole>(block, pair, n, active, change);
     if constexpr (rows > 1)  // one point has no lever to resist a twist with
-        solve_twist<whole>(block.twist, pair, n, load(block.inv_M_A), load(block.inv_M_B), limit, active, change);
+        solve_twist<whole>(block.twist, pair, n, inv_M_A, inv_M_B, limit, active, change);
     solve_friction<whole>(block, pair, limit, active, change);
-    residual = greatest(residual, select(active, change.fastest, residual));
-    store_if<whole>(block.change, active, change.size);
-    scatter_bodies(solver, block, lane_bits, pair, &SolverBody::v_CM, &SolverBody::L);
+    const mask stirs = change.fastest > splat<lane>(stirring);
+    pair.last[1] = select(both(stirs, inv_M_A > lane{}), splat<lane>(sweep), pair.last[1]);
+    pair.last[3] = select(both(stirs, inv_M_B > lane{}), splat<lane>(sweep), pair.last[3]);
+    if (!whole) pair = chosen(active, pair, before);
+    residual = greatest(residual, whole ? change.fastest : select(active, change.fastest, residual));
+    store_if<whole>(block.change, visited, whole ? change.size : select(active, change.size, lane{}));
 }
 
-/// The sum does not depend on lanes: the k-th manifold is added to the k mod 8-th of eight sums.
-scalar sum_of_changes(const SolverView& solver) {
-    scalar sums[8] = {};
-    unsigned manifold = 0;
-    for (int visit_i = 0; visit_i < solver.visit_count; ++visit_i) {
-        const Visit visit = solver.visits[visit_i];
-        const scalar* const change = solver.blocks[visit.block].change;
-        for (unsigned lane_i = 0, left = visit.lane_bits; left != 0; ++lane_i, left >>= 1)
-            if ((left & 1u) != 0 && solver.blocks[visit.block].manifold[lane_i] != no_manifold) sums[manifold++ % 8] += change[lane_i];
-    }
-    return ((sums[0] + sums[1]) + (sums[2] + sums[3])) + ((sums[4] + sums[5]) + (sums[6] + sums[7]));
+/// Solves what one visit names, but for the lanes whose bodies neither this sweep nor the one before has stirred.
+template <int rows>
+INGOT_INLINE void visit_velocities(const SolverView& solver, ContactBlock& block, uint16_t lane_bits, int sweep_i, scalar stirring, lane& residual) {
+    const scalar sweep = static_cast<scalar>(sweep_i);
+    const LaneQuad L_A = gather(solver.bodies, block.body_A, &SolverBody::L), L_B = gather(solver.bodies, block.body_B, &SolverBody::L);
+    const mask visited = lane_bits == all_lanes ? splat<lane>(1) > lane{} : mask_from_bits(lane_bits);
+    mask active = visited;
+    if (sweep_i > 1) active = both(visited, greatest(L_A.at[3], L_B.at[3]) >= splat<lane>(sweep - 1));
+    if (!any(active)) return store_if<false>(block.change, visited, lane{});
+    const LaneQuad v_A = gather(solver.bodies, block.body_A, &SolverBody::v_CM), v_B = gather(solver.bodies, block.body_B, &SolverBody::v_CM);
+    BodyPairLanes pair = {vector_of(v_A), vector_of(L_A), vector_of(v_B), vector_of(L_B), {v_A.at[3], L_A.at[3], v_B.at[3], L_B.at[3]}};
+    if (any(opposite(active)))
+        solve_rows<rows, false>(block, pair, visited, active, sweep, stirring, residual);
+    else
+        solve_rows<rows, true>(block, pair, visited, active, sweep, stirring, residual);
+    scatter_bodies(solver, block, lane_bits, pair, &SolverBody::v_CM, &SolverBody::L);
 }
 
 }  // namespace
 
-SweepResult sweep_velocities(const SolverView& solver, bool up) {
+scalar sweep_velocities(const SolverView& solver, int sweep_i, bool up, scalar stirring) {
     lane residual{};
     for (int visit_i = 0; visit_i < solver.visit_count; ++visit_i) {
         const Visit visit = solver.visits[up ? visit_i : solver.visit_count - 1 - visit_i];
         ContactBlock& block = solver.blocks[visit.block];
-        const bool whole = visit.lane_bits == all_lanes;
         if (block.rows == 1)
-            whole ? visit_velocities<1, true>(solver, block, visit.lane_bits, residual) : visit_velocities<1, false>(solver, block, visit.lane_bits, residual);
+            visit_velocities<1>(solver, block, visit.lane_bits, sweep_i, stirring, residual);
         else
-            whole ? visit_velocities<block_rows, true>(solver, block, visit.lane_bits, residual)
-                  : visit_velocities<block_rows, false>(solver, block, visit.lane_bits, residual);
+            visit_velocities<block_rows>(solver, block, visit.lane_bits, sweep_i, stirring, residual);
     }
     scalar of_lanes[lanes], largest = 0;
     store(of_lanes, residual);
     for (const scalar one : of_lanes) largest = one > largest ? one : largest;
-    return {sum_of_changes(solver), largest};
+    return largest;
+}
+
+/// The sum does not depend on lanes: the k-th manifold of a colour is added to the k mod 8-th of eight sums.
+scalar sum_of_changes(const SolverView& solver) {
+    scalar sums[8] = {};
+    for (int visit_i = 0; visit_i < solver.visit_count; ++visit_i) {
+        const Visit visit = solver.visits[visit_i];
+        const scalar* const change = solver.blocks[visit.block].change;
+        if (visit.lane_bits == all_lanes && visit.first % lanes == 0) {
+            scalar* const to = sums + visit.first % 8;
+            store(to, load(to) + load(change));
+            continue;
+        }
+        unsigned k = visit.first;
+        for (unsigned lane_i = 0, left = visit.lane_bits; left != 0; ++lane_i, left >>= 1)
+            if ((left & 1u) != 0) sums[k++ % 8] += change[lane_i];
+    }
+    return ((sums[0] + sums[1]) + (sums[2] + sums[3])) + ((sums[4] + sums[5]) + (sums[6] + sums[7]));
 }
 
 } }  // namespace ingot

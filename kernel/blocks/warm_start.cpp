@@ -51,6 +51,7 @@ INGOT_INLINE void warm_start_visit(const SolverView& solver, ContactBlock& block
     for (int row = 0; row < rows; ++row) {
         store_if<whole>(block.row[row].j, active, j.at[row]);
         store_if<whole>(block.row[row].j_before, active, j.at[row]);
+        store_if<whole>(block.row[row].j_sweep, active, j.at[row]);
         add_angular(pair, block.row[row].levers, j.at[row]);
     }
     lane sum{};
@@ -67,6 +68,8 @@ INGOT_INLINE void warm_start_visit(const SolverView& solver, ContactBlock& block
     cut_to_cone(j_1, j_2, limit);
     store_if<whole>(block.friction.j[0], active, j_1);
     store_if<whole>(block.friction.j[1], active, j_2);
+    store_if<whole>(block.friction.j_sweep[0], active, j_1);
+    store_if<whole>(block.friction.j_sweep[1], active, j_2);
     store_if<whole>(block.friction.reference[0], active, along_1.reference);
     store_if<whole>(block.friction.reference[1], active, along_2.reference);
     store_if<whole>(block.substeps, active, steps + splat<lane>(1));
@@ -76,6 +79,7 @@ INGOT_INLINE void warm_start_visit(const SolverView& solver, ContactBlock& block
     if constexpr (rows > 1) {
         const lane twist = cut_to(load(block.twist.j), limit * load(block.twist.radius));
         store_if<whole>(block.twist.j, active, twist);
+        store_if<whole>(block.twist.j_sweep, active, twist);
         add_twist(pair, n, twist, inv_M_A, inv_M_B);
     }
     scatter_bodies(solver, block, lane_bits, pair, &SolverBody::v_CM, &SolverBody::L);

@@ -6,10 +6,7 @@
 namespace ingot { inline namespace INGOT_ABI {
 
 void collide_sphere_sphere(const PlacedShape& A, const PlacedShape& B, scalar margin, Manifold& manifold, const Manifold*) {
-    const Vector d = A.r - B.r;
-    const scalar distance = sqrt(length_sq(d)), radius_B = B.shape.size.x, reach = A.shape.size.x + radius_B;
-    const Vector n = distance > epsilon * reach ? d * (1 / distance) : Vector{1, 0, 0};
-    round_point(n, B.r, distance, reach, radius_B, margin, manifold);
+    ball_on_ball(A.r, A.shape.size.x, B.r, B.shape.size.x, margin, manifold);
 }
 
 void collide_sphere_capsule(const PlacedShape& A, const PlacedShape& B, scalar margin, Manifold& manifold, const Manifold*) {

@@ -2,6 +2,7 @@
 // Small geometry that several routines of the narrow phase share.
 #pragma once
 
+#include "../math/sqrt.h"
 #include "manifold_points.h"
 #include "placed_shape.h"
 
@@ -38,6 +39,14 @@ INGOT_INLINE void round_point(const Vector& n, const Vector& q, scalar distance,
         one_point(n, q + n * (radius_B + s * scalar(0.5)), s, 0, manifold);
     else
         no_points(n, manifold);
+}
+
+/// The manifold of two balls. Centres all but together are pushed apart along x.
+INGOT_INLINE void ball_on_ball(const Vector& r_A, scalar radius_A, const Vector& r_B, scalar radius_B, scalar margin, Manifold& manifold) {
+    const Vector d = r_A - r_B;
+    const scalar distance = sqrt(length_sq(d)), reach = radius_A + radius_B;
+    const Vector n = distance > epsilon * reach ? d * (1 / distance) : Vector{1, 0, 0};
+    round_point(n, r_B, distance, reach, radius_B, margin, manifold);
 }
 
 } }  // namespace ingot

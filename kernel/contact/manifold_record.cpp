@@ -54,14 +54,15 @@ void forget_contacts(const ManifoldView& manifolds, const PairList& found, Bound
     forget_bounds(bounds, slot);
 }
 
-void carry_impulses(ManifoldRecord& record, const Manifold& before) {
-    bool same = record.manifold.count == before.count;
-    for (int point_i = 0; point_i < before.count; ++point_i) same = same && before.points[point_i].feature == record.manifold.points[point_i].feature;
+void carry_impulses(ManifoldRecord& record, const Manifold& next) {
+    const Manifold& before = record.manifold;
+    bool same = next.count == before.count;
+    for (int point_i = 0; point_i < before.count; ++point_i) same = same && before.points[point_i].feature == next.points[point_i].feature;
     if (same) return;
     scalar j[Manifold::points_max] = {}, j_before[Manifold::points_max] = {};
-    for (int point_i = 0; point_i < record.manifold.count; ++point_i) {
+    for (int point_i = 0; point_i < next.count; ++point_i) {
         for (int old_i = 0; old_i < before.count; ++old_i) {
-            if (before.points[old_i].feature != record.manifold.points[point_i].feature) continue;
+            if (before.points[old_i].feature != next.points[point_i].feature) continue;
             j[point_i] = record.j[old_i];
             j_before[point_i] = record.j_before[old_i];
         }

@@ -15,9 +15,14 @@ struct ManifoldRecord {
     scalar j_before[Manifold::points_max];               ///< N s, in the one before
     Vector j_friction, j_reference;                      ///< N s, world; the reference is its slow mean
     scalar j_twist;                                      ///< N m s
-    uint16_t substeps;                                   ///< it has lived, up to 1000
+    uint16_t substeps;                                   ///< it has lived, up to 1000; and calm_bit
     uint16_t next_free;                                  ///< index + 1 of the next free record; 0: none
 };
+
+/// Set in ManifoldRecord::substeps where nothing that touched accelerated in the step before.
+inline constexpr uint16_t calm_bit = 0x8000;
+inline int age_of(const ManifoldRecord& record) { return record.substeps & ~calm_bit; }
+inline bool is_calm(const ManifoldRecord& record) { return (record.substeps & calm_bit) != 0; }
 
 /// The contacts of a world, without their capacity.
 struct ManifoldView {
@@ -42,7 +47,7 @@ void give_back(const ManifoldView& manifolds, uint16_t& record);
 /// A body leaves its slot: nothing is kept of its contacts, and whoever takes the slot next is searched for anew.
 void forget_contacts(const ManifoldView& manifolds, const PairList& found, BoundsTile* bounds, int slot);
 
-/// The impulses of points whose features lived on go with them; new points start from zero.
-void carry_impulses(ManifoldRecord& record, const Manifold& before);
+/// Before the next manifold takes the place of the one on record: impulses of points whose features live on go with them; new points start from zero.
+void carry_impulses(ManifoldRecord& record, const Manifold& next);
 
 } }  // namespace ingot

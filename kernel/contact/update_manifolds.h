@@ -6,10 +6,16 @@
 #include "../base/report.h"
 #include "../math/sqrt.h"
 #include "manifold_record.h"
+#include "../collide/contact_geometry.h"
 #include "../collide/narrow_phase.h"
 #include "manifold_anchors.h"
 
 namespace ingot { inline namespace INGOT_ABI {
+
+INGOT_INLINE Vector r_CM_of(const BodyView& bodies, int slot) {
+    const Place at = place_of(slot);
+    return lane_of(bodies.translation[at.tile].r_CM, at.lane);
+}
 
 INGOT_INLINE BodyFrame frame_of(const BodyView& bodies, int slot) {
     const Place at = place_of(slot);
@@ -88,6 +94,13 @@ INGOT_INLINE bool renew_manifold(const BodyView& bodies, const SurfaceView& surf
 template <class Shapes>
 bool find_manifold(const BodyView& bodies, const SurfaceView& surfaces, const BodyPair& pair, scalar margin, const Manifold& before,
                    Manifold& manifold) {
+    if constexpr (Shapes::has(ShapeKind::sphere)) {  // without the frames and the choice, which for balls are most of the way
+        const Shape &shape_A = surfaces.surfaces[pair.body_A].shape, &shape_B = surfaces.surfaces[pair.body_B].shape;
+        if (shape_A.kind == ShapeKind::sphere && shape_B.kind == ShapeKind::sphere) {
+            ball_on_ball(r_CM_of(bodies, pair.body_A), shape_A.size.x, r_CM_of(bodies, pair.body_B), shape_B.size.x, margin, manifold);
+            return true;
+        }
+    }
     const bool swap = surfaces.surfaces[pair.body_B].shape.kind < surfaces.surfaces[pair.body_A].shape.kind;
     const PlacedShape A = placed_shape(bodies, surfaces, swap ? pair.body_B : pair.body_A);
     const PlacedShape B = placed_shape(bodies, surfaces, swap ? pair.body_A : pair.body_B);
@@ -99,13 +112,13 @@ bool find_manifold(const BodyView& bodies, const SurfaceView& surfaces, const Bo
     return tested;
 }
 
+inline constexpr Manifold no_manifold_before = {};
+
 /// True where the shapes of a pair overlap or touch.
 template <class Shapes>
 bool shapes_overlap(const BodyView& bodies, const SurfaceView& surfaces, const BodyPair& pair) {
-    Manifold before, found_now;
-    before.n = {};
-    before.count = 0;
-    return find_manifold<Shapes>(bodies, surfaces, pair, 0, before, found_now) && found_now.count != 0;
+    Manifold found_now;
+    return find_manifold<Shapes>(bodies, surfaces, pair, 0, no_manifold_before, found_now) && found_now.count != 0;
 }
 
 /// Restitution of a pair is the greater of the two; friction their geometric mean.
@@ -140,10 +153,8 @@ void update_manifolds(const BodyView& bodies, const SurfaceView& surfaces, const
                 continue;
             }
         }
-        Manifold before, found_now;
-        before.n = {};
-        before.count = 0;
-        if (held) before = manifolds.records[pair.record].manifold;
+        Manifold found_now;
+        const Manifold& before = held ? manifolds.records[pair.record].manifold : no_manifold_before;
         if (!find_manifold<Shapes>(bodies, surfaces, pair, margin, before, found_now)) count(report.pairs_untested);
         if (found_now.count == 0 || (fast && fast_pairs.meets_in_flight(pair, found_now))) {
             if (held) give_back(manifolds, pair.record);
@@ -155,11 +166,11 @@ void update_manifolds(const BodyView& bodies, const SurfaceView& surfaces, const
             continue;
         }
         ManifoldRecord& record = manifolds.records[pair.record];
-        record.manifold = found_now;
         if (held)
-            carry_impulses(record, before);
+            carry_impulses(record, found_now);
         else
             mix_materials(surfaces, pair, record);
+        record.manifold = found_now;
         if (manifolds.anchors != nullptr && worth_renewing(surfaces.surfaces[pair.body_A], surfaces.surfaces[pair.body_B]))
             anchor(frame_of(bodies, pair.body_A), frame_of(bodies, pair.body_B), found_now, margin, manifolds.anchors[pair.record]);
         manifolds.pairs[(*manifolds.count)++] = pair;

@@ -177,7 +177,7 @@ bool is_sound(const SavedSurface& surface, bool can_move) {
 bool is_sound(const SavedManifold& saved) {
     const ManifoldRecord& record = saved.record;
     const Manifold& manifold = record.manifold;
-    if (manifold.count < 1 || manifold.count > Manifold::points_max || record.substeps > limits::substeps_kept) return false;
+    if (manifold.count < 1 || manifold.count > Manifold::points_max || age_of(record) > limits::substeps_kept) return false;
     if (abs(length_sq(manifold.n) - 1) > limits::flatness) return false;
     if (!(record.mu >= 0 && record.mu <= limits::friction_max && record.e >= 0 && record.e <= 1)) return false;
     bool sound = is_finite(record.j_friction) && is_finite(record.j_reference) && is_finite(record.j_twist);
