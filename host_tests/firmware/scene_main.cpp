@@ -39,7 +39,7 @@ bool run(const char* name) {
         const uint64_t ticks = clock_ticks() - begin;
         ticks_sum += ticks;
         ticks_worst = ticks > ticks_worst ? ticks : ticks_worst;
-        if (S::continuous) report.flights_cut = 0;  // in a crowd some wait for others
+        if (S::continuous) report.flights_cut = report.spins_clamped = 0;  // in a crowd some wait for others; bullets that scrape along a wall spin
         clean = clean && report.clean();
     }
     if (stack_size_bytes() > 0) stack_bytes = stack_deepest_bytes() - depth;
