@@ -111,6 +111,7 @@ inline constexpr int path_parts_max = 32;              ///< of a whole step
 inline constexpr scalar together_share = scalar(0.25);
 /// Bodies that touch already are looked at without this part of one of them: so deep they may get before they have met again.
 inline constexpr scalar skin_share = scalar(0.1);
+inline constexpr int skins_max = 6;  ///< that are left out, one after another, of bodies that are deeper in each other already
 inline constexpr int impacts_in_step_max = 64;  ///< of fast bodies; those that are left wait for the next step, and are counted
 inline constexpr scalar last_moment = scalar(1e-5);  ///< of a step; what meets later does so in the next
 

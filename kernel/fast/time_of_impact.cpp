@@ -59,7 +59,9 @@ scalar time_open(const Approach& now, const Vector& turn_A, const Vector& turn_B
     return rate * never > 2 * gap ? 2 * gap / rate : never;
 }
 
-Shape core_of(const Shape& shape) { return {shape.kind, shape.size * (1 - limits::skin_share), shape.offset}; }
+Shape core_of(const Shape& shape, int skins) {
+    return {shape.kind, shape.size * (1 - limits::skin_share * static_cast<scalar>(skins)), shape.offset};
+}
 
 /// The ball about the centre that is half as large as the shape is thick.
 Shape ball_in(const Shape& shape) { return Sphere{least_half_extent(shape) * scalar(0.5)}; }
@@ -69,6 +71,7 @@ Shape ball_in(const Shape& shape) { return Sphere{least_half_extent(shape) * sca
 scalar time_of_impact(const BodyPath& path_A, const Shape& A, const BodyPath& path_B, const Shape& B, scalar latest, bool unsolved) {
     scalar t = path_A.from > path_B.from ? path_A.from : path_B.from;
     bool touching = true, deep = false;  // until they are seen apart
+    int skins = 1;
     for (int approach_i = 0; approach_i < limits::approaches_max; ++approach_i) {
         const Approach now = approach_at(path_A, A, path_B, B, t);
         const scalar gap = meeting_gap(now, path_A.r_CM, path_B.r_CM);
@@ -80,8 +83,12 @@ scalar time_of_impact(const BodyPath& path_A, const Shape& A, const BodyPath& pa
         if (!nearest.overlap) plane = plane_between(A_now, now.B, nearest);
         touching = touching && plane.gap <= gap;
         if (touching) {
-            A_now.shape = core_of(A);
+            A_now.shape = core_of(A, skins);
             nearest = closest_points(A_now, now.B);
+            while (nearest.overlap && approach_i == 0 && skins < limits::skins_max) {
+                A_now.shape = core_of(A, ++skins);
+                nearest = closest_points(A_now, now.B);
+            }
             if (nearest.overlap && approach_i == 0) {
                 deep = true;
                 A_now.shape = ball_in(A);
