@@ -24,6 +24,7 @@
 #include "body/kinematics.h"
 #include "body/mass_properties.h"
 #include "body/user_frame.h"
+#include "collide/hull_of_points.h"
 #include "motion/force_fields.h"
 #include "solve/impulse.h"
 #include "world/snapshot.h"

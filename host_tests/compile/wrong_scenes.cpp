@@ -33,6 +33,9 @@
 #pragma GCC diagnostic error "-Wunused-result"
 #endif
 
+inline constexpr auto tetrahedron = ingot::convex_hull<4>({{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}});
+inline constexpr auto flat = ingot::convex_hull<4>({{1, 1, 0}, {1, -1, 0}, {-1, 1, 0}, {-1, -1, 0}});
+
 struct Wrong : ingot::Scene {
 #ifdef NO_BODIES
     static constexpr int max_bodies = 0;
@@ -82,6 +85,40 @@ struct Wrong : ingot::Scene {
 #ifdef COLLIDES_BUT_DOES_NOT_TRANSLATE
     static constexpr int max_contacts = 4;
 #endif
+#ifdef HULLS_OF_IMPACTS
+    static constexpr bool translates = true;
+    static constexpr int max_contacts = 4;
+    using shapes = ingot::Shapes<ingot::Hull>;
+    static constexpr ingot::ConvexHull hulls[] = {tetrahedron.value.view()};
+#endif
+#ifdef HULL_WITHOUT_HULLS
+    static constexpr bool translates = true;
+    static constexpr int max_manifolds = 4;
+    using shapes = ingot::Shapes<ingot::Hull>;
+#endif
+#ifdef HULLS_WITHOUT_HULL
+    static constexpr ingot::ConvexHull hulls[] = {tetrahedron.value.view()};
+#endif
+#ifdef HULL_OF_NOTHING
+    static constexpr bool translates = true;
+    static constexpr int max_manifolds = 4;
+    using shapes = ingot::Shapes<ingot::Hull>;
+    static constexpr ingot::ConvexHull hulls[] = {tetrahedron.value.view(), flat.value.view()};
+#endif
+#ifdef NO_SHAPES_OF_BODY
+    static constexpr int max_shapes_of_body = 0;
+#endif
+#ifdef COMPOUNDS_WITHOUT_CONTACTS
+    static constexpr int max_shapes_of_body = 2;
+#endif
+#ifdef TOO_MANY_SHAPES
+    static constexpr bool translates = true;
+    static constexpr int max_bodies = 20000, max_manifolds = 4, max_shapes_of_body = 4;
+#endif
+#ifdef TOO_MANY_PAIRS_OF_SHAPES
+    static constexpr bool translates = true;
+    static constexpr int max_bodies = 1000, max_manifolds = 4, max_shapes_of_body = 12;
+#endif
 #ifdef FILTERS_WITHOUT_CONTACTS
     static constexpr bool filters = true;
 #endif
@@ -98,6 +135,10 @@ struct Wrong : ingot::Scene {
 #endif
 #ifdef EVENTS_WITHOUT_CONTACTS
     static constexpr int max_events = 4;
+#endif
+#ifdef CONTINUOUS_COMPOUNDS
+    static constexpr bool translates = true, continuous = true;
+    static constexpr int max_manifolds = 4, max_shapes_of_body = 2;
 #endif
 #ifdef CONTINUOUS_WITHOUT_CONTACTS
     static constexpr bool continuous = true;
@@ -167,6 +208,9 @@ int main() {
     static ingot::World<Told> told;
     static uint8_t bytes[4096];
     (void)ingot::save_snapshot(told, bytes, sizeof bytes).ok();
+#endif
+#ifdef SHAPES_WITHOUT_COMPOUNDS
+    (void)world.add({}, nullptr, 0);
 #endif
 #ifdef QUERY_WITHOUT_SHAPES
     (void)world.cast_ray({}, {});

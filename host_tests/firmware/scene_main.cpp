@@ -119,7 +119,9 @@ int main() {
     const bool results[] = {run<scenes::Satellite>("satellite"), run<scenes::THandle>("t_handle"), run<scenes::Tumblers>("tumblers"),
                             run<scenes::Drop>("drop"), keep<scenes::Drop>("snapshot_drop"), keep<scenes::TideOfMethods>("snapshot_tide"),
                             run<scenes::Tower10>("tower_10"), run<scenes::Pyramid55>("pyramid_55"), run<scenes::MixedPile>("mixed_pile"),
-                            run<scenes::BulletRange>("bullet_walls")};
+                            run<scenes::BulletRange>("bullet_walls"),
+                            run<scenes::HullPile>("hull_pile"), keep<scenes::HullPile>("snapshot_hull_pile"),
+                            run<scenes::CompoundPile>("compound_pile"), keep<scenes::CompoundPile>("snapshot_compound_pile")};
     for (bool result : results)
         if (!result) return 1;
     return 0;

@@ -66,18 +66,24 @@ void read_body(Reader& in, unsigned parts) {
         in.vector("F_T");
         in.real("inv_M");
     }
-    if ((parts & Part::surfaces) != 0) {
+    const bool several = (parts & Part::compounds) != 0;
+    const uint64_t shape_count = several ? in.integer("shapes", 1) : (parts & Part::surfaces) != 0 ? 1 : 0;
+    for (uint64_t shape_i = 0; shape_i < shape_count; ++shape_i) {
         (void)in.integer("shape.kind", 1);
         in.vector("shape.size");
         in.real("shape.offset");
         in.real("restitution");
         in.real("friction");
+        if (!several) continue;
+        in.vector("shape.r");
+        in.matrix("shape.A");
+        if ((parts & Part::sensors) != 0) (void)in.integer("sensor", 1);
     }
     if ((parts & Part::filters) != 0) {
         (void)in.integer("filter.category", 4);
         (void)in.integer("filter.mask", 4);
     }
-    if ((parts & Part::sensors) != 0) (void)in.integer("sensor", 1);
+    if ((parts & Part::sensors) != 0 && !several) (void)in.integer("sensor", 1);
 }
 
 void read_manifold(Reader& in, uint16_t parts) {

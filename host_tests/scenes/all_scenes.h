@@ -2,7 +2,9 @@
 // The scenes of tests, demo, budgets and firmware: each one header, used by all of them.
 #pragma once
 
+#include "compounds.h"
 #include "drop.h"
+#include "hulls.h"
 #include "methods.h"
 #include "satellite.h"
 #include "stacked.h"

@@ -18,11 +18,12 @@ INGOT_INLINE constexpr bool meet(const BodyFilter& A, const BodyFilter& B) {
     return (A.category & B.mask) != 0 && (B.category & A.mask) != 0;
 }
 
-/// The filters of all slots of a scene that has them.
+/// The filters of all bodies of a scene that has them, asked for by slot; where a body has several shapes, by the slot of a shape.
+template <int shapes_of_body = 1>
 struct FilterView {
     const BodyFilter* filters;
-    const BodyFilter& of(int slot) const { return filters[slot]; }
-    bool let_meet(int slot_A, int slot_B) const { return meet(filters[slot_A], filters[slot_B]); }
+    const BodyFilter& of(int slot) const { return filters[slot / shapes_of_body]; }
+    bool let_meet(int slot_A, int slot_B) const { return meet(of(slot_A), of(slot_B)); }
 };
 
 /// The filters of a scene that has none: the same questions, answered when it is compiled.

@@ -6,10 +6,10 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// Shape and material of each body slot; kind `none` where no body lives.
+/// Shape and material of each body slot, or of each shape slot (see compound.h); kind `none` where no body lives.
 struct Surface {
     Shape shape;
-    scalar bounding_radius;  ///< m, about the centre of mass; 0 for a half space
+    scalar bounding_radius;  ///< m, about the centre of mass of the body; 0 for a half space
     scalar e;                ///< restitution 0 .. 1; of a pair the larger counts
     scalar mu;               ///< coefficient of friction; of a pair the geometric mean counts
 };

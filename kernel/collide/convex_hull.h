@@ -31,4 +31,19 @@ struct ConvexHull {
     scalar inner_radius;  ///< m, of the ball about the centre that the hull holds
 };
 
+/// The hulls of a scene, in flash. A body has the number of its hull, no pointer: so a world can be copied, and read by another machine.
+struct HullTable {
+    const ConvexHull* hulls;
+    int count;
+};
+
+/// The hulls of a scene that names none.
+struct NoHulls {};
+
+constexpr HullTable table_of(const NoHulls&) { return {nullptr, 0}; }
+template <unsigned N>
+constexpr HullTable table_of(const ConvexHull (&hulls)[N]) {
+    return {hulls, static_cast<int>(N)};
+}
+
 } }  // namespace ingot

@@ -4,7 +4,13 @@
 //     constexpr auto rock = ingot::convex_hull<6>({{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}});
 //     static_assert(rock.ok());
 //     static constexpr ingot::ConvexHull shape = rock.value.view();        // rock must have static storage
-//     constexpr auto mass = ingot::solid_hull(2600, rock.value.view());
+//     constexpr auto mass = ingot::principal(ingot::solid_hull(2600, rock.value.view()).value);
+//
+// A body's hull is seen from its centre of mass, along its principal axes; convex_hull_of_body brings points of any frame there:
+//
+//     constexpr auto body = ingot::convex_hull_of_body<6>({...}, mass.value);
+//     struct Rocks : ingot::Scene { ... static constexpr ingot::ConvexHull hulls[] = {body.value.view()}; };
+//     def.shape = ingot::hull_of<Rocks>(0);
 #pragma once
 
 #include "../base/limits.h"
@@ -273,6 +279,15 @@ constexpr Result<HullOf<room>> convex_hull(const Vector (&points)[room]) {
         if (hull.vertex_count - hull.edge_count + hull.face_count != 2) return {Status::bad_shape, {}};
     }
     return result;
+}
+
+/// The same hull in the frame of the body that has this mass, origin at the centre of mass and axes along the principal ones: what
+/// Scene::hulls holds. Errors: as convex_hull.
+template <unsigned room>
+constexpr Result<HullOf<room>> convex_hull_of_body(const Vector (&points)[room], const MassProperties& mass) {
+    Vector in_body[room] = {};
+    for (unsigned i = 0; i < room; ++i) in_body[i] = transpose_times(mass.A_principal, points[i] - mass.r_CM);
+    return convex_hull(in_body);
 }
 
 /// Mass, centre of mass and inertia of a hull, in the frame of its points. Errors: as solid_mesh.

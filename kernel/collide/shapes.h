@@ -15,7 +15,7 @@ enum class ShapeKind : uint8_t { none, sphere, capsule, box, cylinder, hull, hal
 struct Shape {
     ShapeKind kind;
     /// sphere: radius, 0, 0; box: half extents; half space: outward unit normal; capsule, cylinder: radius, half length, 0;
-    /// hull: radius of the ball about the origin that holds it, 0, 0
+    /// hull: radius of the ball about the origin that holds it, its number in Scene::hulls, 0
     Vector size;
     scalar offset;  ///< half space: distance of its face from the origin along the normal; else 0
 };
@@ -57,12 +57,13 @@ struct Cylinder {
     constexpr operator Shape() const { return {kind, {radius, half_length, 0}, 0}; }
 };
 
-/// A convex polyhedron: its form is a ConvexHull, kept by whoever places the shape; the radius of the ball about the origin
-/// that holds it is ConvexHull::radius, limits::size_min .. size_max.
+/// A convex polyhedron: its form is a ConvexHull, of a body Scene::hulls[form], of a query whatever PlacedShape::hull points to. The
+/// radius of the ball about the origin that holds it is ConvexHull::radius, limits::size_min .. size_max. See hull_of.
 struct Hull {
     static constexpr ShapeKind kind = ShapeKind::hull;
     scalar radius;
-    constexpr operator Shape() const { return {kind, {radius, 0, 0}, 0}; }
+    int form = 0;
+    constexpr operator Shape() const { return {kind, {radius, static_cast<scalar>(form), 0}, 0}; }
 };
 
 /// The shapes a scene names: `using shapes = ingot::Shapes<ingot::Sphere, ingot::HalfSpace>;`. Only their tests are linked.

@@ -71,7 +71,7 @@ BodyId name_A(const PairOfBodies& pair, uint16_t world_tag) { return {pair.body_
 BodyId name_B(const PairOfBodies& pair, uint16_t world_tag) { return {pair.body_B, world_tag, pair.generation_B}; }
 
 Event event_of(EventKind kind, const PairOfBodies& pair, uint16_t world_tag, const Manifold& manifold, const ImpactNote& note) {
-    return {kind, name_A(pair, world_tag), name_B(pair, world_tag), manifold.points[note.point].P, manifold.n, note.speed};
+    return {kind, 0, 0, name_A(pair, world_tag), name_B(pair, world_tag), manifold.points[note.point].P, manifold.n, note.speed};
 }
 
 }  // namespace
@@ -100,7 +100,7 @@ void tell_missing(const PairOfBodiesList& before, const PairOfBodiesList& now, E
     Finger finger{now};
     for (int pair_i = 0; pair_i < *before.count; ++pair_i) {
         const PairOfBodies& pair = before.pairs[pair_i];
-        if (!finger.finds(pair)) events.add({kind, name_A(pair, world_tag), name_B(pair, world_tag), {}, {}, 0});
+        if (!finger.finds(pair)) events.add({kind, 0, 0, name_A(pair, world_tag), name_B(pair, world_tag), {}, {}, 0});
     }
 }
 

@@ -8,6 +8,7 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
+/// Of bodies of several shapes each pair of shapes begins, ends and hits by itself.
 enum class EventKind : uint8_t {
     begin,  ///< A and B touch, and did not in the step before
     end,    ///< they touch no more, or one of them is removed: its id is stale then
@@ -18,6 +19,7 @@ enum class EventKind : uint8_t {
 
 struct Event {
     EventKind kind;
+    uint8_t shape_A, shape_B;  ///< which of their shapes, where a body has several; else 0
     BodyId A, B;
     Vector P;      ///< m, world, of the point that met fastest, at the begin of the step; begin and hit
     Vector n;      ///< unit, from B to A; begin and hit
@@ -48,6 +50,18 @@ struct EventList {
             ingot::count(*lost);
     }
 };
+
+/// Events of shape slots become events of bodies and the numbers of their shapes.
+template <int shapes_of_body>
+void name_bodies(const EventList& events) {
+    for (int event_i = 0; event_i < *events.count; ++event_i) {
+        Event& event = events.events[event_i];
+        event.shape_A = static_cast<uint8_t>(event.A.slot % shapes_of_body);
+        event.shape_B = static_cast<uint8_t>(event.B.slot % shapes_of_body);
+        event.A.slot = static_cast<uint16_t>(event.A.slot / shapes_of_body);
+        event.B.slot = static_cast<uint16_t>(event.B.slot / shapes_of_body);
+    }
+}
 
 /// What is noted of a manifold during a step.
 struct ImpactNote {

@@ -8,6 +8,7 @@
 #include "manifold_record.h"
 #include "../collide/contact_geometry.h"
 #include "../collide/narrow_phase.h"
+#include "../collide/placed_body.h"
 #include "manifold_anchors.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -20,12 +21,6 @@ INGOT_INLINE Vector r_CM_of(const BodyView& bodies, int slot) {
 INGOT_INLINE BodyFrame frame_of(const BodyView& bodies, int slot) {
     const Place at = place_of(slot);
     return {lane_of(bodies.translation[at.tile].r_CM, at.lane), lane_of(bodies.rotation[at.tile].A, at.lane)};
-}
-
-INGOT_INLINE PlacedShape placed_shape(const BodyView& bodies, const SurfaceView& surfaces, int slot) {
-    const Place at = place_of(slot);
-    return {surfaces.surfaces[slot].shape, lane_of(bodies.translation[at.tile].r_CM, at.lane),
-            lane_of(bodies.rotation[at.tile].A, at.lane), nullptr};
 }
 
 /// How far apart two bodies may be and still have a manifold: what they can travel towards each other in the step, and a little.
@@ -49,7 +44,7 @@ INGOT_INLINE scalar margin_of_fast(const BodyView& bodies, const BodyPair& pair)
 }
 
 /// The routine for the two shapes; A has the kind that comes first. Only the routines of shapes that the scene names are linked.
-/// False for a pair that has none: hulls, until bodies can say which.
+/// False for a pair that has none.
 template <class Shapes>
 bool collide_shapes(const PlacedShape& A, const PlacedShape& B, scalar margin, Manifold& manifold, const Manifold& before) {
     manifold.n = {};
@@ -61,16 +56,22 @@ bool collide_shapes(const PlacedShape& A, const PlacedShape& B, scalar margin, M
     INGOT_PAIR(sphere, capsule);
     INGOT_PAIR(sphere, box);
     INGOT_PAIR(sphere, cylinder);
+    INGOT_PAIR(sphere, hull);
     INGOT_PAIR(sphere, half_space);
     INGOT_PAIR(capsule, capsule);
     INGOT_PAIR(capsule, box);
     INGOT_PAIR(capsule, cylinder);
+    INGOT_PAIR(capsule, hull);
     INGOT_PAIR(capsule, half_space);
     INGOT_PAIR(box, box);
     INGOT_PAIR(box, cylinder);
+    INGOT_PAIR(box, hull);
     INGOT_PAIR(box, half_space);
     INGOT_PAIR(cylinder, cylinder);
+    INGOT_PAIR(cylinder, hull);
     INGOT_PAIR(cylinder, half_space);
+    INGOT_PAIR(hull, hull);
+    INGOT_PAIR(hull, half_space);
 #undef INGOT_PAIR
     return false;
 }
@@ -81,11 +82,12 @@ INGOT_INLINE bool worth_renewing(const Surface& A, const Surface& B) {
 }
 
 /// The manifold of the step before, moved along with the bodies; false if it has to be found anew.
+template <class Shapes>
 INGOT_INLINE bool renew_manifold(const BodyView& bodies, const SurfaceView& surfaces, const BodyPair& pair, scalar margin,
                                  const ManifoldAnchors& anchors, Manifold& manifold) {
     const Surface &A = surfaces.surfaces[pair.body_A], &B = surfaces.surfaces[pair.body_B];
     if (!worth_renewing(A, B)) return false;
-    const scalar R_A = A.bounding_radius, R_B = B.bounding_radius;  // 0: a half space
+    const scalar R_A = Shapes::radius_of(A), R_B = Shapes::radius_of(B);  // 0: a half space
     const scalar R = R_A == 0 ? R_B : R_B == 0 || R_A < R_B ? R_A : R_B;
     return renew_from_anchors(frame_of(bodies, pair.body_A), frame_of(bodies, pair.body_B), limits::recycled_slip * R, margin, anchors, manifold);
 }
@@ -102,8 +104,8 @@ bool find_manifold(const BodyView& bodies, const SurfaceView& surfaces, const Bo
         }
     }
     const bool swap = surfaces.surfaces[pair.body_B].shape.kind < surfaces.surfaces[pair.body_A].shape.kind;
-    const PlacedShape A = placed_shape(bodies, surfaces, swap ? pair.body_B : pair.body_A);
-    const PlacedShape B = placed_shape(bodies, surfaces, swap ? pair.body_A : pair.body_B);
+    const PlacedShape A = placed_body<Shapes>(bodies, surfaces, swap ? pair.body_B : pair.body_A);
+    const PlacedShape B = placed_body<Shapes>(bodies, surfaces, swap ? pair.body_A : pair.body_B);
     if (!swap) return collide_shapes<Shapes>(A, B, margin, manifold, before);
     Manifold seen = before;
     seen.n = -seen.n;
@@ -128,6 +130,15 @@ INGOT_INLINE void mix_materials(const SurfaceView& surfaces, const BodyPair& pai
     record.mu = sqrt(A.mu * B.mu);
 }
 
+/// The same contacts as the solver knows them: by bodies, where pairs are of shape slots.
+template <int shapes_of_body>
+void name_bodies(const ManifoldView& manifolds, BodyPair* body_pairs) {
+    for (int pair_i = 0; pair_i < *manifolds.count; ++pair_i) {
+        const BodyPair& pair = manifolds.pairs[pair_i];
+        body_pairs[pair_i] = {static_cast<uint16_t>(pair.body_A / shapes_of_body), static_cast<uint16_t>(pair.body_B / shapes_of_body), pair.record};
+    }
+}
+
 /// Manifolds of all pairs of the last search, those of the step before renewed; manifolds.pairs are those that touch.
 ///
 /// Pairs that the rules of the scene keep apart have none: see pair_rules.h.
@@ -148,7 +159,7 @@ void update_manifolds(const BodyView& bodies, const SurfaceView& surfaces, const
         const bool fast = fast_pairs.has(pair);
         const scalar margin = fast ? margin_of_fast(bodies, pair) : margin_of(bodies, bounds, pair, h);
         if (held && !fast && manifolds.anchors != nullptr) {
-            if (renew_manifold(bodies, surfaces, pair, margin, manifolds.anchors[pair.record], manifolds.records[pair.record].manifold)) {
+            if (renew_manifold<Shapes>(bodies, surfaces, pair, margin, manifolds.anchors[pair.record], manifolds.records[pair.record].manifold)) {
                 manifolds.pairs[(*manifolds.count)++] = pair;
                 continue;
             }

@@ -14,7 +14,7 @@ Vector absolute(const Vector& v) { return {abs(v.x), abs(v.y), abs(v.z)}; }
 /// Half extents along the world axes.
 Vector reach_of(const Surface& surface, const Matrix& A) {
     const Vector& size = surface.shape.size;
-    const scalar R = surface.bounding_radius;
+    const scalar R = size.x;  // of a ball, and of that which holds a hull
     switch (surface.shape.kind) {
         case ShapeKind::box: return absolute(A.c0) * size.x + absolute(A.c1) * size.y + absolute(A.c2) * size.z;
         case ShapeKind::capsule: return absolute(A.c2) * size.y + Vector{size.x, size.x, size.x};

@@ -4,20 +4,12 @@
 
 #include "../base/limits.h"
 #include "../body/body_tiles.h"
-#include "../collide/bounds.h"
-#include "../collide/placed_shape.h"
+#include "../collide/placed_body.h"
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpsabi"  // see lanes.h
 
 namespace ingot { inline namespace INGOT_ABI {
-
-/// The body of a slot as the narrow phase takes it. The form of a hull is not known here.
-INGOT_INLINE PlacedShape placed_body(const BodyView& bodies, const SurfaceView& surfaces, int slot) {
-    const Place at = place_of(slot);
-    return {surfaces.surfaces[slot].shape, lane_of(bodies.translation[at.tile].r_CM, at.lane),
-            lane_of(bodies.rotation[at.tile].A, at.lane), nullptr};
-}
 
 /// The balls of one tile: whose numbers count, and who is everywhere.
 struct BallsOfTile {
@@ -37,7 +29,7 @@ INGOT_INLINE BallsOfTile balls_of_tile(const SurfaceView& surfaces, int tile_i) 
         radius[lane_i] = surface.bounding_radius;
         if (kind == ShapeKind::half_space)
             balls.everywhere |= 1u << lane_i;
-        else if (kind != ShapeKind::none && kind != ShapeKind::hull)
+        else if (kind != ShapeKind::none)
             balls.there |= 1u << lane_i;
     }
     balls.radius = load(radius);

@@ -40,7 +40,7 @@ SlotHit cast_ray(const BodyView& bodies, const SurfaceView& surfaces, const Vect
     SlotHit hit = {no_slot, 1, from + way, {}};
     look_along(bodies, surfaces, point, [&](int slot) {
         if (!sees(slot)) return;
-        const PlacedShape body = placed_body(bodies, surfaces, slot);
+        const PlacedShape body = placed_body<Shapes>(bodies, surfaces, slot);
         const RayEntry entry = ray_on_shape<Shapes>(body, {transpose_times(body.A, from - body.r), transpose_times(body.A, way)});
         if (!entry.meets || (hit.slot != no_slot && !(entry.fraction < hit.fraction))) return;
         const Vector n = length_sq(entry.n) > 0 ? body.A * entry.n : way * (-1 / sqrt(length_sq(way)));

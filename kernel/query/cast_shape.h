@@ -22,13 +22,13 @@ struct ShapeEntry {
 ShapeEntry cast_on_shape(const PlacedShape& moving, const Vector& way, const PlacedShape& B, scalar fraction_max);
 
 /// The body that a moving shape meets first; see cast_ray.
-template <class Sees>
+template <class Shapes, class Sees>
 SlotHit cast_shape(const BodyView& bodies, const SurfaceView& surfaces, const PlacedShape& moving, const Vector& way, const Sees& sees) {
     MovingBall ball = {moving.r, way, bounding_radius(moving.shape), 1};
     SlotHit hit = {no_slot, 1, moving.r + way, {}};
     look_along(bodies, surfaces, ball, [&](int slot) {
         if (!sees(slot)) return;
-        const ShapeEntry entry = cast_on_shape(moving, way, placed_body(bodies, surfaces, slot), ball.fraction);
+        const ShapeEntry entry = cast_on_shape(moving, way, placed_body<Shapes>(bodies, surfaces, slot), ball.fraction);
         if (!entry.meets || (hit.slot != no_slot && !(entry.fraction < hit.fraction))) return;
         hit = {slot, entry.fraction, entry.P, entry.n};
         ball.fraction = entry.fraction;

@@ -25,6 +25,7 @@ void point_on_shape(const PlacedShape& point, const PlacedShape& s, Manifold& ma
     INGOT_POINT(capsule);
     INGOT_POINT(box);
     INGOT_POINT(cylinder);
+    INGOT_POINT(hull);
     INGOT_POINT(half_space);
 #undef INGOT_POINT
 }
@@ -38,7 +39,7 @@ SlotNearest find_nearest(const BodyView& bodies, const SurfaceView& surfaces, co
     look_about(bodies, surfaces, point, nearest.distance, [&](int slot) {
         if (!sees(slot)) return;
         Manifold manifold;
-        point_on_shape<Shapes>(ball, placed_body(bodies, surfaces, slot), manifold);
+        point_on_shape<Shapes>(ball, placed_body<Shapes>(bodies, surfaces, slot), manifold);
         if (manifold.count == 0) return;
         const scalar distance = manifold.points[0].separation;
         if (!(nearest.slot == no_slot ? distance <= nearest.distance : distance < nearest.distance)) return;

@@ -21,6 +21,7 @@ struct QueryHit {
     scalar fraction;  ///< of the way, 0 .. 1; 1 if it meets none
     Vector P;         ///< m, world: on the body; the end of the way if it meets none
     Vector n;         ///< unit, away from the body; where the way begins inside, against the motion; zero if it meets none
+    int shape;        ///< which of the body's shapes, where it has several; else 0
 
     constexpr bool found() const { return body.generation != 0; }
 };
@@ -31,6 +32,7 @@ struct QueryNearest {
     scalar distance;  ///< m, from its surface; negative inside
     Vector P;         ///< m, world: on its surface
     Vector n;         ///< unit, out of the body
+    int shape;        ///< which of the body's shapes, where it has several; else 0
 
     constexpr bool found() const { return body.generation != 0; }
 };

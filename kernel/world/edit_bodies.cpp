@@ -107,6 +107,35 @@ Status check_surface(const BodyDef& def) {
     return status;
 }
 
+Status check_mass_frame(const MassProperties& mass) {
+    const Status status = check_vector(mass.r_CM, limits::position_max);
+    return status == Status::ok ? check_rotation(mass.A_principal) : status;
+}
+
+Status check_place(const ShapeDef& part, const MassProperties& mass) {
+    if (part.shape.kind == ShapeKind::none) return Status::bad_shape;
+    Status status = check_vector(part.r, limits::position_max);
+    if (status == Status::ok) status = check_rotation(part.A);
+    if (status != Status::ok) return status;
+    const ShapePlace place = place_in_body(part, mass);
+    status = check_vector(place.r, limits::position_max);
+    return status == Status::ok ? check_rotation(place.A) : status;
+}
+
+BodyDef with_shape(const BodyDef& def, const ShapeDef& part) {
+    BodyDef one = def;
+    one.shape = part.shape;
+    one.restitution = part.restitution;
+    one.friction = part.friction;
+    one.sensor = part.sensor;
+    return one;
+}
+
+scalar radius_about_body(const Shape& shape, const ShapePlace& place) {
+    if (shape.kind == ShapeKind::half_space) return 0;
+    return (sqrt(length_sq(place.r)) + bounding_radius(shape)) * (1 + 4 * epsilon);  // its roundings
+}
+
 void write_surface(Surface& to, const BodyDef& def) {
     to.shape.kind = def.shape.kind;
     to.shape.size.x = def.shape.size.x;

@@ -5,6 +5,7 @@
 #include "../body/check_body.h"
 #include "../body/body_tiles.h"
 #include "../collide/bounds.h"
+#include "../collide/compound.h"
 #include "body_def.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -13,6 +14,17 @@ namespace ingot { inline namespace INGOT_ABI {
 Status check_definition(const BodyDef& def, bool scene_translates, bool scene_has_shape);
 /// Shape and restitution, for scenes that have surfaces.
 Status check_surface(const BodyDef& def);
+
+// Bodies of several shapes: see collide/compound.h.
+
+/// Where the user's frame lies in the body's. Errors: not_finite, out_of_range, not_a_rotation.
+Status check_mass_frame(const MassProperties& mass);
+/// Errors: bad_shape (none), not_finite, out_of_range, not_a_rotation.
+Status check_place(const ShapeDef& part, const MassProperties& mass);
+/// The definition of a body that has this shape alone.
+BodyDef with_shape(const BodyDef& def, const ShapeDef& part);
+/// Of the ball about the centre of mass that holds the shape, m; 0 for a half space.
+scalar radius_about_body(const Shape& shape, const ShapePlace& place);
 
 /// Number by number: what lies between them in memory stays zero, so that equal worlds are equal bytes.
 void write_surface(Surface& to, const BodyDef& def);

@@ -3,7 +3,7 @@
 
 #include "../pairs/all_pairs.h"
 #include "../pairs/sorted_tree.h"
-#include "../collide/shapes.h"
+#include "../collide/compound.h"
 #include "../motion/driven_flight.h"
 #include "../motion/exact_elliptic.h"
 #include "../motion/lie_midpoint.h"
@@ -38,6 +38,8 @@ struct Scene {
     static constexpr bool continuous   = false;  ///< fast bodies are followed within a step, impact by impact: none passes through another
     using broad_phase = AllPairs;                ///< or SortedTree, for many bodies
     using shapes   = Shapes<>;
+    static constexpr NoHulls hulls = {};         ///< or `static constexpr ConvexHull hulls[]`, in flash: the forms of its Hull shapes, in body frames
+    static constexpr int max_shapes_of_body = 1; ///< 1 .. 255; more: World::add takes several shapes for one body, see collide/compound.h
     using rotation = MoserVeselov;               ///< or another method of motion/
     using force_field = NoForceField;            ///< or one of motion/force_fields.h, or your own
     using flight   = KickDriftKick;              ///< or another scheme of motion/driven_flight.h, for scenes with a field
@@ -50,6 +52,58 @@ template <class S>
 inline constexpr bool stacks = S::max_manifolds > 0;
 template <class S>
 inline constexpr bool has_shapes = collides<S> || stacks<S>;
+
+/// The hulls a scene names.
+template <class S>
+inline constexpr HullTable hulls_of = table_of(S::hulls);
+template <class S>
+constexpr bool are_hulls() {
+    for (int form = 0; form < hulls_of<S>.count; ++form)
+        if (!(hulls_of<S>.hulls[form].face_count >= 4 && hulls_of<S>.hulls[form].radius > 0)) return false;
+    return true;
+}
+
+/// The hull of this number as a shape of a body. One that the scene has not is refused by World::add as bad_shape.
+template <class S>
+constexpr Hull hull_of(int form) {
+    return {form >= 0 && form < hulls_of<S>.count ? hulls_of<S>.hulls[form].radius : scalar(0), form};
+}
+
+template <class S>
+inline constexpr bool has_compounds = S::max_shapes_of_body > 1;
+/// Slots of shapes: those of the bodies, where each has one shape.
+template <class S>
+inline constexpr int shape_capacity = S::max_bodies * S::max_shapes_of_body;
+
+/// Pairs that a search may find: shapes of one body too, which are dropped then.
+template <class S>
+inline constexpr long long pairs_with_own =
+    (S::max_pairs != 0 ? S::max_pairs : 2LL * S::max_manifolds) + static_cast<long long>(S::max_bodies) * S::max_shapes_of_body * (S::max_shapes_of_body - 1) / 2;
+
+/// The shapes of a scene as narrow phase and queries ask for them: which there are, and the form of a hull.
+template <class S>
+struct ShapesOf : S::shapes {
+    static const ConvexHull* hull_of([[maybe_unused]] const Shape& shape) {
+        if constexpr (hulls_of<S>.count > 0)
+            if (shape.kind == ShapeKind::hull) return hulls_of<S>.hulls + static_cast<int>(shape.size.y);
+        return nullptr;
+    }
+    /// Of the ball that holds the shape, m; 0: a half space.
+    static scalar radius_of(const Surface& surface) {
+        if constexpr (has_compounds<S>) return ingot::bounding_radius(surface.shape);
+        return surface.bounding_radius;
+    }
+    /// False for a hull whose number and size are those of none of the scene's.
+    static constexpr bool names_its_hull([[maybe_unused]] const Shape& shape) {
+        if constexpr (hulls_of<S>.count > 0) {
+            if (shape.kind != ShapeKind::hull) return true;
+            if (!(shape.size.y >= 0 && shape.size.y < static_cast<scalar>(hulls_of<S>.count))) return false;
+            const int form = static_cast<int>(shape.size.y);
+            return static_cast<scalar>(form) == shape.size.y && shape.size.x == hulls_of<S>.hulls[form].radius;
+        }
+        return true;
+    }
+};
 
 template <class S>
 inline constexpr bool has_sensors = S::max_overlaps > 0;
@@ -81,8 +135,20 @@ constexpr bool check_scene() {
     static_assert(!stacks<S> || !S::rotation::as_printed, "Listing 1 has no contacts with friction: name another rotation, or max_contacts");
     static_assert(!stacks<S> || S::translates, "bodies that touch move: set translates = true, or max_manifolds = 0");
     static_assert(!collides<S> || S::translates, "bodies that collide move: set translates = true, or max_contacts = 0");
+    static_assert(!S::shapes::has(ShapeKind::hull) || stacks<S>, "hulls are for contacts with friction: set max_manifolds, or name no Hull");
+    static_assert(!S::shapes::has(ShapeKind::hull) || hulls_of<S>.count > 0, "a scene with Hull among its shapes says which: set hulls");
+    static_assert(S::shapes::has(ShapeKind::hull) || hulls_of<S>.count == 0, "a scene with hulls has Hull among its shapes: set shapes");
+    static_assert(are_hulls<S>(), "one of the hulls is none: ask convex_hull for the status");
+    static_assert(S::max_shapes_of_body >= 1 && S::max_shapes_of_body <= 255, "a body has 1 to 255 shapes: set max_shapes_of_body");
+    static_assert(!has_compounds<S> || stacks<S>, "several shapes of a body are for contacts with friction: set max_manifolds, or max_shapes_of_body = 1");
+    static_assert(!has_compounds<S> || (S::max_bodies <= 65535 && S::max_shapes_of_body <= 65535 / S::max_bodies),
+                  "a scene holds up to 65535 shapes, max_shapes_of_body for each body: lower it, or max_bodies");
+    static_assert(!has_compounds<S> || pairs_with_own<S> <= 65535,
+                  "a scene holds up to 65535 pairs of shapes, those within each body among them: lower max_pairs, max_bodies or max_shapes_of_body");
     static_assert(!S::filters || stacks<S>, "filters are for contacts with friction: set max_manifolds, or filters = false");
     static_assert(!S::continuous || stacks<S>, "fast bodies are followed in scenes of contacts with friction: set max_manifolds, or continuous = false");
+    static_assert(!S::continuous || (!has_compounds<S> && !S::shapes::has(ShapeKind::hull)),
+                  "fast bodies are followed where each has one shape, and none is a hull: set continuous = false");
     static_assert(S::max_overlaps >= 0 && S::max_overlaps <= 65535, "a scene notes 0 to 65535 overlaps with sensors: set max_overlaps");
     static_assert(!has_sensors<S> || stacks<S>, "sensors are for scenes of contacts with friction: set max_manifolds, or max_overlaps = 0");
     static_assert(S::max_events >= 0 && S::max_events <= 65535, "a scene tells 0 to 65535 events in a step: set max_events");

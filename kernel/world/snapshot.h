@@ -73,9 +73,31 @@ constexpr size_t saved_body_size() {
     SavedSurface surface{};
     BodyFilter filter{};
     uint8_t sensor = 0;
-    if (has_shapes<S>) surface.numbers(counter);
+    if (has_compounds<S>) counter(sensor);  // as wide as the count of shapes
+    if (has_shapes<S> && !has_compounds<S>) surface.numbers(counter);
     if (S::filters) saved_filter_numbers(counter, filter);
-    if (has_sensors<S>) counter(sensor);
+    if (has_sensors<S> && !has_compounds<S>) counter(sensor);
+    return counter.count();
+}
+/// One shape of a body of several.
+struct SavedShape {
+    SavedSurface surface;
+    ShapePlace place;
+    uint8_t sensor;
+
+    template <class Stream>
+    constexpr void numbers(Stream& each, bool has_sensors) {
+        surface.numbers(each);
+        each(place.r);
+        each(place.A);
+        if (has_sensors) each(sensor);
+    }
+};
+template <class S>
+constexpr size_t saved_shape_size() {
+    ByteCounter counter;
+    SavedShape shape{};
+    if (has_compounds<S>) shape.numbers(counter, has_sensors<S>);
     return counter.count();
 }
 template <class S>
@@ -86,18 +108,19 @@ constexpr size_t saved_manifold_size() {
     return counter.count();
 }
 template <class S>
-constexpr size_t snapshot_size_of(size_t slots_used, size_t living, size_t manifolds) {
+constexpr size_t snapshot_size_of(size_t slots_used, size_t living, size_t shapes, size_t manifolds) {
     ByteCounter counter;
     SavedWorld<S> world{};
     world.numbers(counter);
     return snapshot_header_size() + counter.count() + saved_field_size<S>() + slots_used * sizeof(uint32_t) +
-           living * saved_body_size<S>() + (stacks<S> ? sizeof(uint16_t) + manifolds * saved_manifold_size<S>() : 0) + snapshot_checksum_size;
+           living * saved_body_size<S>() + shapes * saved_shape_size<S>() + (stacks<S> ? sizeof(uint16_t) + manifolds * saved_manifold_size<S>() : 0) + snapshot_checksum_size;
 }
 
 /// Bytes that a snapshot of any world of the scene fits in: that of a full one.
 template <class S>
 constexpr size_t snapshot_size() {
-    return snapshot_size_of<S>(static_cast<size_t>(S::max_bodies), static_cast<size_t>(S::max_bodies), static_cast<size_t>(S::max_manifolds));
+    return snapshot_size_of<S>(static_cast<size_t>(S::max_bodies), static_cast<size_t>(S::max_bodies), static_cast<size_t>(shape_capacity<S>),
+                               static_cast<size_t>(S::max_manifolds));
 }
 
 template <class S>
@@ -113,6 +136,7 @@ constexpr uint16_t snapshot_parts() {
     if (has_sensors<S>) parts |= SnapshotPart::sensors;
     if (stacks<S>) parts |= SnapshotPart::manifolds;
     if (stacks<S> && S::renews_manifolds) parts |= SnapshotPart::anchors;
+    if (has_compounds<S>) parts |= SnapshotPart::compounds;
     return static_cast<uint16_t>(parts);
 }
 
@@ -123,7 +147,7 @@ template <class Method>
 inline constexpr int order_of<Method, decltype(static_cast<void>(Method::order))> = Method::order;
 
 /// A number for all that makes snapshots of two scenes differ in their bytes or in the steps that follow: the scalar,
-/// capacities, shapes, names and orders of the methods. (Two limits of substeps are one number.)
+/// capacities, shapes, hulls to a nanometre, names and orders of the methods. (Two limits of substeps are one number.)
 template <class S>
 constexpr uint64_t scene_signature() {
     uint64_t hash = state_hash_seed;
@@ -141,6 +165,16 @@ constexpr uint64_t scene_signature() {
     add(static_cast<uint64_t>(S::max_pairs));
     for (int kind = 0; kind <= static_cast<int>(ShapeKind::half_space); ++kind)
         add(S::shapes::has(static_cast<ShapeKind>(kind)) ? 1 : 0);
+    if (has_compounds<S>) add(static_cast<uint64_t>(S::max_shapes_of_body));
+    for (int form = 0; form < hulls_of<S>.count; ++form) {
+        const ConvexHull& hull = hulls_of<S>.hulls[form];
+        const auto add_length = [&add](scalar metres) { add(static_cast<uint64_t>(static_cast<int64_t>(metres * scalar(1 << 30)))); };
+        for (int vertex_i = 0; vertex_i < hull.vertex_count; ++vertex_i) {
+            add_length(hull.vertices[vertex_i].x);
+            add_length(hull.vertices[vertex_i].y);
+            add_length(hull.vertices[vertex_i].z);
+        }
+    }
     add_name(S::rotation::name);
     add_name(S::flight::name);
     add(static_cast<uint64_t>(order_of<typename S::rotation>));
@@ -164,7 +198,9 @@ void write_manifolds(ByteWriter& writer, const Storage<S>& storage) {
     for (int pair_i = 0; pair_i < count; ++pair_i) {
         const BodyPair& pair = storage.pairs[pair_i];
         SavedManifold saved{pair.body_A, pair.body_B, storage.records[pair.record], {}};
-        if constexpr (S::renews_manifolds) saved.anchors = storage.anchors[pair.record];
+        if constexpr (S::renews_manifolds)  // what is not known is what the record had before
+            if (storage.anchors[pair.record].margin > 0) saved.anchors = storage.anchors[pair.record];
+        for (int point_i = saved.record.manifold.count; point_i < Manifold::points_max; ++point_i) saved.record.manifold.points[point_i] = {};  // never written
         saved.numbers(writer, S::renews_manifolds);
     }
 }
@@ -180,13 +216,59 @@ Status read_manifolds(ByteReader& reader, uint32_t slots_used, Storage<S>* to) {
         SavedManifold saved{};
         saved.numbers(reader, S::renews_manifolds);
         const BodyPair pair{saved.body_A, saved.body_B, record};
-        if (!is_sound(saved) || pair.body_A >= pair.body_B || pair.body_B >= slots_used || pair.key() <= key_before) return Status::bad_snapshot;
+        if (!is_sound(saved) || pair.body_A >= pair.body_B || pair.body_B >= slots_used * S::max_shapes_of_body || pair.key() <= key_before) return Status::bad_snapshot;
+        if (has_compounds<S> && pair.body_A / S::max_shapes_of_body == pair.body_B / S::max_shapes_of_body) return Status::bad_snapshot;
         key_before = pair.key();
         if (to == nullptr) continue;
         to->pairs[record] = pair;
         to->records[record] = saved.record;
         if constexpr (S::renews_manifolds) to->anchors[record] = saved.anchors;
         to->records_used = to->manifold_count = static_cast<uint16_t>(record + 1);
+    }
+    return Status::ok;
+}
+
+/// Shapes of the body of a slot.
+template <class S>
+int shape_count_of(const Storage<S>& storage, int slot) {
+    int count = 0;
+    for (int shape_i = 0; shape_i < S::max_shapes_of_body; ++shape_i)
+        if (storage.surfaces[slot * S::max_shapes_of_body + shape_i].shape.kind != ShapeKind::none) ++count;
+    return count;
+}
+
+constexpr SavedSurface saved_surface(const Surface& surface) {
+    return {static_cast<uint8_t>(surface.shape.kind), surface.shape.size, surface.shape.offset, surface.e, surface.mu};
+}
+
+/// The shapes of a living body: they are its first slots.
+template <class S>
+void write_shapes(ByteWriter& writer, const Storage<S>& storage, int slot) {
+    uint8_t count = static_cast<uint8_t>(shape_count_of(storage, slot));
+    writer(count);
+    for (int shape_slot = slot * S::max_shapes_of_body; count > 0; ++shape_slot, --count) {
+        SavedShape shape{saved_surface(storage.surfaces[shape_slot]), storage.shape_places[shape_slot], 0};
+        if constexpr (has_sensors<S>) shape.sensor = storage.is_sensor[shape_slot];
+        shape.numbers(writer, has_sensors<S>);
+    }
+}
+
+/// Without storage it only checks.
+template <class S>
+Status read_shapes(ByteReader& reader, int slot, bool can_move, Storage<S>* to) {
+    uint8_t count = 0;
+    reader(count);
+    if (count > S::max_shapes_of_body) return Status::bad_snapshot;
+    for (int shape_slot = slot * S::max_shapes_of_body; count > 0; ++shape_slot, --count) {
+        SavedShape saved{};
+        saved.numbers(reader, has_sensors<S>);
+        const Shape shape{static_cast<ShapeKind>(saved.surface.kind), saved.surface.size, saved.surface.offset};
+        if (!S::shapes::has(shape.kind) || !ShapesOf<S>::names_its_hull(shape) || !is_sound(saved.surface, can_move)) return Status::bad_snapshot;
+        if (check_vector(saved.place.r, limits::position_max) != Status::ok || check_rotation(saved.place.A) != Status::ok || saved.sensor > 1) return Status::bad_snapshot;
+        if (to == nullptr) continue;
+        to->surfaces[shape_slot] = {shape, radius_about_body(shape, saved.place), saved.surface.e, saved.surface.mu};
+        to->shape_places[shape_slot] = saved.place;
+        if constexpr (has_sensors<S>) to->is_sensor[shape_slot] = saved.sensor;
     }
     return Status::ok;
 }
@@ -204,7 +286,10 @@ Result<size_t> save_snapshot(const World<S>& world, uint8_t* bytes, size_t room)
     const Storage<S>& storage = world.storage_;
     size_t manifold_count = 0;
     if constexpr (stacks<S>) manifold_count = storage.manifold_count;
-    const size_t size = snapshot_size_of<S>(static_cast<size_t>(storage.slots_used), static_cast<size_t>(world.body_count()), manifold_count);
+    size_t shape_count = 0;
+    if constexpr (has_compounds<S>)
+        for (int slot = 0; slot < storage.slots_used; ++slot) shape_count += static_cast<size_t>(shape_count_of(storage, slot));
+    const size_t size = snapshot_size_of<S>(static_cast<size_t>(storage.slots_used), static_cast<size_t>(world.body_count()), shape_count, manifold_count);
     if (bytes == nullptr || room < size) return {Status::no_room, 0};
 
     ByteWriter writer(bytes);
@@ -232,16 +317,17 @@ Result<size_t> save_snapshot(const World<S>& world, uint8_t* bytes, size_t room)
         if (!world.lives(slot)) continue;
         SavedBody body = saved_body(storage.bodies(), slot);
         body.numbers(writer, S::translates, S::rotation::compensates, S::rotation::returns_energy);
-        if constexpr (has_shapes<S>) {
-            const Surface& of_slot = storage.surfaces[slot];
-            SavedSurface surface{static_cast<uint8_t>(of_slot.shape.kind), of_slot.shape.size, of_slot.shape.offset, of_slot.e, of_slot.mu};
+        if constexpr (has_compounds<S>) {
+            write_shapes(writer, storage, slot);
+        } else if constexpr (has_shapes<S>) {
+            SavedSurface surface = saved_surface(storage.surfaces[slot]);
             surface.numbers(writer);
         }
         if constexpr (S::filters) {
             BodyFilter filter = storage.filters[slot];
             saved_filter_numbers(writer, filter);
         }
-        if constexpr (has_sensors<S>) {
+        if constexpr (has_sensors<S> && !has_compounds<S>) {
             uint8_t sensor = storage.is_sensor[slot];
             writer(sensor);
         }
@@ -283,6 +369,8 @@ Status read_whole(ByteReader& reader, SavedWorld<S>& whole, Storage<S>* to) {
         to->field.numbers(reader);
     }
     for (int slot = 0; slot < to->bodies().tile_count * lanes; ++slot) set_identity_body(to->bodies(), slot);
+    if constexpr (has_compounds<S>)
+        for (int shape_slot = 0; shape_slot < to->shapes().tile_count * lanes; ++shape_slot) set_identity_body(to->shapes(), shape_slot);
     return Status::ok;
 }
 
@@ -293,12 +381,15 @@ Status read_body(ByteReader& reader, int slot, Storage<S>* to) {
     body.numbers(reader, S::translates, S::rotation::compensates, S::rotation::returns_energy);
     if (!is_sound(body, S::translates)) return Status::bad_snapshot;
     if (to != nullptr) write_saved_body(to->bodies(), slot, body);
-    if constexpr (has_shapes<S>) {
+    if constexpr (has_compounds<S>) {
+        const Status status = read_shapes<S>(reader, slot, body.inv_I_scale > 0, to);
+        if (status != Status::ok) return status;
+    } else if constexpr (has_shapes<S>) {
         SavedSurface surface{};
         surface.numbers(reader);
         const Shape shape{static_cast<ShapeKind>(surface.kind), surface.size, surface.offset};
         const bool in_scene = shape.kind == ShapeKind::none || S::shapes::has(shape.kind);
-        if (!in_scene || !is_sound(surface, body.inv_I_scale > 0)) return Status::bad_snapshot;
+        if (!in_scene || !ShapesOf<S>::names_its_hull(shape) || !is_sound(surface, body.inv_I_scale > 0)) return Status::bad_snapshot;
         if (to != nullptr) to->surfaces[slot] = {shape, bounding_radius(shape), surface.e, surface.mu};
     }
     if constexpr (S::filters) {
@@ -306,7 +397,7 @@ Status read_body(ByteReader& reader, int slot, Storage<S>* to) {
         saved_filter_numbers(reader, filter);
         if (to != nullptr) to->filters[slot] = filter;
     }
-    if constexpr (has_sensors<S>) {
+    if constexpr (has_sensors<S> && !has_compounds<S>) {
         uint8_t sensor = 0;
         reader(sensor);
         if (sensor > 1) return Status::bad_snapshot;
@@ -327,7 +418,11 @@ Status read_snapshot_contents(ByteReader reader, Storage<S>* to) {
         if (generation == 0 || (slot < whole.free_hint && !lives && !used_up)) return Status::bad_snapshot;
         if (to != nullptr) to->generation[slot] = generation;
         if (lives) status = read_body<S>(reader, static_cast<int>(slot), to);
+        if constexpr (has_compounds<S>)
+            if (to != nullptr) to->set_generation_of_shapes(static_cast<int>(slot), generation);
     }
+    if constexpr (has_compounds<S>)
+        if (to != nullptr) to->place_all_shapes();
     if constexpr (stacks<S>)
         if (status == Status::ok) status = read_manifolds<S>(reader, whole.slots_used, to);
     if (status != Status::ok) return status;

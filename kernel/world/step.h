@@ -30,13 +30,14 @@ void tell_events(Storage<S>& storage, StepReport& report) {
     const uint16_t tag = storage.world_tag;
     const ManifoldView manifolds = storage.manifold_view();
     const PairOfBodiesList before = storage.touching_list_before(), touching = storage.touching_list();
-    find_touching(manifolds, storage.notes, storage.generation, before, touching);
+    find_touching(manifolds, storage.notes, storage.generation_of_shapes(storage.generation), before, touching);
 
     tell_missing(before, touching, EventKind::end, tag, events);
     if constexpr (has_sensors<S>) tell_missing(storage.overlap_list_before(), storage.overlap_list(), EventKind::leave, tag, events);
     tell_begins(manifolds, storage.notes, before, touching, tag, events);
     if constexpr (has_sensors<S>) tell_missing(storage.overlap_list(), storage.overlap_list_before(), EventKind::enter, tag, events);
     tell_hits(manifolds, storage.notes, S::hit_speed, before, touching, tag, events);
+    if constexpr (has_compounds<S>) name_bodies<S::max_shapes_of_body>(events);
 }
 
 /// The pairs that are too fast for a step.
@@ -52,7 +53,7 @@ template <class S>
 void follow_fast_bodies(Storage<S>& storage, const SolverView& solver, scalar h, StepReport& report) {
     const auto meets = [&storage](int slot_A, int slot_B) { return storage.can_meet(slot_A, slot_B); };
     const Flights<decltype(meets)> flights = {storage.bodies(), storage.surface_view(), solver, storage.paths, {storage.gravity, h}, meets};
-    fly_fast_bodies<typename S::shapes, typename S::rotation, has_events<S>>(flights, report);
+    fly_fast_bodies<ShapesOf<S>, typename S::rotation, has_events<S>>(flights, report);
 }
 
 /// Advances a world by h seconds.
@@ -96,14 +97,18 @@ StepReport step(World<S>& world, scalar h) {
         if constexpr (has_events<S>) keep_lists(storage);
         const PairList pairs = storage.pair_list();
         const ManifoldView manifolds = storage.manifold_view();
-        if (refresh_bounds(bodies, storage.surface_view(), h, storage.bounds)) {
-            storage.find_pairs(bodies, storage.bounds, pairs);
+        if constexpr (has_compounds<S>) storage.place_all_shapes();
+        const BodyView shapes = storage.shapes();
+        if (refresh_bounds(shapes, storage.surface_view(), h, storage.bounds)) {
+            storage.find_pairs(shapes, storage.bounds, pairs);
+            if constexpr (has_compounds<S>) drop_pairs_of_one_body<S::max_shapes_of_body>(pairs);
             hold_records(manifolds, pairs);
         }
         if constexpr (S::continuous) begin_paths(bodies, storage.surface_view(), h, storage.paths);
-        update_manifolds<typename S::shapes>(bodies, storage.surface_view(), storage.bounds, h, storage.pair_rules(report), pairs, manifolds, report,
-                                             fast_pairs_of(storage, h));
-        if constexpr (has_events<S>) note_approaches(bodies, storage.gravity, h, manifolds, storage.notes);
+        update_manifolds<ShapesOf<S>>(shapes, storage.surface_view(), storage.bounds, h, storage.pair_rules(report), pairs, manifolds, report,
+                                    fast_pairs_of(storage, h));
+        if constexpr (has_compounds<S>) name_bodies<S::max_shapes_of_body>(manifolds, storage.body_pairs);
+        if constexpr (has_events<S>) note_approaches(bodies, storage.gravity, h, storage.manifolds_of_bodies(), storage.notes);
         refresh_inv_I_world(bodies);                                      // Eq. 20
         SolverView solver = storage.solver();
         solve_manifolds<has_events<S>>(solver, bodies, storage.gravity, h, storage.impact_notes(), report);
@@ -130,6 +135,7 @@ StepReport step(World<S>& world, scalar h) {
     if constexpr (S::rotation::as_printed || flies_in_field<S>) mark_runaway_spins(bodies);
     clear_forces(bodies);
     if (any_bad_bodies(bodies)) count(report.bodies_frozen, freeze_bad_bodies(bodies));
+    if constexpr (has_compounds<S>) storage.place_all_shapes();          // for queries
     if constexpr (has_field<S>) storage.advance_time(h);
     ++storage.steps;
     return report;

@@ -15,10 +15,13 @@
 namespace ingot { inline namespace INGOT_ABI {
 
 template <class S>
-inline constexpr int pair_capacity = S::max_pairs != 0 ? S::max_pairs : 2 * S::max_manifolds;
+inline constexpr int pair_capacity = static_cast<int>(pairs_with_own<S>);
 
 template <class S>
 inline constexpr int tile_capacity = (S::max_bodies + lanes - 1) / lanes;
+
+template <class S>
+inline constexpr int shape_tile_capacity = (shape_capacity<S> + lanes - 1) / lanes;
 
 template <class S, bool present>
 struct TranslationPart {
@@ -85,10 +88,42 @@ struct ContactPart<S, false> {};
 
 template <class S, bool present>
 struct SurfacePart {
-    Surface surfaces[static_cast<unsigned>(S::max_bodies)] = {};
+    Surface surfaces[static_cast<unsigned>(shape_capacity<S>)] = {};
 };
 template <class S>
 struct SurfacePart<S, false> {};
+
+/// Bodies of several shapes. Shapes as bodies are derived, and always where their bodies are.
+template <class S, bool present>
+struct CompoundPart {
+    RotationTile shape_rotation[shape_tile_capacity<S>] = {};
+    TranslationTile shape_translation[shape_tile_capacity<S>] = {};
+    ShapePlace shape_places[static_cast<unsigned>(shape_capacity<S>)] = {};
+    uint32_t shape_generation[static_cast<unsigned>(shape_capacity<S>)] = {};  ///< of the body
+
+    BodyView shape_view(const BodyView&, int slots_used) {
+        return {shape_rotation, shape_translation, nullptr, nullptr, (slots_used * S::max_shapes_of_body + lanes - 1) / lanes};
+    }
+    const uint32_t* generation_of_shapes(const uint32_t*) const { return shape_generation; }
+    void set_generation_of_shapes(int slot, uint32_t generation) {
+        for (int shape_i = 0; shape_i < S::max_shapes_of_body; ++shape_i) shape_generation[slot * S::max_shapes_of_body + shape_i] = generation;
+    }
+};
+template <class S>
+struct CompoundPart<S, false> {
+    static BodyView shape_view(const BodyView& bodies, int) { return bodies; }
+    static const uint32_t* generation_of_shapes(const uint32_t* of_bodies) { return of_bodies; }
+};
+
+template <class S, bool present>
+struct BodyPairPart {
+    BodyPair body_pairs[static_cast<unsigned>(S::max_manifolds)] = {};
+    BodyPair* by_bodies(BodyPair*) { return body_pairs; }
+};
+template <class S>
+struct BodyPairPart<S, false> {
+    static BodyPair* by_bodies(BodyPair* pairs) { return pairs; }
+};
 
 template <class S, bool present>
 struct AnchorPart {
@@ -101,7 +136,8 @@ struct AnchorPart<S, false> {
 };
 
 template <class S, bool present>
-struct ManifoldPart : AnchorPart<S, S::renews_manifolds>, S::broad_phase::template Memory<S::max_bodies, pair_capacity<S>> {
+struct ManifoldPart : AnchorPart<S, S::renews_manifolds>, BodyPairPart<S, has_compounds<S>>,
+                      S::broad_phase::template Memory<shape_capacity<S>, pair_capacity<S>> {
     static constexpr unsigned manifold_capacity = static_cast<unsigned>(S::max_manifolds);
     static constexpr unsigned full_blocks = (manifold_capacity + lanes - 1) / lanes;
     static constexpr unsigned block_capacity = lanes == 1 ? full_blocks : full_blocks + full_blocks / 2 + 2;  // see order_manifolds
@@ -110,7 +146,7 @@ struct ManifoldPart : AnchorPart<S, S::renews_manifolds>, S::broad_phase::templa
     ContactBlock blocks[block_capacity] = {};
     SolverBody solver_bodies[body_capacity] = {};
     SolverBodyHistory histories[body_capacity] = {};
-    BoundsTile bounds[tile_capacity<S>] = {};
+    BoundsTile bounds[shape_tile_capacity<S>] = {};
     BodyPair found_pairs[pair_capacity<S>] = {};
     BodyPair pairs[manifold_capacity] = {};
     ManifoldRecord records[manifold_capacity] = {};
@@ -126,7 +162,7 @@ struct ManifoldPart : AnchorPart<S, S::renews_manifolds>, S::broad_phase::templa
     PairList pair_list() { return {found_pairs, pair_capacity<S>, &found_count, &pairs_lost}; }
     ManifoldView manifold_view() { return {pairs, &manifold_count, records, this->manifold_anchors(), &records_used, &first_free_record, S::max_manifolds}; }
     SolverView solver() {
-        return {pairs, records, manifold_count, blocks, visits, order, level, other_order, level_order,
+        return {this->by_bodies(pairs), records, manifold_count, blocks, visits, order, level, other_order, level_order,
                 solver_bodies, histories, slot_of, local_of, level_of_body, colours_of_body, 0, 0, 0, 0, static_cast<int>(block_capacity * lanes), 0, false, limits::substeps, false};
     }
 };
@@ -136,7 +172,7 @@ struct ManifoldPart<S, false> {};
 template <class S, bool present>
 struct FilterPart {
     BodyFilter filters[static_cast<unsigned>(S::max_bodies)] = {};
-    FilterView filter_view() const { return {filters}; }
+    FilterView<S::max_shapes_of_body> filter_view() const { return {filters}; }
 };
 template <class S>
 struct FilterPart<S, false> {
@@ -152,7 +188,7 @@ struct PathPart<S, false> {};
 
 template <class S, bool present>
 struct SensorPart {
-    uint8_t is_sensor[static_cast<unsigned>(S::max_bodies)] = {};
+    uint8_t is_sensor[static_cast<unsigned>(shape_capacity<S>)] = {};
     PairOfBodies overlaps[static_cast<unsigned>(S::max_overlaps)] = {};
     uint16_t overlap_count = 0;
 
@@ -206,6 +242,7 @@ struct Storage : TranslationPart<S, S::translates>,
                  EnergyPart<S, S::rotation::returns_energy>,
                  FieldPart<S, has_field<S>>,
                  SurfacePart<S, has_shapes<S>>,
+                 CompoundPart<S, has_compounds<S>>,
                  ContactPart<S, collides<S>>,
                  ManifoldPart<S, stacks<S>>,
                  FilterPart<S, S::filters>,
@@ -229,7 +266,23 @@ struct Storage : TranslationPart<S, S::translates>,
     /// Which pairs may touch.
     auto pair_rules(StepReport& report) {
         return PairRules<decltype(this->filter_view()), decltype(this->sensor_view(generation, report))>{
-            this->filter_view(), this->sensor_view(generation, report)};
+            this->filter_view(), this->sensor_view(this->generation_of_shapes(generation), report)};
+    }
+    SurfaceView surface_view() const { return {this->surfaces, slots_used * S::max_shapes_of_body}; }
+
+    /// All shapes, for search, narrow phase and queries; the bodies themselves, where each has one shape.
+    BodyView shapes() { return this->shape_view(bodies(), slots_used); }
+    BodyView shapes() const { return const_cast<Storage*>(this)->shapes(); }
+    CompoundView compound_view() { return {this->surfaces, this->shape_places, shapes(), S::max_shapes_of_body}; }
+    /// Shapes are where their bodies are.
+    void place_all_shapes() {
+        for (int slot = 0; slot < slots_used; ++slot) place_shapes(bodies(), compound_view(), slot);
+    }
+    /// Contacts of the step by the slots of bodies.
+    ManifoldView manifolds_of_bodies() {
+        ManifoldView manifolds = this->manifold_view();
+        manifolds.pairs = this->by_bodies(manifolds.pairs);
+        return manifolds;
     }
     /// Bodies whose surfaces are solid to each other.
     bool can_meet(int slot_A, int slot_B) const {
@@ -237,7 +290,6 @@ struct Storage : TranslationPart<S, S::translates>,
             if (this->is_sensor[slot_A] != 0 || this->is_sensor[slot_B] != 0) return false;
         return this->filter_view().let_meet(slot_A, slot_B);
     }
-    SurfaceView surface_view() const { return {this->surfaces, slots_used}; }
     ContactView contact_view() { return {this->contacts, &this->contact_count, S::max_contacts}; }
 };
 

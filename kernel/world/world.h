@@ -30,6 +30,7 @@ struct ContactInfo {
 /// A body that was in a sensor in the last step.
 struct OverlapInfo {
     BodyId sensor, visitor;
+    int sensor_shape, visitor_shape;  ///< which of their shapes, where a body has several; else 0
 };
 
 /// All there is of a simulated world: one object of a size known at compile time, which holds no pointer.
@@ -53,28 +54,55 @@ public:
     /// Adds a body in the lowest free slot.
     /// Errors: no_room, and what BodyDef's parts may have wrong: see check_mass_properties, check_state, check_shape;
     ///         bad_restitution; bad_friction; immovable (one that has a velocity); not_in_scene (a shape the scene does not name, a
-    ///         filter or a sensor where it names none, a place or velocity where it does not translate); bad_shape (a half space that can move).
+    ///         filter or a sensor where it names none, a place or velocity where it does not translate); bad_shape (a half space that can move, a
+    ///         hull that is none of the scene's).
     /// Cost:   O(1), or O(max_bodies) after removals.
     Result<BodyId> add(const BodyDef& def) {
-        Status status = Status::ok;
-        if constexpr (has_shapes<S>) status = check_surface(def);
-        if (status == Status::ok) status = check_definition(def, S::translates, has_shapes<S> && S::shapes::has(def.shape.kind));
-        if constexpr (has_shapes<S> && !S::filters)
-            if (def.filter.category != meets_all.category || def.filter.mask != meets_all.mask) status = Status::not_in_scene;
-        if constexpr (has_shapes<S> && !has_sensors<S>)
-            if (def.sensor) status = Status::not_in_scene;
+        const Status status = check_add(def);
         if (status != Status::ok) return {status, {}};
         const int slot = free_slot();
         if (slot == max_bodies) return {Status::no_room, {}};
 
-        if (slot == storage_.slots_used) begin_slot();
-        storage_.free_hint = slot + 1;
-        ++storage_.generation[slot];
-        write_body(storage_.bodies(), slot, def);
-        if constexpr (has_shapes<S>) write_surface(storage_.surfaces[slot], def);
-        if constexpr (S::filters) storage_.filters[slot] = def.filter;
-        if constexpr (has_sensors<S>) storage_.is_sensor[slot] = def.sensor ? 1 : 0;
+        write_slot(slot, def);
+        if constexpr (has_compounds<S>) {
+            write_shape(slot, 0, def, {{}, identity_matrix<scalar>()});
+            place_shapes(storage_.bodies(), storage_.compound_view(), slot);
+        } else {
+            if constexpr (has_shapes<S>) write_surface(storage_.surfaces[slot], def);
+            if constexpr (has_sensors<S>) storage_.is_sensor[slot] = def.sensor ? 1 : 0;
+        }
         return {Status::ok, id_of(slot)};
+    }
+
+    /// Adds a body of several shapes: see collide/compound.h. The definition has no shape of its own; its restitution, friction and sensor are
+    /// not looked at.
+    /// Errors: those of add, for the definition and each shape; out_of_range (fewer than one; a place beyond limits::position_max), no_room (more
+    ///         than max_shapes_of_body), bad_shape (one that is none; a definition with a shape), not_a_rotation (an A, or mass.A_principal).
+    Result<BodyId> add(const BodyDef& def, const ShapeDef* shapes, int shape_count) {
+        compounds_only();
+        Status status = check_mass_frame(def.mass);
+        if (def.shape.kind != ShapeKind::none) status = Status::bad_shape;
+        if (shapes == nullptr || shape_count < 1) status = Status::out_of_range;
+        if (shape_count > S::max_shapes_of_body) status = Status::no_room;
+        for (int shape_i = 0; shape_i < shape_count && status == Status::ok; ++shape_i) {
+            status = check_place(shapes[shape_i], def.mass);
+            if (status == Status::ok) status = check_add(with_shape(def, shapes[shape_i]));
+        }
+        if (status != Status::ok) return {status, {}};
+        const int slot = free_slot();
+        if (slot == max_bodies) return {Status::no_room, {}};
+
+        write_slot(slot, def);
+        for (int shape_i = 0; shape_i < shape_count; ++shape_i) {
+            const ShapePlace place = place_in_body(shapes[shape_i], def.mass);
+            write_shape(slot, shape_i, with_shape(def, shapes[shape_i]), {place.r + Vector{}, nearest_rotation(place.A)});
+        }
+        place_shapes(storage_.bodies(), storage_.compound_view(), slot);
+        return {Status::ok, id_of(slot)};
+    }
+    template <unsigned N>
+    Result<BodyId> add(const BodyDef& def, const ShapeDef (&shapes)[N]) {
+        return add(def, shapes, static_cast<int>(N));
     }
 
     /// Takes a body out. Its id, and every copy of it, is stale from now on.
@@ -84,6 +112,11 @@ public:
         ++storage_.generation[slot.value];
         if (slot.value < storage_.free_hint) storage_.free_hint = slot.value;
         set_identity_body(storage_.bodies(), slot.value);
+        if constexpr (has_compounds<S>) {
+            storage_.set_generation_of_shapes(slot.value, storage_.generation[slot.value]);
+            remove_shapes(slot.value);
+            return Status::ok;
+        }
         if constexpr (has_shapes<S>) storage_.surfaces[slot.value] = {};
         if constexpr (collides<S>) storage_.contact_count = 0;
         if constexpr (stacks<S>) forget_contacts(storage_.manifold_view(), storage_.pair_list(), storage_.bounds, slot.value);
@@ -119,6 +152,11 @@ public:
     /// Errors: those of check_state, frozen, immovable (a velocity for a body that has none), not_in_scene.
     Status set_state(BodyId id, const BodyState& state) {
         const Result<int> slot = find(id);
+        if constexpr (has_compounds<S>) {
+            const Status status = slot.ok() ? write_state(storage_.bodies(), slot.value, state) : slot.status;
+            if (status == Status::ok) place_shapes(storage_.bodies(), storage_.compound_view(), slot.value);
+            return status;
+        }
         return slot.ok() ? write_state(storage_.bodies(), slot.value, state) : slot.status;
     }
 
@@ -292,7 +330,8 @@ public:
     Result<OverlapInfo> overlap(int index) const {
         sensors_only();
         if (index < 0 || index >= storage_.overlap_count || index >= S::max_overlaps) return {Status::out_of_range, {}};
-        return {Status::ok, {first_id(storage_.overlaps[index]), second_id(storage_.overlaps[index])}};
+        const PairOfBodies& pair = storage_.overlaps[index];
+        return {Status::ok, {first_id(pair), second_id(pair), number_of_shape(pair.body_A), number_of_shape(pair.body_B)}};
     }
 
     /// What the last step has to tell of contacts and sensors: see EventKind. Until the next step, whatever is added or removed.
@@ -316,8 +355,8 @@ public:
         const Result<int> except = slot_of_exception(filter);
         const Status status = except.ok() ? check_way(from, way) : except.status;
         if (status != Status::ok) return {status, {}};
-        const SlotHit hit = ingot::cast_ray<typename S::shapes>(storage_.bodies(), storage_.surface_view(), from, way, sees(filter, except.value));
-        return {Status::ok, {hit.slot == no_slot ? BodyId{} : id_of(hit.slot), hit.fraction, hit.P, hit.n}};
+        const SlotHit hit = ingot::cast_ray<ShapesOf<S>>(storage_.shapes(), storage_.surface_view(), from, way, sees(filter, except.value));
+        return {Status::ok, {id_of_shape(hit.slot), hit.fraction, hit.P, hit.n, number_of_shape(hit.slot)}};
     }
 
     /// The first body on the way of a shape that does not turn, m; it stops short of it by limits::cast_gap. See QueryHit.
@@ -329,8 +368,8 @@ public:
         if (status == Status::ok) status = check_way(shape.r, way);
         if (status != Status::ok) return {status, {}};
         const PlacedShape moving = {shape.shape, shape.r, nearest_rotation(shape.A), shape.hull};
-        const SlotHit hit = ingot::cast_shape(storage_.bodies(), storage_.surface_view(), moving, way, sees(filter, except.value));
-        return {Status::ok, {hit.slot == no_slot ? BodyId{} : id_of(hit.slot), hit.fraction, hit.P, hit.n}};
+        const SlotHit hit = ingot::cast_shape<ShapesOf<S>>(storage_.shapes(), storage_.surface_view(), moving, way, sees(filter, except.value));
+        return {Status::ok, {id_of_shape(hit.slot), hit.fraction, hit.P, hit.n, number_of_shape(hit.slot)}};
     }
 
     /// All bodies that a shape overlaps or touches, in the order of slots, into found[0 .. capacity).
@@ -343,9 +382,14 @@ public:
         if (status == Status::ok && capacity < 0) status = Status::out_of_range;
         if (status != Status::ok) return {status, 0};
         int count = 0;
+        [[maybe_unused]] int last = no_slot;
         const PlacedShape still = {shape.shape, shape.r, nearest_rotation(shape.A), shape.hull};
-        ingot::find_overlaps(storage_.bodies(), storage_.surface_view(), still, sees(filter, except.value), [&](int slot) {
-            if (count < capacity) found[count] = id_of(slot);
+        ingot::find_overlaps<ShapesOf<S>>(storage_.shapes(), storage_.surface_view(), still, sees(filter, except.value), [&](int slot) {
+            if constexpr (has_compounds<S>) {
+                if (slot / S::max_shapes_of_body == last) return;  // by another of its shapes
+                last = slot / S::max_shapes_of_body;
+            }
+            if (count < capacity) found[count] = id_of_shape(slot);
             ++count;
         });
         return {Status::ok, count};
@@ -361,8 +405,8 @@ public:
         if (status == Status::ok && !(within >= 0 && within <= limits::position_max)) status = Status::out_of_range;
         if (status != Status::ok) return {status, {}};
         const SlotNearest nearest =
-            ingot::find_nearest<typename S::shapes>(storage_.bodies(), storage_.surface_view(), point, within, sees(filter, except.value));
-        return {Status::ok, {nearest.slot == no_slot ? BodyId{} : id_of(nearest.slot), nearest.distance, nearest.P, nearest.n}};
+            ingot::find_nearest<ShapesOf<S>>(storage_.shapes(), storage_.surface_view(), point, within, sees(filter, except.value));
+        return {Status::ok, {id_of_shape(nearest.slot), nearest.distance, nearest.P, nearest.n, number_of_shape(nearest.slot)}};
     }
 
     // The world as a whole.
@@ -415,8 +459,50 @@ private:
         static_assert(has_events<S>, "this scene names no events: set max_events");
     }
 
+    static constexpr void compounds_only() {
+        static_assert(has_compounds<S>, "bodies of this scene have one shape: set max_shapes_of_body");
+    }
+
     static constexpr void shapes_only() {
         static_assert(has_shapes<S>, "this scene keeps no shapes: set max_manifolds or max_contacts");
+    }
+
+    /// All that World::add asks of a body of one shape.
+    Status check_add(const BodyDef& def) const {
+        Status status = Status::ok;
+        if constexpr (has_shapes<S>) status = check_surface(def);
+        if (status == Status::ok) status = check_definition(def, S::translates, has_shapes<S> && S::shapes::has(def.shape.kind));
+        if (status == Status::ok && !ShapesOf<S>::names_its_hull(def.shape)) status = Status::bad_shape;
+        if constexpr (has_shapes<S> && !S::filters)
+            if (def.filter.category != meets_all.category || def.filter.mask != meets_all.mask) status = Status::not_in_scene;
+        if constexpr (has_shapes<S> && !has_sensors<S>)
+            if (def.sensor) status = Status::not_in_scene;
+        return status;
+    }
+
+    void write_slot(int slot, const BodyDef& def) {
+        if (slot == storage_.slots_used) begin_slot();
+        storage_.free_hint = slot + 1;
+        ++storage_.generation[slot];
+        write_body(storage_.bodies(), slot, def);
+        if constexpr (S::filters) storage_.filters[slot] = def.filter;
+        if constexpr (has_compounds<S>) storage_.set_generation_of_shapes(slot, storage_.generation[slot]);
+    }
+    void write_shape(int slot, int shape_i, const BodyDef& def, const ShapePlace& place) {
+        const int shape_slot = slot * S::max_shapes_of_body + shape_i;
+        write_surface(storage_.surfaces[shape_slot], def);
+        storage_.surfaces[shape_slot].bounding_radius = radius_about_body(def.shape, place);
+        storage_.shape_places[shape_slot] = place;
+        if constexpr (has_sensors<S>) storage_.is_sensor[shape_slot] = def.sensor ? 1 : 0;
+    }
+    void remove_shapes(int slot) {
+        for (int shape_slot = slot * S::max_shapes_of_body; shape_slot < (slot + 1) * S::max_shapes_of_body; ++shape_slot) {
+            storage_.surfaces[shape_slot] = {};
+            storage_.shape_places[shape_slot] = {};
+            if constexpr (has_sensors<S>) storage_.is_sensor[shape_slot] = 0;
+            set_identity_body(storage_.shapes(), shape_slot);
+            forget_contacts(storage_.manifold_view(), storage_.pair_list(), storage_.bounds, shape_slot);
+        }
     }
 
     /// The slot that a query leaves out.
@@ -426,14 +512,20 @@ private:
     /// Which bodies a query looks at, slot by slot.
     auto sees(const QueryFilter& filter, int except) const {
         return [this, filter, except](int slot) {
-            if (slot == except || !meet(filter.filter, storage_.filter_view().of(slot))) return false;
+            if (slot / S::max_shapes_of_body == except || !meet(filter.filter, storage_.filter_view().of(slot))) return false;
             if constexpr (has_sensors<S>) return filter.sensors || storage_.is_sensor[slot] == 0;
             return true;
         };
     }
 
-    BodyId first_id(const PairOfBodies& pair) const { return {pair.body_A, storage_.world_tag, pair.generation_A}; }
-    BodyId second_id(const PairOfBodies& pair) const { return {pair.body_B, storage_.world_tag, pair.generation_B}; }
+    BodyId first_id(const PairOfBodies& pair) const { return {body_of(pair.body_A), storage_.world_tag, pair.generation_A}; }
+    BodyId second_id(const PairOfBodies& pair) const { return {body_of(pair.body_B), storage_.world_tag, pair.generation_B}; }
+
+    // Slots of shapes are those of bodies, where a body has one shape.
+
+    static uint16_t body_of(int shape_slot) { return static_cast<uint16_t>(shape_slot / S::max_shapes_of_body); }
+    static int number_of_shape(int shape_slot) { return shape_slot == no_slot ? 0 : shape_slot % S::max_shapes_of_body; }
+    BodyId id_of_shape(int shape_slot) const { return shape_slot == no_slot ? BodyId{} : id_of(body_of(shape_slot)); }
 
     bool lives(int slot) const { return (storage_.generation[slot] & 1u) != 0; }
 
@@ -456,8 +548,14 @@ private:
     /// Takes a new slot into use. With the first lane of a tile all its lanes become the identity body.
     void begin_slot() {
         const int slot = storage_.slots_used++;
+        if constexpr (has_compounds<S>) begin_shape_slots(slot);
         if (slot % lanes != 0) return;
         for (int lane_i = 0; lane_i < lanes; ++lane_i) set_identity_body(storage_.bodies(), slot + lane_i);
+    }
+    /// The same for the slots of its shapes.
+    void begin_shape_slots(int slot) {
+        const int first = slot * S::max_shapes_of_body, last = first + S::max_shapes_of_body - 1;
+        for (int shape_slot = first; shape_slot <= last / lanes * lanes + lanes - 1; ++shape_slot) set_identity_body(storage_.shapes(), shape_slot);
     }
 
     Storage<S> storage_ = {};
