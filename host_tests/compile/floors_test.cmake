@@ -15,18 +15,20 @@ set(query_may base math body collide)
 set(solve_may base math body collide)
 set(blocks_may base math body collide pairs contact)
 set(direct_may base math body collide pairs contact blocks)
-set(world_may base math body motion collide query pairs contact solve blocks direct sleep)
+set(world_may base math body motion collide query pairs contact solve blocks direct sleep fast)
+set(fast_may base math body motion collide pairs contact blocks)
 set(freestanding "stdint\\.h|stddef\\.h|float\\.h|limits\\.h")
 
 # A stage is a .h/.cpp pair of these rooms; what it may include of its own room is shared vocabulary, not another stage.
 # integrate_r is there for driven_flight, which is made of stages.
 set(motion_shares acceleration flight_clock turn moser_veselov moser_veselov_series moser_veselov_stage force_field driven_tile elliptic_functions integrate_r)
 set(collide_shares body_filter contact shapes bounds collide_shapes convex_hull placed_shape manifold manifold_points contact_geometry
-  contact_patch narrow_phase nearest_points)
+  contact_patch narrow_phase nearest_points plane_between)
 set(pairs_shares body_bounds body_pairs)
 set(contact_shares contact_events pair_rules manifold_record manifold_anchors)
 set(sleep_shares rest_view awake_tiles wake)
 set(query_shares candidates query_filter ray_on_shapes cast_ray)
+set(fast_shares body_path fast_pairs time_of_impact two_bodies)
 set(solve_shares contact_rows impulse)
 # solve_manifolds conducts the stages of a substep.
 set(blocks_shares block_solve contact_block block_rows solver_body solver_view conjugate_gradients move_bodies note_impulses order_manifolds

@@ -136,6 +136,17 @@ struct Wrong : ingot::Scene {
 #ifdef EVENTS_WITHOUT_CONTACTS
     static constexpr int max_events = 4;
 #endif
+#ifdef CONTINUOUS_COMPOUNDS
+    static constexpr bool translates = true, continuous = true;
+    static constexpr int max_manifolds = 4, max_shapes_of_body = 2;
+#endif
+#ifdef CONTINUOUS_SLEEP
+    static constexpr bool translates = true, continuous = true, sleeps = true;
+    static constexpr int max_manifolds = 4;
+#endif
+#ifdef CONTINUOUS_WITHOUT_CONTACTS
+    static constexpr bool continuous = true;
+#endif
 #ifdef HIT_SPEED_BELOW_ZERO
     static constexpr ingot::scalar hit_speed = -1;
 #endif

@@ -2,6 +2,7 @@
 // Scenes with friction for the smallest targets and the golden hashes: a tower, a pyramid and a mixed pile.
 #pragma once
 
+#include "contact/bullets.h"
 #include "contact/piles.h"
 #include "contact/stacks.h"
 
@@ -104,6 +105,16 @@ struct SleepingTowers : Stacked<14, 48> {
     }
 };
 
+/// Bullets through standing walls, followed within the step.
+struct BulletRange : Stacked<BulletWalls::body_count, 40> {
+    static constexpr bool continuous = true;
+    using shapes = ingot::Shapes<ingot::Sphere, ingot::Box, ingot::HalfSpace>;
+    static constexpr const char* name = "bullet_walls";
+    static constexpr const char* title = "bullets through standing walls";
+    static constexpr int golden_steps = 60;
+    static constexpr PlacedBody body(int body_i) { return BulletWalls::body(body_i); }
+};
+
 /// Adds the bodies of a scene one by one: no target keeps them all.
 template <class S>
 ingot::Status set_up_placed(ingot::World<S>& world) {
@@ -122,5 +133,6 @@ inline ingot::Status set_up(ingot::World<Tower20>& world) { return set_up_placed
 inline ingot::Status set_up(ingot::World<ChosenBoxes>& world) { return set_up_placed(world); }
 inline ingot::Status set_up(ingot::World<MixedPile>& world) { return set_up_placed(world); }
 inline ingot::Status set_up(ingot::World<SleepingTowers>& world) { return set_up_placed(world); }
+inline ingot::Status set_up(ingot::World<BulletRange>& world) { return set_up_placed(world); }
 
 }  // namespace scenes

@@ -125,6 +125,24 @@ inline constexpr scalar sleep_time = scalar(0.5);  ///< s; a body that is slow o
 /// Of gravity; a body that more than this accelerates is not at rest, however slow.
 inline constexpr scalar balance = scalar(0.01);
 
+// Bodies too fast for a step (fast/).
+/// A body is fast when it gets further in a step than this times its least half extent: it may be beyond something before a step sees it.
+inline constexpr scalar fast_share = 1;
+/// Bodies on their way have met when they are apart by this fraction of the lesser of their least half extents, and no more than
+/// impact_gap_max: the step that follows finds them touching.
+inline constexpr scalar impact_gap = scalar(1e-3);
+inline constexpr scalar impact_gap_max = touching_gap / 4;  ///< m
+inline constexpr int approaches_max = 64;     ///< of the search for a time of impact; then they are taken for met: too early, never too late
+inline constexpr scalar angle_per_path = scalar(0.5);  ///< rad; a body that turns further in a step is followed in parts
+inline constexpr int path_parts_max = 32;              ///< of a whole step
+/// Bodies that meet are together for as long as they take for this part of the lesser of their least half extents, with half the turn of a path.
+inline constexpr scalar together_share = scalar(0.25);
+/// Bodies that touch already are looked at without this part of one of them: so deep they may get before they have met again.
+inline constexpr scalar skin_share = scalar(0.1);
+inline constexpr int skins_max = 6;  ///< that are left out, one after another, of bodies that are deeper in each other already
+inline constexpr int impacts_in_step_max = 64;  ///< of fast bodies; those that are left wait for the next step, and are counted
+inline constexpr scalar last_moment = scalar(1e-5);  ///< of a step; what meets later does so in the next
+
 // Narrow phase (collide/). Fractions of a length are of the smallest half extent of both shapes, unless another is named.
 /// An edge axis is taken when it separates better than every face by this fraction: nearly parallel edges have no normal of
 /// their own, and the face's manifold has the crossing of the edges among its points.

@@ -30,6 +30,19 @@ INGOT_INLINE scalar margin_of(const BodyView& bodies, const BoundsTile* bounds, 
     return limits::contact_margin + sqrt(length_sq(v)) * h + bounds[A.tile].spin_reach[A.lane] + bounds[B.tile].spin_reach[B.lane];
 }
 
+/// For scenes without fast bodies: see fast/fast_pairs.h.
+struct NoFastPairs {
+    static constexpr bool has(const BodyPair&) { return false; }
+    static constexpr bool meets_in_flight(const BodyPair&, const Manifold&) { return false; }
+};
+
+/// Of a pair with a fast body: it has a manifold if it touches. What is further is no plane yet: a fast body may pass by.
+INGOT_INLINE scalar margin_of_fast(const BodyView& bodies, const BodyPair& pair) {
+    const Place A = place_of(pair.body_A), B = place_of(pair.body_B);
+    const Vector r_A = lane_of(bodies.translation[A.tile].r_CM, A.lane), r_B = lane_of(bodies.translation[B.tile].r_CM, B.lane);
+    return limits::touching_gap + 8 * epsilon * sqrt(length_sq(r_A) + length_sq(r_B));
+}
+
 /// The routine for the two shapes; A has the kind that comes first. Only the routines of shapes that the scene names are linked.
 /// False for a pair that has none.
 template <class Shapes>
@@ -136,10 +149,11 @@ void name_bodies(const ManifoldView& manifolds, BodyPair* body_pairs) {
 /// Manifolds of all pairs of the last search, those of the step before renewed; manifolds.pairs are those that touch.
 ///
 /// Pairs that the rules of the scene keep apart have none: see pair_rules.h.
+/// Pairs with a fast body touch or have none; those that meet hard in flight are seen to there.
 /// Full: contacts that are held stay, new ones are refused in the order of slots, and counted in contacts_lost.
-template <class Shapes, class Rules>
+template <class Shapes, class Rules, class FastPairs = NoFastPairs>
 void update_manifolds(const BodyView& bodies, const SurfaceView& surfaces, const BoundsTile* bounds, scalar h, const Rules& rules,
-                      const PairList& found, const ManifoldView& manifolds, StepReport& report) {
+                      const PairList& found, const ManifoldView& manifolds, StepReport& report, const FastPairs& fast_pairs = {}) {
     *manifolds.count = 0;
     for (int pair_i = 0; pair_i < *found.count; ++pair_i) {
         BodyPair& pair = found.pairs[pair_i];
@@ -156,8 +170,9 @@ void update_manifolds(const BodyView& bodies, const SurfaceView& surfaces, const
             if (held) give_back(manifolds, pair.record);
             continue;
         }
-        const scalar margin = margin_of(bodies, bounds, pair, h);
-        if (held && manifolds.anchors != nullptr) {
+        const bool fast = fast_pairs.has(pair);
+        const scalar margin = fast ? margin_of_fast(bodies, pair) : margin_of(bodies, bounds, pair, h);
+        if (held && !fast && manifolds.anchors != nullptr) {
             if (renew_manifold<Shapes>(bodies, surfaces, pair, margin, manifolds.anchors[pair.record], manifolds.records[pair.record].manifold)) {
                 manifolds.pairs[(*manifolds.count)++] = pair;
                 continue;
@@ -166,7 +181,7 @@ void update_manifolds(const BodyView& bodies, const SurfaceView& surfaces, const
         Manifold found_now;
         const Manifold& before = held ? manifolds.records[pair.record].manifold : no_manifold_before;
         if (!find_manifold<Shapes>(bodies, surfaces, pair, margin, before, found_now)) count(report.pairs_untested);
-        if (found_now.count == 0) {
+        if (found_now.count == 0 || (fast && fast_pairs.meets_in_flight(pair, found_now))) {
             if (held) give_back(manifolds, pair.record);
             continue;
         }

@@ -39,6 +39,7 @@ struct Scene {
     static constexpr bool sleeps       = false;  ///< islands of bodies at rest are left out of the step until something wakes them
     static constexpr scalar sleep_speed = limits::sleep_speed;  ///< m/s; no point of a body at rest moves faster
     static constexpr scalar sleep_time  = limits::sleep_time;   ///< s; for which all bodies of an island are at rest before it falls asleep
+    static constexpr bool continuous   = false;  ///< fast bodies are followed within a step, impact by impact: none passes through another
     using broad_phase = AllPairs;                ///< or SortedTree, for many bodies
     /// Of contacts with friction. Sweeps carry piles, towers of 20, and up to 100 kg on 1 kg, with no memory of their own: what a small target
     /// wants. ChosenSolver picks for each island: sweeps, or for mass ratios from 50 on, towers of 15 and more, and what sweeps do not settle a direct
@@ -123,6 +124,9 @@ template <class S>
 inline constexpr bool has_events = S::max_events > 0;
 
 template <class S>
+inline constexpr bool follows_fast_bodies = S::continuous;
+
+template <class S>
 inline constexpr bool has_field = is_field<typename S::force_field>;
 
 /// Scenes whose steps are made of kicks by the field and free flights. Contacts, and Listing 1, take the field as a force that is
@@ -154,6 +158,10 @@ constexpr bool check_scene() {
     static_assert(!has_compounds<S> || pairs_with_own<S> <= 65535,
                   "a scene holds up to 65535 pairs of shapes, those within each body among them: lower max_pairs, max_bodies or max_shapes_of_body");
     static_assert(!S::filters || stacks<S>, "filters are for contacts with friction: set max_manifolds, or filters = false");
+    static_assert(!S::continuous || stacks<S>, "fast bodies are followed in scenes of contacts with friction: set max_manifolds, or continuous = false");
+    static_assert(!S::continuous || (!has_compounds<S> && !S::shapes::has(ShapeKind::hull)),
+                  "fast bodies are followed where each has one shape, and none is a hull: set continuous = false");
+    static_assert(!S::continuous || !S::sleeps, "fast bodies are followed where nothing sleeps: set continuous or sleeps = false");
     static_assert(S::max_overlaps >= 0 && S::max_overlaps <= 65535, "a scene notes 0 to 65535 overlaps with sensors: set max_overlaps");
     static_assert(!has_sensors<S> || stacks<S>, "sensors are for scenes of contacts with friction: set max_manifolds, or max_overlaps = 0");
     static_assert(S::max_events >= 0 && S::max_events <= 65535, "a scene tells 0 to 65535 events in a step: set max_events");

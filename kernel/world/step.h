@@ -8,6 +8,7 @@
 #include "../solve/contact_rows.h"
 #include "../solve/solve_contact_forces.h"
 #include "../contact/update_manifolds.h"
+#include "../fast/fly_fast_bodies.h"
 #include "../solve/solve_impacts.h"
 #include "../blocks/move_bodies.h"
 #include "world.h"
@@ -83,6 +84,22 @@ INGOT_INLINE void over_moving(Storage<S>& storage, const BodyView& bodies, const
         stage(bodies);
 }
 
+/// The pairs that are too fast for a step.
+template <class S>
+auto fast_pairs_of([[maybe_unused]] Storage<S>& storage, [[maybe_unused]] scalar h) {
+    if constexpr (S::continuous)
+        return FastPairs{storage.bodies(), storage.surface_view(), storage.paths, h};
+    else
+        return NoFastPairs{};
+}
+
+template <class S>
+void follow_fast_bodies(Storage<S>& storage, const SolverView& solver, scalar h, StepReport& report) {
+    const auto meets = [&storage](int slot_A, int slot_B) { return storage.can_meet(slot_A, slot_B); };
+    const Flights<decltype(meets)> flights = {storage.bodies(), storage.surface_view(), solver, storage.paths, {storage.gravity, h}, meets};
+    fly_fast_bodies<ShapesOf<S>, typename S::rotation, has_events<S>>(flights, report);
+}
+
 /// Advances a world by h seconds.
 ///
 /// Needs:   limits::step_min <= h <= limits::step_max; anything else, NaN included, is answered with bad_step and changes
@@ -133,7 +150,9 @@ StepReport step(World<S>& world, scalar h) {
             if constexpr (has_compounds<S>) drop_pairs_of_one_body<S::max_shapes_of_body>(pairs);
             hold_records(manifolds, pairs);
         }
-        update_manifolds<ShapesOf<S>>(shapes, storage.surface_view(), storage.bounds, h, storage.pair_rules(report), pairs, manifolds, report);
+        if constexpr (S::continuous) begin_paths(bodies, storage.surface_view(), h, storage.paths);
+        update_manifolds<ShapesOf<S>>(shapes, storage.surface_view(), storage.bounds, h, storage.pair_rules(report), pairs, manifolds, report,
+                                    fast_pairs_of(storage, h));
         if constexpr (has_compounds<S>) name_bodies<S::max_shapes_of_body>(manifolds, storage.body_pairs);
         if constexpr (S::sleeps) wake_what_is_met(storage, bodies, manifolds);
         [[maybe_unused]] const ManifoldView moving = storage.moving_manifolds();
@@ -160,6 +179,7 @@ StepReport step(World<S>& world, scalar h) {
         });
         turn_by_corrections(solver, bodies, h);
         if constexpr (S::sleeps) fall_asleep(bodies, storage.surface_view(), storage.gravity, h, {S::sleep_speed, S::sleep_time}, storage.rest_view());
+        if constexpr (S::continuous) follow_fast_bodies<S>(storage, solver, h, report);
     } else {
         integrate_L(bodies, h);
         if constexpr (S::translates) integrate_v(bodies, h, storage.gravity);

@@ -13,6 +13,7 @@
 #include "../sleep/fall_asleep.h"
 #include "../sleep/islands.h"
 #include "../sleep/wake.h"
+#include "../fast/body_path.h"
 #include "scene.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -184,6 +185,13 @@ struct FilterPart<S, false> {
 };
 
 template <class S, bool present>
+struct PathPart {
+    BodyPath paths[static_cast<unsigned>(S::max_bodies)] = {};
+};
+template <class S>
+struct PathPart<S, false> {};
+
+template <class S, bool present>
 struct SensorPart {
     uint8_t is_sensor[static_cast<unsigned>(shape_capacity<S>)] = {};
     PairOfBodies overlaps[static_cast<unsigned>(S::max_overlaps)] = {};
@@ -260,6 +268,7 @@ struct Storage : TranslationPart<S, S::translates>,
                  ManifoldPart<S, stacks<S>>,
                  FilterPart<S, S::filters>,
                  SensorPart<S, has_sensors<S>>,
+                 PathPart<S, follows_fast_bodies<S>>,
                  EventPart<S, has_events<S>>,
                  SleepPart<S, S::sleeps> {
     RotationTile rotation[tile_capacity<S>] = {};
@@ -308,6 +317,12 @@ struct Storage : TranslationPart<S, S::translates>,
             manifolds.count = &this->awake_pair_count;
         }
         return manifolds;
+    }
+    /// Bodies whose surfaces are solid to each other.
+    bool can_meet(int slot_A, int slot_B) const {
+        if constexpr (has_sensors<S>)
+            if (this->is_sensor[slot_A] != 0 || this->is_sensor[slot_B] != 0) return false;
+        return this->filter_view().let_meet(slot_A, slot_B);
     }
     ContactView contact_view() { return {this->contacts, &this->contact_count, S::max_contacts}; }
 };

@@ -66,4 +66,108 @@ struct SpinningBar {
     }
 };
 
+/// A ball of 5 cm at 1000 m/s flies by an immovable box of half a metre: along its face, `away` above its edge. No gravity.
+///
+/// Criterion: away > 0: neither speed nor spin nor direction changes by one bit.
+struct Grazing {
+    static constexpr const char* name = "grazing";
+    static constexpr int body_count = 2;
+    static constexpr Vector gravity = {0, 0, 0};
+    static constexpr scalar h = display_rate_h;
+    static constexpr scalar speed = 1000, radius = scalar(0.025), half = scalar(0.25);
+
+    /// oblique: past a corner of the box turned by 45 degrees, instead of along a face.
+    static constexpr PlacedBody body(int body_i, scalar away, scalar phase, bool oblique) {
+        constexpr scalar root_half = scalar(0.70710678118654752);
+        if (body_i == 0) {
+            PlacedBody box = fixed_box({half, half, half}, {0, 0, 0}, scalar(0.5), scalar(0.5));
+            if (oblique) box.turn({{root_half, root_half, 0}, {-root_half, root_half, 0}, {0, 0, 1}});
+            return box;
+        }
+        const scalar top = oblique ? half / root_half : half;
+        PlacedBody ball = solid_ball(scalar(0.5), radius, {-(1 + phase) * speed * h, top + radius + away, 0}, scalar(0.5), scalar(0.5));
+        ball.move({speed, 0, 0});
+        return ball;
+    }
+};
+
+/// A ball of 5 cm at 1000 m/s bounces between two immovable plates, 1 cm thick and 1 m apart. e = 1, no gravity: 17 impacts a frame.
+///
+/// Criterion: stays between them; keeps its energy; is where a ball in a gap of 0.95 m is.
+struct BetweenPlates {
+    static constexpr const char* name = "between_plates";
+    static constexpr int body_count = 3;
+    static constexpr Vector gravity = {0, 0, 0};
+    static constexpr scalar h = display_rate_h;
+    static constexpr scalar speed = 1000, radius = scalar(0.025), half_gap = scalar(0.5);
+
+    static constexpr PlacedBody body(int body_i, scalar speed_of_ball) {
+        constexpr scalar half_thickness = scalar(0.005);
+        if (body_i < 2) return fixed_box({half_thickness, 2, 2}, {(body_i == 0 ? -1 : 1) * (half_gap + half_thickness), 0, 0}, 0, 1);
+        PlacedBody ball = solid_ball(scalar(0.5), radius, {0, 0, 0}, 0, 1);
+        ball.move({speed_of_ball, 0, 0});
+        return ball;
+    }
+};
+
+/// A ball of 5 cm at 1000 m/s through a gap 6 cm wide between two immovable boxes. No gravity.
+///
+/// Criterion: gets through without a touch.
+struct ThroughGap {
+    static constexpr const char* name = "through_gap";
+    static constexpr int body_count = 3;
+    static constexpr Vector gravity = {0, 0, 0};
+    static constexpr scalar h = display_rate_h;
+    static constexpr scalar speed = 1000, radius = scalar(0.025), half_gap = scalar(0.03);
+
+    static constexpr PlacedBody body(int body_i, scalar phase) {
+        if (body_i < 2) return fixed_box({scalar(0.2), 1, 1}, {0, (body_i == 0 ? -1 : 1) * (half_gap + 1), 0}, scalar(0.5), scalar(0.5));
+        PlacedBody ball = solid_ball(scalar(0.5), radius, {-(1 + phase) * speed * h, 0, 0}, scalar(0.5), scalar(0.5));
+        ball.move({speed, 0, 0});
+        return ball;
+    }
+};
+
+/// A ball of 5 cm and 0.1 kg at 500 m/s into the middle of a stack of five cubes of 20 cm and 4 kg each.
+///
+/// Criterion: stays in front of the cube it hits; energy never grows.
+struct BulletIntoStack : OnEarth {
+    static constexpr const char* name = "bullet_into_stack";
+    static constexpr int body_count = 7;
+    static constexpr scalar seconds = 2;
+    static constexpr scalar speed = 500, radius = scalar(0.025), half = scalar(0.1), mu = scalar(0.5);
+
+    static constexpr PlacedBody body(int body_i, scalar phase) {
+        if (body_i == 0) return flat_ground(mu);
+        if (body_i < 6) return solid_box(4, {half, half, half}, {0, 0, half * static_cast<scalar>(2 * body_i - 1)}, mu);
+        PlacedBody ball = solid_ball(scalar(0.1), radius, {-(8 + phase) * speed * h, scalar(0.01), 5 * half + scalar(0.02)}, mu);
+        ball.move({speed, 0, 0});
+        return ball;
+    }
+};
+
+/// Bullets through a shooting range: four walls, each a plate of 1 m x 1 m x 2 cm and 2 kg that stands on the ground, and behind them an
+/// immovable plate of 1 cm. Four balls of 5 cm and 0.5 kg come one after another, at 200 to 800 m/s.
+///
+/// Criterion: bodies stay in their order along x; energy never grows.
+struct BulletWalls : OnEarth {
+    static constexpr const char* name = "bullet_walls";
+    static constexpr int wall_count = 4, ball_count = 4, body_count = 2 + wall_count + ball_count;
+    static constexpr scalar seconds = 2;
+    static constexpr scalar mu = scalar(0.5), e = scalar(0.25), half_wall = scalar(0.01);
+
+    static constexpr PlacedBody body(int body_i) {
+        if (body_i == 0) return flat_ground(mu, e);
+        if (body_i == 1) return fixed_box({scalar(0.005), 5, 5}, {5, 0, 5}, mu, e);
+        const int movable_i = body_i - 2;
+        if (movable_i < wall_count)
+            return solid_box(2, {half_wall, scalar(0.5), scalar(0.5)}, {static_cast<scalar>(1 + movable_i), 0, scalar(0.5)}, mu, e);
+        const int ball_i = movable_i - wall_count;
+        const scalar number = static_cast<scalar>(ball_i);
+        PlacedBody ball = solid_ball(scalar(0.5), scalar(0.025), {-4 - 5 * number, scalar(0.1) * scattered(ball_i, 0), scalar(0.5) + scalar(0.1) * scattered(ball_i, 1)}, mu, e);
+        ball.move({200 * (number + 1), 0, 0});
+        return ball;
+    }
+};
+
 }  // namespace scenes
