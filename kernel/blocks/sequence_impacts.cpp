@@ -16,7 +16,7 @@ constexpr uint32_t leans = 1u << 31;    ///< on something without restitution
 constexpr uint32_t changed = 1u << 30;  ///< by the impact at hand
 constexpr uint32_t bouncing = changed - 1;
 
-constexpr scalar never = limits::unbounded;  ///< no impact in this substep
+constexpr scalar no_impact = limits::unbounded;  ///< no impact in this substep
 constexpr scalar at_hand = -1;               ///< an impact of those that are solved now
 
 /// When a contact has its next impact, s from the begin of the substep: kept where a single bounce keeps the place at which it
@@ -48,13 +48,13 @@ void for_each_in_chain(const SolverView& solver, const Of& of) {
 /// substep.
 scalar next_impact(const SolverView& solver, ContactBlock& block, int lane_i, scalar now, scalar h, bool aim_rows) {
     const BlockFlight flight = flight_of(solver, block);
-    scalar first = never;
+    scalar first = no_impact;
     for (int row = 0; row < block.rows; ++row) {
         const RowFlight from = flight_from(flight.row[row], splat<lane>(now));
         const RowImpact impact = impact_of(from, splat<lane>(h - now));
         scalar when[lanes], target[lanes];
         const mask bounces = both(bounces_off(impact, load(block.e)), is_used(block, row));
-        store(when, select(bounces, splat<lane>(now) + impact.when, splat<lane>(never)));
+        store(when, select(bounces, splat<lane>(now) + impact.when, splat<lane>(no_impact)));
         if (when[lane_i] < first) first = when[lane_i];
         if (!aim_rows) continue;
         const lane leaving = -load(block.e) * impact.speed - flight.row[row].a * (splat<lane>(now) + impact.when);
@@ -129,7 +129,7 @@ void look_again(const SolverView& solver, scalar now, scalar h) {
 }
 
 scalar first_impact(const SolverView& solver) {
-    scalar first = never;
+    scalar first = no_impact;
     for_each_in_chain(solver, [&](int block_i, int lane_i) { first = least(first, time_of(solver.blocks[block_i], lane_i)); });
     return first;
 }
@@ -183,7 +183,7 @@ bool sequence_impacts(const SolverView& solver, scalar h, ImpactNote* notes, Ste
     });
     for (int impact_i = 0; impact_i < limits::impacts_of_contact * contacts; ++impact_i) {
         const scalar now = first_impact(solver);
-        if (!(now < never)) break;
+        if (!(now < no_impact)) break;
         for_each_in_chain(solver, [&](int block_i, int lane_i) {
             ContactBlock& block = solver.blocks[block_i];
             if (!(time_of(block, lane_i) <= now + limits::together * h)) return;
