@@ -35,12 +35,11 @@ bool run(const char* name) {
     stack_paint();
     for (int step_i = 0; step_i < S::golden_steps; ++step_i) {
         const uint64_t begin = clock_ticks();
-        ingot::StepReport report = ingot::step(world<S>, S::h);
+        const ingot::StepReport report = ingot::step(world<S>, S::h);
         const uint64_t ticks = clock_ticks() - begin;
         ticks_sum += ticks;
         ticks_worst = ticks > ticks_worst ? ticks : ticks_worst;
-        if (S::continuous) report.flights_cut = report.spins_clamped = 0;  // in a crowd some wait for others; bullets that scrape along a wall spin
-        clean = clean && report.clean();
+        clean = clean && scenes::went_well<S>(report);
     }
     if (stack_size_bytes() > 0) stack_bytes = stack_deepest_bytes() - depth;
 
