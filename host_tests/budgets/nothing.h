@@ -40,11 +40,6 @@ struct Nothing {
     static constexpr int golden_steps = 1000;
 };
 
-template <class S>
-bool went_well(const ingot::StepReport& report) {
-    return report.clean();
-}
-
 BUDGETS_OPAQUE ingot::Status set_up(ingot::World<Nothing>&) { return ingot::Status::ok; }
 
 }  // namespace scenes

@@ -23,6 +23,16 @@ void write_number(const char* label, uint64_t value) {
     console_write_u64(value);
 }
 
+/// A scene may say which reports are sound; else they are clean.
+template <class S>
+auto went_well(const ingot::StepReport& report, int) -> decltype(S::went_well(report)) {
+    return S::went_well(report);
+}
+template <class S>
+bool went_well(const ingot::StepReport& report, long) {
+    return report.clean();
+}
+
 /// Returns: true when the scene could be set up and every step was clean.
 template <class S>
 bool run(const char* name) {
@@ -39,7 +49,7 @@ bool run(const char* name) {
         const uint64_t ticks = clock_ticks() - begin;
         ticks_sum += ticks;
         ticks_worst = ticks > ticks_worst ? ticks : ticks_worst;
-        clean = clean && scenes::went_well<S>(report);
+        clean = clean && went_well<S>(report, 0);
     }
     if (stack_size_bytes() > 0) stack_bytes = stack_deepest_bytes() - depth;
 
