@@ -137,7 +137,7 @@ TEST(Grazing, leaves_a_ball_as_it_is) {
                 ASSERT_TRUE(scene.sound());
                 const Vector3d v = scene.v(1);
                 const double y = scene.r(1).y();
-                for (int step_i = 0; step_i < 4; ++step_i) ASSERT_EQ(scene.step(scenes::Grazing::h).flights_cut, 0);
+                for (int step_i = 0; step_i < 4; ++step_i) ASSERT_EQ(scene.step(scenes::Grazing::h).impacts_left, 0);
                 const bool same = scene.v(1) == v && scene.r(1).y() == y && scene.omega(1).norm() == 0;
                 EXPECT_EQ(same, away > 0) << "away " << away << ", phase " << phase << ", oblique " << oblique;
             }
@@ -181,7 +181,7 @@ TEST(BetweenPlates, more_impacts_than_are_followed_are_counted) {
     ASSERT_TRUE(scene.sound());
     for (int step_i = 0; step_i < 20; ++step_i) {
         const StepReport report = scene.step(BetweenPlates::h);
-        EXPECT_EQ(report.flights_cut, 1);
+        EXPECT_EQ(report.impacts_left, 1);
         EXPECT_FALSE(report.clean());
         EXPECT_LE(std::abs(scene.r(2).x()), 0.4751);
         EXPECT_NEAR(scene.v(2).norm(), 10000, 8 * eps * 10000);
@@ -196,7 +196,7 @@ TEST(BulletIntoStack, stays_before_the_cube_it_hits) {
         EnergyWatch watch(scene);
         int cut = 0;
         for (int step_i = 0; step_i < 40; ++step_i) {
-            cut += scene.step(BulletIntoStack::h).flights_cut;
+            cut += scene.step(BulletIntoStack::h).impacts_left;
             watch.look();
             if (step_i < 12) {  // then it flies by what it has thrown over
                 ASSERT_LT(scene.r(6).x(), scene.r(3).x()) << phase_i << ", step " << step_i;
@@ -281,7 +281,7 @@ void expect_none_escapes(scalar spin) {
             ASSERT_TRUE(scene.sound());
             const double start = scene.energy();
             for (int step_i = 0; step_i < rate; ++step_i) {
-                cut += scene.step(step_of(rate)).flights_cut;
+                cut += scene.step(step_of(rate)).impacts_left;
                 most = std::max(most, scene.energy() / start);
                 for (int i = 6; i < 18; ++i) escaped += !(scene.r(i).cwiseAbs().maxCoeff() < 1);
             }
@@ -307,7 +307,7 @@ TEST(SlowScenes, are_what_they_were) {
     Play<Follows> follows(bodies_of<Tower<10>>(), Tower<10>::gravity);
     for (int step_i = 0; step_i < 60; ++step_i) {
         (void)plain.step(OnEarth::h);
-        EXPECT_EQ(follows.step(OnEarth::h).flights_cut, 0);
+        EXPECT_EQ(follows.step(OnEarth::h).impacts_left, 0);
         ASSERT_EQ(plain.world().state_hash(), follows.world().state_hash()) << step_i;
     }
 }

@@ -115,7 +115,7 @@ struct BulletRange : Stacked<BulletWalls::body_count, 40> {
     static constexpr PlacedBody body(int body_i) { return BulletWalls::body(body_i); }
     /// In a crowd some wait for others, and bullets that scrape along a wall spin beyond the limit: that is what reports are for.
     static bool went_well(ingot::StepReport report) {
-        report.flights_cut = report.spins_clamped = 0;
+        report.impacts_left = report.spins_clamped = 0;
         return report.clean();
     }
 };

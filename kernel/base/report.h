@@ -31,19 +31,18 @@ struct [[nodiscard]] StepReport {
     uint16_t contacts_lost;      ///< shallower than those kept, and no room: raise Scene::max_contacts
     uint16_t pairs_untested;     ///< pairs of shapes that overlap by their bounds, and for which the kernel has no test yet
     uint16_t impact_waves;       ///< rounds of simultaneous impacts that were resolved
-    uint16_t impacts_left;       ///< contacts still approaching after limits::impact_waves_max
+    uint16_t impacts_left;       ///< contacts still approaching after limits::impact_waves_max; fast bodies that wait for the next step where they met something
     uint16_t sweeps;             ///< sweeps over contacts, in all
     uint16_t overlaps_lost;      ///< bodies in a sensor, and no room: raise Scene::max_overlaps
     scalar residual;             ///< m/s; the largest speed that the last sweep over manifolds still corrected
     uint16_t sweeps_unfinished;  ///< solves that stopped at limits::contact_sweeps_max
     uint16_t events_lost;        ///< no room: raise Scene::max_events
-    uint16_t flights_cut;        ///< fast bodies that wait for the next step where they met something: the rest of this one is lost to them
 
     /// True when the step did all it was asked for, in full.
     constexpr bool clean() const {
         return status == Status::ok && bodies_frozen == 0 && spins_clamped == 0 && contacts_lost == 0 &&
                pairs_untested == 0 && impacts_left == 0 && sweeps_unfinished == 0 &&
-               overlaps_lost == 0 && events_lost == 0 && flights_cut == 0 && (direct & DirectBits::refused) == 0;
+               overlaps_lost == 0 && events_lost == 0 && (direct & DirectBits::refused) == 0;
     }
 };
 
