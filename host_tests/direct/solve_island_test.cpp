@@ -117,7 +117,7 @@ struct RandomIsland {
         solver = storage.solver();
         direct = storage.direct_view();
         const ingot::BodyView bodies = storage.bodies();
-        ingot::take_in_bodies(solver, bodies, {});
+        ingot::take_in_bodies(solver, bodies, {}, static_cast<scalar>(h));
         ingot::order_manifolds(solver);
         solver.substeps = ingot::limits::substeps;
         ingot::prepare_blocks(solver, bodies);

@@ -2,6 +2,7 @@
 #include "move_bodies.h"
 
 #include "../base/limits.h"
+#include "../body/kinematics.h"
 #include "../math/rotation.h"
 #include "../math/sqrt.h"
 
@@ -17,12 +18,27 @@ void set4(scalar (&to)[4], const Vector& value, scalar fourth = 0) {
 }
 Vector vector_of(const scalar (&from)[4]) { return {from[0], from[1], from[2]}; }
 
-/// The solver's own body of a slot; 0 for one that cannot move.
-uint16_t take_in(SolverView& solver, const BodyView& bodies, const Vector& gravity, int slot) {
+/// True where forces leave the motion of a body within limits::speed_runaway and spin_runaway. False for NaN.
+bool stays_in_range(const RotationTile& rotation, const Vector& v_CM, const Vector& L, int lane_i) {
+    const scalar most = limits::speed_runaway, scale = rotation.inv_I_scale[lane_i];
+    if (!(abs(v_CM.x) <= most && abs(v_CM.y) <= most && abs(v_CM.z) <= most)) return false;
+    if ((abs(L.x) + abs(L.y) + abs(L.z)) * scale <= limits::spin_runaway) return true;  // no ratio is beyond 1: omega is not longer than that
+    return is_within_runaway(spin_of(lane_of(rotation.A, lane_i), lane_of(rotation.inv_I_ratio, lane_i) * scale, L));
+}
+
+/// The solver's own body of a slot; 0 for one that cannot move, or that has gone bad: what it does must not reach those that touch it.
+uint16_t take_in(SolverView& solver, const BodyView& bodies, const Vector& gravity, scalar h, int slot) {
     const Place at = place_of(slot);
     const scalar inv_M = bodies.translation[at.tile].inv_M[at.lane];
     if (!(inv_M > 0)) return 0;
     if (solver.local_of[slot] != 0) return solver.local_of[slot];
+    RotationTile& rotation = bodies.rotation[at.tile];
+    const Vector v_CM = lane_of(bodies.translation[at.tile].v_CM, at.lane), L = lane_of(rotation.L, at.lane);
+    const Vector a = lane_of(bodies.translation[at.tile].F_T, at.lane) * inv_M + gravity, tau = lane_of(rotation.tau_T, at.lane);
+    if (!stays_in_range(rotation, v_CM + a * h, L + tau * h, at.lane)) {
+        rotation.bad = static_cast<uint16_t>(rotation.bad | 1u << at.lane);
+        return 0;
+    }
     const int local = solver.body_count++;
     solver.local_of[slot] = static_cast<uint16_t>(local);
     solver.slot_of[local] = static_cast<uint16_t>(slot);
@@ -31,25 +47,24 @@ uint16_t take_in(SolverView& solver, const BodyView& bodies, const Vector& gravi
     SolverBodyHistory& history = solver.histories[local];
     body = {};
     history = {};
-    set4(body.v_CM, lane_of(bodies.translation[at.tile].v_CM, at.lane), inv_M);
-    set4(body.L, lane_of(bodies.rotation[at.tile].L, at.lane));
-    const Vector a = lane_of(bodies.translation[at.tile].F_T, at.lane) * inv_M + gravity;
+    set4(body.v_CM, v_CM, inv_M);
+    set4(body.L, L);
     set4(body.dp, {}, sqrt(length_sq(a)));
     set4(history.a, a);
-    set4(history.tau, lane_of(bodies.rotation[at.tile].tau_T, at.lane));
+    set4(history.tau, tau);
     return solver.local_of[slot];
 }
 
 }  // namespace
 
-void take_in_bodies(SolverView& solver, const BodyView& bodies, const Vector& gravity) {
+void take_in_bodies(SolverView& solver, const BodyView& bodies, const Vector& gravity, scalar h) {
     solver.bodies[0] = {};
     solver.histories[0] = {};
     solver.body_count = 1;
     for (int slot = 0; slot < bodies.tile_count * lanes; ++slot) solver.local_of[slot] = 0;
     for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i) {
-        (void)take_in(solver, bodies, gravity, solver.pairs[manifold_i].body_A);
-        (void)take_in(solver, bodies, gravity, solver.pairs[manifold_i].body_B);
+        (void)take_in(solver, bodies, gravity, h, solver.pairs[manifold_i].body_A);
+        (void)take_in(solver, bodies, gravity, h, solver.pairs[manifold_i].body_B);
     }
 }
 

@@ -6,8 +6,9 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// Fills the solver's bodies with those that touch and can move.
-void take_in_bodies(SolverView& solver, const BodyView& bodies, const Vector& gravity);
+/// Fills the solver's bodies with those that touch and can move. One that its forces drive out of the range within the step of h
+/// seconds is marked bad and left out: to those that touch it, it is immovable already, as it is from the next step on.
+void take_in_bodies(SolverView& solver, const BodyView& bodies, const Vector& gravity, scalar h);
 
 /// Forces of a substep of h seconds: v_CM += a h, L += tau h.
 void kick_bodies(SolverView& solver, scalar h);

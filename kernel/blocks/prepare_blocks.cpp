@@ -52,7 +52,8 @@ struct Collected {
     scalar n[3][lanes], P[block_rows][3][lanes], used[block_rows][lanes], separation[block_rows][lanes];
 };
 
-/// Names the manifolds and bodies of a block, and collects them.
+/// Names the manifolds and bodies of a block, and collects them. A body that is 0 to the solver is all zero here too; between two of
+/// them there is nothing to solve: the lane is as if it had no points.
 void collect(const SolverView& solver, const BodyView& bodies, int block_i, ContactBlock& block, Collected& in) {
     block.rows = 1;
     for (int lane_i = 0; lane_i < lanes; ++lane_i) {
@@ -67,9 +68,10 @@ void collect(const SolverView& solver, const BodyView& bodies, int block_i, Cont
         const BodyPair& pair = solver.pairs[manifold_i];
         block.body_A[lane_i] = solver.local_of[pair.body_A];
         block.body_B[lane_i] = solver.local_of[pair.body_B];
-        in.A.put(lane_i, bodies, pair.body_A);
-        in.B.put(lane_i, bodies, pair.body_B);
+        if (block.body_A[lane_i] != 0) in.A.put(lane_i, bodies, pair.body_A);
+        if (block.body_B[lane_i] != 0) in.B.put(lane_i, bodies, pair.body_B);
         if (record.manifold.count > 1) block.rows = block_rows;
+        if (block.body_A[lane_i] == 0 && block.body_B[lane_i] == 0) continue;  // one has gone bad
         for (int row = 0; row < record.manifold.count; ++row) {
             in.used[row][lane_i] = 1;
             in.separation[row][lane_i] = record.manifold.points[row].separation;

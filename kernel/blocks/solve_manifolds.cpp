@@ -41,12 +41,12 @@ void solve_substeps(SolverView& solver, const BodyView& bodies, const SweepPlan&
 
 template <bool notes_impulses>
 void solve_manifolds(SolverView& solver, const BodyView& bodies, const Vector& gravity, scalar h, ImpactNote* notes, StepReport& report) {
-    take_in_bodies(solver, bodies, gravity);
+    take_in_bodies(solver, bodies, gravity, h);
     order_manifolds(solver);
     const SweepPlan plan = plan_sweeps(solver);
     solve_substeps<notes_impulses>(solver, bodies, plan, h, notes, report);
     if (plan.substeps < limits::substeps && !solver.calm) {  // calm no more: the step begins again, with all of its substeps
-        take_in_bodies(solver, bodies, gravity);
+        take_in_bodies(solver, bodies, gravity, h);
         solve_substeps<notes_impulses>(solver, bodies, with_all_substeps(plan), h, notes, report);
     }
     remember_impulses(solver);

@@ -28,7 +28,7 @@ struct SolverView {
     SolverBody* bodies;        ///< [0] stands for all that cannot move and for spare lanes
     SolverBodyHistory* histories;
     uint16_t* slot_of;         ///< by solver body
-    uint16_t* local_of;        ///< by body slot; 0: immovable, or does not touch
+    uint16_t* local_of;        ///< by body slot; 0: immovable, gone bad, or does not touch
     uint16_t* level_of_body;   ///< by solver body
     uint32_t* colours_of_body; ///< by solver body, within the level at hand
     int body_count;            ///< solver bodies in use, [0] included

@@ -77,6 +77,7 @@ int choose_islands(const SolverView& solver, const DirectView& direct, StepRepor
         const uint16_t record_i = solver.pairs[manifold_i].record;
         if (age_of(solver.records[record_i]) == 0) direct.unsettled[record_i] = 0;  // a new contact
         const uint16_t root = direct.root[movable_body(solver, manifold_i)];
+        if (root == 0) continue;  // a body that has gone bad, on one that cannot move
         ++direct.size[root];
         if (are_uneven(solver, solver.local_of[solver.pairs[manifold_i].body_A], solver.local_of[solver.pairs[manifold_i].body_B]) || direct.unsettled[record_i] >= limits::unsettled_steps)
             direct.fate[root] = IslandFate::chosen;

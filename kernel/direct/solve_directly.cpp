@@ -134,13 +134,13 @@ bool solve_substeps_directly(SolverView& solver, DirectView& direct, const BodyV
 template <bool notes_impulses>
 void solve_directly(SolverView& solver, DirectView& direct, const BodyView& bodies, const Vector& gravity, scalar h, ImpactNote* notes,
                     StepReport& report) {
-    take_in_bodies(solver, bodies, gravity);
+    take_in_bodies(solver, bodies, gravity, h);
     order_manifolds(solver);
     const SweepPlan plan = plan_sweeps(solver);
     const int chosen = choose_islands(solver, direct, report);
     bool at_bound = solve_substeps_directly<notes_impulses>(solver, direct, bodies, plan, chosen, h, notes, report);
     if (plan.substeps < limits::substeps && !solver.calm) {  // calm no more: the step begins again, with all of its substeps
-        take_in_bodies(solver, bodies, gravity);
+        take_in_bodies(solver, bodies, gravity, h);
         at_bound = solve_substeps_directly<notes_impulses>(solver, direct, bodies, with_all_substeps(plan), chosen, h, notes, report);
     }
     note_unsettled(solver, direct, at_bound);
