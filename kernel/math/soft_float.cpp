@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "soft_float.h"
 
-#include "../base/config.h"
-
-namespace ingot { namespace soft_float {
+namespace ingot { inline namespace INGOT_ABI { namespace soft_float {
 
 namespace {
 
@@ -128,4 +126,4 @@ int is_greater_or_equal(Bits a, Bits b) { return order_of(a, b) & (greater | equ
 int is_greater(Bits a, Bits b) { return order_of(a, b) & greater; }
 int is_unordered(Bits a, Bits b) { return order_of(a, b) & unordered; }
 
-} }  // namespace ingot::soft_float
+} } }  // namespace ingot::soft_float

@@ -11,7 +11,9 @@
 
 #include <stdint.h>
 
-namespace ingot { namespace soft_float {
+#include "../base/config.h"
+
+namespace ingot { inline namespace INGOT_ABI { namespace soft_float {
 
 // Floats travel in integer registers there, so each function is the compiler's, under its name.
 #if defined(__ARM_EABI__) && defined(__SOFTFP__) && __ARM_ARCH_ISA_THUMB == 1 && !defined(__ARM_ARCH_ISA_ARM)
@@ -38,4 +40,4 @@ int is_greater_or_equal(Bits a, Bits b) INGOT_COMPILER_CALLS("__aeabi_fcmpge");
 int is_greater(Bits a, Bits b) INGOT_COMPILER_CALLS("__aeabi_fcmpgt");
 int is_unordered(Bits a, Bits b) INGOT_COMPILER_CALLS("__aeabi_fcmpun");
 
-} }  // namespace ingot::soft_float
+} } }  // namespace ingot::soft_float
