@@ -143,6 +143,30 @@ TEST(GoneBad, a_speck_that_is_driven_out_of_the_range_freezes_alone) {
     expect_that_the_others_go_on(world);
 }
 
+// Pressed to the ground by forces that leave them in the range or just not: what is settled for them is not for the rest of the world.
+TEST(GoneBad, bodies_pressed_down_by_almost_too_much_stir_no_other) {
+    struct Pressed {
+        scalar M, I, size, F;
+    };
+    for (const Pressed& pressed : {Pressed{scalar(6.22457), scalar(0.00488858), scalar(55.3684), scalar(1.94087e9)},
+                                   Pressed{scalar(49810.9), scalar(21.3255), scalar(11.6709), scalar(7.70441e14)},
+                                   Pressed{scalar(23604.5), scalar(3.85639e-15), scalar(0.011165), scalar(4.61573e12)},
+                                   Pressed{scalar(200429), scalar(6.0254e-7), scalar(0.00208955), scalar(1.8407e14)}}) {
+        static World<Friction> world;
+        fill_stacks(world);
+        ASSERT_EQ(world.remove(world.body_at(2)), Status::ok);
+        BodyDef box = plain_body({0, -300, pressed.size}, ingot::Box{{pressed.size, pressed.size, pressed.size}});
+        box.mass = mass_of(pressed.M, Vector{1, 1, 1} * pressed.I);
+        const Result<BodyId> added = world.add(box);
+        ASSERT_TRUE(added.ok());
+        for (int step_i = 0; step_i < steps_after; ++step_i) {
+            (void)world.add_central_force(added.value, {0, 0, -pressed.F});
+            (void)ingot::step(world, h);
+        }
+        expect_that_the_others_go_on(world);
+    }
+}
+
 struct Tops : ingot::Scene {
     static constexpr int max_bodies = 3;
 };

@@ -70,6 +70,9 @@ inline constexpr scalar settled_speed_of_few = scalar(2e-7);  ///< m/s; settled_
 /// m/s; a sweep that corrects no speed by more than this is the last of its substep. Contacts at rest then cost one sweep. What is left adds up to
 /// less than 0.1 mm in a minute. In a longer substep so much more: it is an acceleration.
 inline constexpr scalar settled_speed = scalar(1.5e-6);
+/// m/s; what fast bodies round a solve is not waited for, but no more than at this speed: in float 4 epsilon of it are half of sleep_speed, and what
+/// is at rest elsewhere in the same world must stay so.
+inline constexpr scalar rounding_speed_max = 1000;
 inline constexpr scalar stirring_share = scalar(0.5);     ///< of settled_speed: contacts of bodies that a sweep stirs by more are visited by the next
 /// Where nothing that touches accelerates by more than this share of what gravity and forces give it, a step is cut into fewer
 /// substeps: those are there for what changes.

@@ -79,7 +79,7 @@ void kick_bodies(SolverView& solver, scalar h) {
         for (int i = 0; i < 4; ++i) body.L[i] = body.L[i] + history.tau[i] * h;
         fastest_sq = greatest(fastest_sq, length_sq(vector_of(body.v_CM)));
     }
-    solver.speed_max = sqrt(fastest_sq);
+    solver.speed_max = least(sqrt(fastest_sq), limits::rounding_speed_max);
 }
 
 void drift_bodies(SolverView& solver, const BodyView& bodies, scalar h) {

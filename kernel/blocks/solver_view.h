@@ -35,7 +35,7 @@ struct SolverView {
     int visit_count, block_count;
     int level_count;           ///< the longest way to the ground, in contacts
     int lane_count, lane_capacity;  ///< of all blocks
-    scalar speed_max;          ///< m/s, of the bodies in this substep
+    scalar speed_max;          ///< m/s, of the bodies in this substep, up to limits::rounding_speed_max
     bool some_hit;             ///< a body was hit in the substep before
     int substeps;              ///< of this step: limits::substeps, or limits::calm_substeps
     bool calm;                 ///< nothing that touches has accelerated in this step
