@@ -178,7 +178,7 @@ bool run_contact(const std::string& out_dir) {
             const ingot::StepReport report = ingot::step(w, S::h);
             lost += report.contacts_lost + report.pairs_untested;
             frozen += report.bodies_frozen;
-            sweeps = static_cast<double>(report.sweeps) / ingot::limits::substeps;
+            sweeps = report.sweeps;
             residual = static_cast<double>(report.residual);
             ledger.book(w, S::h);
             progress.at(step_i);
@@ -198,7 +198,7 @@ bool run_contact(const std::string& out_dir) {
     std::printf("  stages %s\n", stages<S>().c_str());
     std::printf("  highest body sank by %.3g mm   kinetic energy at the end %.2g J   largest energy gain of a step %.2g   |A^T A - 1| %.2g\n",
                 1e3 * (highest_begin - highest(w)), static_cast<double>(w.kinetic_energy()), ledger.largest_gain(), ledger.orthogonality());
-    std::printf("  last step: %.3g sweeps a substep, residual %.2g m/s\n", sweeps, residual);
+    std::printf("  last step: %.3g sweeps, residual %.2g m/s\n", sweeps, residual);
     std::printf("  state hash 0x%016llx%s\n\n", static_cast<unsigned long long>(w.state_hash()),
                 lost + frozen == 0 ? "" : "   CONTACTS WERE LOST, OR BODIES FROZEN");
     return drawn && lost + frozen == 0;

@@ -31,7 +31,7 @@ struct BodyPose {
 /// What the last step had to say; engines that say nothing leave it empty.
 struct StepFigures {
     double residual = 0;  ///< m/s
-    double sweeps = 0;    ///< over all contacts, in a substep
+    double sweeps = 0;    ///< over all contacts, in a step
     int lost = 0;         ///< bodies, pairs and contacts for which there was no room
     int frozen = 0;       ///< bodies driven out of range, which stand still from now on
 };

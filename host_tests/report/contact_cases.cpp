@@ -95,7 +95,7 @@ public:
         }
     }
     StepFigures figures() const override {
-        return {static_cast<double>(report_.residual), static_cast<double>(report_.sweeps) / ingot::limits::substeps,
+        return {static_cast<double>(report_.residual), static_cast<double>(report_.sweeps),
                 refused_ + report_.contacts_lost + report_.pairs_untested, report_.bodies_frozen};
     }
     double bytes() const override { return static_cast<double>(sizeof world_); }

@@ -101,7 +101,7 @@ Table table_of(const Rows& rows, const std::string& title, const std::string& no
 
 const Column us = {"µs per step, 1/4/8 lanes", "us_per_step"}, ratio = {"time by Bullet's, 4/8 lanes", "time_ratio_to_bullet"},
              gain = {"largest energy gain of a step", "energy_gain"}, residual = {"residual, m/s", "residual"},
-             sweeps = {"sweeps per substep", "sweeps"}, bytes = {"world, KB", "world_bytes"};
+             sweeps = {"sweeps per step", "sweeps"}, bytes = {"world, KB", "world_bytes"};
 
 }  // namespace
 
