@@ -198,7 +198,9 @@ TEST(Kept, a_snapshot_of_a_sleeper_that_moves_is_refused) {
     body.v_CM = {0, 0, 1};
     EXPECT_FALSE(ingot::is_sound(ingot::SavedRest{0, 0}, body, 1));
     EXPECT_TRUE(ingot::is_sound(ingot::SavedRest{1, 0}, body, 1));
-    EXPECT_FALSE(ingot::is_sound(ingot::SavedRest{2, 0}, {}, 1));
+    EXPECT_FALSE(ingot::is_sound(ingot::SavedRest{2, 0}, body, 1)) << "due, and moving";
+    EXPECT_TRUE(ingot::is_sound(ingot::SavedRest{2, 0}, {}, 1));
+    EXPECT_FALSE(ingot::is_sound(ingot::SavedRest{3, 0}, {}, 1));
     EXPECT_FALSE(ingot::is_sound(ingot::SavedRest{1, scalar(1.5)}, {}, 1));
     EXPECT_FALSE(ingot::is_sound(ingot::SavedRest{1, scalar(-0.5)}, {}, 1));
     EXPECT_FALSE(ingot::is_sound(ingot::SavedRest{1, std::numeric_limits<scalar>::quiet_NaN()}, {}, 1));

@@ -3,15 +3,15 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-bool all_at_rest(const RestView& rest, int tile_count) {
-    unsigned stirs = 0;
-    for (int tile_i = 0; tile_i < tile_count; ++tile_i) stirs |= rest.awake[tile_i] | static_cast<unsigned>(rest.due[tile_i]);
-    return stirs == 0;
+bool all_at_rest(const RestView& rest, const BoundsTile* bounds, int tile_count) {
+    bool stirs = false;
+    for (int tile_i = 0; tile_i < tile_count; ++tile_i) stirs = stirs || rest.tile_stirs(tile_i) || is_blank(bounds[tile_i]);
+    return !stirs;
 }
 
 bool refresh_stirring_bounds(const BodyView& bodies, const SurfaceView& surfaces, scalar h, const RestView& rest, BoundsTile* bounds) {
     bool left = false;
-    over_runs(bodies, [&](int tile_i) { return rest.tile_stirs(tile_i); }, [&](int first, const BodyView& run) {
+    over_runs(bodies, [&](int tile_i) { return rest.tile_stirs(tile_i) || is_blank(bounds[tile_i]); }, [&](int first, const BodyView& run) {
         left = refresh_bounds(run, {surfaces.surfaces + first * lanes, surfaces.slot_count - first * lanes}, h, bounds + first) || left;
     });
     if (left) widen_bounds(bodies, bounds);  // of all, whichever tiles were in a run: the pairs of a search are the same for every lane count

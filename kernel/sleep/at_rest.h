@@ -3,12 +3,13 @@
 #pragma once
 
 #include "../contact/contact_events.h"
+#include "../pairs/body_bounds.h"
 #include "awake_tiles.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// True when a step has nothing to do for any body.
-bool all_at_rest(const RestView& rest, int tile_count);
+/// True when a step has nothing to do for any body. The first step after a snapshot makes all bounds, for whoever wakes later.
+bool all_at_rest(const RestView& rest, const BoundsTile* bounds, int tile_count);
 
 /// The rules of the scene for pairs; and the manifold of two bodies at rest is kept as it is, or there still is none.
 template <class Rules>
@@ -18,7 +19,7 @@ struct RulesOfRest : Rules {
     bool keeps(const BodyPair& pair) const { return !rest.stirs(pair.body_A) && !rest.stirs(pair.body_B); }
 };
 
-/// refresh_bounds for bodies that stir; the others have theirs.
+/// refresh_bounds for bodies that stir, and after a snapshot for all; the others have theirs.
 bool refresh_stirring_bounds(const BodyView& bodies, const SurfaceView& surfaces, scalar h, const RestView& rest, BoundsTile* bounds);
 
 /// Notes of the pairs that a step has solved, from the order of those to that of all manifolds, in place. The others have nothing to tell.

@@ -25,6 +25,14 @@ void join_islands(const BodyView& bodies, const RestView& rest, const ManifoldVi
     }
 }
 
+void join_all_islands(const BodyView& bodies, const RestView& rest, const ManifoldView& manifolds) {
+    for (int slot = 0; slot < bodies.tile_count * lanes; ++slot) rest.parent[slot] = static_cast<uint16_t>(slot);
+    for (int manifold_i = 0; manifold_i < *manifolds.count; ++manifold_i) {
+        const int A = manifolds.pairs[manifold_i].body_A, B = manifolds.pairs[manifold_i].body_B;
+        if (is_free(bodies, A) && is_free(bodies, B)) join(rest, A, B);
+    }
+}
+
 void wake_met_islands(const BodyView& bodies, const RestView& rest, const ManifoldView& manifolds) {
     bool some_met = false;
     const auto sleeper_met = [&](const BodyPair& pair) -> int {

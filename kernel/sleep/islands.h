@@ -14,6 +14,9 @@ namespace ingot { inline namespace INGOT_ABI {
 /// Source: Tarjan and van Leeuwen 1984, path halving; without ranks, so logarithmic at worst in the mean, and never recursive.
 void join_islands(const BodyView& bodies, const RestView& rest, const ManifoldView& manifolds);
 
+/// The same for all bodies, whether they stir or not: after a snapshot.
+void join_all_islands(const BodyView& bodies, const RestView& rest, const ManifoldView& manifolds);
+
 /// Wakes every island that has a manifold with what is awake. So in the step at hand nothing that moves can meet what sleeps, however it is hit
 /// meanwhile: no manifold has one body awake and the other asleep.
 void wake_met_islands(const BodyView& bodies, const RestView& rest, const ManifoldView& manifolds);

@@ -353,7 +353,8 @@ Result<size_t> save_snapshot(const World<S>& world, uint8_t* bytes, size_t room)
             writer(sensor);
         }
         if constexpr (S::sleeps) {
-            SavedRest rest{static_cast<uint8_t>(storage.is_awake(slot) ? 1 : 0), storage.slow_for[slot]};
+            const uint8_t awake = storage.is_awake(slot) ? 1 : RestView::has(storage.due, slot) ? 2 : 0;
+            SavedRest rest{awake, storage.slow_for[slot]};
             rest.numbers(writer);
         }
     }
@@ -432,19 +433,11 @@ Status read_body(ByteReader& reader, int slot, Storage<S>* to) {
         SavedRest rest{};
         rest.numbers(reader);
         if (!is_sound(rest, body, S::sleep_time)) return Status::bad_snapshot;
-        if (to != nullptr && rest.awake != 0) RestView::set(to->awake, slot);
+        if (to != nullptr && rest.awake == 1) RestView::set(to->awake, slot);
+        if (to != nullptr && rest.awake == 2) RestView::set(to->due, slot);
         if (to != nullptr) to->slow_for[slot] = rest.slow_for;
     }
     return Status::ok;
-}
-
-/// What sleep knows beside the bodies' own: whoever is at rest is due, since it has no bounds yet, and islands are those of the manifolds.
-template <class S>
-void make_islands_anew(Storage<S>& storage) {
-    const BodyView bodies = storage.bodies();
-    for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) storage.due[tile_i] = all_lanes;
-    for (int slot = 0; slot < bodies.tile_count * lanes; ++slot) storage.parent[slot] = static_cast<uint16_t>(slot);
-    join_islands(bodies, storage.rest_view(), storage.manifold_view());
 }
 
 /// Reads what comes after the header. Without storage it only checks.
@@ -467,7 +460,7 @@ Status read_snapshot_contents(ByteReader reader, Storage<S>* to) {
     if constexpr (stacks<S>)
         if (status == Status::ok) status = read_manifolds<S>(reader, whole.slots_used, to);
     if constexpr (S::sleeps)
-        if (status == Status::ok && to != nullptr) make_islands_anew(*to);
+        if (status == Status::ok && to != nullptr) join_all_islands(to->bodies(), to->rest_view(), to->manifold_view());
     if (status != Status::ok) return status;
     return reader.at_end() ? Status::ok : Status::bad_snapshot;
 }

@@ -169,8 +169,8 @@ bool is_sound(const SavedBody& body, bool translates) {
 }
 
 bool is_sound(const SavedRest& saved, const SavedBody& body, scalar sleep_time) {
-    if (saved.awake > 1 || !(saved.slow_for >= 0 && saved.slow_for <= sleep_time)) return false;
-    if (saved.awake != 0) return true;
+    if (saved.awake > 2 || !(saved.slow_for >= 0 && saved.slow_for <= sleep_time)) return false;
+    if (saved.awake == 1) return true;
     return is_zero_vector(body.L) && is_zero_vector(body.tau_T) && is_zero_vector(body.v_CM) && is_zero_vector(body.F_T);
 }
 

@@ -139,7 +139,7 @@ StepReport step(World<S>& world, scalar h) {
         count(report.spins_clamped, S::flight::template fly<typename S::rotation>(bodies, drivers, h, clock));
     } else if constexpr (stacks<S>) {
         if constexpr (S::sleeps)
-            if (all_at_rest(storage.rest_view(), bodies.tile_count)) return pass_at_rest(storage, h, report);
+            if (all_at_rest(storage.rest_view(), storage.bounds, bodies.tile_count)) return pass_at_rest(storage, h, report);
         if constexpr (has_events<S>) keep_lists(storage);
         const PairList pairs = storage.pair_list();
         const ManifoldView manifolds = storage.manifold_view();
