@@ -50,8 +50,8 @@ void solve_impacts(const ContactView& contacts, const BodyView& bodies, scalar r
         for (int contact_i = 0; contact_i < *contacts.count; ++contact_i)
             contacts.contacts[contact_i].j_total += contacts.contacts[contact_i].j;
         // Among close-packed bodies impacts go to and fro: in the second half of the waves they bounce no more.
-        const bool bouncing = wave_i < limits::impact_waves_max / 2;
-        approaching = begin_wave(contacts, bodies, bouncing ? rest_speed : scalar_max);
+        const bool bounce = wave_i < limits::impact_waves_max / 2;
+        approaching = begin_wave(contacts, bodies, bounce ? rest_speed : scalar_max);
     }
     count(report.impacts_left, approaching);
 }
