@@ -34,9 +34,25 @@ void set_bounds(BoundsTile& bounds, int lane_i, const Vector& low, const Vector&
 constexpr Vector everywhere = {limits::unbounded, limits::unbounded, limits::unbounded};
 constexpr Vector nowhere = everywhere * scalar(2);  ///< empty bounds begin there; so that not even a half space overlaps them
 
+/// A half space whose face lies along two of the axes ends there; any other is everywhere. It never moves.
+void bound_half_space(const BodyView& bodies, const Surface& surface, Place at, BoundsTile& tile) {
+    set_bounds(tile, at.lane, -everywhere, everywhere);
+    const Vector n = lane_of(bodies.rotation[at.tile].A, at.lane) * surface.shape.size, r = lane_of(bodies.translation[at.tile].r_CM, at.lane);
+    const scalar n_of[3] = {n.x, n.y, n.z}, r_of[3] = {r.x, r.y, r.z}, offset = surface.shape.offset;
+    for (int axis = 0; axis < 3; ++axis) {
+        const scalar along = n_of[axis], place = r_of[axis];
+        if (abs(along) != 1 || length_sq(n) != 1) continue;
+        const scalar slack = limits::contact_margin / 2 + 4 * epsilon * (abs(place) + abs(offset));
+        if (along > 0)
+            tile.high[axis][at.lane] = place + offset + slack;
+        else
+            tile.low[axis][at.lane] = place - offset - slack;
+    }
+}
+
 void bound(const BodyView& bodies, const Surface& surface, Place at, scalar h, BoundsTile& tile) {
     if (surface.shape.kind == ShapeKind::none) return set_bounds(tile, at.lane, nowhere, -nowhere);
-    if (surface.shape.kind == ShapeKind::half_space) return set_bounds(tile, at.lane, -everywhere, everywhere);
+    if (surface.shape.kind == ShapeKind::half_space) return bound_half_space(bodies, surface, at, tile);
     const Vector r = lane_of(bodies.translation[at.tile].r_CM, at.lane), v = lane_of(bodies.translation[at.tile].v_CM, at.lane);
     const scalar turn = sqrt(length_sq(omega_of(bodies, at.tile * lanes + at.lane))) * h;
     const scalar spin_reach = (turn < 2 ? turn : scalar(2)) * surface.bounding_radius;  // no point is further from where it was than the diameter

@@ -6,7 +6,7 @@
 namespace ingot { inline namespace INGOT_ABI {
 
 /// Boxes along the world axes that hold `lanes` bodies, wherever they get within the step. A lane without a shape holds the empty box, which
-/// overlaps nothing; a half space holds the whole world.
+/// overlaps nothing; a half space ends at its face where that lies along two of the axes, and holds the whole world where not.
 struct alignas(tile_alignment) BoundsTile {
     scalar low[3][lanes], high[3][lanes];            ///< m, in this step
     scalar wide_low[3][lanes], wide_high[3][lanes];  ///< m, with a skin around; pairs are searched for by these

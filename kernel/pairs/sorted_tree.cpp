@@ -23,7 +23,9 @@ TreeBox box_of(const BoundsTile* bounds, int slot) {
     const Place at = place_of(slot);
     return {lane_of(bounds[at.tile].wide_low, at.lane), lane_of(bounds[at.tile].wide_high, at.lane)};
 }
-Vector centre_of(const TreeBox& box) { return (box.low + box.high) * scalar(0.5); }
+/// What has no end on a side is not in the way of how the others are sorted: it counts as if it lay at the origin.
+scalar centre(scalar low, scalar high) { return low <= -limits::unbounded || high >= limits::unbounded ? scalar(0) : (low + high) * scalar(0.5); }
+Vector centre_of(const TreeBox& box) { return {centre(box.low.x, box.high.x), centre(box.low.y, box.high.y), centre(box.low.z, box.high.z)}; }
 
 /// Spreads the bits of a coordinate to every third place.
 uint32_t spread(uint32_t x) {
