@@ -27,24 +27,21 @@ INGOT_INLINE BodyPairLanes gather_bodies(const SolverView& solver, const Contact
             {linear_A.at[3], angular_A.at[3], linear_B.at[3], angular_B.at[3]}};
 }
 
-/// Writes back the lanes of the visit.
+INGOT_INLINE LaneQuad quad_of(const Vec3<lane>& v, lane last) { return {{v.x, v.y, v.z, last}}; }
+
+/// Writes back the lanes of the visit: of one quad, or of all four.
+INGOT_INLINE void scatter_visited(const SolverView& solver, const uint16_t* bodies, uint16_t lane_bits, QuadOfBody part, const LaneQuad& value) {
+    if (lane_bits == all_lanes)
+        scatter(solver.bodies, bodies, part, value);
+    else
+        scatter_some(solver.bodies, bodies, lane_bits, part, value);
+}
 INGOT_INLINE void scatter_bodies(const SolverView& solver, const ContactBlock& block, uint16_t lane_bits, const BodyPairLanes& pair,
                                  QuadOfBody linear, QuadOfBody angular) {
-    const LaneQuad linear_A = {{pair.linear_A.x, pair.linear_A.y, pair.linear_A.z, pair.last[0]}};
-    const LaneQuad angular_A = {{pair.angular_A.x, pair.angular_A.y, pair.angular_A.z, pair.last[1]}};
-    const LaneQuad linear_B = {{pair.linear_B.x, pair.linear_B.y, pair.linear_B.z, pair.last[2]}};
-    const LaneQuad angular_B = {{pair.angular_B.x, pair.angular_B.y, pair.angular_B.z, pair.last[3]}};
-    if (lane_bits == all_lanes) {
-        scatter(solver.bodies, block.body_A, linear, linear_A);
-        scatter(solver.bodies, block.body_A, angular, angular_A);
-        scatter(solver.bodies, block.body_B, linear, linear_B);
-        scatter(solver.bodies, block.body_B, angular, angular_B);
-        return;
-    }
-    scatter_some(solver.bodies, block.body_A, lane_bits, linear, linear_A);
-    scatter_some(solver.bodies, block.body_A, lane_bits, angular, angular_A);
-    scatter_some(solver.bodies, block.body_B, lane_bits, linear, linear_B);
-    scatter_some(solver.bodies, block.body_B, lane_bits, angular, angular_B);
+    scatter_visited(solver, block.body_A, lane_bits, linear, quad_of(pair.linear_A, pair.last[0]));
+    scatter_visited(solver, block.body_A, lane_bits, angular, quad_of(pair.angular_A, pair.last[1]));
+    scatter_visited(solver, block.body_B, lane_bits, linear, quad_of(pair.linear_B, pair.last[2]));
+    scatter_visited(solver, block.body_B, lane_bits, angular, quad_of(pair.angular_B, pair.last[3]));
 }
 
 /// Speed along a row: direction . (v_A - v_B) + L_A.k_A + L_B.k_B.

@@ -50,6 +50,7 @@ struct ContactBlock {
     uint16_t body_A[lanes], body_B[lanes];  ///< of SolverBody
     uint16_t manifold[lanes];               ///< no_manifold in a spare lane
     int rows;                               ///< 1 where no manifold of the block has more points, else block_rows
+    bool central;                           ///< one row, and no normal has a lever: balls
     scalar inv_M_A[lanes], inv_M_B[lanes];  ///< kg^-1
     scalar n[3][lanes], t_1[3][lanes], t_2[3][lanes];
     scalar mu[lanes], e[lanes];             ///< friction, restitution

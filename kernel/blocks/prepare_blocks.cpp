@@ -121,15 +121,29 @@ INGOT_INLINE lane compliance(const Levers& row, const Levers& other, lane inv_M)
     return inv_M + dot(load(row.k_A), load(other.J_A)) + dot(load(row.k_B), load(other.J_B));
 }
 
+/// True where the normal of one point goes through the centres of both bodies that move, but for the rounding of P: there it has no lever.
+INGOT_INLINE mask is_central(const LaneContacts& contacts) {
+    const Vec3<lane> P = contacts.P[0], n = contacts.n;
+    const lane rounding = splat<lane>(8 * epsilon) * (abs(P.x) + abs(P.y) + abs(P.z));
+    const auto passes = [&](const LaneBodies& body) {
+        const Vec3<lane> J = cross(P - body.r_CM, n);
+        return either(opposite(body.moves), both(both(abs(J.x) <= rounding, abs(J.y) <= rounding), abs(J.z) <= rounding));
+    };
+    return both(passes(contacts.A), passes(contacts.B));
+}
+
 /// Levers of the normals, their compliance and its inverse.
 template <int rows>
 INGOT_INLINE void prepare_normals(ContactBlock& block, const LaneContacts& contacts) {
     const lane one = splat<lane>(1);
+    const mask alone = rows > 1 ? contacts.used[1] == lane{} : one > lane{};
+    const mask central = both(alone, is_central(contacts));
+    block.central = rows == 1 && !any(opposite(central));
     mask there[block_rows];
     for (int row = 0; row < rows; ++row) {
         there[row] = contacts.used[row] > lane{};
         ContactRow& to = block.row[row];
-        store_levers(to.levers, contacts, contacts.P[row], contacts.n, there[row]);
+        store_levers(to.levers, contacts, contacts.P[row], contacts.n, both(there[row], opposite(central)));
         store(to.separation, contacts.separation[row]);
         store(to.target, lane{});
         store(to.landing, splat<lane>(limits::unbounded));

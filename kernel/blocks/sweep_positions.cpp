@@ -57,12 +57,32 @@ INGOT_INLINE bool visit_positions(const SolverView& solver, ContactBlock& block,
     return any(both(due.lands, active));
 }
 
+/// A visit whose normals have no levers: displacements do all of it.
+INGOT_INLINE void visit_central_positions(const SolverView& solver, ContactBlock& block, uint16_t lane_bits, scalar h) {
+    const Vec3<lane> n = load(block.n);
+    BodyPairLanes pair{};
+    const LaneQuad dp_A = gather(solver.bodies, block.body_A, &SolverBody::dp), dp_B = gather(solver.bodies, block.body_B, &SolverBody::dp);
+    pair.linear_A = vector_of(dp_A);
+    pair.linear_B = vector_of(dp_B);
+    const Pushes due = pushes_due<1>(block, n, pair, h);
+    if (!any(due.off)) return;
+    const Row4 none = {};
+    const Row4 q = solve_block<1, false>(block.K, block.B, block.held, due.w, none, due.pulls, limits::approach_slack * h, mask_from_bits(lane_bits));
+    add_linear(pair, n * select(due.off, q.at[0], lane{}), load(block.inv_M_A), load(block.inv_M_B));
+    scatter_visited(solver, block.body_A, lane_bits, &SolverBody::dp, quad_of(pair.linear_A, dp_A.at[3]));
+    scatter_visited(solver, block.body_B, lane_bits, &SolverBody::dp, quad_of(pair.linear_B, dp_B.at[3]));
+}
+
 }  // namespace
 
 void sweep_positions(const SolverView& solver, scalar h) {
     for (int visit_i = 0; visit_i < solver.visit_count; ++visit_i) {
         const Visit visit = solver.visits[visit_i];
         ContactBlock& block = solver.blocks[visit.block];
+        if (block.central) {
+            visit_central_positions(solver, block, visit.lane_bits, h);
+            continue;
+        }
         if (block.rows == 1) {
             (void)visit_positions<1>(solver, block, visit.lane_bits, h, false);
             continue;

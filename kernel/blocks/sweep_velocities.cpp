@@ -27,7 +27,7 @@ INGOT_INLINE lane solve_normals(ContactBlock& block, BodyPairLanes& pair, const 
     Row4 before, w;
     for (int row = 0; row < rows; ++row) {
         before.at[row] = load(block.row[row].j);
-        const lane speed = row_speed(block.row[row].levers, approach, pair) - load(block.row[row].target);
+        const lane speed = (block.central ? approach : row_speed(block.row[row].levers, approach, pair)) - load(block.row[row].target);
         w.at[row] = rows == 1 ? speed : select(is_used(block, row), speed, lane{});
     }
     const mask none[block_rows] = {};
@@ -35,7 +35,7 @@ INGOT_INLINE lane solve_normals(ContactBlock& block, BodyPairLanes& pair, const 
     lane total{}, given{};
     for (int row = 0; row < rows; ++row) {
         const lane d = j.at[row] - before.at[row];
-        add_angular(pair, block.row[row].levers, d);
+        if (!block.central) add_angular(pair, block.row[row].levers, d);
         given = given + d;
         total = total + j.at[row];
         change.add(d, load(block.K[Sym4::index(row, row)]));

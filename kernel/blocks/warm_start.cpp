@@ -52,7 +52,7 @@ INGOT_INLINE void warm_start_visit(const SolverView& solver, ContactBlock& block
         store_if<whole>(block.row[row].j, active, j.at[row]);
         store_if<whole>(block.row[row].j_before, active, j.at[row]);
         store_if<whole>(block.row[row].j_sweep, active, j.at[row]);
-        add_angular(pair, block.row[row].levers, j.at[row]);
+        if (!block.central) add_angular(pair, block.row[row].levers, j.at[row]);
     }
     lane sum{};
     for (int row = 0; row < rows; ++row) sum = sum + j.at[row];
