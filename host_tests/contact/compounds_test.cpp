@@ -206,7 +206,8 @@ TEST(Hammer, comes_to_rest) {
     EXPECT_NEAR(handle, 0, 1e-3);
 }
 
-/// Jacks and dumbbells on tables: all come to rest in the pit, in each other's gaps.
+/// Jacks and dumbbells on tables: all come to rest in the pit, in each other's gaps. Their balls roll without resistance, so that one may sway on
+/// for minutes in a hollow of 0.1 mm: at rest is who is no faster than a fall of that depth makes it.
 TEST(CompoundPile, comes_to_rest) {
     static World<CompoundPile> world;
     ASSERT_EQ(set_up(world), Status::ok);
@@ -219,7 +220,7 @@ TEST(CompoundPile, comes_to_rest) {
         EXPECT_LE(place(world, id).head<2>().cwiseAbs().maxCoeff(), 1.5) << slot;
     }
     figure("fastest, m/s", fastest);
-    EXPECT_LE(fastest, 1e-2);
+    EXPECT_LE(fastest, std::sqrt(2 * 9.81 * 1e-4));
 }
 
 // Materials.

@@ -64,7 +64,7 @@ struct Pile {
         colours.assign(locals, 0);
         return {pairs.data(), records.data(), static_cast<int>(manifolds), blocks.data(), visits.data(), order.data(), level.data(),
                 other_order.data(), level_order.data(), solver_bodies.data(), histories.data(), slot_of.data(), local_of.data(), level_of_body.data(),
-                colours.data(), 0, 0, 0, 0, 0, static_cast<int>(room) * lanes, 0, false, ingot::limits::substeps, false};
+                colours.data(), 0, 0, 0, 0, 0, 0, static_cast<int>(room) * lanes, 0, false, ingot::limits::substeps, false};
     }
 };
 

@@ -132,9 +132,15 @@ INGOT_INLINE mask is_central(const LaneContacts& contacts) {
     return both(passes(contacts.A), passes(contacts.B));
 }
 
-/// Levers of the normals, their compliance and its inverse.
+int count_of(mask m) {
+    int count = 0;
+    for (unsigned left = bits(m); left != 0; left &= left - 1) ++count;
+    return count;
+}
+
+/// Levers of the normals, their compliance and its inverse. Returns how many manifolds are central.
 template <int rows>
-INGOT_INLINE void prepare_normals(ContactBlock& block, const LaneContacts& contacts) {
+INGOT_INLINE int prepare_normals(ContactBlock& block, const LaneContacts& contacts) {
     const lane one = splat<lane>(1);
     const mask alone = rows > 1 ? contacts.used[1] == lane{} : one > lane{};
     const mask central = both(alone, is_central(contacts));
@@ -167,6 +173,7 @@ INGOT_INLINE void prepare_normals(ContactBlock& block, const LaneContacts& conta
             store(block.held[entry], inverse_entry);
         }
     }
+    return count_of(both(central, there[0]));
 }
 
 /// Where friction takes hold: the mean of the points, of which those beyond the margin count less and less, and how far they are from it.
@@ -242,7 +249,8 @@ void recall(const SolverView& solver, ContactBlock& block, int lane_i, const Man
     block.substeps[lane_i] = static_cast<scalar>(age_of(record));
 }
 
-void prepare_block(const SolverView& solver, const BodyView& bodies, int block_i) {
+/// Returns how many of its manifolds are central.
+int prepare_block(const SolverView& solver, const BodyView& bodies, int block_i) {
     ContactBlock& block = solver.blocks[block_i];
     Collected in{};
     collect(solver, bodies, block_i, block, in);
@@ -253,20 +261,19 @@ void prepare_block(const SolverView& solver, const BodyView& bodies, int block_i
     store(block.t_1, contacts.t_1);
     store(block.t_2, contacts.t_2);
 
-    if (block.rows == 1)
-        prepare_normals<1>(block, contacts);
-    else
-        prepare_normals<block_rows>(block, contacts);
+    const int central_count = block.rows == 1 ? prepare_normals<1>(block, contacts) : prepare_normals<block_rows>(block, contacts);
     const Middle middle = middle_of(contacts, block.rows);
     prepare_friction(block.friction, contacts, middle.P);
     prepare_twist(block.twist, contacts, middle.radius);
     for (int lane_i = 0; lane_i < lanes; ++lane_i) recall(solver, block, lane_i, record_of(solver, block.manifold[lane_i]));
+    return central_count;
 }
 
 }  // namespace
 
-void prepare_blocks(const SolverView& solver, const BodyView& bodies) {
-    for (int block_i = 0; block_i < solver.block_count; ++block_i) prepare_block(solver, bodies, block_i);
+void prepare_blocks(SolverView& solver, const BodyView& bodies) {
+    solver.central_count = 0;
+    for (int block_i = 0; block_i < solver.block_count; ++block_i) solver.central_count += prepare_block(solver, bodies, block_i);
 }
 
 void remember_impulses(const SolverView& solver) {

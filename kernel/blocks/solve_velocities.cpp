@@ -16,6 +16,11 @@ constexpr SweepPlan plan_of_young = {limits::substeps, limits::sweeps_of_young, 
 constexpr SweepPlan plan_of_calm = {limits::calm_substeps, limits::calm_sweeps, true,
                                     limits::settled_speed * limits::substeps / limits::calm_substeps};
 
+int sweeps_of(const SweepPlan& plan, const SolverView& solver) {
+    const bool is_heap_of_balls = 4 * solver.central_count > 3 * solver.manifold_count;
+    return is_heap_of_balls && plan.sweeps_max == limits::sweeps ? limits::sweeps_of_balls : plan.sweeps_max;
+}
+
 }  // namespace
 
 SweepPlan plan_sweeps(const SolverView& solver) {
@@ -35,11 +40,12 @@ SweepPlan with_all_substeps(const SweepPlan& calm) { return calm.up_and_down ? p
 
 int solve_velocities(const SolverView& solver, const SweepPlan& plan, scalar& residual) {
     const scalar settled = plan.settled_speed + 4 * epsilon * solver.speed_max;
+    const int sweeps_max = sweeps_of(plan, solver);
     scalar size_before = 0;
-    if (plan.sweeps_max > 1) begin_sweeps(solver);
+    if (sweeps_max > 1) begin_sweeps(solver);
     for (int sweep_i = 1;; ++sweep_i) {
         residual = sweep_velocities(solver, sweep_i, !plan.up_and_down || sweep_i % 2 != 0, limits::stirring_share * settled);
-        if (sweep_i == plan.sweeps_max || residual <= settled) return sweep_i;
+        if (sweep_i == sweeps_max || residual <= settled) return sweep_i;
         // A body that is not finite must not spread to those that it does not touch.
         const scalar size = sum_of_changes(solver);
         const bool shrinks = sweep_i > 1 && size <= size_before && size_before > 0 && is_finite(size_before);

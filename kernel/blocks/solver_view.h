@@ -33,6 +33,7 @@ struct SolverView {
     uint32_t* colours_of_body; ///< by solver body, within the level at hand
     int body_count;            ///< solver bodies in use, [0] included
     int visit_count, block_count;
+    int central_count;         ///< manifolds whose normals go through both centres of mass
     int level_count;           ///< the longest way to the ground, in contacts
     int lane_count, lane_capacity;  ///< of all blocks
     scalar speed_max;          ///< m/s, of the bodies in this substep, up to limits::rounding_speed_max
