@@ -200,4 +200,37 @@ void expect_manifolds_of_all_near_pairs() {
 TEST(BroadPhase, all_pairs_is_asked_again_in_time) { expect_manifolds_of_all_near_pairs<ingot::AllPairs>(); }
 TEST(BroadPhase, sorted_tree_is_asked_again_in_time) { expect_manifolds_of_all_near_pairs<ingot::SortedTree>(); }
 
+/// The bounds of a half space hold all of it, half of limits::contact_margin above its face too, and are no larger where the face lies along two of
+/// the axes; any other is everywhere.
+TEST(Bounds, of_a_half_space_end_at_its_face) {
+    constexpr double margin = static_cast<double>(ingot::limits::contact_margin) / 2, everywhere = static_cast<double>(ingot::limits::unbounded);
+    const Vector3d r(3, -700, 0.25);
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const double along : {-1.0, 1.0, 0.6}) {
+            Bodies bodies(1);
+            const Vector3d n = along * Vector3d::Unit(axis) + std::sqrt(1 - along * along) * Vector3d::Unit((axis + 1) % 3);
+            constexpr double offset = -2.5;
+            const ingot::Surface surface = {ingot::HalfSpace{{scalar(n.x()), scalar(n.y()), scalar(n.z())}, scalar(offset)}, 0, 0, 0};
+            ingot::set_lane(bodies.rotation[0].A, 0, ingot::identity_matrix<scalar>());
+            ingot::set_lane(bodies.translation[0].r_CM, 0, ingot::Vector{scalar(r.x()), scalar(r.y()), scalar(r.z())});
+            ASSERT_TRUE(ingot::refresh_bounds(bodies.view(), {&surface, 1}, scalar(0.01), bodies.bounds.data()));
+            const ingot::BoundsTile& bounds = bodies.bounds[0];
+            for (int k = 0; k < 3; ++k) {
+                const double low = static_cast<double>(bounds.low[k][0]), high = static_cast<double>(bounds.high[k][0]);
+                const bool ends_above = k == axis && along == 1, ends_below = k == axis && along == -1;
+                const double rounding = 12 * static_cast<double>(ingot::epsilon) * (std::abs(r(k)) + std::abs(offset));
+                const double face = r(k) + (ends_below ? -offset : offset);
+                EXPECT_EQ(low <= -everywhere, !ends_below) << axis << k << along;
+                EXPECT_EQ(high >= everywhere, !ends_above) << axis << k << along;
+                if (ends_above) {
+                    EXPECT_TRUE(high >= face + margin && high <= face + margin + rounding) << high;
+                }
+                if (ends_below) {
+                    EXPECT_TRUE(low <= face - margin && low >= face - margin - rounding) << low;
+                }
+            }
+        }
+    }
+}
+
 }  // namespace
