@@ -27,6 +27,20 @@ struct Tower10 : Stacked<11, 10> {
     static constexpr PlacedBody body(int body_i) { return Tower<10>::body(body_i); }
 };
 
+/// The budget of a Cortex-M4F, see TenBoxes: ten cubes side by side, and in one column.
+struct TenBoxesRow : Stacked<11, 10> {
+    static constexpr const char* name = "ten_boxes_row";
+    static constexpr const char* title = "ten cubes side by side";
+    static constexpr int golden_steps = 120;
+    static constexpr PlacedBody body(int body_i) { return TenBoxes<false>::body(body_i); }
+};
+struct TenBoxesColumn : Stacked<11, 10> {
+    static constexpr const char* name = "ten_boxes_column";
+    static constexpr const char* title = "ten cubes in one column, as small as can be";
+    static constexpr int golden_steps = 120;
+    static constexpr PlacedBody body(int body_i) { return TenBoxes<true>::body(body_i); }
+};
+
 /// A wall of 55 cubes: ten in the lowest row.
 struct Pyramid55 : Stacked<56, 110> {
     static constexpr const char* name = "pyramid_55";
@@ -132,6 +146,8 @@ ingot::Status set_up_placed(ingot::World<S>& world) {
     return status;
 }
 inline ingot::Status set_up(ingot::World<Tower10>& world) { return set_up_placed(world); }
+inline ingot::Status set_up(ingot::World<TenBoxesRow>& world) { return set_up_placed(world); }
+inline ingot::Status set_up(ingot::World<TenBoxesColumn>& world) { return set_up_placed(world); }
 inline ingot::Status set_up(ingot::World<Pyramid55>& world) { return set_up_placed(world); }
 inline ingot::Status set_up(ingot::World<MassRatio1e6>& world) { return set_up_placed(world); }
 inline ingot::Status set_up(ingot::World<Tower20>& world) { return set_up_placed(world); }
