@@ -62,6 +62,14 @@
 #define INGOT_INLINE inline __attribute__((always_inline))
 #endif
 
+/// Code of sweeps that runs rarely. With one lane it is a function of its own, small, and one for all its callers; vectors do not
+/// cross calls.
+#if INGOT_LANES == 1
+#define INGOT_RARE __attribute__((noinline, cold)) inline
+#else
+#define INGOT_RARE INGOT_INLINE
+#endif
+
 namespace ingot { inline namespace INGOT_ABI {
 
 #if INGOT_DOUBLE

@@ -18,6 +18,9 @@ struct BodyPairLanes {
     lane last[4];
 };
 
+/// The lanes of a visit.
+INGOT_INLINE mask lanes_of(uint16_t lane_bits) { return is_all(lane_bits) ? splat<lane>(1) > lane{} : mask_from_bits(lane_bits); }
+
 INGOT_INLINE Vec3<lane> vector_of(const LaneQuad& from) { return {from.at[0], from.at[1], from.at[2]}; }
 
 INGOT_INLINE BodyPairLanes gather_bodies(const SolverView& solver, const ContactBlock& block, QuadOfBody linear, QuadOfBody angular) {
@@ -34,7 +37,7 @@ INGOT_INLINE void scatter_bodies(const SolverView& solver, const ContactBlock& b
     const LaneQuad angular_A = {{pair.angular_A.x, pair.angular_A.y, pair.angular_A.z, pair.last[1]}};
     const LaneQuad linear_B = {{pair.linear_B.x, pair.linear_B.y, pair.linear_B.z, pair.last[2]}};
     const LaneQuad angular_B = {{pair.angular_B.x, pair.angular_B.y, pair.angular_B.z, pair.last[3]}};
-    if (lane_bits == all_lanes) {
+    if (is_all(lane_bits)) {
         scatter(solver.bodies, block.body_A, linear, linear_A);
         scatter(solver.bodies, block.body_A, angular, angular_A);
         scatter(solver.bodies, block.body_B, linear, linear_B);

@@ -37,7 +37,7 @@ INGOT_INLINE Pushes pushes_due(const ContactBlock& block, const Vec3<lane>& n, c
 /// True if points of the visit land, which one push brings there within 1 % of the way: `again` pushes no others.
 template <int rows>
 INGOT_INLINE bool visit_positions(const SolverView& solver, ContactBlock& block, uint16_t lane_bits, scalar h, bool again) {
-    const mask active = mask_from_bits(lane_bits);
+    const mask active = lanes_of(lane_bits);
     const Vec3<lane> n = load(block.n);
     BodyPairLanes pair = gather_bodies(solver, block, &SolverBody::dp, &SolverBody::dth);
     Pushes due = pushes_due<rows>(block, n, pair, h);

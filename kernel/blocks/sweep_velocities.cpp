@@ -114,7 +114,7 @@ template <int rows>
 INGOT_INLINE void visit_velocities(const SolverView& solver, ContactBlock& block, uint16_t lane_bits, int sweep_i, scalar stirring, lane& residual) {
     const scalar sweep = static_cast<scalar>(sweep_i);
     const LaneQuad L_A = gather(solver.bodies, block.body_A, &SolverBody::L), L_B = gather(solver.bodies, block.body_B, &SolverBody::L);
-    const mask visited = lane_bits == all_lanes ? splat<lane>(1) > lane{} : mask_from_bits(lane_bits);
+    const mask visited = lanes_of(lane_bits);
     mask active = visited;
     if (sweep_i > 1) active = both(visited, greatest(L_A.at[3], L_B.at[3]) >= splat<lane>(sweep - 1));
     if (!any(active)) return store_if<false>(block.change, visited, lane{});
@@ -151,7 +151,7 @@ scalar sum_of_changes(const SolverView& solver) {
     for (int visit_i = 0; visit_i < solver.visit_count; ++visit_i) {
         const Visit visit = solver.visits[visit_i];
         const scalar* const change = solver.blocks[visit.block].change;
-        if (visit.lane_bits == all_lanes && visit.first % lanes == 0) {
+        if (is_all(visit.lane_bits) && visit.first % lanes == 0) {
             scalar* const to = sums + visit.first % 8;
             store(to, load(to) + load(change));
             continue;

@@ -42,7 +42,7 @@ INGOT_INLINE Smoothed smoothed(lane j, lane reference, mask young) {
 
 template <int rows, bool whole>
 INGOT_INLINE void warm_start_visit(const SolverView& solver, ContactBlock& block, uint16_t lane_bits, scalar h) {
-    const mask active = whole ? splat<lane>(1) > lane{} : mask_from_bits(lane_bits);
+    const mask active = lanes_of(lane_bits);
     const Vec3<lane> n = load(block.n);
     const lane inv_M_A = load(block.inv_M_A), inv_M_B = load(block.inv_M_B);
     BodyPairLanes pair = gather_bodies(solver, block, &SolverBody::v_CM, &SolverBody::L);
@@ -91,7 +91,7 @@ void warm_start(const SolverView& solver, scalar h) {
     for (int visit_i = 0; visit_i < solver.visit_count; ++visit_i) {
         const Visit visit = solver.visits[visit_i];
         ContactBlock& block = solver.blocks[visit.block];
-        const bool whole = visit.lane_bits == all_lanes;
+        const bool whole = is_all(visit.lane_bits);
         if (block.rows == 1)
             whole ? warm_start_visit<1, true>(solver, block, visit.lane_bits, h) : warm_start_visit<1, false>(solver, block, visit.lane_bits, h);
         else
