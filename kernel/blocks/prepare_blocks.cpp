@@ -106,14 +106,16 @@ LaneContacts vectors_of(const Collected& in, int rows) {
     return contacts;
 }
 
+INGOT_INLINE void store_lever(scalar (&to_J)[3][lanes], scalar (&to_k)[3][lanes], const LaneBodies& body, const Vec3<lane>& lever, mask there) {
+    const Vec3<lane> J = select(both(there, body.moves), lever, Vec3<lane>{});
+    store(to_J, J);
+    store(to_k, body.inv_I_world * J);
+}
+
 /// A row along `direction` at P; no lever on what cannot move, or where there is no point.
-INGOT_INLINE void store_levers(Levers& levers, const LaneContacts& contacts, const Vec3<lane>& P, const Vec3<lane>& direction, mask there) {
-    const Vec3<lane> J_A = select(both(there, contacts.A.moves), cross(P - contacts.A.r_CM, direction), Vec3<lane>{});
-    const Vec3<lane> J_B = select(both(there, contacts.B.moves), cross(direction, P - contacts.B.r_CM), Vec3<lane>{});
-    store(levers.J_A, J_A);
-    store(levers.J_B, J_B);
-    store(levers.k_A, contacts.A.inv_I_world * J_A);
-    store(levers.k_B, contacts.B.inv_I_world * J_B);
+INGOT_SHARED void store_levers(Levers& levers, const LaneContacts& contacts, const Vec3<lane>& P, const Vec3<lane>& direction, mask there) {
+    store_lever(levers.J_A, levers.k_A, contacts.A, cross(P - contacts.A.r_CM, direction), there);
+    store_lever(levers.J_B, levers.k_B, contacts.B, cross(direction, P - contacts.B.r_CM), there);
 }
 
 /// Compliance between two rows: the speed along the one that a unit impulse along the other gives. inv_M: times the cosine between them.
