@@ -11,7 +11,7 @@ namespace ingot { inline namespace INGOT_ABI {
 namespace {
 
 /// Points of a block that restitution throws back within the substep.
-INGOT_INLINE void predict_bounces(ContactBlock& block, const SolverView& solver, scalar h) {
+INGOT_RARE void predict_bounces(ContactBlock& block, const SolverView& solver, scalar h) {
     const BlockFlight flight = flight_of(solver, block);
     const lane step = splat<lane>(h), half = splat<lane>(scalar(0.5)), e = load(block.e);
     for (int row = 0; row < block.rows; ++row) {

@@ -34,6 +34,13 @@ INGOT_INLINE Pushes pushes_due(const ContactBlock& block, const Vec3<lane>& n, c
     return due;
 }
 
+/// What is off is little at rest: then there is nothing to solve.
+template <int rows>
+INGOT_RARE Row4 solve_pushes(ContactBlock& block, const Pushes& due, scalar slack, mask active) {
+    const Row4 none = {};
+    return solve_block<rows, false>(block.K, block.B, block.held, due.w, none, due.pulls, slack, active);
+}
+
 /// True if points of the visit land, which one push brings there within 1 % of the way: `again` pushes no others.
 template <int rows>
 INGOT_INLINE bool visit_positions(const SolverView& solver, ContactBlock& block, uint16_t lane_bits, scalar h, bool again) {
@@ -44,8 +51,7 @@ INGOT_INLINE bool visit_positions(const SolverView& solver, ContactBlock& block,
     // One point alone is there after one push, and has no more of them in a block of one row: so it is beside others too.
     if (again) due.off = both(both(due.off, due.lands), is_used(block, 1));
     if (!any(due.off)) return false;
-    const Row4 none = {};
-    const Row4 q = solve_block<rows, false>(block.K, block.B, block.held, due.w, none, due.pulls, limits::approach_slack * h, active);
+    const Row4 q = solve_pushes<rows>(block, due, limits::approach_slack * h, active);
     lane sum{};
     for (int row = 0; row < rows; ++row) {
         const lane push = select(due.off, q.at[row], lane{});
