@@ -27,14 +27,18 @@ struct Tower10 : Stacked<11, 10> {
     static constexpr PlacedBody body(int body_i) { return Tower<10>::body(body_i); }
 };
 
-/// The budget of a Cortex-M4F, see TenBoxes: ten cubes side by side, and in one column.
-struct TenBoxesRow : Stacked<11, 10> {
+/// The budget of a Cortex-M4F, see TenBoxes: ten cubes side by side, and in one column, in what memory they need.
+struct TenBoxesBudget : Stacked<11, 10> {
+    static constexpr bool bounces = false;
+    static constexpr bool renews_manifolds = false;
+};
+struct TenBoxesRow : TenBoxesBudget {
     static constexpr const char* name = "ten_boxes_row";
     static constexpr const char* title = "ten cubes side by side";
     static constexpr int golden_steps = 120;
     static constexpr PlacedBody body(int body_i) { return TenBoxes<false>::body(body_i); }
 };
-struct TenBoxesColumn : Stacked<11, 10> {
+struct TenBoxesColumn : TenBoxesBudget {
     static constexpr const char* name = "ten_boxes_column";
     static constexpr const char* title = "ten cubes in one column, as small as can be";
     static constexpr int golden_steps = 120;
