@@ -129,7 +129,7 @@ int main() {
     const bool results[] = {run<scenes::Satellite>("satellite"), run<scenes::THandle>("t_handle"), run<scenes::Tumblers>("tumblers"),
                             run<scenes::Drop>("drop"), keep<scenes::Drop>("snapshot_drop"), keep<scenes::TideOfMethods>("snapshot_tide"),
                             run<scenes::Tower10>("tower_10"),
-                            run<scenes::TenBoxesRow>("ten_boxes_row"), run<scenes::TenBoxesColumn>("ten_boxes_column"),
+                            run<scenes::TenBoxesRow>("ten_boxes_row"), run<scenes::TenBoxesColumn>("ten_boxes_column"), run<scenes::Playground>("playground"),
                             run<scenes::Pyramid55>("pyramid_55"), run<scenes::MixedPile>("mixed_pile"),
                             run<scenes::BulletRange>("bullet_walls"),
                             run<scenes::HullPile>("hull_pile"), keep<scenes::HullPile>("snapshot_hull_pile"),
