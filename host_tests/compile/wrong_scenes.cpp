@@ -122,6 +122,9 @@ struct Wrong : ingot::Scene {
 #ifdef NOTHING_BOUNCES_WITHOUT_CONTACTS
     static constexpr bool bounces = false;
 #endif
+#ifdef SMALL_WITHOUT_CONTACTS
+    static constexpr bool small = true;
+#endif
 #ifdef NOTHING_BOUNCES_DIRECTLY
     static constexpr int max_manifolds = 4;
     static constexpr bool bounces = false;

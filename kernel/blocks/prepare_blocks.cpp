@@ -52,10 +52,10 @@ struct Collected {
     scalar n[3][lanes], P[block_rows][3][lanes], used[block_rows][lanes], separation[block_rows][lanes];
 };
 
-/// Names the manifolds and bodies of a block, and collects them. A body that is 0 to the solver is all zero here too; between two of
+/// Names the manifolds and bodies of a block of at least so many rows, and collects them. A body that is 0 to the solver is all zero here too; between two of
 /// them there is nothing to solve: the lane is as if it had no points.
-void collect(const SolverView& solver, const BodyView& bodies, int block_i, ContactBlock& block, Collected& in) {
-    block.rows = 1;
+void collect(const SolverView& solver, const BodyView& bodies, int block_i, int rows, ContactBlock& block, Collected& in) {
+    block.rows = rows;
     for (int lane_i = 0; lane_i < lanes; ++lane_i) {
         const uint16_t manifold_i = solver.order[block_i * lanes + lane_i];
         const ManifoldRecord& record = record_of(solver, manifold_i);
@@ -230,10 +230,11 @@ void recall(const SolverView& solver, ContactBlock& block, int lane_i, const Man
     block.substeps[lane_i] = static_cast<scalar>(age_of(record));
 }
 
+template <bool small>
 void prepare_block(const SolverView& solver, const BodyView& bodies, int block_i) {
     ContactBlock& block = solver.blocks[block_i];
     Collected in{};
-    collect(solver, bodies, block_i, block, in);
+    collect(solver, bodies, block_i, small ? block_rows : 1, block, in);
     const LaneContacts contacts = vectors_of(in, block.rows);
     store(block.inv_M_A, contacts.A.inv_M);
     store(block.inv_M_B, contacts.B.inv_M);
@@ -241,7 +242,7 @@ void prepare_block(const SolverView& solver, const BodyView& bodies, int block_i
     store(block.t_1, contacts.t_1);
     store(block.t_2, contacts.t_2);
 
-    if (block.rows == 1)
+    if (!small && block.rows == 1)
         prepare_normals<1>(block, contacts);
     else
         prepare_normals<block_rows>(block, contacts);
@@ -253,9 +254,12 @@ void prepare_block(const SolverView& solver, const BodyView& bodies, int block_i
 
 }  // namespace
 
+template <bool small>
 void prepare_blocks(const SolverView& solver, const BodyView& bodies) {
-    for (int block_i = 0; block_i < solver.block_count; ++block_i) prepare_block(solver, bodies, block_i);
+    for (int block_i = 0; block_i < solver.block_count; ++block_i) prepare_block<small>(solver, bodies, block_i);
 }
+template void prepare_blocks<false>(const SolverView&, const BodyView&);
+template void prepare_blocks<true>(const SolverView&, const BodyView&);
 
 void remember_impulses(const SolverView& solver) {
     constexpr scalar substeps_max = limits::substeps_kept;

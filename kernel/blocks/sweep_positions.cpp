@@ -65,11 +65,12 @@ INGOT_INLINE bool visit_positions(const SolverView& solver, ContactBlock& block,
 
 }  // namespace
 
+template <bool small>
 void sweep_positions(const SolverView& solver, scalar h) {
     for (int visit_i = 0; visit_i < solver.visit_count; ++visit_i) {
         const Visit visit = solver.visits[visit_i];
         ContactBlock& block = solver.blocks[visit.block];
-        if (block.rows == 1) {
+        if (!small && block.rows == 1) {
             (void)visit_positions<1>(solver, block, visit.lane_bits, h, false);
             continue;
         }
@@ -78,5 +79,8 @@ void sweep_positions(const SolverView& solver, scalar h) {
             lands = visit_positions<block_rows>(solver, block, visit.lane_bits, h, push_i > 0);
     }
 }
+
+template void sweep_positions<false>(const SolverView&, scalar);
+template void sweep_positions<true>(const SolverView&, scalar);
 
 } }  // namespace ingot

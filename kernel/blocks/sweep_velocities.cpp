@@ -129,12 +129,13 @@ INGOT_INLINE void visit_velocities(const SolverView& solver, ContactBlock& block
 
 }  // namespace
 
+template <bool small>
 scalar sweep_velocities(const SolverView& solver, int sweep_i, bool up, scalar stirring) {
     lane residual{};
     for (int visit_i = 0; visit_i < solver.visit_count; ++visit_i) {
         const Visit visit = solver.visits[up ? visit_i : solver.visit_count - 1 - visit_i];
         ContactBlock& block = solver.blocks[visit.block];
-        if (block.rows == 1)
+        if (!small && block.rows == 1)
             visit_velocities<1>(solver, block, visit.lane_bits, sweep_i, stirring, residual);
         else
             visit_velocities<block_rows>(solver, block, visit.lane_bits, sweep_i, stirring, residual);
@@ -144,6 +145,9 @@ scalar sweep_velocities(const SolverView& solver, int sweep_i, bool up, scalar s
     for (const scalar one : of_lanes) largest = one > largest ? one : largest;
     return largest;
 }
+
+template scalar sweep_velocities<false>(const SolverView&, int, bool, scalar);
+template scalar sweep_velocities<true>(const SolverView&, int, bool, scalar);
 
 /// The sum does not depend on lanes: the k-th manifold of a colour is added to the k mod 8-th of eight sums.
 scalar sum_of_changes(const SolverView& solver) {

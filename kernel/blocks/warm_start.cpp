@@ -87,17 +87,21 @@ INGOT_INLINE void warm_start_visit(const SolverView& solver, ContactBlock& block
 
 }  // namespace
 
+template <bool small>
 void warm_start(const SolverView& solver, scalar h) {
     for (int visit_i = 0; visit_i < solver.visit_count; ++visit_i) {
         const Visit visit = solver.visits[visit_i];
         ContactBlock& block = solver.blocks[visit.block];
         const bool whole = is_all(visit.lane_bits);
-        if (block.rows == 1)
+        if (!small && block.rows == 1)
             whole ? warm_start_visit<1, true>(solver, block, visit.lane_bits, h) : warm_start_visit<1, false>(solver, block, visit.lane_bits, h);
         else
             whole ? warm_start_visit<block_rows, true>(solver, block, visit.lane_bits, h)
                   : warm_start_visit<block_rows, false>(solver, block, visit.lane_bits, h);
     }
 }
+
+template void warm_start<false>(const SolverView&, scalar);
+template void warm_start<true>(const SolverView&, scalar);
 
 } }  // namespace ingot

@@ -163,7 +163,7 @@ StepReport step(World<S>& world, scalar h) {
             solver.pairs = moving.pairs;
             solver.manifold_count = *moving.count;
         }
-        storage.template solve_contacts<has_events<S>, S::bounces>(solver, bodies, storage.gravity, h, storage.impact_notes(), report);
+        storage.template solve_contacts<has_events<S>, S::bounces, S::small>(solver, bodies, storage.gravity, h, storage.impact_notes(), report);
         if constexpr (S::sleeps && has_events<S>) spread_notes(manifolds, moving.pairs, *moving.count, storage.notes);
         if constexpr (has_events<S>) tell_events(storage, report);
 

@@ -62,6 +62,9 @@ struct NothingBounces : TenBoxesOnPlane {
 struct NothingRenewed : TenBoxesOnPlane {
     static constexpr bool renews_manifolds = false;
 };
+struct Small : TenBoxesOnPlane {
+    static constexpr bool small = true;
+};
 struct BySortedTree : TenBoxesOnPlane {
     using broad_phase = ingot::SortedTree;
 };
