@@ -29,7 +29,7 @@ void solve_substeps(SolverView& solver, const BodyView& bodies, const SweepPlan&
         predict_contacts(solver, h);
         if constexpr (bounces) {
             predict_bounces(solver, h);
-            if (has_chains && sequence_impacts(solver, h, notes, report)) solver.calm = false;
+            if (has_chains && sequence_impacts<small>(solver, h, notes, report)) solver.calm = false;
         }
         kick_bodies(solver, h);
         warm_start<small>(solver, h);
