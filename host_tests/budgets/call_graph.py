@@ -68,6 +68,15 @@ def push_bytes(mnemonic, operands):
     return None if writes_sp else 0
 
 
+def return_register(mnemonic, operands, before):
+    """The register that holds the return address behind an instruction, or None. Where arguments were spilled, Thumb-1 returns by
+    `pop {r3}; add sp, #n; bx r3`: no call through a pointer."""
+    popped = re.match(r"\{(r\d+)\}$", operands) if mnemonic == "pop" else None
+    if popped:
+        return popped[1]
+    return before if mnemonic == "add" and operands.startswith("sp, ") else None
+
+
 def read_disassembly(objdump, elf):
     """All functions of a firmware by address, with frames and calls as the instructions have them."""
     command = [objdump, "-d", "--no-show-raw-insn", elf]
@@ -76,10 +85,12 @@ def read_disassembly(objdump, elf):
     functions = {int(m[1], 16): Function(int(m[1], 16), m[2]) for m in headers.finditer(text)}
     starts = sorted(functions)
     function = None
+    returns_by = None
     for line in text.splitlines():
         header = headers.match(line)
         if header:
             function = functions[int(header[1], 16)]
+            returns_by = None
             continue
         instruction = re.match(r"\s*[0-9a-f]+:\t(\S+)(?:\t([^;@]*))?", line)
         if not instruction or function is None or instruction[1].startswith("."):
@@ -102,10 +113,11 @@ def read_disassembly(objdump, elf):
             # Within itself a Cortex-M0 takes bl for a long jump; a call of itself begins at the beginning.
             if callee != function.address or (base == "bl" and destination == callee):
                 function.callees.add(callee)
-        elif base == "blx" or (base == "bx" and operands != "lr"):
+        elif base == "blx" or (base == "bx" and operands not in ("lr", returns_by)):
             function.faults.add("calls through a pointer: `%s %s`" % (mnemonic, operands))
         elif base == "bl":
             function.faults.add("calls what has no name: `%s %s`" % (mnemonic, operands))
+        returns_by = return_register(base, operands, returns_by)
         if base != "nop":  # padding, behind the last instruction
             returns = base in ("pop", "ldmia") and re.search(r"\bpc\b", operands)
             function.falls_through = not (returns or base in ("b", "bx", "udf") or operands.startswith("pc,"))

@@ -59,6 +59,14 @@ class StackPointer(unittest.TestCase):
         ):
             self.assertEqual(call_graph.push_bytes(mnemonic, operands), pushed, mnemonic + " " + operands)
 
+    def test_a_return_of_thumb_1_is_no_call(self):
+        returns_by = None
+        for mnemonic, operands in (("pop", "{r3}"), ("add", "sp, #16")):
+            returns_by = call_graph.return_register(mnemonic, operands, returns_by)
+        self.assertEqual(returns_by, "r3")
+        self.assertIsNone(call_graph.return_register("ldr", "r3, [r0]", "r3"))
+        self.assertIsNone(call_graph.return_register("pop", "{r3, r4}", None))
+
     def test_what_is_not_understood_is_not_guessed(self):
         for mnemonic, operands in (("mov", "sp, r3"), ("sub.w", "sp, sp, r3"), ("add", "sp, r4"), ("ldr", "sp, [r0]")):
             self.assertIsNone(call_graph.push_bytes(mnemonic, operands), mnemonic + " " + operands)

@@ -119,6 +119,17 @@ struct Wrong : ingot::Scene {
     static constexpr bool translates = true;
     static constexpr int max_bodies = 1000, max_manifolds = 4, max_shapes_of_body = 12;
 #endif
+#ifdef NOTHING_BOUNCES_WITHOUT_CONTACTS
+    static constexpr bool bounces = false;
+#endif
+#ifdef SMALL_WITHOUT_CONTACTS
+    static constexpr bool small = true;
+#endif
+#ifdef NOTHING_BOUNCES_DIRECTLY
+    static constexpr int max_manifolds = 4;
+    static constexpr bool bounces = false;
+    using solver = ingot::ChosenSolver;
+#endif
 #ifdef FILTERS_WITHOUT_CONTACTS
     static constexpr bool filters = true;
 #endif

@@ -199,6 +199,7 @@ void expect_sweeps_meet_the_exact_solution(double mu_max) {
         ingot::order_manifolds(solver);
         ingot::prepare_blocks(solver, twins.pile.view());
         ingot::predict_contacts(solver, static_cast<scalar>(h));
+        ingot::predict_bounces(solver, static_cast<scalar>(h));
         ingot::warm_start(solver, static_cast<scalar>(h));  // impulses are 0 as yet: nothing is given
         constexpr int sweeps = 2000;
         double residual = 0;
@@ -235,6 +236,7 @@ TEST(ManySweeps, with_conjugate_gradients_lead_there_too) {
             ingot::order_manifolds(solver);
             ingot::prepare_blocks(solver, twins.pile.view());
             ingot::predict_contacts(solver, static_cast<scalar>(h));
+            ingot::predict_bounces(solver, static_cast<scalar>(h));
             ingot::warm_start(solver, static_cast<scalar>(h));
             scalar before = 0;
             ingot::begin_sweeps(solver);

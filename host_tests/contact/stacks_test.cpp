@@ -2,7 +2,10 @@
 // Cubes on cubes at one step call of 1/60 s: nothing sags, leans or shakes.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "contact/play.h"
+#include "scenes/stacked.h"
 
 namespace {
 
@@ -126,6 +129,52 @@ void expect_ten_boxes_rest() {
 }
 TEST(TenBoxes, rest_side_by_side) { expect_ten_boxes_rest<false>(); }
 TEST(TenBoxes, rest_in_a_column) { expect_ten_boxes_rest<true>(); }
+
+/// The scenes of the budget of a Cortex-M4F, in which nothing bounces and manifolds are searched for in every step: shift of the cubes, mm.
+template <class S>
+double shift_in_a_minute() {
+    static ingot::World<S> world;
+    EXPECT_EQ(set_up(world), Status::ok);
+    for (int step_i = 0; step_i < 3600; ++step_i) EXPECT_TRUE(ingot::step(world, S::h).clean());
+    double most = 0;
+    for (int body_i = 1; body_i < S::max_bodies; ++body_i) {
+        const Vector r = world.state(world.body_at(body_i)).value.r_CM;
+        most = std::fmax(most, (to_eigen(r) - to_eigen(S::body(body_i).def.state.r_CM)).norm());
+    }
+    return 1e3 * most;
+}
+TEST(TenBoxes, of_the_budget_rest_side_by_side) { EXPECT_LE(shift_in_a_minute<scenes::TenBoxesRow>(), 0.1); }
+TEST(TenBoxes, of_the_budget_rest_in_a_column) { EXPECT_LE(shift_in_a_minute<scenes::TenBoxesColumn>(), 0.2); }
+
+template <bool springy>
+struct Springs : scenes::Stacked<11, 10> {
+    static constexpr bool bounces = springy;
+};
+
+/// Where no body has a restitution, a scene in which none may bounce is the same to the bit; and it takes in none that has.
+TEST(TenBoxes, that_do_not_bounce_need_no_bounces) {
+    static ingot::World<Springs<true>> springy;
+    static ingot::World<Springs<false>> dull;
+    ASSERT_EQ(springy.set_gravity({0, 0, -10}), Status::ok);
+    ASSERT_EQ(dull.set_gravity({0, 0, -10}), Status::ok);
+    for (int body_i = 0; body_i < 10; ++body_i) {
+        PlacedBody placed = TenBoxes<true>::body(body_i);
+        placed.def.state.r_CM = placed.def.state.r_CM * scalar(1.1);  // they fall on each other
+        ASSERT_TRUE(springy.add(placed.def).ok());
+        ASSERT_TRUE(dull.add(placed.def).ok());
+    }
+    for (int step_i = 0; step_i < 120; ++step_i) {
+        ASSERT_TRUE(ingot::step(springy, OnEarth::h).clean());
+        ASSERT_TRUE(ingot::step(dull, OnEarth::h).clean());
+        ASSERT_EQ(springy.state_hash(), dull.state_hash()) << "step " << step_i;
+    }
+    PlacedBody ball = TenBoxes<true>::body(10);
+    ball.def.restitution = scalar(0.5);
+    const uint64_t hash = dull.state_hash();
+    EXPECT_EQ(dull.add(ball.def).status, Status::not_in_scene);
+    EXPECT_EQ(dull.state_hash(), hash);
+    EXPECT_TRUE(springy.add(ball.def).ok());
+}
 
 /// C12: the centre of mass 1 mm before the edge: rests for 60 s; 1 mm beyond: tips.
 TEST(Overhang, rests_before_the_edge) {

@@ -122,6 +122,7 @@ struct RandomIsland {
         solver.substeps = ingot::limits::substeps;
         ingot::prepare_blocks(solver, bodies);
         ingot::predict_contacts(solver, static_cast<scalar>(h));
+        ingot::predict_bounces(solver, static_cast<scalar>(h));
         for (int body_i = 1; body_i < solver.body_count; ++body_i) {
             for (int axis = 0; axis < 3; ++axis) {
                 direct.free_motion[body_i].v_CM[axis] = solver.bodies[body_i].v_CM[axis];

@@ -2,7 +2,7 @@
 // Runs scenes to their golden step and prints what they came to: the same source on the host and as firmware.
 //
 //     satellite float steps 1000 hash 0x0123456789abcdef
-//     satellite world_bytes 144 stack_bytes 212 instructions_per_step 648 worst_step 807      (where the clock counts them)
+//     satellite world_bytes 144 stack_bytes 212 instructions_per_step 648 worst_step 807 last_step 655      (where the clock counts them)
 //
 // With INGOT_SCENE defined the program holds that scene and no other: its size is the scene's size. With INGOT_METHODS it holds the
 // rotation methods and the flights, each on the same bodies.
@@ -38,7 +38,7 @@ template <class S>
 bool run(const char* name) {
     if (set_up(world<S>) != ingot::Status::ok) return false;
 
-    uint64_t ticks_sum = 0, ticks_worst = 0;
+    uint64_t ticks = 0, ticks_sum = 0, ticks_worst = 0;
     uint32_t stack_bytes = 0;
     bool clean = true;
     const uint32_t depth = stack_depth_bytes();
@@ -46,7 +46,7 @@ bool run(const char* name) {
     for (int step_i = 0; step_i < S::golden_steps; ++step_i) {
         const uint64_t begin = clock_ticks();
         const ingot::StepReport report = ingot::step(world<S>, S::h);
-        const uint64_t ticks = clock_ticks() - begin;
+        ticks = clock_ticks() - begin;
         ticks_sum += ticks;
         ticks_worst = ticks > ticks_worst ? ticks : ticks_worst;
         clean = clean && went_well<S>(report, 0);
@@ -65,6 +65,7 @@ bool run(const char* name) {
         write_number(" stack_bytes ", stack_bytes);
         write_number(" instructions_per_step ", clock_ticks_to_instructions(ticks_sum) / S::golden_steps);
         write_number(" worst_step ", clock_ticks_to_instructions(ticks_worst));
+        write_number(" last_step ", clock_ticks_to_instructions(ticks));
         console_write("\n");
     }
     if (!clean) console_write("    a step was not clean\n");
@@ -127,7 +128,9 @@ int main() {
     run_methods();
     const bool results[] = {run<scenes::Satellite>("satellite"), run<scenes::THandle>("t_handle"), run<scenes::Tumblers>("tumblers"),
                             run<scenes::Drop>("drop"), keep<scenes::Drop>("snapshot_drop"), keep<scenes::TideOfMethods>("snapshot_tide"),
-                            run<scenes::Tower10>("tower_10"), run<scenes::Pyramid55>("pyramid_55"), run<scenes::MixedPile>("mixed_pile"),
+                            run<scenes::Tower10>("tower_10"),
+                            run<scenes::TenBoxesRow>("ten_boxes_row"), run<scenes::TenBoxesColumn>("ten_boxes_column"), run<scenes::Playground>("playground"),
+                            run<scenes::Pyramid55>("pyramid_55"), run<scenes::MixedPile>("mixed_pile"),
                             run<scenes::BulletRange>("bullet_walls"),
                             run<scenes::HullPile>("hull_pile"), keep<scenes::HullPile>("snapshot_hull_pile"),
                             run<scenes::CompoundPile>("compound_pile"), keep<scenes::CompoundPile>("snapshot_compound_pile"),

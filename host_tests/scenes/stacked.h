@@ -27,6 +27,25 @@ struct Tower10 : Stacked<11, 10> {
     static constexpr PlacedBody body(int body_i) { return Tower<10>::body(body_i); }
 };
 
+/// The budget of a Cortex-M4F, see TenBoxes: ten cubes side by side, and in one column, in what memory they need.
+struct TenBoxesBudget : Stacked<11, 10> {
+    static constexpr bool bounces = false;
+    static constexpr bool renews_manifolds = false;
+    static constexpr bool small = true;
+};
+struct TenBoxesRow : TenBoxesBudget {
+    static constexpr const char* name = "ten_boxes_row";
+    static constexpr const char* title = "ten cubes side by side";
+    static constexpr int golden_steps = 120;
+    static constexpr PlacedBody body(int body_i) { return TenBoxes<false>::body(body_i); }
+};
+struct TenBoxesColumn : TenBoxesBudget {
+    static constexpr const char* name = "ten_boxes_column";
+    static constexpr const char* title = "ten cubes in one column, as small as can be";
+    static constexpr int golden_steps = 120;
+    static constexpr PlacedBody body(int body_i) { return TenBoxes<true>::body(body_i); }
+};
+
 /// A wall of 55 cubes: ten in the lowest row.
 struct Pyramid55 : Stacked<56, 110> {
     static constexpr const char* name = "pyramid_55";
@@ -105,6 +124,32 @@ struct SleepingTowers : Stacked<14, 48> {
     }
 };
 
+/// Boxes, balls and a capsule in a sensor, with filters, events and sleep: many features at once, for the budgets of small targets.
+struct Playground : Stacked<9, 12> {
+    using shapes = ingot::Shapes<ingot::Sphere, ingot::Capsule, ingot::Box, ingot::HalfSpace>;
+    static constexpr bool filters = true, sleeps = true;
+    static constexpr int max_overlaps = 8, max_events = 24;
+    static constexpr const char* name = "playground";
+    static constexpr const char* title = "boxes, balls and a capsule, with filters, a sensor, events and sleep";
+    static constexpr int golden_steps = 60;
+
+    static constexpr PlacedBody body(int body_i) {
+        constexpr scalar mu = scalar(0.5);
+        if (body_i == 0) return flat_ground(mu);
+        if (body_i < 4) return unit_cube({0, 0, static_cast<scalar>(body_i) - scalar(0.4)}, mu);
+        if (body_i == 4) {
+            PlacedBody sensor = fixed_box({2, 2, 2}, {0, 0, 2}, mu);
+            sensor.def.sensor = true;
+            return sensor;
+        }
+        PlacedBody piece = solid_ball(1, scalar(0.5), {static_cast<scalar>(body_i - 5) * 2 - 5, scalar(0.1), scalar(0.6)}, mu, scalar(0.5));
+        if (body_i == 8) piece.def.shape = ingot::Capsule{scalar(0.5), scalar(0.5)};
+        if (body_i == 7) piece.def.filter = {2, 1};  // meets nobody but the ground and the boxes
+        piece.move({3, 0, 0}, {0, 6, 0});
+        return piece;
+    }
+};
+
 /// Bullets through standing walls, followed within the step.
 struct BulletRange : Stacked<BulletWalls::body_count, 40> {
     static constexpr bool continuous = true;
@@ -132,12 +177,15 @@ ingot::Status set_up_placed(ingot::World<S>& world) {
     return status;
 }
 inline ingot::Status set_up(ingot::World<Tower10>& world) { return set_up_placed(world); }
+inline ingot::Status set_up(ingot::World<TenBoxesRow>& world) { return set_up_placed(world); }
+inline ingot::Status set_up(ingot::World<TenBoxesColumn>& world) { return set_up_placed(world); }
 inline ingot::Status set_up(ingot::World<Pyramid55>& world) { return set_up_placed(world); }
 inline ingot::Status set_up(ingot::World<MassRatio1e6>& world) { return set_up_placed(world); }
 inline ingot::Status set_up(ingot::World<Tower20>& world) { return set_up_placed(world); }
 inline ingot::Status set_up(ingot::World<ChosenBoxes>& world) { return set_up_placed(world); }
 inline ingot::Status set_up(ingot::World<MixedPile>& world) { return set_up_placed(world); }
 inline ingot::Status set_up(ingot::World<SleepingTowers>& world) { return set_up_placed(world); }
+inline ingot::Status set_up(ingot::World<Playground>& world) { return set_up_placed(world); }
 inline ingot::Status set_up(ingot::World<BulletRange>& world) { return set_up_placed(world); }
 
 }  // namespace scenes

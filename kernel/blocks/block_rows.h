@@ -18,6 +18,9 @@ struct BodyPairLanes {
     lane last[4];
 };
 
+/// The lanes of a visit.
+INGOT_INLINE mask lanes_of(uint16_t lane_bits) { return is_all(lane_bits) ? splat<lane>(1) > lane{} : mask_from_bits(lane_bits); }
+
 INGOT_INLINE Vec3<lane> vector_of(const LaneQuad& from) { return {from.at[0], from.at[1], from.at[2]}; }
 
 INGOT_INLINE BodyPairLanes gather_bodies(const SolverView& solver, const ContactBlock& block, QuadOfBody linear, QuadOfBody angular) {
@@ -31,7 +34,7 @@ INGOT_INLINE LaneQuad quad_of(const Vec3<lane>& v, lane last) { return {{v.x, v.
 
 /// Writes back the lanes of the visit: of one quad, or of all four.
 INGOT_INLINE void scatter_visited(const SolverView& solver, const uint16_t* bodies, uint16_t lane_bits, QuadOfBody part, const LaneQuad& value) {
-    if (lane_bits == all_lanes)
+    if (is_all(lane_bits))
         scatter(solver.bodies, bodies, part, value);
     else
         scatter_some(solver.bodies, bodies, lane_bits, part, value);

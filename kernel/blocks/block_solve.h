@@ -59,7 +59,7 @@ struct Row4 {
 
 /// Starting over, row by row: for the rare case in which dropping the most negative leads astray. It never gains energy.
 template <int rows>
-INGOT_INLINE Row4 solve_row_by_row(const Sym4& K, const Row4& w, const Row4& before, const mask (&pulls)[block_rows]) {
+INGOT_RARE Row4 solve_row_by_row(const Sym4& K, const Row4& w, const Row4& before, const mask (&pulls)[block_rows]) {
     Row4 l = before;
     for (int round_i = 0; round_i < 6; ++round_i) {
         for (int row = 0; row < rows; ++row) {
@@ -118,7 +118,7 @@ INGOT_INLINE Attempt solve_with(const scalar (&K_rows)[10][lanes], const scalar 
 
 /// The search for the rows that are out: from none, the most negative is dropped from the inverse by a rank-one change while there is one.
 template <int rows>
-INGOT_INLINE Row4 drop_rows(const Sym4& K, const Sym4& B, Sym4& left, const Row4& w, const Row4& before, const mask (&pulls)[block_rows]) {
+INGOT_RARE Row4 drop_rows(const Sym4& K, const Sym4& B, Sym4& left, const Row4& w, const Row4& before, const mask (&pulls)[block_rows]) {
     const lane one = splat<lane>(1);
     Row4 l;
     lane lowest{};

@@ -10,8 +10,7 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
-/// Points of a block that restitution throws back within the substep.
-INGOT_INLINE void predict_bounces(ContactBlock& block, const SolverView& solver, scalar h) {
+INGOT_RARE void predict_bounces_of(ContactBlock& block, const SolverView& solver, scalar h) {
     const BlockFlight flight = flight_of(solver, block);
     const lane step = splat<lane>(h), half = splat<lane>(scalar(0.5)), e = load(block.e);
     for (int row = 0; row < block.rows; ++row) {
@@ -34,8 +33,12 @@ void predict_contacts(const SolverView& solver, scalar h) {
         const Vec3<lane> n = load(block.n);
         const lane apart = dot(n, displaced.linear_A - displaced.linear_B);
         for (int row = 0; row < block.rows; ++row) store(block.row[row].target, resting_target(separation_now(block, row, apart, displaced), inv_h));
-        if (any(load(block.e) > lane{})) predict_bounces(block, solver, h);
     }
+}
+
+void predict_bounces(const SolverView& solver, scalar h) {
+    for (int block_i = 0; block_i < solver.block_count; ++block_i)
+        if (any(load(solver.blocks[block_i].e) > lane{})) predict_bounces_of(solver.blocks[block_i], solver, h);
 }
 
 } }  // namespace ingot

@@ -52,10 +52,10 @@ struct Collected {
     scalar n[3][lanes], P[block_rows][3][lanes], used[block_rows][lanes], separation[block_rows][lanes];
 };
 
-/// Names the manifolds and bodies of a block, and collects them. A body that is 0 to the solver is all zero here too; between two of
+/// Names the manifolds and bodies of a block of at least so many rows, and collects them. A body that is 0 to the solver is all zero here too; between two of
 /// them there is nothing to solve: the lane is as if it had no points.
-void collect(const SolverView& solver, const BodyView& bodies, int block_i, ContactBlock& block, Collected& in) {
-    block.rows = 1;
+void collect(const SolverView& solver, const BodyView& bodies, int block_i, int rows, ContactBlock& block, Collected& in) {
+    block.rows = rows;
     for (int lane_i = 0; lane_i < lanes; ++lane_i) {
         const uint16_t manifold_i = solver.order[block_i * lanes + lane_i];
         const ManifoldRecord& record = record_of(solver, manifold_i);
@@ -106,14 +106,16 @@ LaneContacts vectors_of(const Collected& in, int rows) {
     return contacts;
 }
 
+INGOT_INLINE void store_lever(scalar (&to_J)[3][lanes], scalar (&to_k)[3][lanes], const LaneBodies& body, const Vec3<lane>& lever, mask there) {
+    const Vec3<lane> J = select(both(there, body.moves), lever, Vec3<lane>{});
+    store(to_J, J);
+    store(to_k, body.inv_I_world * J);
+}
+
 /// A row along `direction` at P; no lever on what cannot move, or where there is no point.
-INGOT_INLINE void store_levers(Levers& levers, const LaneContacts& contacts, const Vec3<lane>& P, const Vec3<lane>& direction, mask there) {
-    const Vec3<lane> J_A = select(both(there, contacts.A.moves), cross(P - contacts.A.r_CM, direction), Vec3<lane>{});
-    const Vec3<lane> J_B = select(both(there, contacts.B.moves), cross(direction, P - contacts.B.r_CM), Vec3<lane>{});
-    store(levers.J_A, J_A);
-    store(levers.J_B, J_B);
-    store(levers.k_A, contacts.A.inv_I_world * J_A);
-    store(levers.k_B, contacts.B.inv_I_world * J_B);
+INGOT_SHARED void store_levers(Levers& levers, const LaneContacts& contacts, const Vec3<lane>& P, const Vec3<lane>& direction, mask there) {
+    store_lever(levers.J_A, levers.k_A, contacts.A, cross(P - contacts.A.r_CM, direction), there);
+    store_lever(levers.J_B, levers.k_B, contacts.B, cross(direction, P - contacts.B.r_CM), there);
 }
 
 /// Compliance between two rows: the speed along the one that a unit impulse along the other gives. inv_M: times the cosine between them.
@@ -250,10 +252,11 @@ void recall(const SolverView& solver, ContactBlock& block, int lane_i, const Man
 }
 
 /// Returns how many of its manifolds are central.
+template <bool small>
 int prepare_block(const SolverView& solver, const BodyView& bodies, int block_i) {
     ContactBlock& block = solver.blocks[block_i];
     Collected in{};
-    collect(solver, bodies, block_i, block, in);
+    collect(solver, bodies, block_i, small ? block_rows : 1, block, in);
     const LaneContacts contacts = vectors_of(in, block.rows);
     store(block.inv_M_A, contacts.A.inv_M);
     store(block.inv_M_B, contacts.B.inv_M);
@@ -261,7 +264,7 @@ int prepare_block(const SolverView& solver, const BodyView& bodies, int block_i)
     store(block.t_1, contacts.t_1);
     store(block.t_2, contacts.t_2);
 
-    const int central_count = block.rows == 1 ? prepare_normals<1>(block, contacts) : prepare_normals<block_rows>(block, contacts);
+    const int central_count = !small && block.rows == 1 ? prepare_normals<1>(block, contacts) : prepare_normals<block_rows>(block, contacts);
     const Middle middle = middle_of(contacts, block.rows);
     prepare_friction(block.friction, contacts, middle.P);
     prepare_twist(block.twist, contacts, middle.radius);
@@ -271,10 +274,13 @@ int prepare_block(const SolverView& solver, const BodyView& bodies, int block_i)
 
 }  // namespace
 
+template <bool small>
 void prepare_blocks(SolverView& solver, const BodyView& bodies) {
     solver.central_count = 0;
-    for (int block_i = 0; block_i < solver.block_count; ++block_i) solver.central_count += prepare_block(solver, bodies, block_i);
+    for (int block_i = 0; block_i < solver.block_count; ++block_i) solver.central_count += prepare_block<small>(solver, bodies, block_i);
 }
+template void prepare_blocks<false>(SolverView&, const BodyView&);
+template void prepare_blocks<true>(SolverView&, const BodyView&);
 
 void remember_impulses(const SolverView& solver) {
     constexpr scalar substeps_max = limits::substeps_kept;

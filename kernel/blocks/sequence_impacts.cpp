@@ -90,6 +90,7 @@ void take_back(const SolverView& solver, ContactBlock& block, int lane_i, scalar
 }
 
 /// Solves the impacts at hand together, by sweeps over them alone.
+template <bool small>
 void solve_at_hand(const SolverView& solver, scalar now, ImpactNote* notes) {
     Visit visit{};
     SolverView one = solver;
@@ -102,7 +103,7 @@ void solve_at_hand(const SolverView& solver, scalar now, ImpactNote* notes) {
         for_each_in_chain(solver, [&](int block_i, int lane_i) {
             if (time_of(solver.blocks[block_i], lane_i) != at_hand) return;
             visit = {static_cast<uint16_t>(block_i), static_cast<uint16_t>(1u << lane_i), 0};
-            residual = greatest(residual, sweep_velocities(one, 1, true, limits::unbounded));
+            residual = greatest(residual, sweep_velocities<small>(one, 1, true, limits::unbounded));
         });
     }
     for_each_in_chain(solver, [&](int block_i, int lane_i) {
@@ -173,6 +174,7 @@ bool find_impact_chains(const SolverView& solver) {
     return some;
 }
 
+template <bool small>
 bool sequence_impacts(const SolverView& solver, scalar h, ImpactNote* notes, StepReport& report) {
     int contacts = 0;
     bool some = false;
@@ -191,7 +193,7 @@ bool sequence_impacts(const SolverView& solver, scalar h, ImpactNote* notes, Ste
             time_of(block, lane_i) = at_hand;
             drop_impulses(block, lane_i);
         });
-        solve_at_hand(solver, now, notes);
+        solve_at_hand<small>(solver, now, notes);
         look_again(solver, now, h);
         count(report.impact_waves);
         some = true;
@@ -202,5 +204,8 @@ bool sequence_impacts(const SolverView& solver, scalar h, ImpactNote* notes, Ste
     });
     return some;
 }
+
+template bool sequence_impacts<false>(const SolverView&, scalar, ImpactNote*, StepReport&);
+template bool sequence_impacts<true>(const SolverView&, scalar, ImpactNote*, StepReport&);
 
 } }  // namespace ingot

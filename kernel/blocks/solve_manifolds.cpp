@@ -17,43 +17,52 @@ namespace ingot { inline namespace INGOT_ABI {
 namespace {
 
 /// Solves and displaces the substeps of a plan, from the state at the begin of the step. solver.calm tells whether nothing accelerated.
-template <bool notes_impulses>
+template <bool notes_impulses, bool bounces, bool small>
 void solve_substeps(SolverView& solver, const BodyView& bodies, const SweepPlan& plan, scalar h_step, ImpactNote* notes, StepReport& report) {
     solver.substeps = plan.substeps;
     solver.calm = true;
-    prepare_blocks(solver, bodies);
+    prepare_blocks<small>(solver, bodies);
     if constexpr (notes_impulses) clear_impulse_notes(solver, notes);
-    const bool has_chains = find_impact_chains(solver);
+    [[maybe_unused]] const bool has_chains = bounces && find_impact_chains(solver);
     const scalar h = h_step / static_cast<scalar>(plan.substeps);
     for (int substep_i = 0; substep_i < plan.substeps; ++substep_i) {
         predict_contacts(solver, h);
-        if (has_chains && sequence_impacts(solver, h, notes, report)) solver.calm = false;
+        if constexpr (bounces) {
+            predict_bounces(solver, h);
+            if (has_chains && sequence_impacts<small>(solver, h, notes, report)) solver.calm = false;
+        }
         kick_bodies(solver, h);
-        warm_start(solver, h);
-        count(report.sweeps, solve_velocities(solver, plan, report.residual));
+        warm_start<small>(solver, h);
+        count(report.sweeps, solve_velocities<small>(solver, plan, report.residual));
         if constexpr (notes_impulses) note_impulses(solver, notes);
         drift_bodies(solver, bodies, h);
-        sweep_positions(solver, h);
+        sweep_positions<small>(solver, h);
     }
 }
 
 }  // namespace
 
-template <bool notes_impulses>
+template <bool notes_impulses, bool bounces, bool small>
 void solve_manifolds(SolverView& solver, const BodyView& bodies, const Vector& gravity, scalar h, ImpactNote* notes, StepReport& report) {
     take_in_bodies(solver, bodies, gravity, h);
     order_manifolds(solver);
     const SweepPlan plan = plan_sweeps(solver);
-    solve_substeps<notes_impulses>(solver, bodies, plan, h, notes, report);
+    solve_substeps<notes_impulses, bounces, small>(solver, bodies, plan, h, notes, report);
     if (plan.substeps < limits::substeps && !solver.calm) {  // calm no more: the step begins again, with all of its substeps
         take_in_bodies(solver, bodies, gravity, h);
-        solve_substeps<notes_impulses>(solver, bodies, with_all_substeps(plan), h, notes, report);
+        solve_substeps<notes_impulses, bounces, small>(solver, bodies, with_all_substeps(plan), h, notes, report);
     }
     remember_impulses(solver);
 }
 
 // The linker takes the one that the scene calls.
-template void solve_manifolds<false>(SolverView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
-template void solve_manifolds<true>(SolverView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
+template void solve_manifolds<false, false, false>(SolverView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
+template void solve_manifolds<false, false, true>(SolverView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
+template void solve_manifolds<false, true, false>(SolverView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
+template void solve_manifolds<false, true, true>(SolverView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
+template void solve_manifolds<true, false, false>(SolverView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
+template void solve_manifolds<true, false, true>(SolverView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
+template void solve_manifolds<true, true, false>(SolverView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
+template void solve_manifolds<true, true, true>(SolverView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
 
 } }  // namespace ingot

@@ -15,10 +15,10 @@ namespace ingot { inline namespace INGOT_ABI {
 /// no energy. Restitution finds the time of impact within the substep. Where many touch and nothing that does accelerates, fewer substeps do.
 ///
 /// Reads v_CM, L, F_T and tau_T of the begin of the step, before integrate_v and integrate_L. Writes nothing to bodies: see
-/// write_contact_motion. For scenes with events, `notes` are told who pushed whom.
+/// write_contact_motion. For scenes with events, `notes` are told who pushed whom; for those in which nothing bounces, no restitution is looked at.
 /// Bound:   substeps * sweeps_of_few visits a manifold where few touch; else substeps * sweeps_of_young, or calm_substeps * calm_sweeps and then
 ///          substeps * sweeps.
-template <bool notes_impulses>
+template <bool notes_impulses, bool bounces, bool small>
 void solve_manifolds(SolverView& solver, const BodyView& bodies, const Vector& gravity, scalar h, ImpactNote* notes, StepReport& report);
 
 } }  // namespace ingot

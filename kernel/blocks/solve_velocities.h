@@ -24,6 +24,7 @@ SweepPlan plan_sweeps(const SolverView& solver);
 SweepPlan with_all_substeps(const SweepPlan& calm);
 
 /// Sweeps until nothing changes by more than the plan's speed, or the rounding of the bodies' own. Returns how many.
+template <bool small = false>
 int solve_velocities(const SolverView& solver, const SweepPlan& plan, scalar& residual);
 
 } }  // namespace ingot

@@ -34,18 +34,24 @@ INGOT_INLINE Pushes pushes_due(const ContactBlock& block, const Vec3<lane>& n, c
     return due;
 }
 
+/// What is off is little at rest: then there is nothing to solve.
+template <int rows>
+INGOT_RARE Row4 solve_pushes(ContactBlock& block, const Pushes& due, scalar slack, mask active) {
+    const Row4 none = {};
+    return solve_block<rows, false>(block.K, block.B, block.held, due.w, none, due.pulls, slack, active);
+}
+
 /// True if points of the visit land, which one push brings there within 1 % of the way: `again` pushes no others.
 template <int rows>
 INGOT_INLINE bool visit_positions(const SolverView& solver, ContactBlock& block, uint16_t lane_bits, scalar h, bool again) {
-    const mask active = mask_from_bits(lane_bits);
+    const mask active = lanes_of(lane_bits);
     const Vec3<lane> n = load(block.n);
     BodyPairLanes pair = gather_bodies(solver, block, &SolverBody::dp, &SolverBody::dth);
     Pushes due = pushes_due<rows>(block, n, pair, h);
     // One point alone is there after one push, and has no more of them in a block of one row: so it is beside others too.
     if (again) due.off = both(both(due.off, due.lands), is_used(block, 1));
     if (!any(due.off)) return false;
-    const Row4 none = {};
-    const Row4 q = solve_block<rows, false>(block.K, block.B, block.held, due.w, none, due.pulls, limits::approach_slack * h, active);
+    const Row4 q = solve_pushes<rows>(block, due, limits::approach_slack * h, active);
     lane sum{};
     for (int row = 0; row < rows; ++row) {
         const lane push = select(due.off, q.at[row], lane{});
@@ -66,8 +72,7 @@ INGOT_INLINE void visit_central_positions(const SolverView& solver, ContactBlock
     pair.linear_B = vector_of(dp_B);
     const Pushes due = pushes_due<1>(block, n, pair, h);
     if (!any(due.off)) return;
-    const Row4 none = {};
-    const Row4 q = solve_block<1, false>(block.K, block.B, block.held, due.w, none, due.pulls, limits::approach_slack * h, mask_from_bits(lane_bits));
+    const Row4 q = solve_pushes<1>(block, due, limits::approach_slack * h, lanes_of(lane_bits));
     add_linear(pair, n * select(due.off, q.at[0], lane{}), load(block.inv_M_A), load(block.inv_M_B));
     scatter_visited(solver, block.body_A, lane_bits, &SolverBody::dp, quad_of(pair.linear_A, dp_A.at[3]));
     scatter_visited(solver, block.body_B, lane_bits, &SolverBody::dp, quad_of(pair.linear_B, dp_B.at[3]));
@@ -75,15 +80,16 @@ INGOT_INLINE void visit_central_positions(const SolverView& solver, ContactBlock
 
 }  // namespace
 
+template <bool small>
 void sweep_positions(const SolverView& solver, scalar h) {
     for (int visit_i = 0; visit_i < solver.visit_count; ++visit_i) {
         const Visit visit = solver.visits[visit_i];
         ContactBlock& block = solver.blocks[visit.block];
-        if (block.central) {
+        if (!small && block.central) {
             visit_central_positions(solver, block, visit.lane_bits, h);
             continue;
         }
-        if (block.rows == 1) {
+        if (!small && block.rows == 1) {
             (void)visit_positions<1>(solver, block, visit.lane_bits, h, false);
             continue;
         }
@@ -92,5 +98,8 @@ void sweep_positions(const SolverView& solver, scalar h) {
             lands = visit_positions<block_rows>(solver, block, visit.lane_bits, h, push_i > 0);
     }
 }
+
+template void sweep_positions<false>(const SolverView&, scalar);
+template void sweep_positions<true>(const SolverView&, scalar);
 
 } }  // namespace ingot

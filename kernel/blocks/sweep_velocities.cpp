@@ -27,7 +27,7 @@ INGOT_INLINE lane solve_normals(ContactBlock& block, BodyPairLanes& pair, const 
     Row4 before, w;
     for (int row = 0; row < rows; ++row) {
         before.at[row] = load(block.row[row].j);
-        const lane speed = (block.central ? approach : row_speed(block.row[row].levers, approach, pair)) - load(block.row[row].target);
+        const lane speed = (rows == 1 && block.central ? approach : row_speed(block.row[row].levers, approach, pair)) - load(block.row[row].target);
         w.at[row] = rows == 1 ? speed : select(is_used(block, row), speed, lane{});
     }
     const mask none[block_rows] = {};
@@ -35,7 +35,7 @@ INGOT_INLINE lane solve_normals(ContactBlock& block, BodyPairLanes& pair, const 
     lane total{}, given{};
     for (int row = 0; row < rows; ++row) {
         const lane d = j.at[row] - before.at[row];
-        if (!block.central) add_angular(pair, block.row[row].levers, d);
+        if (rows > 1 || !block.central) add_angular(pair, block.row[row].levers, d);
         given = given + d;
         total = total + j.at[row];
         change.add(d, load(block.K[Sym4::index(row, row)]));
@@ -114,7 +114,7 @@ template <int rows>
 INGOT_INLINE void visit_velocities(const SolverView& solver, ContactBlock& block, uint16_t lane_bits, int sweep_i, scalar stirring, lane& residual) {
     const scalar sweep = static_cast<scalar>(sweep_i);
     const LaneQuad L_A = gather(solver.bodies, block.body_A, &SolverBody::L), L_B = gather(solver.bodies, block.body_B, &SolverBody::L);
-    const mask visited = lane_bits == all_lanes ? splat<lane>(1) > lane{} : mask_from_bits(lane_bits);
+    const mask visited = lanes_of(lane_bits);
     mask active = visited;
     if (sweep_i > 1) active = both(visited, greatest(L_A.at[3], L_B.at[3]) >= splat<lane>(sweep - 1));
     if (!any(active)) return store_if<false>(block.change, visited, lane{});
@@ -129,12 +129,13 @@ INGOT_INLINE void visit_velocities(const SolverView& solver, ContactBlock& block
 
 }  // namespace
 
+template <bool small>
 scalar sweep_velocities(const SolverView& solver, int sweep_i, bool up, scalar stirring) {
     lane residual{};
     for (int visit_i = 0; visit_i < solver.visit_count; ++visit_i) {
         const Visit visit = solver.visits[up ? visit_i : solver.visit_count - 1 - visit_i];
         ContactBlock& block = solver.blocks[visit.block];
-        if (block.rows == 1)
+        if (!small && block.rows == 1)
             visit_velocities<1>(solver, block, visit.lane_bits, sweep_i, stirring, residual);
         else
             visit_velocities<block_rows>(solver, block, visit.lane_bits, sweep_i, stirring, residual);
@@ -145,13 +146,16 @@ scalar sweep_velocities(const SolverView& solver, int sweep_i, bool up, scalar s
     return largest;
 }
 
+template scalar sweep_velocities<false>(const SolverView&, int, bool, scalar);
+template scalar sweep_velocities<true>(const SolverView&, int, bool, scalar);
+
 /// The sum does not depend on lanes: the k-th manifold of a colour is added to the k mod 8-th of eight sums.
 scalar sum_of_changes(const SolverView& solver) {
     scalar sums[8] = {};
     for (int visit_i = 0; visit_i < solver.visit_count; ++visit_i) {
         const Visit visit = solver.visits[visit_i];
         const scalar* const change = solver.blocks[visit.block].change;
-        if (visit.lane_bits == all_lanes && visit.first % lanes == 0) {
+        if (is_all(visit.lane_bits) && visit.first % lanes == 0) {
             scalar* const to = sums + visit.first % 8;
             store(to, load(to) + load(change));
             continue;

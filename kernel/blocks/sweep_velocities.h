@@ -10,6 +10,7 @@ namespace ingot { inline namespace INGOT_ABI {
 /// `stirring`, m/s.
 ///
 /// Returns: m/s; the largest speed that an impulse took away.
+template <bool small = false>
 scalar sweep_velocities(const SolverView& solver, int sweep_i, bool up, scalar stirring);
 
 /// J; sum of (change of impulse)^2 times compliance, of the last sweep. It does not depend on lanes.

@@ -42,7 +42,7 @@ INGOT_INLINE Smoothed smoothed(lane j, lane reference, mask young) {
 
 template <int rows, bool whole>
 INGOT_INLINE void warm_start_visit(const SolverView& solver, ContactBlock& block, uint16_t lane_bits, scalar h) {
-    const mask active = whole ? splat<lane>(1) > lane{} : mask_from_bits(lane_bits);
+    const mask active = lanes_of(lane_bits);
     const Vec3<lane> n = load(block.n);
     const lane inv_M_A = load(block.inv_M_A), inv_M_B = load(block.inv_M_B);
     BodyPairLanes pair = gather_bodies(solver, block, &SolverBody::v_CM, &SolverBody::L);
@@ -52,7 +52,7 @@ INGOT_INLINE void warm_start_visit(const SolverView& solver, ContactBlock& block
         store_if<whole>(block.row[row].j, active, j.at[row]);
         store_if<whole>(block.row[row].j_before, active, j.at[row]);
         store_if<whole>(block.row[row].j_sweep, active, j.at[row]);
-        if (!block.central) add_angular(pair, block.row[row].levers, j.at[row]);
+        if (rows > 1 || !block.central) add_angular(pair, block.row[row].levers, j.at[row]);
     }
     lane sum{};
     for (int row = 0; row < rows; ++row) sum = sum + j.at[row];
@@ -87,17 +87,21 @@ INGOT_INLINE void warm_start_visit(const SolverView& solver, ContactBlock& block
 
 }  // namespace
 
+template <bool small>
 void warm_start(const SolverView& solver, scalar h) {
     for (int visit_i = 0; visit_i < solver.visit_count; ++visit_i) {
         const Visit visit = solver.visits[visit_i];
         ContactBlock& block = solver.blocks[visit.block];
-        const bool whole = visit.lane_bits == all_lanes;
-        if (block.rows == 1)
+        const bool whole = is_all(visit.lane_bits);
+        if (!small && block.rows == 1)
             whole ? warm_start_visit<1, true>(solver, block, visit.lane_bits, h) : warm_start_visit<1, false>(solver, block, visit.lane_bits, h);
         else
             whole ? warm_start_visit<block_rows, true>(solver, block, visit.lane_bits, h)
                   : warm_start_visit<block_rows, false>(solver, block, visit.lane_bits, h);
     }
 }
+
+template void warm_start<false>(const SolverView&, scalar);
+template void warm_start<true>(const SolverView&, scalar);
 
 } }  // namespace ingot

@@ -9,6 +9,7 @@ namespace ingot { inline namespace INGOT_ABI {
 ///
 /// An impact is not taken over: impulses of a body that was hit are cut to twice what they were, and what gravity explains. Friction follows
 /// a slow mean of itself, which quietens its ringing.
+template <bool small = false>
 void warm_start(const SolverView& solver, scalar h);
 
 } }  // namespace ingot

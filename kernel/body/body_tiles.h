@@ -85,6 +85,8 @@ INGOT_INLINE void set_lane(scalar (&rows)[6][lanes], int lane_i, const Symmetric
 }
 
 inline constexpr uint16_t all_lanes = static_cast<uint16_t>((1ul << lanes) - 1ul);
+/// True for lanes that are all there is: always, with one lane.
+INGOT_INLINE constexpr bool is_all(uint16_t lane_bits) { return lanes == 1 || lane_bits == all_lanes; }
 
 /// Marks the bodies of a tile that are not good.
 INGOT_INLINE void mark_bad(uint16_t& bad, mask good) {

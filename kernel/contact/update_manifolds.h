@@ -156,7 +156,7 @@ void name_bodies(const ManifoldView& manifolds, BodyPair* body_pairs) {
 /// Pairs that the rules of the scene keep apart have none: see pair_rules.h.
 /// Pairs with a fast body touch or have none; those that meet hard in flight are seen to there.
 /// Full: contacts that are held stay, new ones are refused in the order of slots, and counted in contacts_lost.
-template <class Shapes, class Rules, class FastPairs = NoFastPairs>
+template <class Shapes, bool renews, class Rules, class FastPairs = NoFastPairs>
 void update_manifolds(const BodyView& bodies, const SurfaceView& surfaces, const BoundsTile* bounds, scalar h, const Rules& rules,
                       const PairList& found, const ManifoldView& manifolds, StepReport& report, const FastPairs& fast_pairs = {}) {
     *manifolds.count = 0;
@@ -177,8 +177,8 @@ void update_manifolds(const BodyView& bodies, const SurfaceView& surfaces, const
         }
         const bool fast = fast_pairs.has(pair);
         const scalar margin = fast ? margin_of_fast(bodies, pair) : margin_of(bodies, bounds, pair, h);
-        if (held && !fast && manifolds.anchors != nullptr) {
-            if (renew_manifold<Shapes>(bodies, surfaces, pair, margin, manifolds.anchors[pair.record], manifolds.records[pair.record].manifold)) {
+        if constexpr (renews) {
+            if (held && !fast && renew_manifold<Shapes>(bodies, surfaces, pair, margin, manifolds.anchors[pair.record], manifolds.records[pair.record].manifold)) {
                 manifolds.pairs[(*manifolds.count)++] = pair;
                 continue;
             }
@@ -201,7 +201,7 @@ void update_manifolds(const BodyView& bodies, const SurfaceView& surfaces, const
         else
             mix_materials(surfaces, pair, record);
         keep_manifold(found_now, record.manifold);
-        if (manifolds.anchors != nullptr && worth_renewing(surfaces.surfaces[pair.body_A], surfaces.surfaces[pair.body_B]))
+        if (renews && worth_renewing(surfaces.surfaces[pair.body_A], surfaces.surfaces[pair.body_B]))
             anchor(frame_of(bodies, pair.body_A), frame_of(bodies, pair.body_B), found_now, margin, manifolds.anchors[pair.record]);
         manifolds.pairs[(*manifolds.count)++] = pair;
     }

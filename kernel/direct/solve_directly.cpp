@@ -99,6 +99,7 @@ bool solve_substeps_directly(SolverView& solver, DirectView& direct, const BodyV
     bool at_bound = false;
     for (int substep_i = 0; substep_i < plan.substeps; ++substep_i) {
         predict_contacts(solver, h);
+        predict_bounces(solver, h);
         if (has_chains && sequence_impacts(solver, h, notes, report)) solver.calm = false;
         kick_bodies(solver, h);
         if (chosen != 0) keep_free_motion(solver, direct);

@@ -36,6 +36,8 @@ struct Scene {
     static constexpr int  max_events   = 0;      ///< of contacts and sensors in one step, 0 .. 65535: see contact/contact_events.h
     static constexpr scalar hit_speed  = 1;      ///< m/s; contacts that meet faster are told as hits
     static constexpr bool renews_manifolds = true;   ///< where bodies hardly move, manifolds are moved along with them and not searched anew
+    static constexpr bool bounces      = true;   ///< bodies may have a restitution; false: none bounces, for 4 KB less flash
+    static constexpr bool small        = false;  ///< contacts of one point are solved as those of four, to the same bits: 4 KB less flash, for a third more time where many are
     static constexpr bool sleeps       = false;  ///< islands of bodies at rest are left out of the step until something wakes them
     static constexpr scalar sleep_speed = limits::sleep_speed;  ///< m/s; no point of a body at rest moves faster
     static constexpr scalar sleep_time  = limits::sleep_time;   ///< s; for which all bodies of an island are at rest before it falls asleep
@@ -157,6 +159,10 @@ constexpr bool check_scene() {
                   "a scene holds up to 65535 shapes, max_shapes_of_body for each body: lower it, or max_bodies");
     static_assert(!has_compounds<S> || pairs_with_own<S> <= 65535,
                   "a scene holds up to 65535 pairs of shapes, those within each body among them: lower max_pairs, max_bodies or max_shapes_of_body");
+    static_assert(S::bounces || stacks<S>, "impacts without friction bounce: set max_manifolds, or bounces = true");
+    static_assert(S::bounces || !solves_directly<S>, "a solver that picks itself lets bodies bounce: name Sweeps, or set bounces = true");
+    static_assert(!S::small || (stacks<S> && !solves_directly<S> && !S::continuous),
+                  "small is for contacts with friction that sweeps solve, a step at a time: set max_manifolds, or small = false");
     static_assert(!S::filters || stacks<S>, "filters are for contacts with friction: set max_manifolds, or filters = false");
     static_assert(!S::continuous || stacks<S>, "fast bodies are followed in scenes of contacts with friction: set max_manifolds, or continuous = false");
     static_assert(!S::continuous || (!has_compounds<S> && !S::shapes::has(ShapeKind::hull)),

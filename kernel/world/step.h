@@ -151,7 +151,7 @@ StepReport step(World<S>& world, scalar h) {
             hold_records(manifolds, pairs);
         }
         if constexpr (S::continuous) begin_paths(bodies, storage.surface_view(), h, storage.paths);
-        update_manifolds<ShapesOf<S>>(shapes, storage.surface_view(), storage.bounds, h, storage.pair_rules(report), pairs, manifolds, report,
+        update_manifolds<ShapesOf<S>, S::renews_manifolds>(shapes, storage.surface_view(), storage.bounds, h, storage.pair_rules(report), pairs, manifolds, report,
                                     fast_pairs_of(storage, h));
         if constexpr (has_compounds<S>) name_bodies<S::max_shapes_of_body>(manifolds, storage.body_pairs);
         if constexpr (S::sleeps) wake_what_is_met(storage, bodies, manifolds);
@@ -163,7 +163,7 @@ StepReport step(World<S>& world, scalar h) {
             solver.pairs = moving.pairs;
             solver.manifold_count = *moving.count;
         }
-        storage.template solve_contacts<has_events<S>>(solver, bodies, storage.gravity, h, storage.impact_notes(), report);
+        storage.template solve_contacts<has_events<S>, S::bounces, S::small>(solver, bodies, storage.gravity, h, storage.impact_notes(), report);
         if constexpr (S::sleeps && has_events<S>) spread_notes(manifolds, moving.pairs, *moving.count, storage.notes);
         if constexpr (has_events<S>) tell_events(storage, report);
 

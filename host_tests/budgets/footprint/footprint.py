@@ -1,0 +1,137 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""What each shape, solver and feature takes on a Cortex-M4F: the rows of footprint.csv and the tables of ../FOOTPRINT.md.
+
+    footprint.py <footprint.json> --update    measures, writes both and prints the tables
+    footprint.py <footprint.json> --check     measures, and fails where footprint.csv is stale
+    footprint.py --check                      fails where ../FOOTPRINT.md is not what the two tables of figures make it
+
+A row is a firmware of footprint_scenes.h; flash and world_ram are those of ../README.md. Tolerances are those of the budgets.
+"""
+import argparse
+import csv
+import json
+import pathlib
+import sys
+
+sys.dont_write_bytecode = True
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent))
+import measure  # noqa: E402
+
+TABLE, PAGE = HERE / "footprint.csv", HERE.parent / "FOOTPRINT.md"
+FIGURES = ("flash", "world_ram")
+BUDGET_SCENES = {"satellite": "a satellite that turns", "ten_boxes_row": "ten boxes side by side", "ten_boxes_column": "ten boxes in a column",
+                 "playground": "eight bodies with many features"}
+CORES = {"cortex-m0": "M0", "cortex-m4f": "M4F", "cortex-m7": "M7"}
+
+HEAD = """<!-- SPDX-License-Identifier: MIT -->
+# What it takes
+
+Written by `cmake --build --preset cortex-m4f --target footprint`; release builds of arm-none-eabi-gcc %s. Flash is what a firmware has beyond
+start-up and console, with set-up and all checks of arguments; RAM is `sizeof(World)`, and the stack comes on top. See README.md.
+
+## Shapes, solvers, features
+
+On a Cortex-M4F, in bytes. What a scene does not name costs nothing.
+
+"""
+CORES_HEAD = """
+## Three cores
+
+Figures of `budgets.csv`, in bytes and in instructions of one step of 1/60 s: the last of the scene, and the worst. A Cortex-M0 computes floats in
+software.
+
+"""
+
+
+def measured(build, rows):
+    nothing = measure.flash_of(build["objdump"], build["nothing"])["all"]
+    for row in rows:
+        elf = build["scenes"][row["scene"]]
+        row["flash"] = measure.flash_of(build["objdump"], elf)["all"] - nothing
+        row["world_ram"] = measure.run(build["emulator"], elf)["world_bytes"]
+    return rows
+
+
+def table(cells):
+    """Markdown; the first column is text."""
+    lines = ["| " + " | ".join(line) + " |" for line in cells]
+    return "\n".join([lines[0], "| --- |" + " ---: |" * (len(cells[0]) - 1)] + lines[1:]) + "\n"
+
+
+def table_of_features(rows):
+    by_scene = {row["scene"]: row for row in rows}
+    cells = [("scene, and what it names beside", "flash", "RAM")]
+    for row in rows:
+        base = by_scene.get(row["base"])
+        if base is None:
+            cells.append((row["what"],) + tuple("%d" % row[figure] for figure in FIGURES))
+        else:
+            cells.append(("  and " + row["what"],) + tuple("%+d" % (row[figure] - base[figure]) for figure in FIGURES))
+    return table([tuple(cell.strip() for cell in line) for line in cells])
+
+
+def table_of_cores(budgets):
+    cells = [("scene", "core", "flash", "RAM", "stack", "last step", "worst step")]
+    for scene, title in BUDGET_SCENES.items():
+        for core, short in CORES.items():
+            row = budgets.get((scene, core))
+            if row:
+                cells.append((title, short) + tuple("%d" % row[figure] for figure in (
+                    "flash", "world_ram", "stack_computed", "instructions_last", "instructions_worst")))
+    return table(cells)
+
+
+def page(rows):
+    return HEAD % measure.TABLE_COMPILER + table_of_features(rows) + CORES_HEAD + table_of_cores(measure.read_table(measure.TABLE))
+
+
+def read_rows():
+    with open(TABLE, newline="", encoding="utf-8") as source:
+        return [{**row, **{figure: int(row[figure]) for figure in FIGURES}} for row in csv.DictReader(source)]
+
+
+def write_rows(rows):
+    with open(TABLE, "w", newline="", encoding="utf-8") as target:
+        writer = csv.DictWriter(target, rows[0].keys(), lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("build", type=pathlib.Path, nargs="?", help="footprint.json of a build for Cortex-M4F")
+    parser.add_argument("--check", action="store_true")
+    parser.add_argument("--update", action="store_true")
+    arguments = parser.parse_args()
+    if arguments.build is None:
+        if not arguments.check:
+            parser.error("nothing to do")
+        if PAGE.read_text(encoding="utf-8") == page(read_rows()):
+            return 0
+        print("FOOTPRINT.md is not what the tables make it: cmake --build --preset cortex-m4f --target footprint")
+        return 1
+
+    build = json.loads(arguments.build.read_text(encoding="utf-8"))
+    build["emulator"] = build["emulator"].split(";")
+    if build["compiler"] != measure.TABLE_COMPILER:
+        print("footprint.csv is of gcc %s, this build of gcc %s: not compared" % (measure.TABLE_COMPILER, build["compiler"]))
+        return 1 if arguments.update else 0
+    rows = measured(build, read_rows())
+    if arguments.update:
+        write_rows(rows)
+        PAGE.write_text(page(rows), encoding="utf-8")
+        print(page(rows))
+    complaints = []
+    if arguments.check:
+        for row, kept in zip(rows, read_rows()):
+            reasons = [(figure, measure.complaint(figure, row[figure], kept[figure])) for figure in FIGURES]
+            complaints += ["%s: %s %s" % (row["scene"], figure, reason) for figure, reason in reasons if reason]
+    for sentence in complaints:
+        print("footprint: " + sentence)
+    return 1 if complaints else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
