@@ -7,6 +7,7 @@
 #include "order_manifolds.h"
 #include "predict_contacts.h"
 #include "prepare_blocks.h"
+#include "prepare_materials.h"
 #include "sequence_impacts.h"
 #include "solve_velocities.h"
 #include "sweep_positions.h"
@@ -17,11 +18,13 @@ namespace ingot { inline namespace INGOT_ABI {
 namespace {
 
 /// Solves and displaces the substeps of a plan, from the state at the begin of the step. solver.calm tells whether nothing accelerated.
-template <bool notes_impulses>
-void solve_substeps(SolverView& solver, const BodyView& bodies, const SweepPlan& plan, scalar h_step, ImpactNote* notes, StepReport& report) {
+template <bool notes_impulses, class View>
+void solve_substeps(View& solver, const BodyView& bodies, const SweepPlan& plan, scalar h_step, ImpactNote* notes, StepReport& report) {
     solver.substeps = plan.substeps;
     solver.calm = true;
     prepare_blocks(solver, bodies);
+    if constexpr (View::rolls) prepare_rolling(solver, bodies, solver.rolling, solver.rolling_records);
+    if constexpr (View::drives) prepare_belts(solver, solver.belts, solver.belt_velocities);
     if constexpr (notes_impulses) clear_impulse_notes(solver, notes);
     const bool has_chains = find_impact_chains(solver);
     const scalar h = h_step / static_cast<scalar>(plan.substeps);
@@ -29,7 +32,10 @@ void solve_substeps(SolverView& solver, const BodyView& bodies, const SweepPlan&
         predict_contacts(solver, h);
         if (has_chains && sequence_impacts(solver, h, notes, report)) solver.calm = false;
         kick_bodies(solver, h);
-        warm_start(solver, h);
+        if constexpr (View::rolls)
+            warm_start(solver, h);
+        else
+            warm_start<SolverView>(solver, h);
         count(report.sweeps, solve_velocities(solver, plan, report.residual));
         if constexpr (notes_impulses) note_impulses(solver, notes);
         drift_bodies(solver, bodies, h);
@@ -39,8 +45,8 @@ void solve_substeps(SolverView& solver, const BodyView& bodies, const SweepPlan&
 
 }  // namespace
 
-template <bool notes_impulses>
-void solve_manifolds(SolverView& solver, const BodyView& bodies, const Vector& gravity, scalar h, ImpactNote* notes, StepReport& report) {
+template <bool notes_impulses, class View>
+void solve_manifolds(View& solver, const BodyView& bodies, const Vector& gravity, scalar h, ImpactNote* notes, StepReport& report) {
     take_in_bodies(solver, bodies, gravity, h);
     order_manifolds(solver);
     const SweepPlan plan = plan_sweeps(solver);
@@ -50,10 +56,17 @@ void solve_manifolds(SolverView& solver, const BodyView& bodies, const Vector& g
         solve_substeps<notes_impulses>(solver, bodies, with_all_substeps(plan), h, notes, report);
     }
     remember_impulses(solver);
+    if constexpr (View::rolls) remember_rolling(solver, solver.rolling, solver.rolling_records);
 }
 
 // The linker takes the one that the scene calls.
 template void solve_manifolds<false>(SolverView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
 template void solve_manifolds<true>(SolverView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
+template void solve_manifolds<false>(RollingView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
+template void solve_manifolds<true>(RollingView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
+template void solve_manifolds<false>(BeltView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
+template void solve_manifolds<true>(BeltView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
+template void solve_manifolds<false>(RollingBeltView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
+template void solve_manifolds<true>(RollingBeltView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
 
 } }  // namespace ingot

@@ -15,6 +15,8 @@ struct Visit {
 };
 
 struct SolverView {
+    static constexpr bool rolls = false, drives = false;  ///< see material_view.h
+
     const BodyPair* pairs;     ///< that touch, sorted by slots
     ManifoldRecord* records;   ///< of the pairs
     int manifold_count;

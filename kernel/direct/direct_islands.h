@@ -13,8 +13,8 @@ struct Sweeps {
 
     template <int max_bodies, int max_manifolds>
     struct Memory {
-        template <bool notes_impulses>
-        void solve_contacts(SolverView& solver, const BodyView& bodies, const Vector& gravity, scalar h, ImpactNote* notes,
+        template <bool notes_impulses, class View>
+        void solve_contacts(View& solver, const BodyView& bodies, const Vector& gravity, scalar h, ImpactNote* notes,
                             StepReport& report) {
             solve_manifolds<notes_impulses>(solver, bodies, gravity, h, notes, report);
         }

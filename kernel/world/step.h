@@ -158,7 +158,7 @@ StepReport step(World<S>& world, scalar h) {
         [[maybe_unused]] const ManifoldView moving = storage.moving_manifolds();
         if constexpr (has_events<S>) note_approaches(bodies, storage.gravity, h, moving, storage.notes);
         over_moving(storage, bodies, [](const BodyView& some) { refresh_inv_I_world(some); });   // Eq. 20
-        SolverView solver = storage.solver();
+        auto solver = storage.contact_solver();
         if constexpr (S::sleeps) {
             solver.pairs = moving.pairs;
             solver.manifold_count = *moving.count;
