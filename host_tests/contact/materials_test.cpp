@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "contact/play.h"
+#include "replay/snapshot_fields.h"
 
 #include <cstring>
 
@@ -336,6 +337,13 @@ TEST(Materials, are_kept_by_a_snapshot) {
     std::vector<uint8_t> bytes(ingot::snapshot_size<Line>());
     const ingot::Result<size_t> size = ingot::save_snapshot(scene.world(), bytes.data(), bytes.size());
     ASSERT_TRUE(size.ok());
+    replay::SnapshotFields fields;
+    EXPECT_EQ(replay::read_fields({bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size.value)}, fields), "") << "as ingot_replay reads it";
+    double rolling = 0;
+    for (const replay::SnapshotField& field : fields.fields) rolling += field.name == "rolling_resistance" ? field.value(fields.doubles) : 0;
+    double given = 0;
+    for (const MaterialBody& one : conveyor_line()) given += static_cast<double>(one.rolling_lever);
+    EXPECT_EQ(rolling, given);
     auto loaded = std::make_unique<ingot::World<Line>>();
     ASSERT_EQ(ingot::load_snapshot(*loaded, bytes.data(), size.value), Status::ok);
     EXPECT_EQ(loaded->rolling_resistance(scene.id(9)).value, ConveyorLine::body(9).rolling_lever);
