@@ -20,11 +20,11 @@ struct Stacking : ingot::Scene {
     using broad_phase = BroadPhase;
 };
 
-/// The same, asleep at times.
+/// The same, asleep at times, with all that surfaces may have.
 template <class BroadPhase>
 struct Sleeping : Stacking<BroadPhase> {
     static constexpr int max_events = 0;
-    static constexpr bool sleeps = true;
+    static constexpr bool sleeps = true, rolling_resistance = true, surface_velocities = true;
 };
 
 template <class Field, class Flight>
@@ -98,7 +98,9 @@ template <class BroadPhase>
 bool use_sleep(ingot::World<Sleeping<BroadPhase>>& world) {
     const ingot::BodyId id = world.body_at(0);
     return use_members(world) && world.set_filter(id, {}) == ingot::Status::ok && world.is_asleep(id) && world.wake(id) == ingot::Status::ok &&
-           world.sleep(id) == ingot::Status::ok && world.asleep_count() > 0 && world.asleep_island_count() > 0;
+           world.sleep(id) == ingot::Status::ok && world.asleep_count() > 0 && world.asleep_island_count() > 0 &&
+           world.set_rolling_resistance(id, 1) == ingot::Status::ok && world.rolling_resistance(id).ok() &&
+           world.set_surface_velocity(id, {}) == ingot::Status::ok && world.surface_velocity(id).ok();
 }
 
 #define INGOT_ALL_OF(Method)                                        \

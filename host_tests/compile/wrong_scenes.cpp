@@ -179,6 +179,21 @@ struct Wrong : ingot::Scene {
 #ifdef SLEEP_TIME_BELOW_ZERO
     static constexpr ingot::scalar sleep_time = -1;
 #endif
+#ifdef ROLLING_WITHOUT_CONTACTS
+    static constexpr bool rolling_resistance = true;
+#endif
+#ifdef BELTS_WITHOUT_CONTACTS
+    static constexpr bool surface_velocities = true;
+#endif
+#ifdef ROLLING_SOLVED_DIRECTLY
+    static constexpr bool translates = true, rolling_resistance = true;
+    static constexpr int max_manifolds = 4;
+    using solver = ingot::ChosenSolver;
+#endif
+#ifdef CONTINUOUS_BELTS
+    static constexpr bool translates = true, surface_velocities = true, continuous = true;
+    static constexpr int max_manifolds = 4;
+#endif
 #ifdef SUBSTEPS_OF_METHOD
     using rotation = ingot::DiscreteMoserVeselov<6, true, true, 3>;
 #endif
@@ -255,6 +270,12 @@ int main() {
 #endif
 #ifdef QUERY_WITHOUT_SHAPES
     (void)world.cast_ray({}, {});
+#endif
+#ifdef LEVER_WITHOUT_ROLLING
+    (void)world.set_rolling_resistance(id, 1);
+#endif
+#ifdef BELT_WITHOUT_BELTS
+    (void)world.set_surface_velocity(id, {});
 #endif
 #ifdef FIELD_WITHOUT_FIELD
     (void)world.force_field();

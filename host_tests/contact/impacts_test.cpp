@@ -191,9 +191,57 @@ TEST(SpinningBall, rolls_off_by_the_rule_of_two_sevenths) {
     expect_spin_after(0, 1, 0, 4, 2.0 / 7);
 }
 TEST(SpinningBall, slides_by_mu_times_the_impulse) { expect_spin_after(0, 0.05, 1, -8, 1 - 0.05 * 2 * 2); }
-/// Not met: 0.7275 for 0.7143. A ball that comes from 17 mm away has its point of contact in the middle of that gap, 8 mm off its rim, and friction has
-/// that lever: (1 + s / 2 r) of it, s up to the way of a step.
-TEST(SpinningBall, DISABLED_that_flies_in_rolls_off_by_the_rule) { expect_spin_after(0.05, 1, 1, 0, 5.0 / 7); }
+/// What a ball leaves with whose friction sticks with the lever x r: slip u = v - x r omega goes, of which the way takes 1 / (1 + 2.5 x^2).
+double v_after_sticking(double v, double spin, double r, double x) { return v - (v - x * r * spin) / (1 + 2.5 * x * x); }
+
+/// A ball that comes from a gap s has its point of contact in the middle of that gap: friction has the lever (1 + s / 2 r) r, s up to the way of a
+/// step. That is what it may be off by, 0.0256 of 1 m/s here; it goes with h. (Levers to each surface's own point would be exact for a ball, to 1e-16 in
+/// double, but make a couple of whatever presses across a gap: a slab on tiles, whose gaps stay open for a while, does not come to rest then.)
+TEST(SpinningBall, that_flies_in_rolls_off_by_the_rule_but_for_half_its_way) {
+    constexpr double r = 0.25, v_n = 2, v = 1;
+    for (const double spin : {0.0, -8.0}) {
+        double before = 1;
+        for (const double rate : {60.0, 240.0, 960.0}) {
+            PlacedBody ball = solid_ball(1, scalar(r), {0, 0, scalar(r + 0.05)}, 1, 1);
+            ball.move({scalar(v), 0, scalar(-v_n)}, {0, scalar(spin), 0});
+            Play<Room<2>> scene({flat_ground(1, 1), ball}, {0, 0, 0});
+            ASSERT_TRUE(scene.sound());
+            scene.run(static_cast<scalar>(1 / rate), 0.5);
+            const double exact = v_after_sticking(v, spin, r, 1), most = std::abs(v_after_sticking(v, spin, r, 1 + v_n / rate / (2 * r)) - exact);
+            const double error = std::abs(scene.v(1).x() - exact);
+            figure("error of the speed, m/s", error);
+            EXPECT_LE(error, most + 1e-6) << rate;
+            EXPECT_LE(most, before / 3) << "goes with h";
+            EXPECT_NEAR(scene.v(1).z(), v_n, 1e-6);
+            before = most;
+        }
+    }
+}
+
+/// I10, thrown with backspin: where r omega is -4 v it comes back with (5/7 - 8/7) v from its first bounce.
+TEST(SpinningBall, thrown_with_backspin_comes_back) {
+    constexpr double r = 0.25, drop = 1, v = 1, spin = -4 * v / r, g = 9.81;
+    for (const double rate : {60.0, 240.0, 960.0}) {
+        PlacedBody ball = solid_ball(1, scalar(r), {0, 0, scalar(r + drop)}, 1, 1);
+        ball.move({scalar(v), 0, 0}, {0, scalar(spin), 0});
+        Play<Room<2>> scene({flat_ground(1, 1), ball}, OnEarth::gravity);
+        ASSERT_TRUE(scene.sound());
+        const double t_first = std::sqrt(2 * drop / g), fastest = g * (t_first + 1 / rate);
+        double peak = 0, v_first = 0;
+        scene.run(static_cast<scalar>(1 / rate), 8 * t_first, [&](int step_i) {  // four bounces, at the odd multiples
+            const double t = step_i / rate;
+            if (t < 2 * t_first) v_first = scene.v(1).x();
+            if (t > t_first + 1 / rate) peak = std::max(peak, scene.r(1).z() - r);
+        });
+        const double exact = v_after_sticking(v, spin, r, 1), most = std::abs(v_after_sticking(v, spin, r, 1 + fastest / rate / (2 * r)) - exact);
+        figure("rate, Hz", rate);
+        figure("  speed after the first bounce, m/s", v_first);
+        EXPECT_NEAR(exact, -3.0 / 7, 1e-15);
+        EXPECT_NEAR(v_first, exact, most + 1e-6);
+        EXPECT_LT(scene.v(1).x(), 0);
+        EXPECT_LE(peak, drop * (1 + rounding_of_energy(static_cast<int>(8 * t_first * rate), rate)));
+    }
+}
 
 /// C16, C17: finite; they part at no more than limits::push_speed_max, and are left without speed: the push is no velocity.
 template <int percent, bool balls>

@@ -136,7 +136,8 @@ int main() {
                             run<scenes::CompoundPile>("compound_pile"), keep<scenes::CompoundPile>("snapshot_compound_pile"),
                             run<scenes::MassRatio1e6>("mass_ratio_1e6"), run<scenes::Tower20>("tower_20"), keep<scenes::Tower20>("snapshot_tower_20"),
                             run<scenes::ChosenBoxes>("uneven_boxes"), keep<scenes::ChosenBoxes>("snapshot_uneven_boxes"),
-                            run<scenes::SleepingTowers>("sleeping_towers"), keep<scenes::SleepingTowers>("snapshot_sleeping_towers")};
+                            run<scenes::SleepingTowers>("sleeping_towers"), keep<scenes::SleepingTowers>("snapshot_sleeping_towers"),
+                            run<scenes::Conveyors>("conveyors"), keep<scenes::Conveyors>("snapshot_conveyors")};
     for (bool result : results)
         if (!result) return 1;
     return 0;

@@ -51,6 +51,11 @@ private:
 
 using Part = ingot::SnapshotPart;
 
+void read_material(Reader& in, unsigned parts) {
+    if ((parts & Part::rolling) != 0) in.real("rolling_resistance");
+    if ((parts & Part::belts) != 0) in.vector("surface_velocity");
+}
+
 void read_body(Reader& in, unsigned parts) {
     (void)in.integer("flags", 1);
     in.matrix("A");
@@ -74,10 +79,12 @@ void read_body(Reader& in, unsigned parts) {
         in.real("shape.offset");
         in.real("restitution");
         in.real("friction");
+        if (!several) read_material(in, parts);
         if (!several) continue;
         in.vector("shape.r");
         in.matrix("shape.A");
         if ((parts & Part::sensors) != 0) (void)in.integer("sensor", 1);
+        read_material(in, parts);
     }
     if ((parts & Part::filters) != 0) {
         (void)in.integer("filter.category", 4);
@@ -121,6 +128,7 @@ void read_manifold(Reader& in, uint16_t parts) {
     (void)in.integer("substeps", 2);
     if ((parts & Part::anchors) != 0) read_anchors(in);
     if ((parts & Part::unsettled) != 0) (void)in.integer("unsettled", 1);
+    if ((parts & Part::rolling) != 0) in.vector("j_rolling");
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ def main(out):
         if row["suite"] in ("rotation", "contact") and row["unit"] not in ("ns", "us", "bytes"):
             by_lanes.setdefault(tuple(row[column] for column in ("case", "method", "scalar", "h", "metric")), set()).add(row["value"])
     faults += [f"differs between lanes: {key}" for key, values in by_lanes.items() if len(values) > 1]
-    for suite in ("rotation", "driven", "drift", "throughput", "contact", "mcu"):
+    for suite in ("rotation", "driven", "drift", "throughput", "contact", "simbenchmark", "mcu"):
         if not any(row["suite"] == suite for row in rows):
             faults.append(f"no rows of {suite}")
     for row in rows:
@@ -61,6 +61,9 @@ def main(out):
         promise(f"ball with e = 0.5, {scalar}, rests off 1.916 s by", abs(contact("bounce_e05", "rest_time") - 3 * math.sqrt(4 / 9.81)), 2 / 60)
         promise(f"tower of 20, {scalar}, falls short of 60 s by", 60 - contact("tower_20", "stood"), 1e-9)
         promise(f"tower of 20, {scalar}, sinks by mm", contact("tower_20", "sink"), 0.2)
+    for case, scalar, bound in (("rolling_diagonal", "double", 5.7e-9), ("rolling_along_y", "double", 5.7e-9), ("bouncing", "float", 1.9e-2), ("bouncing", "double", 1.9e-2),
+                                ("666", "float", 1.35e-4), ("666", "double", 1.35e-4), ("elastic_666", "float", 8.4), ("elastic_666", "double", 8.4)):
+        promise(f"SimBenchmark, {case}, {scalar}, 1 ms", value(f"simbenchmark_{case}", "default", scalar, 1000, "error", "simbenchmark"), bound)
     promise("ball with e = 1, double, energy", value("bounce_e1", "default", "double", 60, "energy_error", "contact"), 1e-6)
     for method, order in ORDERS.items():
         measured = value("book", method, "double", None, "order")

@@ -52,6 +52,7 @@ struct ContactCase {
     double gravity[3];
     double seconds;  ///< for which its criterion asks
     std::vector<SceneBody> bodies;
+    double push[3] = {0, 0, 0};  ///< N, world, on the centre of mass of body 1 in every step
     std::function<std::unique_ptr<ContactRun>()> begin;
     std::function<std::unique_ptr<ContactRun>()> begin_chosen;  ///< by the solver that picks itself; none where sweeps serve
 

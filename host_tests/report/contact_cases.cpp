@@ -13,6 +13,7 @@
 namespace report {
 
 std::vector<ContactCase> INGOT_JOIN(contact_cases_, INGOT_ABI, )();
+std::vector<ContactCase> INGOT_JOIN(simbenchmark_cases_, INGOT_ABI, )();
 
 namespace {
 
@@ -69,7 +70,7 @@ SceneBody plain(const scenes::PlacedBody& placed) {
 template <class Placed, class S>
 class KernelRun final : public ContactRun {
 public:
-    KernelRun() {
+    explicit KernelRun(const ingot::Vector& push = {}) : push_(push) {
         for (int body_i = 0; body_i < Placed::body_count; ++body_i) {
             const scenes::PlacedBody placed = Placed::body(body_i);
             ingot::BodyDef def = placed.def;
@@ -80,7 +81,9 @@ public:
     }
     /// A world with a body that was driven out of range is not stepped any more: what it would show then is of no scene.
     void step(int rate) override {
-        if (report_.bodies_frozen == 0) report_ = ingot::step(world_, scalar(1) / static_cast<scalar>(rate));
+        if (report_.bodies_frozen != 0) return;
+        if (is_pushed() && world_.add_central_force(world_.body_at(1), push_) != ingot::Status::ok) ++refused_;
+        report_ = ingot::step(world_, scalar(1) / static_cast<scalar>(rate));
     }
     void read(std::vector<BodyPose>& poses) const override {
         poses.resize(Placed::body_count);
@@ -101,7 +104,10 @@ public:
     double bytes() const override { return static_cast<double>(sizeof world_); }
 
 private:
+    bool is_pushed() const { return push_.x != 0 || push_.y != 0 || push_.z != 0; }
+
     ingot::World<S> world_ = {};
+    ingot::Vector push_;
     ingot::StepReport report_{};
     int refused_ = 0;
 };
@@ -128,7 +134,34 @@ ContactCase case_of_both(const char* name) {
     return one;
 }
 
+/// Friction of its pairs, 0.4 and 0.8, as geometric means.
+struct RollingByMeans : scenes::SimRolling {
+    static constexpr scenes::PlacedBody body(int body_i) {
+        scenes::PlacedBody placed = scenes::SimRolling::body(body_i);
+        placed.mu = body_i == 0 ? mu_ground_box * mu_ground_box / mu_box_ball : mu_box_ball;
+        return placed;
+    }
+};
+ContactCase rolling_case(const char* name, const ingot::Vector& push) {
+    using S = SceneFor<RollingByMeans, ingot::Shapes<ingot::Sphere, ingot::Box, ingot::HalfSpace>, 60>;
+    ContactCase one = contact_case<RollingByMeans, S::shapes, 60>(name);
+    copy(push, one.push);
+    one.begin = [push] { return std::make_unique<KernelRun<RollingByMeans, S>>(push); };
+    return one;
+}
+
 }  // namespace
+
+std::vector<ContactCase> INGOT_JOIN(simbenchmark_cases_, INGOT_ABI, )() {
+    using namespace scenes;
+    return {
+        rolling_case("simbenchmark_rolling_diagonal", SimRolling::push_diagonal),
+        rolling_case("simbenchmark_rolling_along_y", SimRolling::push_along_y),
+        contact_case<SimBouncing, Balls, 100>("simbenchmark_bouncing"),
+        contact_case<Sim666<false>, Balls, 1700>("simbenchmark_666"),
+        contact_case<Sim666<true>, Balls, 1700>("simbenchmark_elastic_666"),
+    };
+}
 
 std::vector<ContactCase> INGOT_JOIN(contact_cases_, INGOT_ABI, )() {
     using namespace scenes;

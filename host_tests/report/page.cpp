@@ -115,6 +115,12 @@ std::vector<Section> all_sections(const Rows& rows) {
           "half of a run; of each step the least over three runs (one in a quick run), of the steps the median."},
          {},
          contact_tables(rows)},
+        {"simbenchmark",
+         "SimBenchmark",
+         {"Four published tests of rigid-body engines, at steps of 1 to 10 ms: balls that roll on a box that is pushed, balls that bounce, and 216 balls "
+          "that pile up, without and with restitution."},
+         {},
+         {simbenchmark_table(rows)}},
         {"mcu",
          "Microcontrollers",
          {"The same source as firmware on emulated cores. Instructions are executed ones, counted by the emulator: exact, but "

@@ -60,6 +60,7 @@ Table hour_table(const Rows& rows);
 Table driven_table(const Rows& rows, const std::string& scalar);
 Table throughput_table(const Rows& rows);
 Table cores_table(const Rows& rows);
+Table simbenchmark_table(const Rows& rows);
 std::vector<Table> contact_tables(const Rows& rows);  ///< one for each kind of scene
 Table scenes_table(const Rows& rows);
 Table peers_table(const Rows& rows);

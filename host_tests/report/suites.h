@@ -19,6 +19,8 @@ void run_drift(const Settings& settings, const std::vector<Variant>& variants, R
 void run_throughput(const Settings& settings, const std::vector<Variant>& variants, Rows& rows);
 /// Stacks, piles, slopes and bounces: how wrong they are, and what a step costs.
 void run_contact(const Settings& settings, const std::vector<Variant>& variants, Rows& rows);
+/// SimBenchmark's tests: error and CPU time at steps from 1 to 10 ms.
+void run_simbenchmark(const Settings& settings, const std::vector<Variant>& variants, Rows& rows);
 /// Instructions, flash and RAM on emulated cores, from the tables that the cross builds keep and check.
 void run_mcu(Rows& rows);
 /// Bullet and ODE in the same run; nothing in a build without them.

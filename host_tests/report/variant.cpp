@@ -16,6 +16,7 @@ namespace report {
 
 Variant INGOT_JOIN(variant_, INGOT_ABI, )();
 std::vector<ContactCase> INGOT_JOIN(contact_cases_, INGOT_ABI, )();  // contact_cases.cpp
+std::vector<ContactCase> INGOT_JOIN(simbenchmark_cases_, INGOT_ABI, )();
 
 namespace {
 
@@ -201,6 +202,7 @@ Variant INGOT_JOIN(variant_, INGOT_ABI, )() {
     variant.throughput = throughput;
     variant.bytes_per_body = static_cast<double>(sizeof(MovingWorld<4096>)) / 4096;
     variant.contacts = INGOT_JOIN(contact_cases_, INGOT_ABI, )();
+    variant.simbenchmark = INGOT_JOIN(simbenchmark_cases_, INGOT_ABI, )();
     return variant;
 }
 

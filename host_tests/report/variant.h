@@ -55,6 +55,7 @@ struct Variant {
     std::function<double(int bodies, bool quick)> throughput;
     double bytes_per_body;  ///< of the world of 4096
     std::vector<ContactCase> contacts;
+    std::vector<ContactCase> simbenchmark;
 };
 
 /// The builds this program holds and this machine can run.

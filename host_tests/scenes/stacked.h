@@ -3,6 +3,7 @@
 #pragma once
 
 #include "contact/bullets.h"
+#include "contact/materials.h"
 #include "contact/piles.h"
 #include "contact/stacks.h"
 
@@ -165,6 +166,16 @@ struct BulletRange : Stacked<BulletWalls::body_count, 40> {
     }
 };
 
+/// Parcels on belts, balls that resist being rolled, a crawler.
+struct Conveyors : Stacked<ConveyorLine::body_count, 48> {
+    static constexpr bool rolling_resistance = true, surface_velocities = true;
+    using shapes = ingot::Shapes<ingot::Sphere, ingot::Box, ingot::HalfSpace>;
+    static constexpr const char* name = "conveyors";
+    static constexpr const char* title = "parcels on belts, balls that resist being rolled";
+    static constexpr int golden_steps = 180;
+    static constexpr PlacedBody body(int body_i) { return ConveyorLine::body(body_i).body; }
+};
+
 /// Adds the bodies of a scene one by one: no target keeps them all.
 template <class S>
 ingot::Status set_up_placed(ingot::World<S>& world) {
@@ -187,5 +198,14 @@ inline ingot::Status set_up(ingot::World<MixedPile>& world) { return set_up_plac
 inline ingot::Status set_up(ingot::World<SleepingTowers>& world) { return set_up_placed(world); }
 inline ingot::Status set_up(ingot::World<Playground>& world) { return set_up_placed(world); }
 inline ingot::Status set_up(ingot::World<BulletRange>& world) { return set_up_placed(world); }
+inline ingot::Status set_up(ingot::World<Conveyors>& world) {
+    ingot::Status status = set_up_placed(world);
+    for (int body_i = 0; body_i < Conveyors::max_bodies && status == ingot::Status::ok; ++body_i) {
+        const MaterialBody material = ConveyorLine::body(body_i);
+        status = world.set_rolling_resistance(world.body_at(body_i), material.rolling_lever);
+        if (status == ingot::Status::ok) status = world.set_surface_velocity(world.body_at(body_i), material.surface_velocity);
+    }
+    return status;
+}
 
 }  // namespace scenes

@@ -38,13 +38,18 @@ void begin_sweeps(const SolverView& solver) {
     }
 }
 
-void extrapolate(const SolverView& solver, scalar beta) {
+template <class View>
+void extrapolate(const View& solver, scalar beta) {
     const lane beta_of_rows = splat<lane>(beta);
     for (int block_i = 0; block_i < solver.block_count; ++block_i) {
         ContactBlock& block = solver.blocks[block_i];
         for (int row = 0; row < block.rows; ++row) go_on(block.row[row].j, block.row[row].j_sweep, block.row[row].direction, beta_of_rows);
         for (int axis = 0; axis < 2; ++axis) go_on(block.friction.j[axis], block.friction.j_sweep[axis], block.friction.direction[axis], beta_of_rows);
         if (block.rows > 1) go_on(block.twist.j, block.twist.j_sweep, block.twist.direction, beta_of_rows);
+        if constexpr (View::rolls) {
+            RollingRows& rolling = solver.rolling[block_i];
+            for (int axis = 0; axis < 2; ++axis) go_on(rolling.j[axis], rolling.j_sweep[axis], rolling.direction[axis], beta_of_rows);
+        }
     }
     for (int body_i = 1; body_i < solver.body_count; ++body_i) {
         SolverBody& body = solver.bodies[body_i];
@@ -53,5 +58,10 @@ void extrapolate(const SolverView& solver, scalar beta) {
         go_on(body.L, history.L_sweep, history.P_L, beta);
     }
 }
+
+// The linker takes the one that the scene calls. Belts have no impulses of their own.
+template void extrapolate(const SolverView&, scalar);
+template void extrapolate(const RollingView&, scalar);
+template void extrapolate(const RollingBeltView&, scalar);
 
 } }  // namespace ingot

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "solver_view.h"
+#include "material_view.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -9,6 +9,7 @@ namespace ingot { inline namespace INGOT_ABI {
 void begin_sweeps(const SolverView& solver);
 
 /// Between two sweeps: goes on by beta in the direction of the sweeps so far (nonlinear conjugate gradients).
-void extrapolate(const SolverView& solver, scalar beta);
+template <class View>
+void extrapolate(const View& solver, scalar beta);
 
 } }  // namespace ingot

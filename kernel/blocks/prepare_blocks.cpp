@@ -252,11 +252,11 @@ void recall(const SolverView& solver, ContactBlock& block, int lane_i, const Man
 }
 
 /// Returns how many of its manifolds are central.
-template <bool small>
-int prepare_block(const SolverView& solver, const BodyView& bodies, int block_i) {
+template <class View>
+int prepare_block(const View& solver, const BodyView& bodies, int block_i) {
     ContactBlock& block = solver.blocks[block_i];
     Collected in{};
-    collect(solver, bodies, block_i, small ? block_rows : 1, block, in);
+    collect(solver, bodies, block_i, View::small ? block_rows : 1, block, in);
     const LaneContacts contacts = vectors_of(in, block.rows);
     store(block.inv_M_A, contacts.A.inv_M);
     store(block.inv_M_B, contacts.B.inv_M);
@@ -264,7 +264,7 @@ int prepare_block(const SolverView& solver, const BodyView& bodies, int block_i)
     store(block.t_1, contacts.t_1);
     store(block.t_2, contacts.t_2);
 
-    const int central_count = !small && block.rows == 1 ? prepare_normals<1>(block, contacts) : prepare_normals<block_rows>(block, contacts);
+    const int central_count = !View::small && block.rows == 1 ? prepare_normals<1>(block, contacts) : prepare_normals<block_rows>(block, contacts);
     const Middle middle = middle_of(contacts, block.rows);
     prepare_friction(block.friction, contacts, middle.P);
     prepare_twist(block.twist, contacts, middle.radius);
@@ -274,13 +274,13 @@ int prepare_block(const SolverView& solver, const BodyView& bodies, int block_i)
 
 }  // namespace
 
-template <bool small>
-void prepare_blocks(SolverView& solver, const BodyView& bodies) {
+template <class View>
+void prepare_blocks(View& solver, const BodyView& bodies) {
     solver.central_count = 0;
-    for (int block_i = 0; block_i < solver.block_count; ++block_i) solver.central_count += prepare_block<small>(solver, bodies, block_i);
+    for (int block_i = 0; block_i < solver.block_count; ++block_i) solver.central_count += prepare_block(solver, bodies, block_i);
 }
-template void prepare_blocks<false>(SolverView&, const BodyView&);
-template void prepare_blocks<true>(SolverView&, const BodyView&);
+template void prepare_blocks(SolverView&, const BodyView&);
+template void prepare_blocks(SmallView&, const BodyView&);
 
 void remember_impulses(const SolverView& solver) {
     constexpr scalar substeps_max = limits::substeps_kept;

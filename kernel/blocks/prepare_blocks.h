@@ -8,9 +8,9 @@ namespace ingot { inline namespace INGOT_ABI {
 /// Fills the rows of every manifold from its geometry and the bodies' masses, and finds the impulses of the step before by the features
 /// of the points, and counts those that are central. Cost: about 900 flops and 11 divisions a manifold.
 ///
-/// `small`, here and where blocks are swept: all have four rows, so that no code is linked for those that need but one. The same bits.
-template <bool small = false>
-void prepare_blocks(SolverView& solver, const BodyView& bodies);
+/// With a SmallView, here and where blocks are swept, all have four rows.
+template <class View>
+void prepare_blocks(View& solver, const BodyView& bodies);
 
 /// Keeps the impulses for the next step.
 void remember_impulses(const SolverView& solver);

@@ -64,14 +64,18 @@ scalar next_impact(const SolverView& solver, ContactBlock& block, int lane_i, sc
     return first;
 }
 
-void drop_impulses(ContactBlock& block, int lane_i) {
+template <class View>
+void drop_impulses([[maybe_unused]] const View& solver, [[maybe_unused]] int block_i, ContactBlock& block, int lane_i) {
     for (int row = 0; row < block.rows; ++row) block.row[row].j[lane_i] = 0;
     for (int axis = 0; axis < 2; ++axis) block.friction.j[axis][lane_i] = 0;
     if (block.rows > 1) block.twist.j[lane_i] = 0;
+    if constexpr (View::rolls)
+        for (int axis = 0; axis < 2; ++axis) solver.rolling[block_i].j[axis][lane_i] = 0;
 }
 
 /// Takes back what impulses given at the time `now` have not displaced before.
-void take_back(const SolverView& solver, ContactBlock& block, int lane_i, scalar now) {
+template <class View>
+void take_back(const View& solver, [[maybe_unused]] int block_i, ContactBlock& block, int lane_i, scalar now) {
     BodyPairLanes displaced = gather_bodies(solver, block, &SolverBody::dp, &SolverBody::dth);
     const lane inv_M_A = load(block.inv_M_A), inv_M_B = load(block.inv_M_B), back = splat<lane>(-now);
     const auto push = [&](const Levers& levers, const Vec3<lane>& direction, lane j) {
@@ -86,14 +90,21 @@ void take_back(const SolverView& solver, ContactBlock& block, int lane_i, scalar
         displaced.angular_A += load(block.twist.k_A) * twist;
         displaced.angular_B += load(block.twist.k_B) * twist;
     }
+    if constexpr (View::rolls) {
+        const RollingRows& rolling = solver.rolling[block_i];
+        for (int axis = 0; axis < 2; ++axis) {
+            displaced.angular_A += load(rolling.k_A[axis]) * (load(rolling.j[axis]) * back);
+            displaced.angular_B += load(rolling.k_B[axis]) * (load(rolling.j[axis]) * back);
+        }
+    }
     scatter_bodies(solver, block, static_cast<uint16_t>(1u << lane_i), displaced, &SolverBody::dp, &SolverBody::dth);
 }
 
 /// Solves the impacts at hand together, by sweeps over them alone.
-template <bool small>
-void solve_at_hand(const SolverView& solver, scalar now, ImpactNote* notes) {
+template <class View>
+void solve_at_hand(const View& solver, scalar now, ImpactNote* notes) {
     Visit visit{};
-    SolverView one = solver;
+    View one = solver;
     one.visits = &visit;
     one.visit_count = 1;
     const scalar settled = limits::settled_speed_of_few + 4 * epsilon * solver.speed_max;
@@ -103,14 +114,14 @@ void solve_at_hand(const SolverView& solver, scalar now, ImpactNote* notes) {
         for_each_in_chain(solver, [&](int block_i, int lane_i) {
             if (time_of(solver.blocks[block_i], lane_i) != at_hand) return;
             visit = {static_cast<uint16_t>(block_i), static_cast<uint16_t>(1u << lane_i), 0};
-            residual = greatest(residual, sweep_velocities<small>(one, 1, true, limits::unbounded));
+            residual = greatest(residual, sweep_velocities(one, 1, true, limits::unbounded));
         });
     }
     for_each_in_chain(solver, [&](int block_i, int lane_i) {
         ContactBlock& block = solver.blocks[block_i];
         if (time_of(block, lane_i) != at_hand) return;
-        take_back(solver, block, lane_i, now);
-        drop_impulses(block, lane_i);
+        take_back(solver, block_i, block, lane_i, now);
+        drop_impulses(solver, block_i, block, lane_i);
         if (notes != nullptr) notes[block.manifold[lane_i]].carried = true;
         solver.colours_of_body[block.body_A[lane_i]] |= changed;
         solver.colours_of_body[block.body_B[lane_i]] |= changed;
@@ -174,8 +185,8 @@ bool find_impact_chains(const SolverView& solver) {
     return some;
 }
 
-template <bool small>
-bool sequence_impacts(const SolverView& solver, scalar h, ImpactNote* notes, StepReport& report) {
+template <class View>
+bool sequence_impacts(const View& solver, scalar h, ImpactNote* notes, StepReport& report) {
     int contacts = 0;
     bool some = false;
     for_each_in_chain(solver, [&](int block_i, int lane_i) {
@@ -191,9 +202,9 @@ bool sequence_impacts(const SolverView& solver, scalar h, ImpactNote* notes, Ste
             if (!(time_of(block, lane_i) <= now + limits::together * h)) return;
             (void)next_impact(solver, block, lane_i, now, h, true);
             time_of(block, lane_i) = at_hand;
-            drop_impulses(block, lane_i);
+            drop_impulses(solver, block_i, block, lane_i);
         });
-        solve_at_hand<small>(solver, now, notes);
+        solve_at_hand(solver, now, notes);
         look_again(solver, now, h);
         count(report.impact_waves);
         some = true;
@@ -205,7 +216,11 @@ bool sequence_impacts(const SolverView& solver, scalar h, ImpactNote* notes, Ste
     return some;
 }
 
-template bool sequence_impacts<false>(const SolverView&, scalar, ImpactNote*, StepReport&);
-template bool sequence_impacts<true>(const SolverView&, scalar, ImpactNote*, StepReport&);
+// The linker takes the one that the scene calls.
+template bool sequence_impacts(const SolverView&, scalar, ImpactNote*, StepReport&);
+template bool sequence_impacts(const SmallView&, scalar, ImpactNote*, StepReport&);
+template bool sequence_impacts(const RollingView&, scalar, ImpactNote*, StepReport&);
+template bool sequence_impacts(const BeltView&, scalar, ImpactNote*, StepReport&);
+template bool sequence_impacts(const RollingBeltView&, scalar, ImpactNote*, StepReport&);
 
 } }  // namespace ingot

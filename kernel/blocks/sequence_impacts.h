@@ -3,7 +3,7 @@
 
 #include "../base/report.h"
 #include "../contact/contact_events.h"
-#include "solver_view.h"
+#include "material_view.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -24,7 +24,7 @@ bool find_impact_chains(const SolverView& solver);
 /// Energy: of an impact it changes by -(1 - e) j |u| / 2 summed over its rows: it never grows, and stays for e = 1 without
 /// friction. Bound: limits::impacts_of_contact impacts for each contact; what still approaches then bounces no more. notes: of
 /// the contacts that carried an impulse; may be null.
-template <bool small = false>
-bool sequence_impacts(const SolverView& solver, scalar h, ImpactNote* notes, StepReport& report);
+template <class View>
+bool sequence_impacts(const View& solver, scalar h, ImpactNote* notes, StepReport& report);
 
 } }  // namespace ingot

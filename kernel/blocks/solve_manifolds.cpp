@@ -7,6 +7,7 @@
 #include "order_manifolds.h"
 #include "predict_contacts.h"
 #include "prepare_blocks.h"
+#include "prepare_materials.h"
 #include "sequence_impacts.h"
 #include "solve_velocities.h"
 #include "sweep_positions.h"
@@ -17,11 +18,13 @@ namespace ingot { inline namespace INGOT_ABI {
 namespace {
 
 /// Solves and displaces the substeps of a plan, from the state at the begin of the step. solver.calm tells whether nothing accelerated.
-template <bool notes_impulses, bool bounces, bool small>
-void solve_substeps(SolverView& solver, const BodyView& bodies, const SweepPlan& plan, scalar h_step, ImpactNote* notes, StepReport& report) {
+template <bool notes_impulses, bool bounces, class View>
+void solve_substeps(View& solver, const BodyView& bodies, const SweepPlan& plan, scalar h_step, ImpactNote* notes, StepReport& report) {
     solver.substeps = plan.substeps;
     solver.calm = true;
-    prepare_blocks<small>(solver, bodies);
+    prepare_blocks<typename View::Plain>(solver, bodies);
+    if constexpr (View::rolls) prepare_rolling(solver, bodies, solver.rolling, solver.rolling_records);
+    if constexpr (View::drives) prepare_belts(solver, solver.belts, solver.belt_velocities);
     if constexpr (notes_impulses) clear_impulse_notes(solver, notes);
     [[maybe_unused]] const bool has_chains = bounces && find_impact_chains(solver);
     const scalar h = h_step / static_cast<scalar>(plan.substeps);
@@ -29,40 +32,56 @@ void solve_substeps(SolverView& solver, const BodyView& bodies, const SweepPlan&
         predict_contacts(solver, h);
         if constexpr (bounces) {
             predict_bounces(solver, h);
-            if (has_chains && sequence_impacts<small>(solver, h, notes, report)) solver.calm = false;
+            if (has_chains && sequence_impacts(solver, h, notes, report)) solver.calm = false;
         }
         kick_bodies(solver, h);
-        warm_start<small>(solver, h);
-        count(report.sweeps, solve_velocities<small>(solver, plan, report.residual));
+        if constexpr (View::rolls)
+            warm_start(solver, h);
+        else
+            warm_start<typename View::Plain>(solver, h);
+        count(report.sweeps, solve_velocities(solver, plan, report.residual));
         if constexpr (notes_impulses) note_impulses(solver, notes);
         drift_bodies(solver, bodies, h);
-        sweep_positions<small>(solver, h);
+        sweep_positions<typename View::Plain>(solver, h);
     }
 }
 
 }  // namespace
 
-template <bool notes_impulses, bool bounces, bool small>
-void solve_manifolds(SolverView& solver, const BodyView& bodies, const Vector& gravity, scalar h, ImpactNote* notes, StepReport& report) {
+template <bool notes_impulses, bool bounces, class View>
+void solve_manifolds(View& solver, const BodyView& bodies, const Vector& gravity, scalar h, ImpactNote* notes, StepReport& report) {
     take_in_bodies(solver, bodies, gravity, h);
     order_manifolds(solver);
     const SweepPlan plan = plan_sweeps(solver);
-    solve_substeps<notes_impulses, bounces, small>(solver, bodies, plan, h, notes, report);
+    solve_substeps<notes_impulses, bounces>(solver, bodies, plan, h, notes, report);
     if (plan.substeps < limits::substeps && !solver.calm) {  // calm no more: the step begins again, with all of its substeps
         take_in_bodies(solver, bodies, gravity, h);
-        solve_substeps<notes_impulses, bounces, small>(solver, bodies, with_all_substeps(plan), h, notes, report);
+        solve_substeps<notes_impulses, bounces>(solver, bodies, with_all_substeps(plan), h, notes, report);
     }
     remember_impulses(solver);
+    if constexpr (View::rolls) remember_rolling(solver, solver.rolling, solver.rolling_records);
 }
 
 // The linker takes the one that the scene calls.
-template void solve_manifolds<false, false, false>(SolverView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
-template void solve_manifolds<false, false, true>(SolverView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
-template void solve_manifolds<false, true, false>(SolverView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
-template void solve_manifolds<false, true, true>(SolverView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
-template void solve_manifolds<true, false, false>(SolverView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
-template void solve_manifolds<true, false, true>(SolverView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
-template void solve_manifolds<true, true, false>(SolverView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
-template void solve_manifolds<true, true, true>(SolverView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
+template void solve_manifolds<false, false>(SolverView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
+template void solve_manifolds<false, true>(SolverView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
+template void solve_manifolds<true, false>(SolverView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
+template void solve_manifolds<true, true>(SolverView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
+template void solve_manifolds<false, false>(SmallView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
+template void solve_manifolds<false, true>(SmallView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
+template void solve_manifolds<true, false>(SmallView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
+template void solve_manifolds<true, true>(SmallView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
+template void solve_manifolds<false, false>(RollingView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
+template void solve_manifolds<false, true>(RollingView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
+template void solve_manifolds<true, false>(RollingView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
+template void solve_manifolds<true, true>(RollingView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
+template void solve_manifolds<false, false>(BeltView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
+template void solve_manifolds<false, true>(BeltView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
+template void solve_manifolds<true, false>(BeltView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
+template void solve_manifolds<true, true>(BeltView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
+template void solve_manifolds<false, false>(RollingBeltView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
+template void solve_manifolds<false, true>(RollingBeltView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
+template void solve_manifolds<true, false>(RollingBeltView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
+template void solve_manifolds<true, true>(RollingBeltView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
 
 } }  // namespace ingot

@@ -3,7 +3,7 @@
 
 #include "../base/report.h"
 #include "../contact/contact_events.h"
-#include "solver_view.h"
+#include "material_view.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -18,7 +18,7 @@ namespace ingot { inline namespace INGOT_ABI {
 /// write_contact_motion. For scenes with events, `notes` are told who pushed whom; for those in which nothing bounces, no restitution is looked at.
 /// Bound:   substeps * sweeps_of_few visits a manifold where few touch; else substeps * sweeps_of_young, or calm_substeps * calm_sweeps and then
 ///          substeps * sweeps.
-template <bool notes_impulses, bool bounces, bool small>
-void solve_manifolds(SolverView& solver, const BodyView& bodies, const Vector& gravity, scalar h, ImpactNote* notes, StepReport& report);
+template <bool notes_impulses, bool bounces, class View>
+void solve_manifolds(View& solver, const BodyView& bodies, const Vector& gravity, scalar h, ImpactNote* notes, StepReport& report);
 
 } }  // namespace ingot

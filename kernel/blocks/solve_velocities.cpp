@@ -38,24 +38,32 @@ SweepPlan plan_sweeps(const SolverView& solver) {
 
 SweepPlan with_all_substeps(const SweepPlan& calm) { return calm.up_and_down ? plan_of_many : plan_of_few; }
 
-template <bool small>
-int solve_velocities(const SolverView& solver, const SweepPlan& plan, scalar& residual) {
+template <class View>
+int solve_velocities(const View& solver, const SweepPlan& plan, scalar& residual) {
     const scalar settled = plan.settled_speed + 4 * epsilon * solver.speed_max;
     const int sweeps_max = sweeps_of(plan, solver);
     scalar size_before = 0;
     if (sweeps_max > 1) begin_sweeps(solver);
     for (int sweep_i = 1;; ++sweep_i) {
-        residual = sweep_velocities<small>(solver, sweep_i, !plan.up_and_down || sweep_i % 2 != 0, limits::stirring_share * settled);
+        residual = sweep_velocities(solver, sweep_i, !plan.up_and_down || sweep_i % 2 != 0, limits::stirring_share * settled);
         if (sweep_i == sweeps_max || residual <= settled) return sweep_i;
         // A body that is not finite must not spread to those that it does not touch.
         const scalar size = sum_of_changes(solver);
         const bool shrinks = sweep_i > 1 && size <= size_before && size_before > 0 && is_finite(size_before);
-        extrapolate(solver, shrinks ? size / size_before : 0);
+        const scalar beta = shrinks ? size / size_before : 0;
+        if constexpr (View::rolls)
+            extrapolate(solver, beta);
+        else
+            extrapolate<SolverView>(solver, beta);
         size_before = size;
     }
 }
 
-template int solve_velocities<false>(const SolverView&, const SweepPlan&, scalar&);
-template int solve_velocities<true>(const SolverView&, const SweepPlan&, scalar&);
+// The linker takes the one that the scene calls.
+template int solve_velocities(const SolverView&, const SweepPlan&, scalar&);
+template int solve_velocities(const SmallView&, const SweepPlan&, scalar&);
+template int solve_velocities(const RollingView&, const SweepPlan&, scalar&);
+template int solve_velocities(const BeltView&, const SweepPlan&, scalar&);
+template int solve_velocities(const RollingBeltView&, const SweepPlan&, scalar&);
 
 } }  // namespace ingot

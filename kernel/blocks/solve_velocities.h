@@ -2,7 +2,7 @@
 // The velocities of a substep, for whoever conducts it: solve_manifolds.h, and solve_directly.h for what it leaves.
 #pragma once
 
-#include "solver_view.h"
+#include "material_view.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -24,7 +24,7 @@ SweepPlan plan_sweeps(const SolverView& solver);
 SweepPlan with_all_substeps(const SweepPlan& calm);
 
 /// Sweeps until nothing changes by more than the plan's speed, or the rounding of the bodies' own. Returns how many.
-template <bool small = false>
-int solve_velocities(const SolverView& solver, const SweepPlan& plan, scalar& residual);
+template <class View>
+int solve_velocities(const View& solver, const SweepPlan& plan, scalar& residual);
 
 } }  // namespace ingot

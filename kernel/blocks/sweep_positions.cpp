@@ -80,16 +80,16 @@ INGOT_INLINE void visit_central_positions(const SolverView& solver, ContactBlock
 
 }  // namespace
 
-template <bool small>
-void sweep_positions(const SolverView& solver, scalar h) {
+template <class View>
+void sweep_positions(const View& solver, scalar h) {
     for (int visit_i = 0; visit_i < solver.visit_count; ++visit_i) {
         const Visit visit = solver.visits[visit_i];
         ContactBlock& block = solver.blocks[visit.block];
-        if (!small && block.central) {
+        if (!View::small && block.central) {
             visit_central_positions(solver, block, visit.lane_bits, h);
             continue;
         }
-        if (!small && block.rows == 1) {
+        if (!View::small && block.rows == 1) {
             (void)visit_positions<1>(solver, block, visit.lane_bits, h, false);
             continue;
         }
@@ -99,7 +99,7 @@ void sweep_positions(const SolverView& solver, scalar h) {
     }
 }
 
-template void sweep_positions<false>(const SolverView&, scalar);
-template void sweep_positions<true>(const SolverView&, scalar);
+template void sweep_positions(const SolverView&, scalar);
+template void sweep_positions(const SmallView&, scalar);
 
 } }  // namespace ingot

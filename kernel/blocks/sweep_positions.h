@@ -6,7 +6,7 @@
 namespace ingot { inline namespace INGOT_ABI {
 
 /// Takes back 0.4 of every overlap, by displacements that no velocity ever sees: no energy comes of it.
-template <bool small = false>
-void sweep_positions(const SolverView& solver, scalar h);
+template <class View>
+void sweep_positions(const View& solver, scalar h);
 
 } }  // namespace ingot

@@ -56,11 +56,42 @@ INGOT_INLINE void solve_twist(TwistRow& twist, BodyPairLanes& pair, const Vec3<l
     change.fastest = greatest(change.fastest, abs(d * K) * radius);
 }
 
+/// As friction, of which it has the form: a pair of rows and a circle around it.
 template <bool whole>
-INGOT_INLINE void solve_friction(ContactBlock& block, BodyPairLanes& pair, lane limit, mask active, Change& change) {
+INGOT_INLINE void solve_rolling(RollingRows& rolling, BodyPairLanes& pair, const ContactBlock& block, lane load_of_normals, mask active, Change& change) {
+    const lane u_1 = dot(pair.angular_A, load(rolling.k_A[0])) + dot(pair.angular_B, load(rolling.k_B[0]));
+    const lane u_2 = dot(pair.angular_A, load(rolling.k_A[1])) + dot(pair.angular_B, load(rolling.k_B[1]));
+    const lane inv_K_12 = load(rolling.inv_K[1]), before_1 = load(rolling.j[0]), before_2 = load(rolling.j[1]);
+    lane j_1 = before_1 - (load(rolling.inv_K[0]) * u_1 + inv_K_12 * u_2), j_2 = before_2 - (inv_K_12 * u_1 + load(rolling.inv_K[2]) * u_2);
+    const lane limit = load(rolling.lever) * load_of_normals;
+    const mask rolls = j_1 * j_1 + j_2 * j_2 > limit * limit;
+    if (any(rolls)) {
+        const lane inv_K_max = load(rolling.inv_K_max);
+        lane roll_1 = before_1 - inv_K_max * u_1, roll_2 = before_2 - inv_K_max * u_2;
+        cut_to_cone(roll_1, roll_2, limit);
+        j_1 = select(rolls, roll_1, j_1);
+        j_2 = select(rolls, roll_2, j_2);
+    }
+    const lane d_1 = j_1 - before_1, d_2 = j_2 - before_2, inv_M_A = load(block.inv_M_A), inv_M_B = load(block.inv_M_B);
+    add_twist(pair, load(block.t_1), d_1, inv_M_A, inv_M_B);
+    add_twist(pair, load(block.t_2), d_2, inv_M_A, inv_M_B);
+    store_if<whole>(rolling.j[0], active, j_1);
+    store_if<whole>(rolling.j[1], active, j_2);
+    const lane spin_1 = d_1 * load(rolling.K[0]), spin_2 = d_2 * load(rolling.K[1]);
+    change.size = change.size + (d_1 * spin_1 + d_2 * spin_2);
+    change.fastest = greatest(change.fastest, greatest(abs(spin_1), abs(spin_2)) * load(rolling.size));
+}
+
+template <bool whole, class View>
+INGOT_INLINE void solve_friction([[maybe_unused]] const View& solver, [[maybe_unused]] int block_i, ContactBlock& block, BodyPairLanes& pair, lane limit,
+                                 mask active, Change& change) {
     FrictionPair& friction = block.friction;
     const Vec3<lane> t_1 = load(block.t_1), t_2 = load(block.t_2), slip = pair.linear_A - pair.linear_B;
-    const lane u_1 = row_speed(friction.levers[0], dot(t_1, slip), pair), u_2 = row_speed(friction.levers[1], dot(t_2, slip), pair);
+    lane u_1 = row_speed(friction.levers[0], dot(t_1, slip), pair), u_2 = row_speed(friction.levers[1], dot(t_2, slip), pair);
+    if constexpr (View::drives) {
+        u_1 = u_1 + load(solver.belts[block_i].speed[0]);
+        u_2 = u_2 + load(solver.belts[block_i].speed[1]);
+    }
     const lane inv_K_11 = load(friction.inv_K[0]), inv_K_12 = load(friction.inv_K[1]), inv_K_22 = load(friction.inv_K[2]);
     const lane before_1 = load(friction.j[0]), before_2 = load(friction.j[1]);
     lane j_1 = before_1 - (inv_K_11 * u_1 + inv_K_12 * u_2), j_2 = before_2 - (inv_K_12 * u_1 + inv_K_22 * u_2);
@@ -90,17 +121,18 @@ INGOT_INLINE BodyPairLanes chosen(mask m, const BodyPairLanes& a, const BodyPair
     return pair;
 }
 
-/// Normals, twist, friction of the active lanes. `whole`: of all.
-template <int rows, bool whole>
-INGOT_INLINE void solve_rows(ContactBlock& block, BodyPairLanes& pair, mask visited, mask active, scalar sweep, scalar stirring, lane& residual) {
+/// Normals, twist, rolling resistance, friction of the active lanes. `whole`: of all.
+template <int rows, bool whole, class View>
+INGOT_INLINE void solve_rows(const View& solver, int block_i, ContactBlock& block, BodyPairLanes& pair, mask visited, mask active, scalar sweep, scalar stirring, lane& residual) {
     const Vec3<lane> n = load(block.n);
     const lane inv_M_A = load(block.inv_M_A), inv_M_B = load(block.inv_M_B);
     const BodyPairLanes before = pair;
     Change change{};
-    const lane limit = load(block.mu) * solve_normals<rows, whole>(block, pair, n, active, change);
+    const lane load_of_normals = solve_normals<rows, whole>(block, pair, n, active, change), limit = load(block.mu) * load_of_normals;
     if constexpr (rows > 1)  // one point has no lever to resist a twist with
         solve_twist<whole>(block.twist, pair, n, inv_M_A, inv_M_B, limit, active, change);
-    solve_friction<whole>(block, pair, limit, active, change);
+    if constexpr (View::rolls) solve_rolling<whole>(solver.rolling[block_i], pair, block, load_of_normals, active, change);
+    solve_friction<whole>(solver, block_i, block, pair, limit, active, change);
     const mask stirs = change.fastest > splat<lane>(stirring);
     pair.last[1] = select(both(stirs, inv_M_A > lane{}), splat<lane>(sweep), pair.last[1]);
     pair.last[3] = select(both(stirs, inv_M_B > lane{}), splat<lane>(sweep), pair.last[3]);
@@ -110,8 +142,8 @@ INGOT_INLINE void solve_rows(ContactBlock& block, BodyPairLanes& pair, mask visi
 }
 
 /// Solves what one visit names, but for the lanes whose bodies neither this sweep nor the one before has stirred.
-template <int rows>
-INGOT_INLINE void visit_velocities(const SolverView& solver, ContactBlock& block, uint16_t lane_bits, int sweep_i, scalar stirring, lane& residual) {
+template <int rows, class View>
+INGOT_INLINE void visit_velocities(const View& solver, int block_i, ContactBlock& block, uint16_t lane_bits, int sweep_i, scalar stirring, lane& residual) {
     const scalar sweep = static_cast<scalar>(sweep_i);
     const LaneQuad L_A = gather(solver.bodies, block.body_A, &SolverBody::L), L_B = gather(solver.bodies, block.body_B, &SolverBody::L);
     const mask visited = lanes_of(lane_bits);
@@ -121,24 +153,24 @@ INGOT_INLINE void visit_velocities(const SolverView& solver, ContactBlock& block
     const LaneQuad v_A = gather(solver.bodies, block.body_A, &SolverBody::v_CM), v_B = gather(solver.bodies, block.body_B, &SolverBody::v_CM);
     BodyPairLanes pair = {vector_of(v_A), vector_of(L_A), vector_of(v_B), vector_of(L_B), {v_A.at[3], L_A.at[3], v_B.at[3], L_B.at[3]}};
     if (any(opposite(active)))
-        solve_rows<rows, false>(block, pair, visited, active, sweep, stirring, residual);
+        solve_rows<rows, false>(solver, block_i, block, pair, visited, active, sweep, stirring, residual);
     else
-        solve_rows<rows, true>(block, pair, visited, active, sweep, stirring, residual);
+        solve_rows<rows, true>(solver, block_i, block, pair, visited, active, sweep, stirring, residual);
     scatter_bodies(solver, block, lane_bits, pair, &SolverBody::v_CM, &SolverBody::L);
 }
 
 }  // namespace
 
-template <bool small>
-scalar sweep_velocities(const SolverView& solver, int sweep_i, bool up, scalar stirring) {
+template <class View>
+scalar sweep_velocities(const View& solver, int sweep_i, bool up, scalar stirring) {
     lane residual{};
     for (int visit_i = 0; visit_i < solver.visit_count; ++visit_i) {
         const Visit visit = solver.visits[up ? visit_i : solver.visit_count - 1 - visit_i];
         ContactBlock& block = solver.blocks[visit.block];
-        if (!small && block.rows == 1)
-            visit_velocities<1>(solver, block, visit.lane_bits, sweep_i, stirring, residual);
+        if (!View::small && block.rows == 1)
+            visit_velocities<1>(solver, visit.block, block, visit.lane_bits, sweep_i, stirring, residual);
         else
-            visit_velocities<block_rows>(solver, block, visit.lane_bits, sweep_i, stirring, residual);
+            visit_velocities<block_rows>(solver, visit.block, block, visit.lane_bits, sweep_i, stirring, residual);
     }
     scalar of_lanes[lanes], largest = 0;
     store(of_lanes, residual);
@@ -146,8 +178,12 @@ scalar sweep_velocities(const SolverView& solver, int sweep_i, bool up, scalar s
     return largest;
 }
 
-template scalar sweep_velocities<false>(const SolverView&, int, bool, scalar);
-template scalar sweep_velocities<true>(const SolverView&, int, bool, scalar);
+// The linker takes the one that the scene calls.
+template scalar sweep_velocities(const SolverView&, int, bool, scalar);
+template scalar sweep_velocities(const SmallView&, int, bool, scalar);
+template scalar sweep_velocities(const RollingView&, int, bool, scalar);
+template scalar sweep_velocities(const BeltView&, int, bool, scalar);
+template scalar sweep_velocities(const RollingBeltView&, int, bool, scalar);
 
 /// The sum does not depend on lanes: the k-th manifold of a colour is added to the k mod 8-th of eight sums.
 scalar sum_of_changes(const SolverView& solver) {

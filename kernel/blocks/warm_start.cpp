@@ -40,8 +40,19 @@ INGOT_INLINE Smoothed smoothed(lane j, lane reference, mask young) {
     return {select(young, j, drawn), select(young, j, reference + tenth * (drawn - reference))};
 }
 
-template <int rows, bool whole>
-INGOT_INLINE void warm_start_visit(const SolverView& solver, ContactBlock& block, uint16_t lane_bits, scalar h) {
+template <bool whole>
+INGOT_INLINE void start_rolling(RollingRows& rolling, BodyPairLanes& pair, const ContactBlock& block, lane load_of_normals, mask active) {
+    lane j[2] = {load(rolling.j[0]), load(rolling.j[1])};
+    cut_to_cone(j[0], j[1], load(rolling.lever) * load_of_normals);
+    for (int axis = 0; axis < 2; ++axis) {
+        store_if<whole>(rolling.j[axis], active, j[axis]);
+        store_if<whole>(rolling.j_sweep[axis], active, j[axis]);
+        add_twist(pair, load(axis == 0 ? block.t_1 : block.t_2), j[axis], load(block.inv_M_A), load(block.inv_M_B));
+    }
+}
+
+template <int rows, bool whole, class View>
+INGOT_INLINE void warm_start_visit(const View& solver, [[maybe_unused]] int block_i, ContactBlock& block, uint16_t lane_bits, scalar h) {
     const mask active = lanes_of(lane_bits);
     const Vec3<lane> n = load(block.n);
     const lane inv_M_A = load(block.inv_M_A), inv_M_B = load(block.inv_M_B);
@@ -82,26 +93,30 @@ INGOT_INLINE void warm_start_visit(const SolverView& solver, ContactBlock& block
         store_if<whole>(block.twist.j_sweep, active, twist);
         add_twist(pair, n, twist, inv_M_A, inv_M_B);
     }
+    if constexpr (View::rolls) start_rolling<whole>(solver.rolling[block_i], pair, block, sum, active);
     scatter_bodies(solver, block, lane_bits, pair, &SolverBody::v_CM, &SolverBody::L);
 }
 
 }  // namespace
 
-template <bool small>
-void warm_start(const SolverView& solver, scalar h) {
+template <class View>
+void warm_start(const View& solver, scalar h) {
     for (int visit_i = 0; visit_i < solver.visit_count; ++visit_i) {
         const Visit visit = solver.visits[visit_i];
         ContactBlock& block = solver.blocks[visit.block];
         const bool whole = is_all(visit.lane_bits);
-        if (!small && block.rows == 1)
-            whole ? warm_start_visit<1, true>(solver, block, visit.lane_bits, h) : warm_start_visit<1, false>(solver, block, visit.lane_bits, h);
+        if (!View::small && block.rows == 1)
+            whole ? warm_start_visit<1, true>(solver, visit.block, block, visit.lane_bits, h) : warm_start_visit<1, false>(solver, visit.block, block, visit.lane_bits, h);
         else
-            whole ? warm_start_visit<block_rows, true>(solver, block, visit.lane_bits, h)
-                  : warm_start_visit<block_rows, false>(solver, block, visit.lane_bits, h);
+            whole ? warm_start_visit<block_rows, true>(solver, visit.block, block, visit.lane_bits, h)
+                  : warm_start_visit<block_rows, false>(solver, visit.block, block, visit.lane_bits, h);
     }
 }
 
-template void warm_start<false>(const SolverView&, scalar);
-template void warm_start<true>(const SolverView&, scalar);
+// The linker takes the one that the scene calls. Belts have no impulses of their own.
+template void warm_start(const SolverView&, scalar);
+template void warm_start(const SmallView&, scalar);
+template void warm_start(const RollingView&, scalar);
+template void warm_start(const RollingBeltView&, scalar);
 
 } }  // namespace ingot

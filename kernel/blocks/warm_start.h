@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "solver_view.h"
+#include "material_view.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -9,7 +9,7 @@ namespace ingot { inline namespace INGOT_ABI {
 ///
 /// An impact is not taken over: impulses of a body that was hit are cut to twice what they were, and what gravity explains. Friction follows
 /// a slow mean of itself, which quietens its ringing.
-template <bool small = false>
-void warm_start(const SolverView& solver, scalar h);
+template <class View>
+void warm_start(const View& solver, scalar h);
 
 } }  // namespace ingot

@@ -93,6 +93,27 @@ void collide_cylinder_half_space(const PlacedShape& A, const PlacedShape& B, sca
     keep_points(candidates, count, frame, limits::flatness * (r < h ? r : h), before, manifold);
 }
 
+namespace {
+
+/// Bit per corner: of the face of a hull that looks most against n.
+uint32_t corners_against(const ConvexHull& hull, const Vector& n) {
+    int lowest = 0;
+    scalar least = 2;
+    for (int face_i = 0; face_i < hull.face_count; ++face_i) {
+        const scalar up = dot(hull.faces[face_i].n, n);
+        if (up < least) {
+            least = up;
+            lowest = face_i;
+        }
+    }
+    const HullFace& face = hull.faces[lowest];
+    uint32_t corners = 0;
+    for (int i = 0; i < face.loop_count; ++i) corners |= 1u << hull.loops[face.loop_first + i];
+    return corners;
+}
+
+}  // namespace
+
 void collide_hull_half_space(const PlacedShape& A, const PlacedShape& B, scalar margin, Manifold& manifold,
                              const Manifold* before_it) {
     const Before before = remember(before_it);
@@ -109,6 +130,18 @@ void collide_hull_half_space(const PlacedShape& A, const PlacedShape& B, scalar 
         const Vector from_centre = A.A * p;
         candidates[count++] = {dot(from_centre, frame.e_x), dot(from_centre, frame.e_y), s * scalar(0.5), s,
                                static_cast<uint32_t>(i)};
+    }
+    // Of a hull thinner than the margin all corners are near, and upper ones would carry as well, and be drawn down: then the face that looks down is
+    // what touches, and whatever corner is lowest.
+    if (count == A.hull->vertex_count) {
+        int lowest = 0;
+        for (int i = 1; i < count; ++i)
+            if (candidates[i].separation < candidates[lowest].separation) lowest = i;
+        const uint32_t kept = corners_against(*A.hull, n) | 1u << lowest;
+        int kept_count = 0;
+        for (int i = 0; i < count; ++i)
+            if ((kept >> i & 1u) != 0) candidates[kept_count++] = candidates[i];
+        count = kept_count;
     }
     keep_points(candidates, count, frame, limits::flatness * A.hull->radius, before, manifold);
 }

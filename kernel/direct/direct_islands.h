@@ -13,10 +13,10 @@ struct Sweeps {
 
     template <int max_bodies, int max_manifolds>
     struct Memory {
-        template <bool notes_impulses, bool bounces, bool small>
-        void solve_contacts(SolverView& solver, const BodyView& bodies, const Vector& gravity, scalar h, ImpactNote* notes,
+        template <bool notes_impulses, bool bounces, class View>
+        void solve_contacts(View& solver, const BodyView& bodies, const Vector& gravity, scalar h, ImpactNote* notes,
                             StepReport& report) {
-            solve_manifolds<notes_impulses, bounces, small>(solver, bodies, gravity, h, notes, report);
+            solve_manifolds<notes_impulses, bounces>(solver, bodies, gravity, h, notes, report);
         }
     };
 };
@@ -86,7 +86,7 @@ struct DirectIslands {
                     false,
                     0};
         }
-        template <bool notes_impulses, bool, bool>
+        template <bool notes_impulses, bool>
         void solve_contacts(SolverView& solver, const BodyView& bodies, const Vector& gravity, scalar h, ImpactNote* notes,
                             StepReport& report) {
             DirectView direct = direct_view();

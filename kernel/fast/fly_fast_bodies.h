@@ -200,7 +200,7 @@ bool stay_together(const Flights<Meets>& flights, TwoBodies& room, scalar h, Ste
     SolverView solver = room.solver(flights.solver);
     ImpactNote note{};
     room.keep_forces();
-    solve_manifolds<notes_impulses, true, false>(solver, two, flights.clock.gravity, h, &note, report);
+    solve_manifolds<notes_impulses, true>(solver, two, flights.clock.gravity, h, &note, report);
     integrate_L(two, h);
     integrate_v(two, h, flights.clock.gravity);
     write_contact_motion(solver, two, flights.clock.gravity, h);

@@ -41,6 +41,8 @@ struct Scene {
     static constexpr bool sleeps       = false;  ///< islands of bodies at rest are left out of the step until something wakes them
     static constexpr scalar sleep_speed = limits::sleep_speed;  ///< m/s; no point of a body at rest moves faster
     static constexpr scalar sleep_time  = limits::sleep_time;   ///< s; for which all bodies of an island are at rest before it falls asleep
+    static constexpr bool rolling_resistance = false;  ///< shapes may resist being rolled: World::set_rolling_resistance
+    static constexpr bool surface_velocities = false;  ///< surfaces may move by themselves, as belts do: World::set_surface_velocity
     static constexpr bool continuous   = false;  ///< fast bodies are followed within a step, impact by impact: none passes through another
     using broad_phase = AllPairs;                ///< or SortedTree, for many bodies
     /// Of contacts with friction. Sweeps carry piles, towers of 20, and up to 100 kg on 1 kg, with no memory of their own: what a small target
@@ -129,6 +131,9 @@ template <class S>
 inline constexpr bool follows_fast_bodies = S::continuous;
 
 template <class S>
+inline constexpr bool has_materials = S::rolling_resistance || S::surface_velocities;
+
+template <class S>
 inline constexpr bool has_field = is_field<typename S::force_field>;
 
 /// Scenes whose steps are made of kicks by the field and free flights. Contacts, and Listing 1, take the field as a force that is
@@ -161,13 +166,21 @@ constexpr bool check_scene() {
                   "a scene holds up to 65535 pairs of shapes, those within each body among them: lower max_pairs, max_bodies or max_shapes_of_body");
     static_assert(S::bounces || stacks<S>, "impacts without friction bounce: set max_manifolds, or bounces = true");
     static_assert(S::bounces || !solves_directly<S>, "a solver that picks itself lets bodies bounce: name Sweeps, or set bounces = true");
-    static_assert(!S::small || (stacks<S> && !solves_directly<S> && !S::continuous),
-                  "small is for contacts with friction that sweeps solve, a step at a time: set max_manifolds, or small = false");
+    static_assert(!S::small || (stacks<S> && !solves_directly<S> && !S::continuous && !has_materials<S>),
+                  "small is for contacts with plain friction that sweeps solve, a step at a time: set max_manifolds, or small = false");
     static_assert(!S::filters || stacks<S>, "filters are for contacts with friction: set max_manifolds, or filters = false");
     static_assert(!S::continuous || stacks<S>, "fast bodies are followed in scenes of contacts with friction: set max_manifolds, or continuous = false");
     static_assert(!S::continuous || (!has_compounds<S> && !S::shapes::has(ShapeKind::hull)),
                   "fast bodies are followed where each has one shape, and none is a hull: set continuous = false");
     static_assert(!S::continuous || !S::sleeps, "fast bodies are followed where nothing sleeps: set continuous or sleeps = false");
+    static_assert(!S::rolling_resistance || stacks<S>,
+                  "rolling resistance is of contacts with friction: set max_manifolds, or rolling_resistance = false");
+    static_assert(!S::surface_velocities || stacks<S>,
+                  "surfaces that move need contacts with friction: set max_manifolds, or surface_velocities = false");
+    static_assert(!has_materials<S> || !solves_directly<S>,
+                  "rolling resistance and surfaces that move are solved by sweeps: leave solver, or both of them, out");
+    static_assert(!has_materials<S> || !S::continuous,
+                  "fast bodies are followed where surfaces neither resist rolling nor move: set continuous = false, or both of them");
     static_assert(S::max_overlaps >= 0 && S::max_overlaps <= 65535, "a scene notes 0 to 65535 overlaps with sensors: set max_overlaps");
     static_assert(!has_sensors<S> || stacks<S>, "sensors are for scenes of contacts with friction: set max_manifolds, or max_overlaps = 0");
     static_assert(S::max_events >= 0 && S::max_events <= 65535, "a scene tells 0 to 65535 events in a step: set max_events");

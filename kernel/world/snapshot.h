@@ -53,6 +53,39 @@ constexpr void saved_filter_numbers(Stream& each, BodyFilter& filter) {
     each(filter.mask);
 }
 
+/// What a shape has beside its surface, in scenes that name it.
+template <class S>
+struct SavedMaterial {
+    scalar rolling_lever;
+    Vector surface_velocity;
+
+    template <class Stream>
+    constexpr void numbers(Stream& each) {
+        if constexpr (S::rolling_resistance) each(rolling_lever);
+        if constexpr (S::surface_velocities) each(surface_velocity);
+    }
+};
+template <class S>
+SavedMaterial<S> saved_material([[maybe_unused]] const Storage<S>& storage, [[maybe_unused]] int shape_slot) {
+    SavedMaterial<S> material{};
+    if constexpr (S::rolling_resistance) material.rolling_lever = storage.rolling_levers[shape_slot];
+    if constexpr (S::surface_velocities) material.surface_velocity = storage.surface_velocities[shape_slot];
+    return material;
+}
+/// Without storage it only checks.
+template <class S>
+Status read_material(ByteReader& reader, [[maybe_unused]] int shape_slot, [[maybe_unused]] Storage<S>* to) {
+    SavedMaterial<S> material{};
+    material.numbers(reader);
+    if (!(material.rolling_lever >= 0 && material.rolling_lever <= limits::size_max)) return Status::bad_snapshot;
+    if (check_vector(material.surface_velocity, limits::speed_max) != Status::ok) return Status::bad_snapshot;
+    if constexpr (S::rolling_resistance)
+        if (to != nullptr) to->rolling_levers[shape_slot] = material.rolling_lever;
+    if constexpr (S::surface_velocities)
+        if (to != nullptr) to->surface_velocities[shape_slot] = material.surface_velocity;
+    return Status::ok;
+}
+
 /// Sizes in bytes, counted by the functions that write.
 template <class S>
 constexpr size_t saved_field_size() {
@@ -74,7 +107,9 @@ constexpr size_t saved_body_size() {
     BodyFilter filter{};
     uint8_t sensor = 0;
     if (has_compounds<S>) counter(sensor);  // as wide as the count of shapes
+    SavedMaterial<S> material{};
     if (has_shapes<S> && !has_compounds<S>) surface.numbers(counter);
+    if (!has_compounds<S>) material.numbers(counter);
     if (S::filters) saved_filter_numbers(counter, filter);
     if (has_sensors<S> && !has_compounds<S>) counter(sensor);
     SavedRest rest{};
@@ -99,7 +134,9 @@ template <class S>
 constexpr size_t saved_shape_size() {
     ByteCounter counter;
     SavedShape shape{};
+    SavedMaterial<S> material{};
     if (has_compounds<S>) shape.numbers(counter, has_sensors<S>);
+    if (has_compounds<S>) material.numbers(counter);
     return counter.count();
 }
 template <class S>
@@ -109,6 +146,8 @@ constexpr size_t saved_manifold_size() {
     manifold.numbers(counter, S::renews_manifolds);
     uint8_t unsettled = 0;
     if (solves_directly<S>) counter(unsettled);
+    Vector j_rolling{};
+    if (S::rolling_resistance) counter(j_rolling);
     return counter.count();
 }
 template <class S>
@@ -143,6 +182,8 @@ constexpr uint16_t snapshot_parts() {
     if (has_compounds<S>) parts |= SnapshotPart::compounds;
     if (stacks<S> && solves_directly<S>) parts |= SnapshotPart::unsettled;
     if (S::sleeps) parts |= SnapshotPart::sleep;
+    if (S::rolling_resistance) parts |= SnapshotPart::rolling;
+    if (S::surface_velocities) parts |= SnapshotPart::belts;
     return static_cast<uint16_t>(parts);
 }
 
@@ -219,6 +260,10 @@ void write_manifolds(ByteWriter& writer, const Storage<S>& storage) {
             uint8_t unsettled = storage.unsettled[pair.record];
             writer(unsettled);
         }
+        if constexpr (S::rolling_resistance) {
+            Vector j_rolling = storage.rolling_records[pair.record].j;
+            writer(j_rolling);
+        }
     }
 }
 
@@ -234,6 +279,9 @@ Status read_manifolds(ByteReader& reader, uint32_t slots_used, Storage<S>* to) {
         saved.numbers(reader, S::renews_manifolds);
         uint8_t unsettled = 0;
         if constexpr (solves_directly<S>) reader(unsettled);
+        Vector j_rolling{};
+        if constexpr (S::rolling_resistance) reader(j_rolling);
+        if (!is_finite(j_rolling)) return Status::bad_snapshot;
         if (unsettled > limits::unsettled_steps) return Status::bad_snapshot;
         const BodyPair pair{saved.body_A, saved.body_B, record};
         if (!is_sound(saved) || pair.body_A >= pair.body_B || pair.body_B >= slots_used * S::max_shapes_of_body || pair.key() <= key_before) return Status::bad_snapshot;
@@ -244,6 +292,7 @@ Status read_manifolds(ByteReader& reader, uint32_t slots_used, Storage<S>* to) {
         to->records[record] = saved.record;
         if constexpr (S::renews_manifolds) to->anchors[record] = saved.anchors;
         if constexpr (solves_directly<S>) to->unsettled[record] = unsettled;
+        if constexpr (S::rolling_resistance) to->rolling_records[record].j = j_rolling;
         to->records_used = to->manifold_count = static_cast<uint16_t>(record + 1);
     }
     return Status::ok;
@@ -271,6 +320,8 @@ void write_shapes(ByteWriter& writer, const Storage<S>& storage, int slot) {
         SavedShape shape{saved_surface(storage.surfaces[shape_slot]), storage.shape_places[shape_slot], 0};
         if constexpr (has_sensors<S>) shape.sensor = storage.is_sensor[shape_slot];
         shape.numbers(writer, has_sensors<S>);
+        SavedMaterial<S> material = saved_material(storage, shape_slot);
+        material.numbers(writer);
     }
 }
 
@@ -286,6 +337,7 @@ Status read_shapes(ByteReader& reader, int slot, bool can_move, Storage<S>* to) 
         const Shape shape{static_cast<ShapeKind>(saved.surface.kind), saved.surface.size, saved.surface.offset};
         if (!S::shapes::has(shape.kind) || !ShapesOf<S>::names_its_hull(shape) || !is_sound(saved.surface, can_move)) return Status::bad_snapshot;
         if (check_vector(saved.place.r, limits::position_max) != Status::ok || check_rotation(saved.place.A) != Status::ok || saved.sensor > 1) return Status::bad_snapshot;
+        if (read_material<S>(reader, shape_slot, to) != Status::ok) return Status::bad_snapshot;
         if (to == nullptr) continue;
         to->surfaces[shape_slot] = {shape, radius_about_body(shape, saved.place), saved.surface.e, saved.surface.mu};
         to->shape_places[shape_slot] = saved.place;
@@ -343,6 +395,8 @@ Result<size_t> save_snapshot(const World<S>& world, uint8_t* bytes, size_t room)
         } else if constexpr (has_shapes<S>) {
             SavedSurface surface = saved_surface(storage.surfaces[slot]);
             surface.numbers(writer);
+            SavedMaterial<S> material = saved_material(storage, slot);
+            material.numbers(writer);
         }
         if constexpr (S::filters) {
             BodyFilter filter = storage.filters[slot];
@@ -416,6 +470,7 @@ Status read_body(ByteReader& reader, int slot, Storage<S>* to) {
         const Shape shape{static_cast<ShapeKind>(surface.kind), surface.size, surface.offset};
         const bool in_scene = shape.kind == ShapeKind::none || S::shapes::has(shape.kind);
         if (!in_scene || !ShapesOf<S>::names_its_hull(shape) || !is_sound(surface, body.inv_I_scale > 0)) return Status::bad_snapshot;
+        if (read_material<S>(reader, slot, to) != Status::ok) return Status::bad_snapshot;
         if (to != nullptr) to->surfaces[slot] = {shape, bounding_radius(shape), surface.e, surface.mu};
     }
     if constexpr (S::filters) {

@@ -113,7 +113,7 @@ private:
 /// Bits of SnapshotHeader::parts.
 struct SnapshotPart {
     static constexpr uint16_t doubles = 1, translation = 2, compensation = 4, energy = 8, field = 16, surfaces = 32, manifolds = 64, anchors = 128, filters = 256, sensors = 512,
-                              compounds = 1024, unsettled = 2048, sleep = 4096;
+                              compounds = 1024, unsettled = 2048, sleep = 4096, rolling = 8192, belts = 16384;
 };
 
 /// What comes first in a snapshot, whatever its scene.

@@ -158,12 +158,12 @@ StepReport step(World<S>& world, scalar h) {
         [[maybe_unused]] const ManifoldView moving = storage.moving_manifolds();
         if constexpr (has_events<S>) note_approaches(bodies, storage.gravity, h, moving, storage.notes);
         over_moving(storage, bodies, [](const BodyView& some) { refresh_inv_I_world(some); });   // Eq. 20
-        SolverView solver = storage.solver();
+        auto solver = storage.contact_solver();
         if constexpr (S::sleeps) {
             solver.pairs = moving.pairs;
             solver.manifold_count = *moving.count;
         }
-        storage.template solve_contacts<has_events<S>, S::bounces, S::small>(solver, bodies, storage.gravity, h, storage.impact_notes(), report);
+        storage.template solve_contacts<has_events<S>, S::bounces>(solver, bodies, storage.gravity, h, storage.impact_notes(), report);
         if constexpr (S::sleeps && has_events<S>) spread_notes(manifolds, moving.pairs, *moving.count, storage.notes);
         if constexpr (has_events<S>) tell_events(storage, report);
 

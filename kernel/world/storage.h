@@ -7,7 +7,7 @@
 
 #include "../body/body_tiles.h"
 #include "../collide/find_contacts.h"
-#include "../blocks/solver_view.h"
+#include "../blocks/material_view.h"
 #include "../contact/contact_events.h"
 #include "../sleep/at_rest.h"
 #include "../sleep/fall_asleep.h"
@@ -139,13 +139,54 @@ struct AnchorPart<S, false> {
     ManifoldAnchors* manifold_anchors() { return nullptr; }
 };
 
+template <class S>
+inline constexpr unsigned block_capacity_of = [] {  // see order_manifolds
+    constexpr unsigned full = (static_cast<unsigned>(S::max_manifolds) + lanes - 1) / lanes;
+    return lanes == 1 ? full : full + full / 2 + 2;
+}();
+
+template <class S, bool present>
+struct RollingPart {
+    scalar rolling_levers[static_cast<unsigned>(shape_capacity<S>)] = {};  ///< m, by shape slot
+    RollingRecord rolling_records[static_cast<unsigned>(S::max_manifolds)] = {};
+    RollingRows rolling_rows[block_capacity_of<S>] = {};
+
+    void forget_rolling(int shape_slot) { rolling_levers[shape_slot] = 0; }
+    void mix_rolling(const ManifoldView& manifolds) { mix_rolling_levers(manifolds, rolling_levers, rolling_records); }
+    void show_rolling(RollingRows*& rows, RollingRecord*& records) { rows = rolling_rows, records = rolling_records; }
+};
+template <class S>
+struct RollingPart<S, false> {
+    static void forget_rolling(int) {}
+    static void mix_rolling(const ManifoldView&) {}
+    static void show_rolling(RollingRows*&, RollingRecord*&) {}
+};
+
+template <class S, bool present>
+struct BeltPart {
+    Vector surface_velocities[static_cast<unsigned>(shape_capacity<S>)] = {};  ///< m/s, in the shape's axes, by shape slot
+    Vector belt_velocities[static_cast<unsigned>(S::max_manifolds)] = {};      ///< m/s, world, by record
+    BeltRows belt_rows[block_capacity_of<S>] = {};
+
+    void forget_belt(int shape_slot) { surface_velocities[shape_slot] = {}; }
+    void turn_belts(const BodyView& shapes, const ManifoldView& manifolds) {
+        turn_surface_velocities(shapes, manifolds, surface_velocities, belt_velocities);
+    }
+    void show_belts(BeltRows*& rows, const Vector*& velocities) { rows = belt_rows, velocities = belt_velocities; }
+};
+template <class S>
+struct BeltPart<S, false> {
+    static void forget_belt(int) {}
+    static void turn_belts(const BodyView&, const ManifoldView&) {}
+    static void show_belts(BeltRows*&, const Vector*&) {}
+};
+
 template <class S, bool present>
 struct ManifoldPart : AnchorPart<S, S::renews_manifolds>, BodyPairPart<S, has_compounds<S>>,
                       S::broad_phase::template Memory<shape_capacity<S>, pair_capacity<S>>,
                       S::solver::template Memory<S::max_bodies, S::max_manifolds> {
     static constexpr unsigned manifold_capacity = static_cast<unsigned>(S::max_manifolds);
-    static constexpr unsigned full_blocks = (manifold_capacity + lanes - 1) / lanes;
-    static constexpr unsigned block_capacity = lanes == 1 ? full_blocks : full_blocks + full_blocks / 2 + 2;  // see order_manifolds
+    static constexpr unsigned block_capacity = block_capacity_of<S>;
     static constexpr unsigned body_capacity = static_cast<unsigned>(S::max_bodies) + 1;
 
     ContactBlock blocks[block_capacity] = {};
@@ -266,6 +307,8 @@ struct Storage : TranslationPart<S, S::translates>,
                  CompoundPart<S, has_compounds<S>>,
                  ContactPart<S, collides<S>>,
                  ManifoldPart<S, stacks<S>>,
+                 RollingPart<S, S::rolling_resistance>,
+                 BeltPart<S, S::surface_velocities>,
                  FilterPart<S, S::filters>,
                  SensorPart<S, has_sensors<S>>,
                  PathPart<S, follows_fast_bodies<S>>,
@@ -317,6 +360,25 @@ struct Storage : TranslationPart<S, S::translates>,
             manifolds.count = &this->awake_pair_count;
         }
         return manifolds;
+    }
+    /// What the contact solver works on; where surfaces have materials beside friction, with those of the pairs that touch now.
+    auto contact_solver() {
+        if constexpr (has_materials<S>) {
+            MaterialView<S::rolling_resistance, S::surface_velocities> view{this->solver(), nullptr, nullptr, nullptr, nullptr};
+            this->mix_rolling(this->manifold_view());
+            this->turn_belts(shapes(), this->manifold_view());
+            this->show_rolling(view.rolling, view.rolling_records);
+            this->show_belts(view.belts, view.belt_velocities);
+            return view;
+        } else if constexpr (S::small) {
+            return SmallView{this->solver()};
+        } else {
+            return this->solver();
+        }
+    }
+    void forget_materials(int shape_slot) {
+        this->forget_rolling(shape_slot);
+        this->forget_belt(shape_slot);
     }
     /// Bodies whose surfaces are solid to each other.
     bool can_meet(int slot_A, int slot_B) const {

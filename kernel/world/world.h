@@ -120,6 +120,7 @@ public:
             return Status::ok;
         }
         if constexpr (has_shapes<S>) storage_.surfaces[slot.value] = {};
+        storage_.forget_materials(slot.value);
         if constexpr (collides<S>) storage_.contact_count = 0;
         if constexpr (stacks<S>) forget_contacts(storage_.manifold_view(), storage_.pair_list(), storage_.bounds, slot.value);
         return Status::ok;
@@ -327,6 +328,48 @@ public:
         return slot.ok() ? stirred(slot.value, Status::ok) : slot.status;
     }
 
+    // What surfaces may have beside friction and restitution, in scenes with rolling_resistance or surface_velocities: of a body, or of one of its
+    // several shapes. A body that is added has neither. May be changed at any time, and counts from the next step on.
+    // Errors: out_of_range (a shape that the body has not; a number beyond its range), not_finite.
+
+    /// m, >= 0: how far ahead of the middle of a contact its load is carried, the classical coefficient of rolling friction. Of a pair the larger
+    /// counts. A ball of radius R slows by (5/7) g lever / R as it rolls on flat ground, and stays where it is up to tan(alpha) = lever / R.
+    /// A tyre on a road: 1 % of its radius; steel on steel: half a millimetre; a ball on grass: a tenth of its radius.
+    Status set_rolling_resistance(BodyId id, scalar lever, int shape_i = 0) {
+        rolling_only();
+        const Result<int> shape_slot = find_shape(id, shape_i);
+        if (!shape_slot.ok()) return shape_slot.status;
+        if (!is_finite(lever)) return Status::not_finite;
+        if (!(lever >= 0 && lever <= limits::size_max)) return Status::out_of_range;
+        storage_.rolling_levers[shape_slot.value] = lever;
+        return stirred(shape_slot.value / S::max_shapes_of_body, Status::ok);
+    }
+    Result<scalar> rolling_resistance(BodyId id, int shape_i = 0) const {
+        rolling_only();
+        const Result<int> shape_slot = find_shape(id, shape_i);
+        if (!shape_slot.ok()) return {shape_slot.status, 0};
+        return {Status::ok, storage_.rolling_levers[shape_slot.value]};
+    }
+
+    /// m/s, in the axes of the shape (a body's, where it has one): how the surface moves over it, as a conveyor belt does. What touches it is
+    /// drawn along by friction, and comes to rest on the belt; the body itself does not move, but for what pushes back. Of a velocity only what
+    /// lies along the surface counts. Up to limits::speed_max.
+    Status set_surface_velocity(BodyId id, const Vector& velocity, int shape_i = 0) {
+        belts_only();
+        const Result<int> shape_slot = find_shape(id, shape_i);
+        if (!shape_slot.ok()) return shape_slot.status;
+        const Status status = check_vector(velocity, limits::speed_max);
+        if (status != Status::ok) return status;
+        storage_.surface_velocities[shape_slot.value] = velocity + Vector{};
+        return stirred(shape_slot.value / S::max_shapes_of_body, Status::ok);
+    }
+    Result<Vector> surface_velocity(BodyId id, int shape_i = 0) const {
+        belts_only();
+        const Result<int> shape_slot = find_shape(id, shape_i);
+        if (!shape_slot.ok()) return {shape_slot.status, {}};
+        return {Status::ok, storage_.surface_velocities[shape_slot.value]};
+    }
+
     // Bodies in sensors, as they were at the begin of the last step; 0 <= index < overlap_count(), in the order of slots.
     // Full: those that come first in this order are kept, the others count in StepReport::overlaps_lost.
 
@@ -515,6 +558,13 @@ private:
         static_assert(has_compounds<S>, "bodies of this scene have one shape: set max_shapes_of_body");
     }
 
+    static constexpr void rolling_only() {
+        static_assert(S::rolling_resistance, "shapes of this scene roll freely: set rolling_resistance = true");
+    }
+    static constexpr void belts_only() {
+        static_assert(S::surface_velocities, "surfaces of this scene do not move: set surface_velocities = true");
+    }
+
     static constexpr void shapes_only() {
         static_assert(has_shapes<S>, "this scene keeps no shapes: set max_manifolds or max_contacts");
     }
@@ -553,6 +603,7 @@ private:
         for (int shape_slot = slot * S::max_shapes_of_body; shape_slot < (slot + 1) * S::max_shapes_of_body; ++shape_slot) {
             storage_.surfaces[shape_slot] = {};
             storage_.shape_places[shape_slot] = {};
+            storage_.forget_materials(shape_slot);
             if constexpr (has_sensors<S>) storage_.is_sensor[shape_slot] = 0;
             set_identity_body(storage_.shapes(), shape_slot);
             forget_contacts(storage_.manifold_view(), storage_.pair_list(), storage_.bounds, shape_slot);
@@ -608,6 +659,15 @@ private:
         if (id.slot >= storage_.slots_used || (id.generation & 1u) == 0 || storage_.generation[id.slot] != id.generation)
             return {Status::stale_id, 0};
         return {Status::ok, id.slot};
+    }
+
+    /// The slot of a shape of a body.
+    Result<int> find_shape(BodyId id, int shape_i) const {
+        const Result<int> slot = find(id);
+        if (!slot.ok()) return slot;
+        if (shape_i < 0 || shape_i >= S::max_shapes_of_body) return {Status::out_of_range, 0};
+        const int shape_slot = slot.value * S::max_shapes_of_body + shape_i;
+        return {storage_.surfaces[shape_slot].shape.kind == ShapeKind::none ? Status::out_of_range : Status::ok, shape_slot};
     }
 
     /// The lowest slot that is free and whose generation is not used up; max_bodies if there is none.

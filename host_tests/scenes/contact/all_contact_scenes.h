@@ -6,6 +6,7 @@
 #include "impacts.h"
 #include "inclines.h"
 #include "leaning.h"
+#include "materials.h"
 #include "piles.h"
 #include "simbenchmark.h"
 #include "stacks.h"
