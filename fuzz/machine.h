@@ -249,8 +249,11 @@ protected:
         }
         demand(report.bodies_frozen == frozen, "every body that froze is reported");
         demand(report.spins_clamped <= movable, "at most every body is clamped");
-        demand(report.impact_waves <= limits::impact_waves_max, "waves are bounded");
-        const int sweeps_max = ingot::stacks<S> ? limits::substeps * limits::sweeps_of_few : limits::contact_sweeps_max * (limits::impact_waves_max + 1);
+        // Of contacts with friction, in every substep; calm steps that are calm no more begin again, with all of theirs.
+        constexpr int substeps = limits::calm_substeps + limits::substeps;
+        const int waves_max = ingot::stacks<S> ? substeps * limits::impacts_of_contact * report.contacts : limits::impact_waves_max;
+        demand(report.impact_waves <= waves_max, "waves are bounded");
+        const int sweeps_max = ingot::stacks<S> ? substeps * limits::sweeps_of_few : limits::contact_sweeps_max * (limits::impact_waves_max + 1);
         demand(report.sweeps <= sweeps_max, "sweeps are bounded");
         demand(report.sweeps_unfinished <= report.impact_waves + 1, "at most every solve is unfinished");
         demand(report.impacts_left == 0 || report.impact_waves == limits::impact_waves_max, "impacts are left when waves run out");
