@@ -15,10 +15,11 @@ seconds=${3:-0}
 here=$(dirname "$0")
 found=0
 printf '%-12s %14s %12s %9s\n' target executions per_second findings
-for target in numbers hull contacts world lanes snapshot friction; do
+for target in numbers hull contacts drift world lanes snapshot friction rooms; do
     case $target in
         numbers) len=80 ;;
         contacts) len=100 ;;
+        drift) len=120 ;;
         hull) len=500 ;;
         snapshot) len=1500 ;;
         *) len=600 ;;
