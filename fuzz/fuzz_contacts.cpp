@@ -26,6 +26,7 @@ V wide(const Vector& v) { return {static_cast<Real>(v.x), static_cast<Real>(v.y)
 V operator+(const V& a, const V& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 V operator-(const V& a, const V& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 V operator*(const V& a, Real s) { return {a.x * s, a.y * s, a.z * s}; }
+V cross(const V& a, const V& b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
 Real dot(const V& a, const V& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 Real length(const V& a) { return __builtin_sqrt(dot(a, a)); }
 Real larger(Real a, Real b) { return a > b ? a : b; }
@@ -170,6 +171,8 @@ void demand_pair(const PlacedShape& A, const PlacedShape& B, scalar margin, cons
     };
     const V axes[] = {wide(A.A.c0), wide(A.A.c1), wide(A.A.c2), wide(B.A.c0), wide(B.A.c1), wide(B.A.c2), wide(A.r) - wide(B.r)};
     for (const V& axis : axes) look(axis);
+    const bool boxes = A.shape.kind == ShapeKind::box && B.shape.kind == ShapeKind::box;  // by all their axes, exactly
+    for (int i = 0; boxes && i < 9; ++i) look(cross(axes[i % 3], axes[3 + i / 3]));
     for (int i = 0; i < 13; ++i) look({static_cast<Real>(i % 3 - 1), static_cast<Real>(i / 3 % 3 - 1), static_cast<Real>(i / 9 - 1)});
     if (m.count == 0) {
         // No point: the shapes are apart. Witness of the contrary: the centre of a shape within the other.
@@ -183,10 +186,14 @@ void demand_pair(const PlacedShape& A, const PlacedShape& B, scalar margin, cons
     demand(s <= static_cast<Real>(margin) + slack, "points are no further apart than the margin");
     // Overlapping cylinders are parted along a direction that no turn improves: not always the best there is (narrow_phase.h).
     const bool round = A.shape.kind == ShapeKind::cylinder || B.shape.kind == ShapeKind::cylinder;
-    demand(s >= (round && gap < 0 ? gap_along(A, B, wide(m.n)) : gap) - slack, "shapes that are apart do not overlap");
+    // Boxes whose edges cross all but in a face have the points of that face: as deep across it as the boxes are across the edges.
+    const Real least_gap = gap < 0 && round ? gap_along(A, B, wide(m.n)) : gap < 0 && boxes ? gap / static_cast<Real>(limits::facing_cos) : gap;
+    demand(s >= least_gap - slack, "shapes that are apart do not overlap");
     // Deeper than that n may be far from square to the surfaces, and the ends of a separation beyond their rims.
     const bool shallow = s > -static_cast<Real>(limits::shallow) * (B.shape.kind == ShapeKind::half_space ? least_extent(A) : least_extent(A) < least_extent(B) ? least_extent(A) : least_extent(B));
-    if (shallow) demand(s >= gap_along(A, B, wide(m.n)) - slack && (s > 0 || s <= gap_along(A, B, wide(m.n)) + slack), "the deepest point is as deep as the shapes along n");
+    // Those points of boxes are in both: along n the boxes may be deeper.
+    const Real along_n = gap_along(A, B, wide(m.n)), deep_enough = boxes ? gap : along_n;
+    if (shallow) demand(s >= along_n - slack && (s > 0 || s <= deep_enough + slack), "the deepest point is as deep as the shapes");
     for (int i = 0; i < m.count; ++i) {
         demand(ingot::is_finite(m.points[i].P) && ingot::is_finite(m.points[i].separation), "points are finite");
         const V half = wide(m.n) * (static_cast<Real>(m.points[i].separation) / 2), P = wide(m.points[i].P);

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # All fuzz targets, one after another, for a number of executions each, and a table of what came of it.
 #
-#   fuzz/long_run.sh <folder of the targets> <executions of each> [<seconds of each>]
+#   fuzz/long_run.sh <folder of the targets> <executions of each> [<seconds of each> [<targets>]]
 #
 #   cmake --preset fuzz-fast && cmake --build --preset fuzz-fast && fuzz/long_run.sh build/fuzz-fast/fuzz 10000000
 #
@@ -12,13 +12,15 @@ set -u
 folder=$1
 runs=$2
 seconds=${3:-0}
+targets=${4:-numbers hull contacts drift world lanes snapshot friction rooms}
 here=$(dirname "$0")
 found=0
 printf '%-12s %14s %12s %9s\n' target executions per_second findings
-for target in numbers hull contacts world lanes snapshot friction; do
+for target in $targets; do
     case $target in
         numbers) len=80 ;;
         contacts) len=100 ;;
+        drift) len=120 ;;
         hull) len=500 ;;
         snapshot) len=1500 ;;
         *) len=600 ;;

@@ -119,11 +119,15 @@ protected:
 
     Result<BodyId> add(const BodyDef& def) {
         const Result<BodyId> added = world_.add(def);
+        demand_added(added, def);
+        return added;
+    }
+    void demand_added(const Result<BodyId>& added, const BodyDef& def) {
         refused(added.status);
         if (added.status == Status::no_room) demand(before_.body_count() == S::max_bodies, "no_room means full");
         if (!added.ok()) {
             demand(added.value == BodyId{}, "a refused add gives the null id");
-            return added;
+            return;
         }
         demand(!before_.is_alive(added.value), "a new body gets a new id");
         demand(world_.body_count() == before_.body_count() + 1, "add adds one body");
@@ -132,7 +136,6 @@ protected:
         only_changed(added.value);
         known_.immovable[added.value.slot] = def.immovable;
         if (known_.id_count < known_max) known_.ids[known_.id_count++] = added.value;
-        return added;
     }
 
     void remove(Bytes& in) {
@@ -249,15 +252,19 @@ protected:
         }
         demand(report.bodies_frozen == frozen, "every body that froze is reported");
         demand(report.spins_clamped <= movable, "at most every body is clamped");
-        demand(report.impact_waves <= limits::impact_waves_max, "waves are bounded");
-        const int sweeps_max = ingot::stacks<S> ? limits::substeps * limits::sweeps_of_few : limits::contact_sweeps_max * (limits::impact_waves_max + 1);
+        // Of contacts with friction, in every substep; calm steps that are calm no more begin again, with all of theirs.
+        // A body that is followed has as many again at each of its impacts.
+        constexpr int substeps = (limits::calm_substeps + limits::substeps) * (S::continuous ? limits::impacts_in_step_max + 1 : 1);
+        const int waves_max = ingot::stacks<S> ? substeps * limits::impacts_of_contact * report.contacts : limits::impact_waves_max;
+        demand(report.impact_waves <= waves_max, "waves are bounded");
+        const int sweeps_max = ingot::stacks<S> ? substeps * limits::sweeps_of_few : limits::contact_sweeps_max * (limits::impact_waves_max + 1);
         demand(report.sweeps <= sweeps_max, "sweeps are bounded");
         demand(report.sweeps_unfinished <= report.impact_waves + 1, "at most every solve is unfinished");
-        demand(report.impacts_left == 0 || report.impact_waves == limits::impact_waves_max, "impacts are left when waves run out");
-        demand(report.impacts_left <= report.contacts, "at most every contact is left");
+        demand(S::continuous || report.impacts_left == 0 || report.impact_waves == limits::impact_waves_max, "impacts are left when waves run out");
+        demand(report.impacts_left <= (S::continuous ? movable : report.contacts), "at most every contact is left, or every fast body");
         demand(report.contacts <= S::max_contacts + S::max_manifolds, "contacts fit");
         demand(ingot::stacks<S> || report.contacts_lost == 0 || report.contacts == S::max_contacts, "contacts are lost when the array is full");
-        demand(report.pairs_untested <= S::max_bodies * (S::max_bodies - 1) / 2, "at most every pair is untested");
+        demand(report.pairs_untested <= S::max_bodies * (S::max_bodies - 1) / 2 * S::max_shapes_of_body * S::max_shapes_of_body, "at most every pair is untested");
         if constexpr (S::max_contacts > 0) demand(world_.contact_count() == report.contacts, "contacts are those reported");
     }
 

@@ -249,6 +249,49 @@ TEST_P(Pair, survives_what_is_degenerate) {
     }
 }
 
+/// How far a point is outside a box or a cylinder, in closed form; 0 inside.
+long double outside(const PlacedShape& s, const V& P) {
+    const V p = exact(s.A).transpose() * (P - exact(s.r)), size = exact(s.shape.size);
+    if (s.shape.kind == ShapeKind::box) return (p.cwiseAbs() - size).cwiseMax(0).norm();
+    return std::hypot(std::max(std::hypot(p.x(), p.y()) - size.x(), 0.0L), std::max(std::abs(p.z()) - size.y(), 0.0L));
+}
+
+/// Rods up to 15 m long and 4 cm thick beside boxes of some centimetres: what touches is where the box is. In float the corners that the search for
+/// nearest points keeps are all but in a plane, a triangle of them has weights to no more than epsilon (length / thickness)^2, and the rest of the rod
+/// seemed to lie on both sides of the box: the point was a metre off.
+TEST(Rod, is_touched_where_the_other_is) {
+    RandomInput random(1405);
+    int touching = 0;
+    long double worst = 0;
+    for (int i = 0; i < 4000; ++i) {
+        const double radius = 0.02, half = std::exp(random.real(-1, 2)), gap = random.real(0.001, 0.015);
+        const Eigen::Matrix3d T_A = orientation(random), T_B = orientation(random);
+        PlacedShape A = placed(ingot::Box{{static_cast<scalar>(random.real(0.02, 0.08)), scalar(0.02), scalar(0.02)}}, {0, 0, 0}, T_A);
+        const PlacedShape B = placed(ingot::Cylinder{static_cast<scalar>(radius), static_cast<scalar>(half)}, {0, 0, 0}, T_B);
+        const double turn = random.real(0, 6.3);
+        const Eigen::Vector3d aside = T_B * Eigen::Vector3d(std::cos(turn), std::sin(turn), 0);
+        const double reach = exact(A.shape.size).cast<double>().dot((T_A.transpose() * aside).cwiseAbs());
+        A.r = to_vector(Eigen::Vector3d(T_B.col(2) * (half * random.real(-0.9, 0.9)) + aside * (radius + reach + gap)));
+        Manifold m{};
+        ASSERT_TRUE(collide(A, B, scalar(0.02), m));
+        if (m.count == 0) continue;  // edges and corners that are apart and not above each other
+        ++touching;
+        // Of the sixteen corners of an end, of what is nearly parallel, and of those weights: a difference of products of two sums of three has 18
+        // roundings of length^4, for each of three weights, over the square of the area, and stands for a point as far away as the length.
+        const long double prism = (1 - std::cos(3.14159265358979L / ingot::limits::cap_corners)) * radius;
+        const long double weights = 3 * 18 * ingot::epsilon * (2 * half) * (2 * half) / (2 * radius);
+        const long double slack = prism + (ingot::limits::round_aside + ingot::limits::corner_slack) * radius + weights;
+        for (int k = 0; k < m.count; ++k) {
+            const V P = exact(m.points[k].P), way = exact(m.n) * (static_cast<long double>(m.points[k].separation) / 2);
+            const long double off = std::max(outside(A, P + way), outside(B, P - way));
+            ASSERT_LE(off, slack) << i << " of half length " << half;
+            worst = std::max(worst, off);
+        }
+    }
+    std::printf("rods: %d touching, %.2Lg off the surface\n", touching, worst);
+    ASSERT_GT(touching, 3000);
+}
+
 using K = ShapeKind;
 INSTANTIATE_TEST_SUITE_P(
     All, Pair,

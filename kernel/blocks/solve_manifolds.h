@@ -16,8 +16,8 @@ namespace ingot { inline namespace INGOT_ABI {
 ///
 /// Reads v_CM, L, F_T and tau_T of the begin of the step, before integrate_v and integrate_L. Writes nothing to bodies: see
 /// write_contact_motion. For scenes with events, `notes` are told who pushed whom; for those in which nothing bounces, no restitution is looked at.
-/// Bound:   substeps * sweeps_of_few visits a manifold where few touch; else substeps * sweeps_of_young, or calm_substeps * calm_sweeps and then
-///          substeps * sweeps.
+/// Bound:   calm_substeps * sweeps_of_few and then substeps * sweeps_of_few visits a manifold where few touch; else substeps * sweeps_of_young, or
+///          calm_substeps * calm_sweeps and then substeps * sweeps. Where impacts cause impacts, impacts_of_contact of them a contact and substep.
 template <bool notes_impulses, bool bounces, class View>
 void solve_manifolds(View& solver, const BodyView& bodies, const Vector& gravity, scalar h, ImpactNote* notes, StepReport& report);
 

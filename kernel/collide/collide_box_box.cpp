@@ -294,6 +294,16 @@ INGOT_INLINE bool lies_flat(const PlacedShape& A, const PlacedShape& B, const Be
     return along * along > limits::facing_cos * limits::facing_cos * length_sq(n);
 }
 
+/// True where no point of a face is deeper than the edges allow. A point that is s deep in both boxes is at least s cos theta below the planes across
+/// the normal of the edges, which is theta off that of the face: a deeper one has left a thin box at its other side, and is no overlap to be undone.
+INGOT_INLINE bool inside_both(const PlacedShape& A, const PlacedShape& B, const BestAxis& best, const Manifold& manifold) {
+    const Vector n = cross(column(A.A, (best.edge - first_edge_axis) / 3), column(B.A, (best.edge - first_edge_axis) % 3));
+    const scalar cos = abs(dot(n, manifold.n)) / sqrt(length_sq(n)), least = best.separation - limits::edge_preference * best.smallest;
+    for (int i = 0; i < manifold.count; ++i)
+        if (manifold.points[i].separation < 0 && manifold.points[i].separation * cos < least) return false;
+    return true;
+}
+
 /// The point of two edges; false where the nearest points of their lines lie outside the edges.
 bool edge_point(const PlacedShape& A, const PlacedShape& B, const BestAxis& best, scalar margin, Manifold& manifold) {
     const int i = (best.edge - first_edge_axis) / 3, j = (best.edge - first_edge_axis) % 3;
@@ -343,7 +353,7 @@ void collide_box_box(const PlacedShape& A, const PlacedShape& B, scalar margin, 
     // the step: those of the face have the crossing among them, and look further. The normal is the face's then.
     if (best.edge != no_axis && (margin > limits::fast_margin || lies_flat(A, B, best))) {
         face_points(A, B, best, margin, before, manifold);
-        if (manifold.count > 1) return;
+        if (manifold.count > 1 && inside_both(A, B, best, manifold)) return;
     }
     if (best.edge != no_axis && edge_point(A, B, best, margin, manifold)) return;
     face_points(A, B, best, margin, before, manifold);

@@ -155,7 +155,7 @@ const Vector* axis_of(const PlacedShape& s) {
 Vector meeting_point(const PlacedShape& A, const PlacedShape& B, const Vector& n, scalar gap, scalar by) {
     PlacedShape moved = A;
     moved.r += n * (by - gap);
-    const Nearest near = nearest_cores(moved, B, scalar_max);
+    const Nearest near = nearest_cores(moved, B, scalar_max, by);
     const Vector on_A = near.P_A - n * (by - gap + core_radius(A)), on_B = near.P_B + n * core_radius(B);
     return (on_A + on_B) * scalar(0.5);
 }

@@ -153,11 +153,11 @@ bool reduce(Simplex& s) {
 
 }  // namespace
 
-Nearest nearest_cores(const PlacedShape& A, const PlacedShape& B, scalar enough) {
+Nearest nearest_cores(const PlacedShape& A, const PlacedShape& B, scalar enough, scalar known_gap) {
     const Vector d = A.r - B.r;
     Simplex simplex{};
     Vector v = length_sq(d) > 0 ? d : Vector{1, 0, 0};
-    scalar v_sq = scalar_max, size = 0, at_least = 0;
+    scalar v_sq = scalar_max, size = 0, at_least = known_gap;
     Vector n{};
     bool overlapping = false;
     for (int iteration = 0; iteration < limits::nearest_iterations_max; ++iteration) {
@@ -218,7 +218,7 @@ Nearest nearest_cores(const PlacedShape& A, const PlacedShape& B, scalar enough)
     const Vector apart = a - b;
     nearest.distance = sqrt(length_sq(apart));
     // The direction that is proven: where what is round is all but touched, the last point may be nearer but no longer has one.
-    nearest.n = at_least > 0 || !(nearest.distance > 0) ? n : apart * (1 / nearest.distance);
+    nearest.n = at_least > known_gap || !(nearest.distance > 0) ? n : apart * (1 / nearest.distance);
     nearest.at_least = at_least;
     return nearest;
 }

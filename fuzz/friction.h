@@ -1,0 +1,560 @@
+// SPDX-License-Identifier: MIT
+// Contacts with friction as a state machine: what machine.h demands, and beside it
+//
+//   Events pair up: what begins was apart, what ends had begun, hits and begins are of bodies that live and may meet; the overlaps are those
+//   that entered and did not leave.
+//   Where nothing but contacts acts, they keep the momentum; where no impact bounces either, they give no energy.
+//   Queries find the living that their filter names, at finite places within their reach, on a surface.
+//   A snapshot saves as the bytes it was loaded from, in the middle of a pile too, and steps to the bytes of the world that was never saved.
+//   A world that is copied back is the world it was.
+//   Who sleeps is at rest, and keeps its bits until it is awake.
+//
+// fuzz_fault breaks a promise: 1 to 5 are those of machine.h, 11 and on are its own.
+#pragma once
+
+#include "fuzz_world.h"
+#include "machine.h"
+
+namespace fuzz { inline namespace INGOT_ABI {
+
+using ingot::Event;
+using ingot::EventKind;
+using ingot::PlacedShape;
+using ingot::QueryFilter;
+
+/// Two bodies, by their ids.
+struct Pair {
+    BodyId A, B;
+    bool operator==(const Pair& other) const { return A == other.A && B == other.B; }
+};
+
+/// Pairs in no order.
+struct Pairs {
+    static constexpr int room = 128;
+    Pair pairs[room];
+    int count;
+
+    int find(const Pair& pair) const {
+        for (int i = 0; i < count; ++i)
+            if (pairs[i] == pair) return i;
+        return -1;
+    }
+    void add(const Pair& pair) {
+        demand(count < room, "room for pairs, in the fuzzer");
+        pairs[count++] = pair;
+    }
+    void remove(int i) { pairs[i] = pairs[--count]; }
+};
+
+template <class S>
+class Friction : public Machine<S, Friction<S>> {
+    using Base = Machine<S, Friction<S>>;
+    friend Base;
+    using Base::add;
+    using Base::before_;
+    using Base::demand_all;
+    using Base::demand_report;
+    using Base::edit;
+    using Base::known_;
+    using Base::only_changed;
+    using Base::pick;
+    using Base::refused;
+    using Base::see_all;
+    using Base::twin_;
+    using Base::world_;
+    static constexpr int N = S::max_bodies;
+
+public:
+    Friction() {
+        memset(static_cast<void*>(&kept_), 0, sizeof kept_);
+        memset(static_cast<void*>(&kept_state_), 0, sizeof kept_state_);
+    }
+
+private:
+    /// What it knows, beside Base::Known.
+    struct State {
+        typename Base::Known known;
+        Pairs touching, inside;
+        bool events_whole;     ///< none was lost since the world was empty
+        bool sensor[N];        ///< by slot
+        scalar mass[N];        ///< kg, by slot; 0: immovable
+        bool isotropic[N];     ///< turning it changes no energy
+        bool bounces, pushed;  ///< some body has restitution; a force is due in the next step
+        int manifolds;         ///< of the step before
+        bool loaded;           ///< something but contacts acted in it
+        double size;           ///< kg m/s, of it: see Balance
+    };
+
+    /// Scenes with sleep have three calls more.
+    static constexpr unsigned calls = S::sleeps ? 29 : 26;
+
+    void call(Bytes& in) {
+        const uint8_t op = in.byte();
+        switch (op % calls) {
+            case 16: case 17: add_near(in); break;
+            case 18: build(in); break;
+            case 19: ask(in); break;
+            case 20: set_filter(in); break;
+            case 21: keep_or_go_back(in); break;
+            case 22: through_a_snapshot(in); break;
+            case 23: replace(in); break;
+            case 24: case 25: this->step(in); break;
+            case 26: case 27: case 28: sleep(op % calls, in); break;
+            default:
+                if (op % calls == 4 || op % calls == 12 || op % calls == 13) state_.pushed = true;
+                Base::call(static_cast<uint8_t>(op % calls), in);
+                break;
+        }
+    }
+
+    // Bodies.
+
+    void add(Bytes& in) {
+        BodyDef def;
+        def.immovable = (in.byte() & 7u) == 0;
+        def.mass = mass(in);
+        def.state = in.state(true);
+        if (def.immovable && in.byte() != 255) def.state.v_CM = def.state.L = {};
+        def.shape = in.shape();
+        add(def, in);
+    }
+
+    /// Of any kind that the scene has; half of them hulls, where it has some.
+    static Shape any_shape(Bytes& in) {
+        if constexpr (ingot::hulls_of<S>.count > 0)
+            if ((in.byte() & 1u) != 0) return ingot::hull_of<S>(in.byte() % (ingot::hulls_of<S>.count + (in.byte() == 255 ? 2 : 0)));
+        return in.any_shape();
+    }
+
+    /// One shape, or several where the scene has them: then the first is def.shape where it would be, and others of that surface are about it.
+    Result<BodyId> add_shapes(const BodyDef& def, [[maybe_unused]] Bytes& in) {
+        if constexpr (S::max_shapes_of_body > 1) {
+            ingot::ShapeDef parts[S::max_shapes_of_body];
+            const int count = 1 + in.byte() % S::max_shapes_of_body;
+            for (int i = 0; i < count; ++i) {
+                parts[i].shape = i == 0 ? def.shape : any_shape(in);
+                if (i > 0 && parts[i].shape.kind == ShapeKind::half_space && in.byte() != 255) parts[i].shape = ingot::Sphere{scalar(0.25)};
+                if (i > 0) parts[i].r = in.vector(1);
+                if (i > 0 && (in.byte() & 1u) != 0) parts[i].A = in.orientation();
+                parts[i].restitution = def.restitution;
+                parts[i].friction = def.friction;
+            }
+            BodyDef bare = def;
+            bare.shape = {};
+            const Result<BodyId> added = world_.add(bare, parts, count);
+            this->demand_added(added, def);
+            return added;
+        } else {
+            return Base::add(def);
+        }
+    }
+
+    /// Moments as they come, or those of a ball.
+    static ingot::MassProperties mass(Bytes& in) {
+        ingot::MassProperties m = in.mass();
+        if ((in.byte() & 1u) != 0) m.I_body = {m.I_body.x, m.I_body.x, m.I_body.x};
+        return m;
+    }
+
+    void add(BodyDef& def, Bytes& in) {
+        const uint8_t surface = in.byte();
+        def.restitution = (surface & 1u) != 0 ? magnitude(in.number(1)) : scalar(0);
+        def.friction = (surface & 2u) != 0 ? magnitude(in.number(2)) : scalar(0.5);
+        if (S::filters && (surface & 12u) == 12u) def.filter = {in.byte() & 7u, in.byte() & 7u};
+        def.sensor = S::max_overlaps > 0 && (surface & 112u) == 112u;
+        const Result<BodyId> added = add_shapes(def, in);
+        if (!added.ok()) return;
+        const int slot = added.value.slot;
+        state_.sensor[slot] = def.sensor;
+        state_.mass[slot] = def.immovable ? 0 : def.mass.M;
+        state_.isotropic[slot] = def.mass.I_body.x == def.mass.I_body.y && def.mass.I_body.y == def.mass.I_body.z;
+        state_.bounces = state_.bounces || def.restitution > 0;
+    }
+
+    /// A body of about a metre where another is, or beside it.
+    void add_near(Bytes& in) {
+        const Result<BodyState> other = world_.state(pick(in));
+        BodyDef def;
+        def.mass = mass(in);
+        def.shape = any_shape(in);
+        def.immovable = def.shape.kind == ShapeKind::half_space || (in.byte() & 15u) == 0;
+        if (other.ok()) def.state.r_CM = other.value.r_CM + in.vector(2);
+        if ((in.byte() & 3u) == 0) def.state.A = in.orientation();
+        if (!def.immovable && (in.byte() & 3u) == 0) def.state.v_CM = in.vector(20);
+        if (!def.immovable && (in.byte() & 3u) == 0) def.state.L = in.vector(2);
+        add(def, in);
+    }
+
+    /// The ground and what stands on it.
+    void build(Bytes& in) {
+        BodyDef ground;
+        ground.immovable = true;
+        ground.shape = ingot::HalfSpace{{0, 0, 1}, 0};
+        if ((in.byte() & 1u) != 0) {
+            add(ground, in);
+            refused(world_.set_gravity({0, 0, scalar(-9.81)}));
+        }
+        for (int level = 0; level < 1 + (in.byte() & 3); ++level) {
+            memcpy(static_cast<void*>(&before_), &world_, sizeof world_);
+            BodyDef box;
+            box.mass = {1 + magnitude(in.number(1)), {scalar(0.2), scalar(0.2), scalar(0.2)}, {}, ingot::identity_matrix<scalar>()};
+            box.shape = (in.byte() & 1u) != 0 ? Shape(ingot::Box{{scalar(0.5), scalar(0.5), scalar(0.5)}}) : any_shape(in);
+            box.state.r_CM = {in.number(scalar(0.1)), in.number(scalar(0.1)), scalar(0.5) + static_cast<scalar>(level)};
+            add(box, in);
+        }
+    }
+
+    /// Out with a body, and in with another in the same slot and place: it may be touching at the time.
+    void replace(Bytes& in) {
+        const BodyId id = world_.body_at(in.byte() % N);
+        const Result<BodyState> was = world_.state(id);
+        if (!was.ok()) return;
+        const Status removed = world_.remove(id);
+        demand(removed == Status::ok, "what lives can be removed");
+        only_changed(id);
+        memcpy(static_cast<void*>(&before_), &world_, sizeof world_);
+        BodyDef def;
+        def.mass = mass(in);
+        def.shape = any_shape(in);
+        def.immovable = def.shape.kind == ShapeKind::half_space;
+        def.state = was.value;
+        if (def.immovable || (in.byte() & 3u) != 0) def.state.v_CM = def.state.L = {};
+        add(def, in);
+    }
+
+    void set_filter(Bytes& in) {
+        if constexpr (S::filters) {
+            const ingot::BodyFilter wanted = {in.byte() & 7u, in.byte() & 7u};
+            edit(in, [&](BodyId id) {
+                const Status status = world_.set_filter(id, wanted);
+                if (status == Status::ok) {
+                    const ingot::BodyFilter got = world_.filter(id).value;
+                    demand(got.category == wanted.category && got.mask == wanted.mask, "a filter is kept");
+                }
+                return status;
+            });
+        }
+    }
+
+    // Time.
+
+    /// Keeps the world, or goes back to the one that was kept.
+    void keep_or_go_back(Bytes& in) {
+        if ((in.byte() & 1u) == 0) {
+            memcpy(static_cast<void*>(&kept_), &world_, sizeof world_);
+            kept_state_ = state_;
+            kept_state_.known = known_;
+            return;
+        }
+        memcpy(static_cast<void*>(&world_), &kept_, sizeof world_);
+        state_ = kept_state_;
+        known_ = kept_state_.known;
+        if (world_.step_count() == 0 && world_.body_count() == 0) state_.events_whole = true;
+    }
+
+    void through_a_snapshot([[maybe_unused]] Bytes& in) {
+        if constexpr (S::max_events == 0) {
+            static uint8_t bytes[ingot::snapshot_size<S>()], again[ingot::snapshot_size<S>()];
+            const Result<size_t> saved = ingot::save_snapshot(world_, bytes, sizeof bytes);
+            demand(saved.ok(), "a world fits into what snapshot_size says");
+            demand(same_bytes(&world_, &before_, sizeof world_), "saving changes nothing");
+            demand(ingot::load_snapshot(twin_, bytes, saved.value) == Status::ok, "what was saved can be loaded");
+            expect_same_snapshot(bytes, again, saved.value, "what was loaded saves as the same bytes");
+
+            const scalar h = in.step_length();
+            StepReport report = ingot::step(world_, h);
+            const StepReport of_twin = ingot::step(twin_, h);
+            if (fuzz_fault == 11 && report.status == Status::ok) (void)twin_.set_gravity({1, 2, 3});
+            demand(report.status == of_twin.status && report.contacts == of_twin.contacts && report.sweeps == of_twin.sweeps &&
+                       same_bytes(&report.residual, &of_twin.residual, sizeof report.residual),
+                   "a loaded world reports the same");
+            const Result<size_t> stepped_size = ingot::save_snapshot(world_, bytes, sizeof bytes);
+            expect_same_snapshot(bytes, again, stepped_size.value, "a loaded world steps to the same bytes");
+            if (report.status != Status::ok) return;
+            demand_report(report);
+            stepped(report, h);
+        }
+    }
+    void expect_same_snapshot(const uint8_t* bytes, uint8_t* again, size_t size, const char* promise) {
+        const Result<size_t> saved = ingot::save_snapshot(twin_, again, size);
+        demand(saved.ok() && saved.value == size && same_bytes(bytes, again, size), promise);
+    }
+
+    // Sleep.
+
+    void sleep([[maybe_unused]] unsigned op, [[maybe_unused]] Bytes& in) {
+        if constexpr (S::sleeps) {
+            if (op == 26) {
+                edit(in, [&](BodyId id) { return world_.wake(id); });
+            } else if (op == 27) {
+                edit(in, [&](BodyId id) { return world_.sleep(id); });
+            } else {
+                // Long enough for what lies still to fall asleep.
+                for (int i = 0; i < 40; ++i) {
+                    memcpy(static_cast<void*>(&before_), &world_, sizeof world_);
+                    const StepReport report = ingot::step(world_, scalar(1) / 60);
+                    demand(report.status == Status::ok, "a step of 1/60 s is taken");
+                    demand_report(report);
+                    stepped(report, scalar(1) / 60);
+                    demand_all();
+                }
+            }
+        }
+    }
+
+    void demand_sleep() {
+        if constexpr (S::sleeps) {
+            for (int slot = 0; slot < N; ++slot) {
+                const BodyId id = world_.body_at(slot);
+                const bool asleep = world_.is_asleep(id);
+                see_all(asleep);
+                if (!asleep) continue;
+                const BodyState was = before_.state(id).value;
+                BodyState is = world_.state(id).value;
+                if (fuzz_fault == 15) is.v_CM.x = 1;
+                demand(Base::is_zero(is.v_CM) && Base::is_zero(is.L), "who sleeps is at rest");
+                demand(!before_.is_asleep(id) || same_bytes(&was, &is, sizeof is), "who sleeps keeps its bits");
+            }
+        }
+    }
+
+    /// After each step.
+    void stepped(const StepReport& report, scalar) {
+        demand(ingot::is_finite(report.residual) && report.residual >= 0, "the residual is a speed");
+        constexpr int pairs_max = N * (N - 1) / 2 * S::max_shapes_of_body * S::max_shapes_of_body;
+        demand(report.contacts + report.contacts_lost <= pairs_max, "a pair has one manifold");
+        demand(report.contacts_lost == 0 || S::max_pairs < pairs_max || state_.manifolds + report.contacts >= S::max_manifolds,
+               "contacts are lost when the array is full");
+        see_all(report.overlaps_lost, report.events_lost, report.residual);
+        state_.manifolds = report.contacts;
+        demand_overlaps(report);
+        demand_events(report);
+        demand_sleep();
+        demand_balance(report);
+        state_.pushed = false;
+    }
+
+    void demand_overlaps(const StepReport& report) {
+        if constexpr (ingot::has_sensors<S>) {
+            demand(world_.overlap_count() <= S::max_overlaps, "overlaps fit");
+            demand(report.overlaps_lost == 0 || world_.overlap_count() == S::max_overlaps, "overlaps are lost when the array is full");
+            for (int i = 0; i < world_.overlap_count(); ++i) {
+                const ingot::OverlapInfo overlap = world_.overlap(i).value;
+                see_all(overlap.sensor, overlap.visitor);
+                demand_meet(overlap.sensor, overlap.visitor);
+                demand(state_.sensor[overlap.sensor.slot] && !state_.sensor[overlap.visitor.slot], "a body that is none is in a sensor");
+            }
+        }
+    }
+
+    /// Both live, and their filters let them.
+    void demand_meet(BodyId A, BodyId B) const {
+        demand(world_.is_alive(A) && world_.is_alive(B) && A != B, "two living bodies meet");
+        if constexpr (S::filters) demand(ingot::meet(world_.filter(A).value, world_.filter(B).value), "bodies meet that their filters let");
+    }
+
+    void demand_events([[maybe_unused]] const StepReport& report) {
+        if constexpr (ingot::has_events<S>) {
+            const ingot::EventView events = world_.events();
+            demand(events.count <= S::max_events, "events fit");
+            demand(report.events_lost == 0 || events.count == S::max_events, "events are lost when the array is full");
+            if (report.events_lost != 0) state_.events_whole = false;
+            static const int order[] = {2, 0, 4, 3, 1};  // of begin, end, hit, enter, leave
+            int order_before = 0;
+            for (const Event& event : events) {
+                see_all(event.kind, event.A, event.B, event.P, event.n, event.speed);
+                const int now = order[static_cast<int>(event.kind)];
+                demand(now >= order_before, "events come in their order");
+                order_before = now;
+                demand_event(event);
+            }
+            if (!state_.events_whole) return;
+            demand(state_.touching.count <= report.contacts, "what touches has a contact");
+            if constexpr (ingot::has_sensors<S>) {
+                demand(state_.inside.count == world_.overlap_count(), "who entered a sensor and did not leave is in it");
+                for (int i = 0; i < world_.overlap_count(); ++i) {
+                    const ingot::OverlapInfo overlap = world_.overlap(i).value;
+                    demand(state_.inside.find({overlap.sensor, overlap.visitor}) >= 0, "who is in a sensor has entered");
+                }
+            }
+        }
+    }
+
+    void demand_event(const Event& event) {
+        const Pair pair = {event.A, event.B};
+        const bool of_sensor = event.kind == EventKind::enter || event.kind == EventKind::leave;
+        const bool ends = event.kind == EventKind::end || event.kind == EventKind::leave;
+        if (!ends) demand_meet(event.A, event.B);
+        if (!ends && !of_sensor) {
+            demand(!state_.sensor[event.A.slot] && !state_.sensor[event.B.slot], "sensors touch nothing");
+            demand(ingot::is_finite(event.P) && ingot::is_finite(event.speed) && event.speed >= 0, "events have finite places and speeds");
+            demand(magnitude(ingot::length_sq(event.n) - 1) <= 64 * ingot::epsilon, "the normal of an event is of unit length");
+            demand(event.kind != EventKind::hit || event.speed > S::hit_speed, "hits are fast");
+        }
+        if (!state_.events_whole) return;
+        Pairs& pairs = of_sensor ? state_.inside : state_.touching;
+        const int at = pairs.find(pair);
+        if (ends) {
+            demand(at >= 0, "what ends has begun");
+            if (fuzz_fault != 12) pairs.remove(at);
+        } else if (event.kind == EventKind::hit) {
+            demand(at >= 0, "what is hit touches");
+        } else {
+            demand(at < 0, "what begins was apart");
+            pairs.add(pair);
+        }
+    }
+
+    // Momentum and energy.
+
+    /// Sums before or after a step, in double.
+    struct Balance {
+        double P[3], kinetic, size;  ///< kg m/s, J, and sum of sqrt(2 E M) + approach_slack M, kg m/s
+    };
+    Balance balance_of(const World<S>& world) const {
+        Balance sum{};
+        sum.kinetic = static_cast<double>(world.kinetic_energy());
+        for (int slot = 0; slot < N; ++slot) {
+            const Result<BodyState> s = world.state(world.body_at(slot));
+            if (!s.ok()) continue;
+            const double M = static_cast<double>(state_.mass[slot]);
+            sum.P[0] += M * static_cast<double>(s.value.v_CM.x);
+            sum.P[1] += M * static_cast<double>(s.value.v_CM.y);
+            sum.P[2] += M * static_cast<double>(s.value.v_CM.z);
+            sum.size += __builtin_sqrt(2 * sum.kinetic * M) + static_cast<double>(limits::approach_slack) * M;
+        }
+        return sum;
+    }
+
+    /// Updates of a body in a step: normals, twist and friction, of all its manifolds, in sweeps and their extrapolations, the warm start and the kick.
+    /// A body that is followed within the step has as many again at each impact.
+    static constexpr double updates = limits::substeps * (2 * limits::sweeps_of_few + 2) * 3 * (N - 1) * S::max_shapes_of_body * S::max_shapes_of_body *
+                                      (S::continuous ? limits::impacts_in_step_max + 1 : 1);
+
+    /// Where nothing but contacts acts.
+    ///
+    /// Each update of v rounds twice, by half an epsilon of the fastest a body of the energy can be; a sweep that has not ended may be twice that fast.
+    /// Of bodies at rest the rounding of a target makes sweeps that push at up to approach_slack, and take it back.
+    /// Energy: with e = 0 an exact solve gives -j.K j / 2. The sweeps leave rows that are off by what the last one corrected, no more than
+    /// settled_speed_of_few and 4 epsilon of the fastest where it was not the last allowed, times the rows beside it. That speed, times all impulses
+    /// there can be, is what they may give.
+    ///
+    /// A step begins with the impulses of the one before, which may have changed no speed at all: those that held a load that is gone, or that the bodies
+    /// have been stopped since. Sweeps take them back, with the rounding of what they were. So the step before counts too, and must have been such a one.
+    void demand_balance(const StepReport& report) {
+        if constexpr (S::sleeps) return;  // who falls asleep leaves its momentum, up to M sleep_speed
+        const Vector g = world_.gravity();
+        bool isolated = !state_.pushed && g.x == 0 && g.y == 0 && g.z == 0 && report.bodies_frozen == 0, quiet = !state_.bounces;
+        double lightest = 1e300;
+        for (int slot = 0; slot < N; ++slot) {
+            const BodyId id = world_.body_at(slot);
+            if (id == BodyId{}) continue;
+            const double M = static_cast<double>(state_.mass[slot]);
+            isolated = isolated && M > 0 && !world_.is_frozen(id);
+            quiet = quiet && state_.isotropic[slot];
+            lightest = M < lightest ? M : lightest;
+        }
+        Balance was = balance_of(before_), is = balance_of(world_);
+        const bool was_loaded = state_.loaded;
+        double size = was.size > is.size ? was.size : is.size;
+        const double size_before = state_.size;
+        state_.loaded = !isolated;
+        state_.size = size;
+        if (size_before > size) size = size_before;
+        if (!isolated || was_loaded || report.contacts == 0) return;
+        if (fuzz_fault == 13) is.P[0] += 0.1 * was.size;
+        if (fuzz_fault == 14) is.kinetic *= 1.1;
+        const double rounding = updates * 2 * static_cast<double>(ingot::epsilon) * size;
+        for (int axis = 0; axis < 3; ++axis) demand(!(__builtin_fabs(is.P[axis] - was.P[axis]) > rounding), "contacts keep the momentum");
+        if (!quiet || report.sweeps >= limits::sweeps_of_few) return;
+        const double fastest = __builtin_sqrt(2 * was.kinetic / lightest);
+        const double off = (static_cast<double>(limits::settled_speed_of_few) + 4 * static_cast<double>(ingot::epsilon) * fastest) * 6 * (N - 1);
+        const double given = limits::substeps * off * size + updates * 2 * static_cast<double>(ingot::epsilon) * was.kinetic;
+        demand(!(is.kinetic - was.kinetic > given), "contacts give no energy");
+    }
+
+    // Queries.
+
+    void ask(Bytes& in) {
+        QueryFilter filter;
+        const uint8_t kind = in.byte();
+        if ((kind & 4u) != 0) filter.filter = {in.byte() & 7u, in.byte() & 7u};
+        if ((kind & 8u) != 0) filter.except = pick(in);
+        filter.sensors = (kind & 16u) != 0;
+        const World<S>& world = world_;
+        const bool except_lives = filter.except.generation == 0 || world.is_alive(filter.except);
+        const Vector from = in.vector(8);
+        const PlacedShape shape = {any_shape(in), from, in.orientation(), nullptr};
+        switch (kind & 3u) {
+            case 0: {
+                const Vector way = in.vector(16);
+                const Result<ingot::QueryHit> hit = world.cast_ray(from, way, filter);
+                demand(!hit.ok() || except_lives, "a query does not leave out the dead");
+                demand_hit(hit, filter);
+                if (hit.ok() && hit.value.found()) demand_on_surface(hit.value, from, way, filter);
+                break;
+            }
+            case 1: demand_hit(world.cast_shape(shape, in.vector(16), filter), filter); break;
+            case 2: {
+                BodyId found[N];
+                const int capacity = in.byte() % (N + 1);
+                const Result<int> count = world.find_overlaps(shape, found, capacity, filter);
+                see_all(count.status, count.value);
+                demand(count.value >= 0 && count.value <= world.body_count(), "no more overlap than there are");
+                for (int i = 0; i < count.value && i < capacity; ++i) {
+                    demand_seen(found[i], filter);
+                    demand(i == 0 || found[i - 1].slot < found[i].slot, "overlaps come in the order of slots");
+                }
+                break;
+            }
+            default: {
+                const scalar within = magnitude(in.number(8));
+                const Result<ingot::QueryNearest> nearest = world.find_nearest(from, within, filter);
+                see_all(nearest.status, nearest.value.body, nearest.value.distance, nearest.value.P, nearest.value.n);
+                demand(ingot::is_finite(nearest.value.distance) && ingot::is_finite(nearest.value.P) && ingot::is_finite(nearest.value.n), "what a query finds is finite");
+                if (!nearest.ok() || !nearest.value.found()) break;
+                demand_seen(nearest.value.body, filter);
+                demand(nearest.value.distance <= within, "what is nearest is near enough");
+                break;
+            }
+        }
+        demand(same_bytes(&world_, &before_, sizeof world_), "a query changes nothing");
+    }
+
+    void demand_hit(const Result<ingot::QueryHit>& hit, const QueryFilter& filter) {
+        see_all(hit.status, hit.value.body, hit.value.fraction, hit.value.P, hit.value.n);
+        demand(ingot::is_finite(hit.value.P) && ingot::is_finite(hit.value.n) && hit.value.fraction >= 0 && hit.value.fraction <= 1, "what a query finds is finite");
+        if (!hit.ok() || !hit.value.found()) return;
+        demand_seen(hit.value.body, filter);
+        demand(magnitude(ingot::length_sq(hit.value.n) - 1) <= 64 * ingot::epsilon, "the normal of a hit is of unit length");
+    }
+
+    void demand_seen(BodyId id, const QueryFilter& filter) const {
+        demand(world_.is_alive(id), "a query finds the living");
+        demand(id != filter.except, "a query leaves out whom it is told to");
+        demand(filter.sensors || !state_.sensor[id.slot], "a query sees sensors when it is told to");
+        if constexpr (S::filters) demand(ingot::meet(world_.filter(id).value, filter.filter), "a query finds whom its filter lets");
+    }
+
+    /// Two oracles: no body is nearer to where a ray ends than rounding, seen by the routine for nearest points; and there is one.
+    void demand_on_surface(const ingot::QueryHit& hit, const Vector& from, const Vector& way, const QueryFilter& filter) const {
+        const auto size = [](const Vector& v) { return magnitude(v.x) + magnitude(v.y) + magnitude(v.z); };
+        const scalar scale = size(from) + size(way) + size(world_.state(hit.body).value.r_CM);
+        if (!(scale < 1000)) return;
+        const Result<ingot::QueryNearest> nearest = world_.find_nearest(hit.P, 1, filter);
+        const scalar slack = 256 * ingot::epsilon * (scale + 8);
+        demand(nearest.ok() && nearest.value.found() && nearest.value.distance <= slack, "a ray ends on a surface");
+        if (hit.fraction > 0) demand(nearest.value.distance >= -slack * 4, "a ray ends on the first surface");
+    }
+
+    static World<S> kept_;
+    static State kept_state_;
+    State state_ = {{}, {}, {}, true, {}, {}, {}, false, false, 0, false, 0};
+};
+
+template <class S>
+World<S> Friction<S>::kept_;
+template <class S>
+typename Friction<S>::State Friction<S>::kept_state_;
+
+} }  // namespace fuzz
