@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+// Ways of fast bodies through a step, and when two of them meet: against closed forms, and against the distance of the shapes looked at along
+// the way by an oracle that knows no kernel.
+#include <gtest/gtest.h>
+#include <ingot/base/limits.h>
+#include <ingot/fast/time_of_impact.h>
+
+#include "collide/placed.h"
+
+namespace {
+
+using namespace ingot_collide;
+using Eigen::Vector3d;
+using ingot::BodyPath;
+using ingot::PathPoint;
+
+constexpr double eps = static_cast<double>(ingot::epsilon);
+
+Eigen::Matrix3d turn_by(const Vector3d& turn) { return turn.norm() > 0 ? turned(turn, turn.norm()) : Eigen::Matrix3d(Eigen::Matrix3d::Identity()); }
+Vector3d in_double(const ingot::Vector& v) { return exact(v).cast<double>(); }
+
+TEST(Path, goes_from_its_begin_to_its_end_by_a_parabola_and_a_steady_turn) {
+    RandomInput random(1461);
+    for (int i = 0; i < 300; ++i) {
+        const double from = random.real(0, 0.6), until = from + random.real(0.2, 0.4), time = until - from;
+        const Vector3d fall = random.vector(0.3), turn = random.vector(0.5), away = random.vector(2);
+        const Eigen::Matrix3d A = random.rotation();
+        // The turns at both ends are somewhat off the steady one, as those of a body that precesses are.
+        const Vector3d off = i % 2 == 0 ? random.vector(0.02) : Vector3d(Vector3d::Zero());
+        const PathPoint begin = {to_vector(random.vector(2)), {}, to_vector(Vector3d(turn + off)), to_matrix(A)};
+        const PathPoint end = {to_vector(Vector3d(in_double(begin.r_CM) + away)), {}, to_vector(Vector3d(turn + off / 2)), to_matrix(Eigen::Matrix3d(turn_by(turn * time) * A))};
+        BodyPath path{};
+        ingot::lay_path(begin, static_cast<scalar>(from), end, static_cast<scalar>(until), to_vector(fall), path);
+        EXPECT_EQ(path.next, ingot::never);
+        for (const double share : {0.0, 0.25, 0.5, 1.0}) {
+            const double u = time * share;
+            const PlacedShape at = ingot::place_on_path(path, ingot::Sphere{1}, static_cast<scalar>(from + u));
+            // r = begin + u (way + u fall) with r(time) = end: the way is away / time - fall time.
+            const Vector3d r = in_double(begin.r_CM) + u * (away / time - fall * time + u * fall);
+            EXPECT_LE((in_double(at.r) - r).norm(), 64 * eps) << i << " at " << share;
+            // The turn that is off by d = off time is put right by a vector that is added to it: to |turn| |d| / 2, half the commutator of the two, and
+            // d^2. A turn by x is sqrt(2) x in Frobenius' norm.
+            const Eigen::Matrix3d A_at = turn_by(turn * u) * A;
+            const double d = off.norm() * time, allowed = std::sqrt(2.0) * (turn.norm() * time * d / 2 + d * d) + 64 * eps;
+            EXPECT_LE((exact(at.A).cast<double>() - A_at).norm(), allowed) << i << " at " << share;
+        }
+    }
+}
+
+TEST(Path, of_a_body_that_turns_far_ends_where_it_has_turned_by_an_angle) {
+    const double part = static_cast<double>(ingot::limits::angle_per_path), parts_max = ingot::limits::path_parts_max;
+    for (const double angle : {0.1 * part, 0.99 * part, 1.5 * part, 3.0 * part, parts_max * part, 2 * parts_max * part}) {
+        for (const double from : {0.0, 0.3, 0.75}) {
+            const double most = std::max(part, angle / parts_max), left = angle * (1 - from);
+            const double end = left > most ? from + most / angle : 1;
+            EXPECT_NEAR(static_cast<double>(ingot::end_of_path({0, static_cast<scalar>(angle), 0}, static_cast<scalar>(from))), end, 16 * eps) << angle;
+        }
+    }
+}
+
+/// A sphere, a capsule or a box of 0.1 to 0.5 m.
+Shape any_shape(RandomInput& random) {
+    const auto length = [&] { return static_cast<scalar>(random.real(0.1, 0.5)); };
+    switch (random.integer(0, 2)) {
+        case 0: return ingot::Sphere{length()};
+        case 1: return ingot::Capsule{length(), length()};
+        default: return ingot::Box{{length(), length(), length()}};
+    }
+}
+
+/// Towards the origin, nearly, from some metres away, and beyond it; `from` is when it begins.
+BodyPath any_path(RandomInput& random, double from, double side) {
+    BodyPath path{};
+    const Vector3d begin = side * Vector3d(1.5, 0, 0) + random.vector(0.4), end = -side * random.real(0, 1.5) * Vector3d(1, 0, 0) + random.vector(0.6);
+    path.r_CM = to_vector(begin);
+    path.A = to_matrix(random.rotation());
+    path.fall = to_vector(Vector3d(0, 0, -random.real(0, 0.5)));
+    path.way = to_vector(Vector3d((end - begin) / (1 - from)));
+    path.turn = to_vector(Vector3d(random.direction() * random.real(0, 2)));
+    path.from = static_cast<scalar>(from);
+    path.until = 1;
+    path.next = ingot::never;
+    return path;
+}
+
+/// Where the path has the shape, by its definition.
+PlacedShape place_at(const BodyPath& path, const Shape& shape, double t) {
+    const double u = t - static_cast<double>(path.from);
+    PlacedShape s = placed(shape);
+    s.r = to_vector(Vector3d(in_double(path.r_CM) + u * (in_double(path.way) + u * in_double(path.fall))));
+    s.A = to_matrix(Eigen::Matrix3d(turn_by(in_double(path.turn) * u) * exact(path.A).cast<double>()));
+    return s;
+}
+double gap_at(const BodyPath& path_A, const Shape& A, const BodyPath& path_B, const Shape& B, double t) {
+    return static_cast<double>(ingot_oracle::signed_distance(oracle_of(place_at(path_A, A, t)), oracle_of(place_at(path_B, B, t))));
+}
+
+TEST(TimeOfImpact, is_when_the_shapes_meet_and_never_later) {
+    RandomInput random(1462);
+    int met = 0, passed = 0, ruled_out = 0;
+    for (int i = 0; i < 400; ++i) {
+        const double from_A = i % 3 == 0 ? random.real(0, 0.5) : 0, from_B = i % 3 == 1 ? random.real(0, 0.5) : 0, begin = std::max(from_A, from_B);
+        const Shape A = any_shape(random), B = any_shape(random);
+        const BodyPath path_A = any_path(random, from_A, 1), path_B = any_path(random, from_B, -1);
+        const auto gap = [&](double t) { return gap_at(path_A, A, path_B, B, t); };
+        // Both move and turn by less than `speed` in a step, so between two looks the gap changes by no more than speed / looks.
+        constexpr int looks = 200;
+        double least_before = gap(begin), first = 2, least = least_before;
+        for (int k = 1; k <= looks; ++k) {
+            const double t = begin + (1 - begin) * k / looks;
+            least = std::min(least, gap(t));
+            if (first > 1 && least < 0) first = t;
+        }
+        if (least_before < 0.05) continue;
+        const double roundings = 64 * eps * 4, near = static_cast<double>(ingot::limits::impact_gap_max) + roundings;
+        const double t = static_cast<double>(ingot::time_of_impact(path_A, A, path_B, B, 1, false));
+        ingot::Surface surface_A{}, surface_B{};
+        surface_A.shape = A, surface_B.shape = B;
+        surface_A.bounding_radius = bounding_radius(A), surface_B.bounding_radius = bounding_radius(B);
+        const bool may = ingot::may_meet(path_A, surface_A, path_B, surface_B);
+        ruled_out += may ? 0 : 1;
+        if (first <= 1) {
+            EXPECT_TRUE(may) << i;
+            EXPECT_LE(t, first + 1e-5) << i;
+        }
+        if (t > 1) {
+            ++passed;
+            EXPECT_EQ(t, ingot::never);
+            EXPECT_GE(least, -roundings) << i;
+            continue;
+        }
+        ++met;
+        EXPECT_GE(t, begin);
+        EXPECT_LE(gap(t), near) << i << ": they have come together";
+        EXPECT_GE(gap(t), -roundings) << i << ": and no further";
+        // No look before it saw them overlap, and with a deadline before it nothing is met.
+        EXPECT_GE(first, t - 1e-5) << i;
+        EXPECT_EQ(ingot::time_of_impact(path_A, A, path_B, B, static_cast<scalar>(begin + (t - begin) * 0.9), false), ingot::never);
+    }
+    EXPECT_GT(met, 150);
+    EXPECT_GT(passed, 30);
+    EXPECT_GT(ruled_out, 5);
+}
+
+/// Two balls on a line: the time is a closed form, with gravity too.
+TEST(TimeOfImpact, of_balls_is_that_of_the_parabola) {
+    for (const double fall : {0.0, 0.5, 2.0}) {
+        for (const double from : {0.0, 0.25}) {
+            BodyPath path_A{}, path_B{};
+            path_A.A = path_B.A = ingot::identity_matrix<scalar>();
+            path_A.r_CM = {0, 0, 2};
+            path_A.way = {0, 0, -1}, path_A.fall = {0, 0, static_cast<scalar>(-fall)};
+            path_A.from = static_cast<scalar>(from);
+            path_A.until = path_B.until = 4;
+            const double t = static_cast<double>(ingot::time_of_impact(path_A, ingot::Sphere{scalar(0.5)}, path_B, ingot::Sphere{scalar(0.25)}, 4, false));
+            // 2 - u - fall u^2 = 0.75
+            const double u = fall > 0 ? (-1 + std::sqrt(1 + 5 * fall)) / (2 * fall) : 1.25, speed = 1 + 2 * fall * u;
+            EXPECT_LE(t, from + u + 1e-6);
+            EXPECT_GE(t, from + u - (static_cast<double>(ingot::limits::impact_gap_max) + 64 * eps) / speed - 1e-6) << fall << " " << from;
+        }
+    }
+}
+
+}  // namespace
