@@ -3,9 +3,14 @@
 // the way by an oracle that knows no kernel.
 #include <gtest/gtest.h>
 #include <ingot/base/limits.h>
+#include <ingot/body/auxiliary.h>
 #include <ingot/fast/time_of_impact.h>
+#include <ingot/fast/two_bodies.h>
+
+#include <limits>
 
 #include "collide/placed.h"
+#include "stages/tiles.h"
 
 namespace {
 
@@ -158,6 +163,110 @@ TEST(TimeOfImpact, of_balls_is_that_of_the_parabola) {
             EXPECT_LE(t, from + u + 1e-6);
             EXPECT_GE(t, from + u - (static_cast<double>(ingot::limits::impact_gap_max) + 64 * eps) / speed - 1e-6) << fall << " " << from;
         }
+    }
+}
+
+/// Balls of 1 m that are deep in each other from the begin: A without its skins is inside B too, and what may not reach B is the ball of half the
+/// radius about the centre of A.
+TEST(TimeOfImpact, of_balls_that_begin_deep_in_each_other_is_when_the_half_ball_reaches) {
+    const double core = 1 - static_cast<double>(ingot::limits::skin_share) * ingot::limits::skins_max, begin = 1.5 + 0.5 * (core - 0.5 > 0 ? core - 0.5 : 0.1);
+    const auto time = [&](double distance, double way) {
+        BodyPath path_A{}, path_B{};
+        path_A.A = path_B.A = ingot::identity_matrix<scalar>();
+        path_A.r_CM = {0, 0, static_cast<scalar>(distance)};
+        path_A.way = {0, 0, static_cast<scalar>(way)};
+        path_A.until = path_B.until = 1;
+        return static_cast<double>(ingot::time_of_impact(path_A, ingot::Sphere{1}, path_B, ingot::Sphere{1}, 1, false));
+    };
+    const double never = static_cast<double>(ingot::never), gap = static_cast<double>(ingot::limits::impact_gap_max) + 64 * eps;
+    if (begin < 1 + core) {  // inside without all skins
+        const double t = time(begin, -2), meets = (begin - 1.5) / 2;
+        EXPECT_LE(t, meets + 1e-6);
+        EXPECT_GE(t, meets - gap / 2 - 1e-6);
+        EXPECT_EQ(time(begin, 2), never) << "they part";
+    }
+    EXPECT_EQ(time(1.4, -2), never) << "even the half ball is inside: contacts see to it";
+    EXPECT_EQ(time(1.4, 2), never);
+    // Less deep: some skins are left out, and A without them may not reach B.
+    for (int skins = 1; skins < ingot::limits::skins_max; ++skins) {
+        const double without = 1 - static_cast<double>(ingot::limits::skin_share) * skins, distance = 1 + without + 0.03;
+        const double t = time(distance, -1);
+        EXPECT_LE(t, 0.03 + 1e-6) << skins;
+        EXPECT_GE(t, 0.03 - gap - 1e-6) << skins;
+    }
+}
+
+TEST(Path, of_a_body_has_a_half_extent_of_its_shape) {
+    EXPECT_EQ(ingot::least_half_extent(ingot::Sphere{2}), 2);
+    EXPECT_EQ(ingot::least_half_extent(ingot::Capsule{2, 1}), 2);
+    EXPECT_EQ(ingot::least_half_extent(ingot::Cylinder{2, 3}), 2);
+    EXPECT_EQ(ingot::least_half_extent(ingot::Cylinder{3, 2}), 2);
+    for (const ingot::Vector& size : {ingot::Vector{1, 2, 3}, ingot::Vector{2, 1, 3}, ingot::Vector{2, 3, 1}}) EXPECT_EQ(ingot::least_half_extent(ingot::Box{size}), 1);
+    EXPECT_EQ(ingot::least_half_extent(ingot::Hull{2}), 2 * scalar(0.1));
+    EXPECT_EQ(ingot::least_half_extent(ingot::HalfSpace{{0, 0, 1}, 0}), ingot::limits::unbounded);
+    EXPECT_EQ(ingot::least_half_extent(Shape{}), ingot::limits::unbounded);
+}
+
+TEST(Path, is_fast_by_way_and_turn_and_not_when_it_is_no_number) {
+    ingot::Surface surface{};
+    surface.shape = ingot::Sphere{1};
+    surface.bounding_radius = 1;
+    const scalar enough = ingot::limits::fast_share, nan = std::numeric_limits<scalar>::quiet_NaN(), infinity = std::numeric_limits<scalar>::infinity();
+    const auto fast = [&](const ingot::Vector& way, const ingot::Vector& fall, const ingot::Vector& turn, scalar from) {
+        BodyPath path{};
+        path.way = way, path.fall = fall, path.turn = turn, path.from = from, path.until = 1;
+        return ingot::is_fast_path(path, surface);
+    };
+    EXPECT_TRUE(fast({enough * 2, 0, 0}, {}, {}, 0));
+    EXPECT_FALSE(fast({enough / 2, 0, 0}, {}, {}, 0));
+    EXPECT_FALSE(fast({enough * scalar(1.5), 0, 0}, {}, {}, scalar(0.5))) << "half of the step is left";
+    EXPECT_TRUE(fast({}, {0, 0, enough * 2}, {}, 0));
+    EXPECT_TRUE(fast({}, {}, {0, enough * 2, 0}, 0)) << "a point of the rim";
+    EXPECT_FALSE(fast({}, {}, {0, enough / 2, 0}, 0));
+    for (const scalar bad : {nan, infinity}) {
+        EXPECT_FALSE(fast({bad, 0, 0}, {}, {}, 0));
+        EXPECT_FALSE(fast({enough * 2, 0, 0}, {}, {0, 0, bad}, 0));
+    }
+}
+
+/// No method follows a body that turns by hundreds of radians in a step: its path does so by 500.
+TEST(Path, turns_by_no_more_than_it_can) {
+    const PathPoint begin = {{}, {}, {0, 0, 2000}, ingot::identity_matrix<scalar>()};
+    BodyPath path{};
+    ingot::lay_path(begin, 0, begin, 1, {}, path);
+    EXPECT_NEAR(static_cast<double>(path.turn.z), 500, 2) << "and what that leaves to A, at most half a turn's sine";
+    EXPECT_TRUE(ingot::is_finite(path.turn));
+}
+
+/// A state that is no number is not put: the body keeps the one it has, and is marked.
+TEST(TwoBodies, refuse_a_state_that_is_no_number) {
+    constexpr scalar nan = std::numeric_limits<scalar>::quiet_NaN();
+    RandomInput random(1463);
+    for (int bad = 0; bad < 5; ++bad) {
+        ingot_stages::Tiles tiles(ingot::lanes + 2);
+        constexpr int slot = ingot::lanes + 1;
+        ingot::BodyDef def = ingot_reference::definition(1, Vector3d::Ones());
+        def.state = {to_vector(random.vector(1)), to_vector(random.vector(1)), to_matrix(random.rotation()), to_vector(random.vector(1))};
+        tiles.write(slot, def);
+        tiles.rotation(slot).kicked = 0;
+        const ingot::FlightState before = ingot::flight_state(tiles.view(), slot);
+        ingot::FlightState next = {to_vector(random.vector(1)), to_vector(random.vector(1)), to_vector(random.vector(1)), to_matrix(random.rotation())};
+        (bad == 0 ? next.r_CM.y : bad == 1 ? next.v_CM.z : bad == 2 ? next.L.x : next.A.c1.z) = bad < 4 ? nan : scalar(0.25);
+        ingot::BodyView view = tiles.view();
+        if (bad == 3) view.compensation = nullptr;
+        ingot::put_state(view, slot, next);
+        const ingot::FlightState after = ingot::flight_state(tiles.view(), slot);
+        const ingot::FlightState& expected = bad < 4 ? before : next;
+        EXPECT_EQ(exact(after.r_CM), exact(expected.r_CM));
+        EXPECT_EQ(exact(after.v_CM), exact(expected.v_CM));
+        EXPECT_EQ(exact(after.L), exact(expected.L));
+        EXPECT_EQ(exact(after.A), exact(expected.A));
+        const unsigned bit = 1u << (slot % ingot::lanes);
+        EXPECT_EQ(tiles.rotation(slot).bad, bad < 4 ? bit : 0u);
+        EXPECT_EQ(tiles.rotation(slot).kicked, bad < 4 ? 0u : bit);
+        view.compensation = nullptr;
+        ingot::put_state(view, slot, before);  // a scene that keeps no low digits
+        EXPECT_EQ(exact(ingot::flight_state(tiles.view(), slot).A), exact(before.A));
     }
 }
 

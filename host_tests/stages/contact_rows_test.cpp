@@ -178,6 +178,29 @@ TEST(ContactRow, that_leaves_the_range_changes_nothing_and_marks_whom_it_would_h
     }
 }
 
+/// Of a pair with an impulse that no number holds: its row is given up, and no body moves by what was not given.
+TEST(ContactRows, whose_impulse_leaves_the_range_are_given_up) {
+    constexpr scalar most = std::numeric_limits<scalar>::max();
+    for (const int points : {1, 2}) {
+        Rows rows(2);
+        for (const int slot : {0, 1}) rows.tiles.write(slot, definition(1, Eigen::Vector3d(1e6 * Eigen::Vector3d::Ones())));  // all the speed is that of the centres
+        for (int i = 0; i < points; ++i) rows.touch(0, 1, Eigen::Vector3d::UnitX(), -Eigen::Vector3d::UnitY() * (1 + i), -Eigen::Vector3d::UnitY());
+        rows.prepare();
+        rows.tiles.rotation(0).L[2][0] = most;  // any impulse drives it beyond
+        for (Contact& c : rows.contacts) c.active = true, c.target = most;
+        const ingot::SweepOutcome outcome = ingot::solve_active_contacts(rows.view(), rows.tiles.view());
+        EXPECT_TRUE(outcome.finished) << "nothing is left to sweep over";
+        EXPECT_TRUE(rows.bad(0));
+        for (const Contact& c : rows.contacts) {
+            EXPECT_FALSE(c.active && c.j > 0);
+            EXPECT_TRUE(ingot::is_finite(c.j));
+        }
+        EXPECT_EQ(rows.tiles.rotation(0).L[2][0], most);
+        EXPECT_EQ(rows.v(0), V::Zero());
+        EXPECT_EQ(rows.v(1), V::Zero());
+    }
+}
+
 TEST(ContactRows, of_one_pair_stand_together) {
     Rows rows(4);
     const Eigen::Vector3d n = Eigen::Vector3d::UnitX(), r = Eigen::Vector3d::UnitY();
