@@ -270,4 +270,38 @@ TEST(TwoBodies, refuse_a_state_that_is_no_number) {
     }
 }
 
+/// How long two bodies move little against each other, whether one gets past its size, and how far apart they may be to touch: closed forms.
+TEST(TwoBodies, know_how_far_they_move_in_a_while) {
+    const double h = 1.0 / 64;
+    for (int case_i = 0; case_i < 3; ++case_i) {
+        ingot_stages::Tiles tiles(2);
+        ingot::Surface surfaces[2] = {};
+        // Spins of 3 and 5 rad/s about z, moments of 2: L = 6 and 10; speeds of 7 m/s against each other; or hardly moving; or turning fast.
+        const double v = case_i == 0 ? 7 : 0.001, spin[2] = {case_i == 2 ? 300.0 : 3.0, case_i == 2 ? 10.0 : 5.0}, size[2] = {0.5, 0.25}, radius[2] = {0.75, 1};
+        for (int which = 0; which < 2; ++which) {
+            ingot::BodyDef def = ingot_reference::definition(1, Vector3d(2 * Vector3d::Ones()));
+            def.state.v_CM = {0, static_cast<scalar>(which == 0 ? 0.0 : v), 0};
+            def.state.L = {0, 0, static_cast<scalar>(2 * spin[which])};
+            tiles.write(which, def);
+            surfaces[which].shape = ingot::Sphere{static_cast<scalar>(size[which])};
+            surfaces[which].bounding_radius = static_cast<scalar>(radius[which]);
+        }
+        static ingot::TwoBodies room;
+        room.clear();
+        for (int which = 0; which < 2; ++which) room.take(which, tiles.view(), {surfaces, 2}, which);
+        const double near = 32 * eps;
+        const auto reach = [&](int which) { return std::min(spin[which] * h, 2.0) * radius[which]; };
+        const double margin = static_cast<double>(ingot::limits::contact_margin) + v * h + reach(0) + reach(1);
+        EXPECT_NEAR(static_cast<double>(room.margin(static_cast<scalar>(h))), margin, near * 4) << case_i;
+        const double fastest = v + spin[0] * radius[0] + spin[1] * radius[1], most = static_cast<double>(ingot::limits::step_max);
+        const double by_way = std::min(most, static_cast<double>(ingot::limits::together_share) * size[1] / fastest);
+        const double by_turn = std::min(most, static_cast<double>(ingot::limits::angle_per_path) / 2 / std::max(spin[0], spin[1]));
+        EXPECT_NEAR(static_cast<double>(room.moment()) / std::min(by_way, by_turn), 1, near) << case_i;
+        const auto travel = [&](int which) { return (which == 0 ? 0.0 : v) * h + spin[which] * h * radius[which]; };
+        const double fast_share = static_cast<double>(ingot::limits::fast_share);
+        EXPECT_EQ(room.some_fast(static_cast<scalar>(h)), travel(0) > fast_share * size[0] || travel(1) > fast_share * size[1]) << case_i;
+        EXPECT_FALSE(room.some_fast(scalar(1e-6)));
+    }
+}
+
 }  // namespace
