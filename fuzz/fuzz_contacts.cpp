@@ -8,7 +8,7 @@
 //   Swapped (where both kinds are the same) and moved as a whole, the pair gives the same depth.
 //   n is of unit length, points are finite and no further apart than the margin, and the same call gives the same bits.
 //
-// INGOT_FUZZ_RUN names the function; INGOT_FUZZ_FAULT breaks a promise on purpose (CMakeLists.txt).
+// INGOT_FUZZ_RUN names the function; fuzz_fault breaks a promise on purpose (CMakeLists.txt).
 #include "bytes.h"
 #include "fuzz_world.h"
 
@@ -179,7 +179,7 @@ void demand_pair(const PlacedShape& A, const PlacedShape& B, scalar margin, cons
     }
     demand(ingot::is_finite(m.n) && magnitude(ingot::length_sq(m.n) - 1) <= 64 * ingot::epsilon, "the normal of a manifold is of unit length");
     Real s = least(m);
-    if (INGOT_FUZZ_FAULT == 1) s -= 0.2 * static_cast<Real>(ingot::bounding_radius(A.shape));
+    if (fuzz_fault == 1) s -= 0.2 * static_cast<Real>(ingot::bounding_radius(A.shape));
     demand(s <= static_cast<Real>(margin) + slack, "points are no further apart than the margin");
     // Overlapping cylinders are parted along a direction that no turn improves: not always the best there is (narrow_phase.h).
     const bool round = A.shape.kind == ShapeKind::cylinder || B.shape.kind == ShapeKind::cylinder;
@@ -235,7 +235,7 @@ uint64_t INGOT_FUZZ_RUN(const uint8_t* data, size_t size) {
     PlacedShape moved_A = A, moved_B = B;
     moved_A.r += by, moved_B.r += by;
     (void)collide(moved_A, moved_B, margin, again);
-    if (INGOT_FUZZ_FAULT == 2 && again.count > 0) again.points[0].separation -= sizes;
+    if (fuzz_fault == 2 && again.count > 0) again.points[0].separation -= sizes;
     demand(m.count == 0 || again.count == 0 || size_of(least(m) - least(again)) <= slack, "moved, a pair is as deep");
     return seen;
 }

@@ -7,7 +7,7 @@
 //   The volume is that of the pyramids over its faces, and its mass is one that World::add takes, or refused.
 //   A mesh of any indices is refused or gives finite numbers.
 //
-// INGOT_FUZZ_RUN names the function; INGOT_FUZZ_FAULT breaks a promise on purpose (CMakeLists.txt).
+// INGOT_FUZZ_RUN names the function; fuzz_fault breaks a promise on purpose (CMakeLists.txt).
 #include "bytes.h"
 #include "fuzz_world.h"
 
@@ -81,7 +81,7 @@ template <unsigned room>
 void demand_hull(const ingot::HullOf<room>& made, const Vector* points) {
     constexpr int count = static_cast<int>(room);
     ingot::ConvexHull hull = made.view();
-    if (INGOT_FUZZ_FAULT == 1) --hull.edge_count;
+    if (fuzz_fault == 1) --hull.edge_count;
     demand(hull.vertex_count >= 4 && hull.vertex_count <= count && hull.face_count >= 4, "a hull is a solid");
     demand(hull.vertex_count - hull.edge_count + hull.face_count == 2, "a hull is closed: Euler");
 
@@ -112,7 +112,7 @@ void demand_hull(const ingot::HullOf<room>& made, const Vector* points) {
         // n is rounded, and so is the offset: of points as far as `far` from the origin.
         const Exact slack = 5 * static_cast<Exact>(limits::hull_flatness) * size + 4 * static_cast<Exact>(ingot::epsilon) * (far + size);
         for (int i = 0; i < count; ++i)
-            demand(dot(exact(face.n), exact(points[i])) - static_cast<Exact>(face.offset) <= slack + (INGOT_FUZZ_FAULT == 2 ? -size / 8 : 0), "no point is above a face");
+            demand(dot(exact(face.n), exact(points[i])) - static_cast<Exact>(face.offset) <= slack + (fuzz_fault == 2 ? -size / 8 : 0), "no point is above a face");
         demand(static_cast<Exact>(face.offset) - dot(exact(face.n), exact(hull.centre)) >= -slack, "the centre is inside");
     }
     demand(loops == 2 * hull.edge_count, "every edge is in two loops");

@@ -12,6 +12,15 @@ extern "C" [[noreturn]] void ingot_fault(const char* expression, const char* fil
     abort();
 }
 
+int fuzz_fault = 0;
+
+extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv);
+extern "C" int LLVMFuzzerInitialize(int*, char***) {
+    const char* fault = getenv("INGOT_FUZZ_FAULT");
+    if (fault != nullptr) fuzz_fault = atoi(fault);
+    return 0;
+}
+
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     [[maybe_unused]] const uint64_t answers = run_with_1_lane(data, size);

@@ -7,7 +7,7 @@
 //   What was taken is a state that steps to finite numbers, orthonormal, within limits::position_max.
 //   What is worked out from numbers (solids, principal axes, rotations) is sound or refused.
 //
-// INGOT_FUZZ_RUN names the function; INGOT_FUZZ_FAULT breaks a promise on purpose (CMakeLists.txt).
+// INGOT_FUZZ_RUN names the function; fuzz_fault breaks a promise on purpose (CMakeLists.txt).
 #include "bytes.h"
 #include "fuzz_world.h"
 
@@ -429,7 +429,7 @@ private:
     /// Refused: nothing has changed. Taken: the world steps, and is whole.
     void checked(Status status, bool steps = true) {
         if (status != Status::ok) {
-            if (INGOT_FUZZ_FAULT == 1) reinterpret_cast<unsigned char*>(&world_)[sizeof world_ / 2] ^= 1u;
+            if (fuzz_fault == 1) reinterpret_cast<unsigned char*>(&world_)[sizeof world_ / 2] ^= 1u;
             demand(same_bytes(&world_, &before(), sizeof world_), "a refused call leaves the world bitwise unchanged");
             return;
         }

@@ -8,7 +8,7 @@
 // Few arbitrary bytes have the right checksum. So the first byte chooses the scene and how the rest is taken: as it is; between a right
 // header and a right checksum; or as a list of changes to the snapshot of a living world, which is sealed again.
 //
-// Compiled once for each lane count. INGOT_FUZZ_RUN names the function; INGOT_FUZZ_FAULT breaks a promise on purpose, so that
+// Compiled once for each lane count. INGOT_FUZZ_RUN names the function; fuzz_fault breaks a promise on purpose, so that
 // a test can see that the oracle notices (CMakeLists.txt).
 #include "fuzz_world.h"
 
@@ -172,11 +172,11 @@ private:
         const Status status = ingot::load_snapshot(world_, bytes_, size_);
         see_all(status);
         if (status != Status::ok) {
-            if (INGOT_FUZZ_FAULT == 1) reinterpret_cast<unsigned char*>(&world_)[sizeof world_ / 2] ^= 1u;
+            if (fuzz_fault == 1) reinterpret_cast<unsigned char*>(&world_)[sizeof world_ / 2] ^= 1u;
             demand(memcmp(&world_, &before_, sizeof world_) == 0, "a refused snapshot leaves the world bitwise unchanged");
             return;
         }
-        if (INGOT_FUZZ_FAULT == 2) (void)world_.remove(world_.body_at(1));
+        if (fuzz_fault == 2) (void)world_.remove(world_.body_at(1));
         const Result<size_t> saved = ingot::save_snapshot(world_, again_, room);
         demand(saved.ok() && saved.value == size_ && memcmp(again_, bytes_, size_) == 0, "what was loaded saves as the same bytes");
         demand_all();

@@ -9,3 +9,6 @@
 uint64_t run_with_1_lane(const uint8_t* data, size_t size);
 uint64_t run_with_4_lanes(const uint8_t* data, size_t size);
 uint64_t run_with_8_lanes(const uint8_t* data, size_t size);
+
+/// Which promise the run breaks on purpose, so that a test sees that the oracle notices; 0: none. From INGOT_FUZZ_FAULT, see fuzz_main.cpp.
+extern int fuzz_fault;

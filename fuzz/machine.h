@@ -9,15 +9,11 @@
 //   A copy of the world steps to the same bytes.
 //   Every lane count gives the same answers to the bit (fuzz_main.cpp).
 //
-// INGOT_FUZZ_FAULT breaks a promise on purpose, so that a test can see that the oracle notices (CMakeLists.txt).
+// fuzz_fault breaks a promise on purpose, so that a test can see that the oracle notices (CMakeLists.txt).
 #pragma once
 
 #include "bytes.h"
-
-/// Fuzzers with faults of their own set it to 0.
-#ifndef INGOT_MACHINE_FAULT
-#define INGOT_MACHINE_FAULT INGOT_FUZZ_FAULT
-#endif
+#include "fuzz_world.h"
 
 namespace fuzz { inline namespace INGOT_ABI {
 
@@ -208,7 +204,7 @@ protected:
         for (; count > 0; --count) {
             memcpy(static_cast<void*>(&before_), &world_, sizeof world_);
             StepReport report = ingot::step(world_, h);
-            if (INGOT_MACHINE_FAULT == 3) ++report.bodies_frozen;
+            if (fuzz_fault == 3) ++report.bodies_frozen;
             refused(report.status);
             demand((report.status == Status::ok) == (h >= limits::step_min && h <= limits::step_max), "h is taken within its range");
             if (report.status != Status::ok) return;
@@ -274,7 +270,7 @@ protected:
         const StepReport report = ingot::step(world_, h);
         demand(report.status == of_twin.status && report.contacts == of_twin.contacts && report.sweeps == of_twin.sweeps,
                "a copy reports the same");
-        if (INGOT_MACHINE_FAULT == 5) flip_a_bit(twin_);
+        if (fuzz_fault == 5) flip_a_bit(twin_);
         demand(same_bytes(&world_, &twin_, sizeof world_), "a copy steps to the same bytes");
         if (report.status != Status::ok) return;
         demand_report(report);
@@ -301,9 +297,9 @@ protected:
 
     void refused(Status status) {
         see_all(status);
-        if (INGOT_MACHINE_FAULT == 4) see_all(ingot::lanes);
+        if (fuzz_fault == 4) see_all(ingot::lanes);
         if (status == Status::ok) return;
-        if (INGOT_MACHINE_FAULT == 1) flip_a_bit(world_);
+        if (fuzz_fault == 1) flip_a_bit(world_);
         demand(same_bytes(&world_, &before_, sizeof world_), "a refused call leaves the world bitwise unchanged");
     }
 
@@ -320,7 +316,7 @@ protected:
     }
 
     void demand_all() {
-        if (INGOT_MACHINE_FAULT == 2) overwrite_A(scalar(1.5));
+        if (fuzz_fault == 2) overwrite_A(scalar(1.5));
         int count = 0;
         for (int slot = 0; slot < S::max_bodies; ++slot) {
             const BodyId id = world_.body_at(slot);

@@ -134,7 +134,12 @@ INGOT_INLINE void mix_materials(const SurfaceView& surfaces, const BodyPair& pai
 INGOT_INLINE void keep_manifold(const Manifold& found, Manifold& kept) {
     kept.n = found.n;
     kept.count = found.count;
-    for (int point_i = 0; point_i < Manifold::points_max; ++point_i) kept.points[point_i] = point_i < found.count ? found.points[point_i] : ManifoldPoint{};
+    for (int point_i = 0; point_i < Manifold::points_max; ++point_i) {
+        const ManifoldPoint point = point_i < found.count ? found.points[point_i] : ManifoldPoint{};
+        kept.points[point_i].P = point.P;  // by members: with doubles a point has a gap, which would take bytes of the stack along
+        kept.points[point_i].separation = point.separation;
+        kept.points[point_i].feature = point.feature;
+    }
 }
 
 /// The same contacts as the solver knows them: by bodies, where pairs are of shape slots.
