@@ -78,7 +78,7 @@ TEST(ContactRow, has_the_denominator_and_the_speed_of_figure_4) {
     RandomInput random(301);
     for (int case_i = 0; case_i < 300; ++case_i) {
         Rows rows(ingot::lanes + 3);
-        const int A = ingot::lanes, B = 1;
+        const int A = ingot::lanes + 1, B = 1;
         put(rows, A, random, case_i % 3 == 1);
         put(rows, B, random, case_i % 3 == 2);
         const Eigen::Vector3d n = random.direction(), r_A = random.vector(2), r_B = random.vector(2);
