@@ -27,6 +27,9 @@ endfunction()
 #   -ffp-contract=off    a * b + c rounds twice. g++ 12 contracts even under -std=c++17, clang 14 does within expressions
 #   -fno-math-errno      sqrt is one instruction where the core has it, and never a call that sets errno
 #   -msse2 -mfpmath=sse  32-bit x86 only: x87 registers keep 80 bits and round twice
+#   -vectorize-slp=false WebAssembly only: what clang 14 makes of straight-line code with -msimd128 has other bits than without (impacts of fast
+#                        bodies, the direct solver); lanes are vectors of their own and lose nothing. By -mllvm, as an -O after it takes
+#                        -fno-slp-vectorize back
 #
 # Not covered by any flag: units whose vectors flush denormals (Arm MVE, AltiVec, NEON on 32-bit Arm). GCC 12 vectorises for
 # MVE and AltiVec at -O2 without being asked: build for -mcpu=cortex-m55+nomve.fp, or without -maltivec.
@@ -34,6 +37,9 @@ function(ingot_floating_point_contract target)
   set(flags -fno-fast-math -ffp-contract=off -fno-math-errno)
   if(CMAKE_SIZEOF_VOID_P EQUAL 4 AND CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64|x86|i[3-6]86)$")
     list(APPEND flags -msse2 -mfpmath=sse)
+  endif()
+  if(CMAKE_SYSTEM_PROCESSOR STREQUAL "wasm32")
+    list(APPEND flags -mllvm -vectorize-slp=false)
   endif()
   _ingot_add_gnu_options(${target} PUBLIC ${flags})
   target_compile_options(${target} PUBLIC "$<$<COMPILE_LANG_AND_ID:CXX,MSVC>:/fp:precise>")

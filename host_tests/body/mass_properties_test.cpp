@@ -566,18 +566,25 @@ TEST(Meshes, of_bad_numbers_are_refused) {
     for (const scalar bad : {nan, infinity, -infinity}) {
         EXPECT_EQ(mesh.solid(bad).status, Status::not_finite);
         for (Vector v : {Vector{bad, 0, 0}, Vector{0, bad, 0}, Vector{0, 0, bad}}) {
-            Mesh broken = mesh;
-            broken.vertices[3] = v;
-            EXPECT_EQ(broken.solid().status, Status::not_finite);
+            for (std::size_t vertex_i = 0; vertex_i < mesh.vertices.size(); ++vertex_i) {
+                Mesh broken = mesh;
+                broken.vertices[vertex_i] = v;
+                EXPECT_EQ(broken.solid().status, Status::not_finite) << vertex_i;
+            }
         }
     }
     EXPECT_EQ(mesh.solid(0).status, Status::bad_mass);
     EXPECT_EQ(mesh.solid(-1).status, Status::bad_mass);
     EXPECT_EQ(mesh.moved({0, 2 * ingot::limits::position_max, 0}).solid().status, Status::out_of_range);
     for (const int bad : {-1, 6, std::numeric_limits<int>::max(), std::numeric_limits<int>::min()}) {
-        Mesh broken = mesh;
-        broken.triangles[5].c = bad;
-        EXPECT_EQ(broken.solid().status, Status::out_of_range);
+        for (std::size_t triangle_i = 0; triangle_i < mesh.triangles.size(); ++triangle_i) {
+            for (const int corner : {0, 1, 2}) {
+                Mesh broken = mesh;
+                MeshTriangle& t = broken.triangles[triangle_i];
+                (corner == 0 ? t.a : corner == 1 ? t.b : t.c) = bad;
+                EXPECT_EQ(broken.solid().status, Status::out_of_range) << triangle_i;
+            }
+        }
     }
     Mesh huge = mesh;
     for (Vector& v : huge.vertices) v = v * (ingot::limits::position_max / 8);

@@ -161,6 +161,42 @@ TEST_P(Pair, meets_the_oracle) {
         kinds.name, touching, static_cast<double>(points) / touching, missed, worst_s, worst_depth, worst_left, worst_surface);
 }
 
+/// Whatever the step before has left, of the same pair a little aside, of another pose, or nothing like it: what it says is a hint, which makes
+/// no contact and hides none.
+TEST_P(Pair, meets_the_oracle_whatever_was_before) {
+    RandomInput random(1405);
+    const Kinds kinds = GetParam();
+    const scalar margin = scalar(0.05);
+    int touching = 0, parted = 0;
+    for (int i = 0; i < cases(kinds) / 4; ++i) {
+        auto [A, B] = pair_of(kinds.a, kinds.b, random, i % 2 == 0 ? random.real(0.02, 0.2) : random.real(-0.3, 0.02));
+        Manifold m{};
+        collide(A, B, margin, m);
+        // Into each other, out of each other, or turned.
+        if (i % 4 < 3) A.r = to_vector(Eigen::Vector3d((exact(A.r) - (random.real(-0.1, 0.3) * exact(m.n))).cast<double>() + random.vector(0.02)));
+        if (i % 4 == 2) A.A = to_matrix(Eigen::Matrix3d(exact(A.A).cast<double>() * turned(random.direction(), random.real(0, 0.3))));
+        if (i % 4 == 3) m.n = to_vector(random.direction());
+        const Manifold before = m;
+        collide(A, B, margin, m, &m);
+        const Convex a = oracle_of(A), b = oracle_of(B);
+        const long double exact_s = signed_distance(a, b), size = size_of(A) + size_of(B);
+        const Slack slack = slack_of(A, B);
+        ASSERT_NEAR(static_cast<double>(exact(m.n).norm()), 1, 16 * u) << i;
+        if (m.count == 0) {
+            ++parted;
+            ASSERT_GT(exact_s, -slack.separation) << i << " before " << before.count;
+            continue;
+        }
+        ++touching;
+        const long double s = least(m);
+        ASSERT_LE(s, margin) << i;
+        ASSERT_GE(s, exact_s - slack.depth - ingot::limits::axis_hysteresis * size) << i << " before " << before.count;
+        ASSERT_LE(-signed_distance(a.moved(-s * exact(m.n)), b), slack.separation) << i;
+    }
+    EXPECT_GT(touching, cases(kinds) / 16);
+    EXPECT_GT(parted, cases(kinds) / 64);
+}
+
 /// Swapped shapes of one kind: the same separations, and n the other way.
 TEST_P(Pair, can_be_swapped) {
     const Kinds kinds = GetParam();

@@ -90,6 +90,33 @@ TEST(DirectIslands, report_a_matrix_that_is_too_large) {
     EXPECT_EQ(small.reports().solved_directly, 0);
 }
 
+/// Balls of 1 kg and 1000 kg in a column, all elastic by `percent`, dropped together: chains of impacts between bodies that are for the direct solver.
+template <int percent>
+struct BouncingColumn : MassRatio<2, 1000> {
+    static constexpr PlacedBody body(int body_i) {
+        PlacedBody placed = body_i == 0 ? flat_ground(mu) : solid_ball(body_i == 2 ? scalar(1000) : scalar(1), scalar(0.5), {0, 0, static_cast<scalar>(body_i) - scalar(0.25)}, mu);
+        placed.def.restitution = scalar(percent) / 100;
+        return placed;
+    }
+};
+template <int percent>
+void expect_bounces_lose_energy() {
+    auto scene = play_by<BouncingColumn<percent>, ChosenSolver>();
+    const double begin = scene.energy();
+    double highest = begin, deepest = 0;
+    scene.run(h, 3, [&](int) {
+        highest = std::max(highest, scene.energy());
+        deepest = std::max(deepest, scene.sink());
+        for (int body_i = 1; body_i < 4; ++body_i) ASSERT_TRUE(std::isfinite(scene.r(body_i).norm()));
+    });
+    figure("energy gained, share", highest / begin - 1);
+    figure("energy at the end, share", scene.energy() / begin);
+    EXPECT_GT(scene.reports().solved_directly, 0);
+    EXPECT_LE(highest, begin * (1 + 1e-3)) << "a step of gravity, (g h)^2 / 2 against g z, is 5e-4 of it";
+}
+TEST(ChosenSolver, gains_no_energy_in_bounces_of_half) { expect_bounces_lose_energy<50>(); }
+TEST(ChosenSolver, gains_no_energy_in_elastic_bounces) { expect_bounces_lose_energy<100>(); }
+
 /// A column of light and heavy on ground that is tilted by way of gravity: it slides as one, by the closed form.
 struct SlidingColumn : MassRatio<1, 1000> {
     static constexpr scalar mu = scalar(0.3);

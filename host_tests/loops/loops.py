@@ -6,8 +6,9 @@
     loops.py --list     prints all loops with their bounds
 
 A loop is counted when its header says `from; i < limit; ++i` (or <=, !=, a step, or downwards to a constant) and nothing in it changes i: limit, as it
-stands in the source, has a row in limits.csv, which says what it is at most; numbers and constants of limits.h are their own bounds. A loop over an array (`for (x : array)`) needs no row. Any other loop has
-a row of its own in loops.csv: file, header, times (how many loops of this file have this header), bound, reason.
+stands in the source, has a row in limits.csv, which says for its file what it is at most (the same name may count something else in the next
+file); numbers and constants of limits.h are their own bounds. A loop over an array (`for (x : array)`) needs no row. Any other loop has a row of
+its own in loops.csv: file, header, times (how many loops of this file have this header), bound, reason.
 """
 import collections
 import csv
@@ -113,7 +114,7 @@ def rows_of(name):
 def main():
     paths = sorted(os.path.join(directory, name) for directory, _, names in os.walk(os.path.join(ROOT, "kernel")) for name in names if name.endswith((".h", ".cpp")))
     loops = [loop for path in paths for loop in loops_of(path)]
-    limits = {row["limit"]: row["bound"] for row in rows_of("limits.csv")}
+    limits = {(row["file"], row["limit"]): row["bound"] for row in rows_of("limits.csv")}
     others = {(row["file"], row["header"]): row for row in rows_of("loops.csv")}
     unknown, used = [], collections.Counter()
     for loop in loops:
@@ -124,14 +125,15 @@ def main():
         elif loop.limit == "" or re.fullmatch(r"(?:\d+|lanes|[ +*-]|limits::\w+|sizeof\(?[ \w]+\)?)+", loop.limit):
             bound = loop.limit or "the array"
         else:
-            used[loop.limit] += 1
-            bound = limits.get(loop.limit)
+            key = (loop.file, loop.limit)
+            used[key] += 1
+            bound = limits.get(key)
         if bound is None:
             unknown.append("%s:%d: %s: %s" % (loop.file, loop.line, loop.header, "no row in loops.csv" if loop.limit is None else
                                              "no row in limits.csv for " + loop.limit))
         if "--list" in sys.argv:
             print("%s:%d: %s: %s" % (loop.file, loop.line, loop.header, bound))
-    stale = ["limits.csv: %s bounds no loop" % limit for limit in limits if not used[limit]]
+    stale = ["limits.csv: %s: %s bounds no loop" % key for key in limits if not used[key]]
     for key, row in others.items():
         if used[key] != int(row["times"]):
             stale.append("loops.csv: %s: %s stands there %d times" % (*key, used[key]))

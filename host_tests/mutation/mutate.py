@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Mutation run over kernel/: small faults are put in, one at a time, and the host tests have to notice.
 
-    mutate.py [--count 400] [--seed 1] [--jobs 2] [--rooms blocks,collide] [--scratch build/mutation]
+    mutate.py [--count 400] [--seed 1] [--jobs 2] [--rooms blocks,collide] [--programs query_test,laws_test] [--scratch build/mutation]
 
 A sample of mutants is drawn: operators and comparisons exchanged, constants changed, conditions negated, statements left out. clang's syntax tree
 says where they are. All of the sample are compiled at once into a copy of the tree, each behind a question `is this one switched on?`, so a mutant
@@ -205,8 +205,8 @@ def copy_tree(tree):
     shutil.copyfile(os.path.join(ROOT, "kernel", "CMakeLists.txt"), os.path.join(tree, "kernel", "CMakeLists.txt"))
 
 
-def build_all(mutants, scratch, jobs):
-    """Builds the tests of the mutated tree; drops the mutants that do not compile. Returns the test programs."""
+def build_all(mutants, scratch, jobs, wanted):
+    """Builds the tests of the mutated tree, or those wanted; drops the mutants that do not compile. Returns the test programs."""
     tree, build = os.path.join(scratch, "tree"), os.path.join(scratch, "build")
     os.makedirs(os.path.join(tree, "kernel"), exist_ok=True)
     copy_tree(tree)
@@ -219,7 +219,7 @@ def build_all(mutants, scratch, jobs):
                     "-DINGOT_BUILD_REPORT=OFF"], check=True, stdout=subprocess.DEVNULL)
     targets = subprocess.run(["ninja", "-C", build, "-t", "targets", "all"], check=True, stdout=subprocess.PIPE, text=True).stdout
     programs = sorted(set(re.findall(r"^(host_tests/\S+_test): CXX_EXECUTABLE_LINKER", targets, re.M)))
-    programs = [program for program in programs if not PROGRAMS_LEFT_OUT.search(program)]
+    programs = [program for program in programs if not PROGRAMS_LEFT_OUT.search(program) and (not wanted or os.path.basename(program) in wanted)]
     stages = [["ingot_kernel"], [program for program in programs if "saved_pile" in program or "mass_properties" in program], programs]
     for _ in range(40):
         run = subprocess.run(["ninja", "-C", build, "-j", str(jobs), "-k", "0" if len(stages) > 1 else "5"] + stages[0], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
@@ -312,6 +312,7 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--rooms", type=lambda names: names.split(","), default=[])
+    parser.add_argument("--programs", type=lambda names: names.split(","), default=[], help="what these notice alone: quick, while tests are written")
     parser.add_argument("--scratch", default=os.path.join(ROOT, "build", "mutation"))
     parser.add_argument("--slowest", type=float, default=30.0, help="seconds of a case; slower ones are left out")
     parser.add_argument("--budget", type=float, default=300.0, help="seconds of tests for one mutant")
@@ -323,7 +324,7 @@ def main():
     everything = candidates(scratch)
     mutants = dict(enumerate(sample(everything, arguments.count, arguments.seed, arguments.rooms), 1))
     print("%d mutants of %d" % (len(mutants), len(everything)), flush=True)
-    programs = build_all(mutants, scratch, arguments.jobs)
+    programs = build_all(mutants, scratch, arguments.jobs, arguments.programs)
     print("built %d programs with %d mutants" % (len(programs), len(mutants)), flush=True)
     reaching = survey(programs, scratch, arguments.slowest, arguments.jobs)
 

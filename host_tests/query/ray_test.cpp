@@ -176,4 +176,35 @@ TEST(Ray, that_meets_two_at_once_takes_the_lower_slot) {
     EXPECT_FALSE(world.cast_ray({}, {10, 0, 0}).value.found());
 }
 
+struct WithHulls : Field {
+    using shapes = ingot::Shapes<ingot::Sphere, ingot::Hull>;
+    static constexpr auto cube = ingot::convex_hull({{-1, -1, -1}, {1, -1, -1}, {-1, 1, -1}, {1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {-1, 1, 1}, {1, 1, 1}});
+    static constexpr ingot::ConvexHull hulls[] = {cube.value.view()};
+};
+
+/// Hulls and balls of one world, each met by the routine of its kind; a ball has no hull to be asked.
+TEST(Ray, meets_hulls_in_a_world_of_balls) {
+    World<WithHulls> world;
+    PlacedShape cube = {ingot::hull_of<WithHulls>(0), {4, 0, 0}, ingot::identity_matrix<scalar>(), nullptr};
+    const BodyId cube_id = world.add(body_of(cube)).value, ball_id = world.add(body_of({ingot::Sphere{1}, {-4, 0, 0}, cube.A, nullptr})).value;
+    const QueryHit on_cube = world.cast_ray({0, scalar(0.5), 0}, {8, 0, 0}).value, on_ball = world.cast_ray({}, {-8, 0, 0}).value;
+    EXPECT_EQ(on_cube.body, cube_id);
+    EXPECT_EQ(on_cube.fraction, scalar(0.375));
+    EXPECT_EQ(on_cube.n.x, -1);
+    EXPECT_EQ(on_ball.body, ball_id);
+    EXPECT_EQ(on_ball.fraction, scalar(0.375));
+    EXPECT_FALSE(world.cast_ray({0, 2, 0}, {8, 0, 0}).value.found());
+    const QueryNearest nearest = world.find_nearest({2, 0, 0}, 9).value;
+    EXPECT_EQ(nearest.body, cube_id);
+    EXPECT_NEAR(static_cast<double>(nearest.distance), 1, tolerance);
+    // A hull that moves is one of the scene's.
+    cube.r = {-1, 0, 0};
+    cube.hull = nullptr;
+    EXPECT_EQ(world.cast_shape(cube, {-8, 0, 0}).status, Status::bad_shape);
+    cube.hull = &WithHulls::hulls[0];
+    const QueryHit of_cube = world.cast_shape(cube, {-8, 0, 0}).value;
+    EXPECT_EQ(of_cube.body, ball_id);
+    EXPECT_NEAR(static_cast<double>(of_cube.fraction), 0.125, tolerance + static_cast<double>(ingot::limits::cast_gap));
+}
+
 }  // namespace

@@ -7,12 +7,12 @@
 namespace scenes {
 
 /// Points of hulls in the frame their maker likes; what a world has is seen from their centre of mass.
-constexpr Vector cube_points[8] = {{-0.5f, -0.5f, -0.5f}, {0.5f, -0.5f, -0.5f}, {-0.5f, 0.5f, -0.5f}, {0.5f, 0.5f, -0.5f},
-                                   {-0.5f, -0.5f, 0.5f},  {0.5f, -0.5f, 0.5f},  {-0.5f, 0.5f, 0.5f},  {0.5f, 0.5f, 0.5f}};
+constexpr Vector cube_points[8] = {{-0.5, -0.5, -0.5}, {0.5, -0.5, -0.5}, {-0.5, 0.5, -0.5}, {0.5, 0.5, -0.5},
+                                   {-0.5, -0.5, 0.5},  {0.5, -0.5, 0.5},  {-0.5, 0.5, 0.5},  {0.5, 0.5, 0.5}};
 constexpr Vector tetrahedron_points[4] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};  // a corner of a cube: all axes and the centre are elsewhere
-constexpr Vector octahedron_points[6] = {{0.5f, 0, 0}, {-0.5f, 0, 0}, {0, 0.5f, 0}, {0, -0.5f, 0}, {0, 0, 0.5f}, {0, 0, -0.5f}};
-constexpr Vector rock_points[10] = {{2, 1, 0.25f},       {2.75f, 1.125f, 0.25f}, {2.5f, 1.75f, 0.3125f}, {2.125f, 1.625f, 0.25f}, {2, 1.25f, 0.75f},
-                                    {2.5f, 1, 0.875f},   {2.875f, 1.5f, 0.625f}, {2.375f, 1.875f, 0.75f}, {2.25f, 1.5f, 1},       {2.625f, 1.375f, 0.9375f}};
+constexpr Vector octahedron_points[6] = {{0.5, 0, 0}, {-0.5, 0, 0}, {0, 0.5, 0}, {0, -0.5, 0}, {0, 0, 0.5}, {0, 0, -0.5}};
+constexpr Vector rock_points[10] = {{2, 1, 0.25},       {2.75, 1.125, 0.25}, {2.5, 1.75, 0.3125}, {2.125, 1.625, 0.25}, {2, 1.25, 0.75},
+                                    {2.5, 1, 0.875},   {2.875, 1.5, 0.625}, {2.375, 1.875, 0.75}, {2.25, 1.5, 1},       {2.625, 1.375, 0.9375}};
 
 /// A solid hull as a body has it: its mass, and the hull in the body's frame.
 template <unsigned N>

@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: MIT
+// Ways of fast bodies through a step, and when two of them meet: against closed forms, and against the distance of the shapes looked at along
+// the way by an oracle that knows no kernel.
+#include <gtest/gtest.h>
+#include <ingot/base/limits.h>
+#include <ingot/body/auxiliary.h>
+#include <ingot/fast/time_of_impact.h>
+#include <ingot/fast/two_bodies.h>
+
+#include <limits>
+
+#include "collide/placed.h"
+#include "stages/tiles.h"
+
+namespace {
+
+using namespace ingot_collide;
+using Eigen::Vector3d;
+using ingot::BodyPath;
+using ingot::PathPoint;
+
+constexpr double eps = static_cast<double>(ingot::epsilon);
+
+Eigen::Matrix3d turn_by(const Vector3d& turn) { return turn.norm() > 0 ? turned(turn, turn.norm()) : Eigen::Matrix3d(Eigen::Matrix3d::Identity()); }
+Vector3d in_double(const ingot::Vector& v) { return exact(v).cast<double>(); }
+
+TEST(Path, goes_from_its_begin_to_its_end_by_a_parabola_and_a_steady_turn) {
+    RandomInput random(1461);
+    for (int i = 0; i < 300; ++i) {
+        const double from = random.real(0, 0.6), until = from + random.real(0.2, 0.4), time = until - from;
+        const Vector3d fall = random.vector(0.3), turn = random.vector(0.5), away = random.vector(2);
+        const Eigen::Matrix3d A = random.rotation();
+        // The turns at both ends are somewhat off the steady one, as those of a body that precesses are.
+        const Vector3d off = i % 2 == 0 ? random.vector(0.02) : Vector3d(Vector3d::Zero());
+        const PathPoint begin = {to_vector(random.vector(2)), {}, to_vector(Vector3d(turn + off)), to_matrix(A)};
+        const PathPoint end = {to_vector(Vector3d(in_double(begin.r_CM) + away)), {}, to_vector(Vector3d(turn + off / 2)), to_matrix(Eigen::Matrix3d(turn_by(turn * time) * A))};
+        BodyPath path{};
+        ingot::lay_path(begin, static_cast<scalar>(from), end, static_cast<scalar>(until), to_vector(fall), path);
+        EXPECT_EQ(path.next, ingot::never);
+        for (const double share : {0.0, 0.25, 0.5, 1.0}) {
+            const double u = time * share;
+            const PlacedShape at = ingot::place_on_path(path, ingot::Sphere{1}, static_cast<scalar>(from + u));
+            // r = begin + u (way + u fall) with r(time) = end: the way is away / time - fall time.
+            const Vector3d r = in_double(begin.r_CM) + u * (away / time - fall * time + u * fall);
+            EXPECT_LE((in_double(at.r) - r).norm(), 64 * eps) << i << " at " << share;
+            // The turn that is off by d = off time is put right by a vector that is added to it: to |turn| |d| / 2, half the commutator of the two, and
+            // d^2. A turn by x is sqrt(2) x in Frobenius' norm.
+            const Eigen::Matrix3d A_at = turn_by(turn * u) * A;
+            const double d = off.norm() * time, allowed = std::sqrt(2.0) * (turn.norm() * time * d / 2 + d * d) + 64 * eps;
+            EXPECT_LE((exact(at.A).cast<double>() - A_at).norm(), allowed) << i << " at " << share;
+        }
+    }
+}
+
+TEST(Path, of_a_body_that_turns_far_ends_where_it_has_turned_by_an_angle) {
+    const double part = static_cast<double>(ingot::limits::angle_per_path), parts_max = ingot::limits::path_parts_max;
+    for (const double angle : {0.1 * part, 0.99 * part, 1.5 * part, 3.0 * part, parts_max * part, 2 * parts_max * part}) {
+        for (const double from : {0.0, 0.3, 0.75}) {
+            const double most = std::max(part, angle / parts_max), left = angle * (1 - from);
+            const double end = left > most ? from + most / angle : 1;
+            EXPECT_NEAR(static_cast<double>(ingot::end_of_path({0, static_cast<scalar>(angle), 0}, static_cast<scalar>(from))), end, 16 * eps) << angle;
+        }
+    }
+}
+
+/// A sphere, a capsule or a box of 0.1 to 0.5 m.
+Shape any_shape(RandomInput& random) {
+    const auto length = [&] { return static_cast<scalar>(random.real(0.1, 0.5)); };
+    switch (random.integer(0, 2)) {
+        case 0: return ingot::Sphere{length()};
+        case 1: return ingot::Capsule{length(), length()};
+        default: return ingot::Box{{length(), length(), length()}};
+    }
+}
+
+/// Towards the origin, nearly, from some metres away, and beyond it; `from` is when it begins.
+BodyPath any_path(RandomInput& random, double from, double side) {
+    BodyPath path{};
+    const Vector3d begin = side * Vector3d(1.5, 0, 0) + random.vector(0.4), end = -side * random.real(0, 1.5) * Vector3d(1, 0, 0) + random.vector(0.6);
+    path.r_CM = to_vector(begin);
+    path.A = to_matrix(random.rotation());
+    path.fall = to_vector(Vector3d(0, 0, -random.real(0, 0.5)));
+    path.way = to_vector(Vector3d((end - begin) / (1 - from)));
+    path.turn = to_vector(Vector3d(random.direction() * random.real(0, 2)));
+    path.from = static_cast<scalar>(from);
+    path.until = 1;
+    path.next = ingot::never;
+    return path;
+}
+
+/// Where the path has the shape, by its definition.
+PlacedShape place_at(const BodyPath& path, const Shape& shape, double t) {
+    const double u = t - static_cast<double>(path.from);
+    PlacedShape s = placed(shape);
+    s.r = to_vector(Vector3d(in_double(path.r_CM) + u * (in_double(path.way) + u * in_double(path.fall))));
+    s.A = to_matrix(Eigen::Matrix3d(turn_by(in_double(path.turn) * u) * exact(path.A).cast<double>()));
+    return s;
+}
+double gap_at(const BodyPath& path_A, const Shape& A, const BodyPath& path_B, const Shape& B, double t) {
+    return static_cast<double>(ingot_oracle::signed_distance(oracle_of(place_at(path_A, A, t)), oracle_of(place_at(path_B, B, t))));
+}
+
+TEST(TimeOfImpact, is_when_the_shapes_meet_and_never_later) {
+    RandomInput random(1462);
+    int met = 0, passed = 0, ruled_out = 0;
+    for (int i = 0; i < 400; ++i) {
+        const double from_A = i % 3 == 0 ? random.real(0, 0.5) : 0, from_B = i % 3 == 1 ? random.real(0, 0.5) : 0, begin = std::max(from_A, from_B);
+        const Shape A = any_shape(random), B = any_shape(random);
+        const BodyPath path_A = any_path(random, from_A, 1), path_B = any_path(random, from_B, -1);
+        const auto gap = [&](double t) { return gap_at(path_A, A, path_B, B, t); };
+        // Both move and turn by less than `speed` in a step, so between two looks the gap changes by no more than speed / looks.
+        constexpr int looks = 200;
+        double least_before = gap(begin), first = 2, least = least_before;
+        for (int k = 1; k <= looks; ++k) {
+            const double t = begin + (1 - begin) * k / looks;
+            least = std::min(least, gap(t));
+            if (first > 1 && least < 0) first = t;
+        }
+        if (least_before < 0.05) continue;
+        const double roundings = 64 * eps * 4, near = static_cast<double>(ingot::limits::impact_gap_max) + roundings;
+        const double t = static_cast<double>(ingot::time_of_impact(path_A, A, path_B, B, 1, false));
+        ingot::Surface surface_A{}, surface_B{};
+        surface_A.shape = A, surface_B.shape = B;
+        surface_A.bounding_radius = bounding_radius(A), surface_B.bounding_radius = bounding_radius(B);
+        const bool may = ingot::may_meet(path_A, surface_A, path_B, surface_B);
+        ruled_out += may ? 0 : 1;
+        if (first <= 1) {
+            EXPECT_TRUE(may) << i;
+            EXPECT_LE(t, first + 1e-5) << i;
+        }
+        if (t > 1) {
+            ++passed;
+            EXPECT_EQ(t, ingot::never);
+            EXPECT_GE(least, -roundings) << i;
+            continue;
+        }
+        ++met;
+        EXPECT_GE(t, begin);
+        EXPECT_LE(gap(t), near) << i << ": they have come together";
+        EXPECT_GE(gap(t), -roundings) << i << ": and no further";
+        // No look before it saw them overlap, and with a deadline before it nothing is met.
+        EXPECT_GE(first, t - 1e-5) << i;
+        EXPECT_EQ(ingot::time_of_impact(path_A, A, path_B, B, static_cast<scalar>(begin + (t - begin) * 0.9), false), ingot::never);
+    }
+    EXPECT_GT(met, 150);
+    EXPECT_GT(passed, 30);
+    EXPECT_GT(ruled_out, 5);
+}
+
+/// Two balls on a line: the time is a closed form, with gravity too.
+TEST(TimeOfImpact, of_balls_is_that_of_the_parabola) {
+    for (const double fall : {0.0, 0.5, 2.0}) {
+        for (const double from : {0.0, 0.25}) {
+            BodyPath path_A{}, path_B{};
+            path_A.A = path_B.A = ingot::identity_matrix<scalar>();
+            path_A.r_CM = {0, 0, 2};
+            path_A.way = {0, 0, -1}, path_A.fall = {0, 0, static_cast<scalar>(-fall)};
+            path_A.from = static_cast<scalar>(from);
+            path_A.until = path_B.until = 4;
+            const double t = static_cast<double>(ingot::time_of_impact(path_A, ingot::Sphere{scalar(0.5)}, path_B, ingot::Sphere{scalar(0.25)}, 4, false));
+            // 2 - u - fall u^2 = 0.75
+            const double u = fall > 0 ? (-1 + std::sqrt(1 + 5 * fall)) / (2 * fall) : 1.25, speed = 1 + 2 * fall * u;
+            EXPECT_LE(t, from + u + 1e-6);
+            EXPECT_GE(t, from + u - (static_cast<double>(ingot::limits::impact_gap_max) + 64 * eps) / speed - 1e-6) << fall << " " << from;
+        }
+    }
+}
+
+/// Balls of 1 m that are deep in each other from the begin: A without its skins is inside B too, and what may not reach B is the ball of half the
+/// radius about the centre of A.
+TEST(TimeOfImpact, of_balls_that_begin_deep_in_each_other_is_when_the_half_ball_reaches) {
+    const double core = 1 - static_cast<double>(ingot::limits::skin_share) * ingot::limits::skins_max, begin = 1.5 + 0.5 * (core - 0.5 > 0 ? core - 0.5 : 0.1);
+    const auto time = [&](double distance, double way) {
+        BodyPath path_A{}, path_B{};
+        path_A.A = path_B.A = ingot::identity_matrix<scalar>();
+        path_A.r_CM = {0, 0, static_cast<scalar>(distance)};
+        path_A.way = {0, 0, static_cast<scalar>(way)};
+        path_A.until = path_B.until = 1;
+        return static_cast<double>(ingot::time_of_impact(path_A, ingot::Sphere{1}, path_B, ingot::Sphere{1}, 1, false));
+    };
+    const double never = static_cast<double>(ingot::never), gap = static_cast<double>(ingot::limits::impact_gap_max) + 64 * eps;
+    if (begin < 1 + core) {  // inside without all skins
+        const double t = time(begin, -2), meets = (begin - 1.5) / 2;
+        EXPECT_LE(t, meets + 1e-6);
+        EXPECT_GE(t, meets - gap / 2 - 1e-6);
+        EXPECT_EQ(time(begin, 2), never) << "they part";
+    }
+    EXPECT_EQ(time(1.4, -2), never) << "even the half ball is inside: contacts see to it";
+    EXPECT_EQ(time(1.4, 2), never);
+    // Less deep: some skins are left out, and A without them may not reach B.
+    for (int skins = 1; skins < ingot::limits::skins_max; ++skins) {
+        const double without = 1 - static_cast<double>(ingot::limits::skin_share) * skins, distance = 1 + without + 0.03;
+        const double t = time(distance, -1);
+        EXPECT_LE(t, 0.03 + 1e-6) << skins;
+        EXPECT_GE(t, 0.03 - gap - 1e-6) << skins;
+    }
+}
+
+TEST(Path, of_a_body_has_a_half_extent_of_its_shape) {
+    EXPECT_EQ(ingot::least_half_extent(ingot::Sphere{2}), 2);
+    EXPECT_EQ(ingot::least_half_extent(ingot::Capsule{2, 1}), 2);
+    EXPECT_EQ(ingot::least_half_extent(ingot::Cylinder{2, 3}), 2);
+    EXPECT_EQ(ingot::least_half_extent(ingot::Cylinder{3, 2}), 2);
+    for (const ingot::Vector& size : {ingot::Vector{1, 2, 3}, ingot::Vector{2, 1, 3}, ingot::Vector{2, 3, 1}}) EXPECT_EQ(ingot::least_half_extent(ingot::Box{size}), 1);
+    EXPECT_EQ(ingot::least_half_extent(ingot::Hull{2}), 2 * scalar(0.1));
+    EXPECT_EQ(ingot::least_half_extent(ingot::HalfSpace{{0, 0, 1}, 0}), ingot::limits::unbounded);
+    EXPECT_EQ(ingot::least_half_extent(Shape{}), ingot::limits::unbounded);
+}
+
+TEST(Path, is_fast_by_way_and_turn_and_not_when_it_is_no_number) {
+    ingot::Surface surface{};
+    surface.shape = ingot::Sphere{1};
+    surface.bounding_radius = 1;
+    const scalar enough = ingot::limits::fast_share, nan = std::numeric_limits<scalar>::quiet_NaN(), infinity = std::numeric_limits<scalar>::infinity();
+    const auto fast = [&](const ingot::Vector& way, const ingot::Vector& fall, const ingot::Vector& turn, scalar from) {
+        BodyPath path{};
+        path.way = way, path.fall = fall, path.turn = turn, path.from = from, path.until = 1;
+        return ingot::is_fast_path(path, surface);
+    };
+    EXPECT_TRUE(fast({enough * 2, 0, 0}, {}, {}, 0));
+    EXPECT_FALSE(fast({enough / 2, 0, 0}, {}, {}, 0));
+    EXPECT_FALSE(fast({enough * scalar(1.5), 0, 0}, {}, {}, scalar(0.5))) << "half of the step is left";
+    EXPECT_TRUE(fast({}, {0, 0, enough * 2}, {}, 0));
+    EXPECT_TRUE(fast({}, {}, {0, enough * 2, 0}, 0)) << "a point of the rim";
+    EXPECT_FALSE(fast({}, {}, {0, enough / 2, 0}, 0));
+    for (const scalar bad : {nan, infinity}) {
+        EXPECT_FALSE(fast({bad, 0, 0}, {}, {}, 0));
+        EXPECT_FALSE(fast({enough * 2, 0, 0}, {}, {0, 0, bad}, 0));
+    }
+}
+
+/// No method follows a body that turns by hundreds of radians in a step: its path does so by 500.
+TEST(Path, turns_by_no_more_than_it_can) {
+    const PathPoint begin = {{}, {}, {0, 0, 2000}, ingot::identity_matrix<scalar>()};
+    BodyPath path{};
+    ingot::lay_path(begin, 0, begin, 1, {}, path);
+    EXPECT_NEAR(static_cast<double>(path.turn.z), 500, 2) << "and what that leaves to A, at most half a turn's sine";
+    EXPECT_TRUE(ingot::is_finite(path.turn));
+}
+
+/// A state that is no number is not put: the body keeps the one it has, and is marked.
+TEST(TwoBodies, refuse_a_state_that_is_no_number) {
+    constexpr scalar nan = std::numeric_limits<scalar>::quiet_NaN();
+    RandomInput random(1463);
+    for (int bad = 0; bad < 5; ++bad) {
+        ingot_stages::Tiles tiles(ingot::lanes + 2);
+        constexpr int slot = ingot::lanes + 1;
+        ingot::BodyDef def = ingot_reference::definition(1, Vector3d::Ones());
+        def.state = {to_vector(random.vector(1)), to_vector(random.vector(1)), to_matrix(random.rotation()), to_vector(random.vector(1))};
+        tiles.write(slot, def);
+        tiles.rotation(slot).kicked = 0;
+        const ingot::FlightState before = ingot::flight_state(tiles.view(), slot);
+        ingot::FlightState next = {to_vector(random.vector(1)), to_vector(random.vector(1)), to_vector(random.vector(1)), to_matrix(random.rotation())};
+        (bad == 0 ? next.r_CM.y : bad == 1 ? next.v_CM.z : bad == 2 ? next.L.x : next.A.c1.z) = bad < 4 ? nan : scalar(0.25);
+        ingot::BodyView view = tiles.view();
+        if (bad == 3) view.compensation = nullptr;
+        ingot::put_state(view, slot, next);
+        const ingot::FlightState after = ingot::flight_state(tiles.view(), slot);
+        const ingot::FlightState& expected = bad < 4 ? before : next;
+        EXPECT_EQ(exact(after.r_CM), exact(expected.r_CM));
+        EXPECT_EQ(exact(after.v_CM), exact(expected.v_CM));
+        EXPECT_EQ(exact(after.L), exact(expected.L));
+        EXPECT_EQ(exact(after.A), exact(expected.A));
+        const unsigned bit = 1u << (slot % ingot::lanes);
+        EXPECT_EQ(tiles.rotation(slot).bad, bad < 4 ? bit : 0u);
+        EXPECT_EQ(tiles.rotation(slot).kicked, bad < 4 ? 0u : bit);
+        view.compensation = nullptr;
+        ingot::put_state(view, slot, before);  // a scene that keeps no low digits
+        EXPECT_EQ(exact(ingot::flight_state(tiles.view(), slot).A), exact(before.A));
+    }
+}
+
+/// How long two bodies move little against each other, whether one gets past its size, and how far apart they may be to touch: closed forms.
+TEST(TwoBodies, know_how_far_they_move_in_a_while) {
+    const double h = 1.0 / 64;
+    for (int case_i = 0; case_i < 3; ++case_i) {
+        ingot_stages::Tiles tiles(2);
+        ingot::Surface surfaces[2] = {};
+        // Spins of 3 and 5 rad/s about z, moments of 2: L = 6 and 10; speeds of 7 m/s against each other; or hardly moving; or turning fast.
+        const double v = case_i == 0 ? 7 : 0.001, spin[2] = {case_i == 2 ? 300.0 : 3.0, case_i == 2 ? 10.0 : 5.0}, size[2] = {0.5, 0.25}, radius[2] = {0.75, 1};
+        for (int which = 0; which < 2; ++which) {
+            ingot::BodyDef def = ingot_reference::definition(1, Vector3d(2 * Vector3d::Ones()));
+            def.state.v_CM = {0, static_cast<scalar>(which == 0 ? 0.0 : v), 0};
+            def.state.L = {0, 0, static_cast<scalar>(2 * spin[which])};
+            tiles.write(which, def);
+            surfaces[which].shape = ingot::Sphere{static_cast<scalar>(size[which])};
+            surfaces[which].bounding_radius = static_cast<scalar>(radius[which]);
+        }
+        static ingot::TwoBodies room;
+        room.clear();
+        for (int which = 0; which < 2; ++which) room.take(which, tiles.view(), {surfaces, 2}, which);
+        const double near = 32 * eps;
+        const auto reach = [&](int which) { return std::min(spin[which] * h, 2.0) * radius[which]; };
+        const double margin = static_cast<double>(ingot::limits::contact_margin) + v * h + reach(0) + reach(1);
+        EXPECT_NEAR(static_cast<double>(room.margin(static_cast<scalar>(h))), margin, near * 4) << case_i;
+        const double fastest = v + spin[0] * radius[0] + spin[1] * radius[1], most = static_cast<double>(ingot::limits::step_max);
+        const double by_way = std::min(most, static_cast<double>(ingot::limits::together_share) * size[1] / fastest);
+        const double by_turn = std::min(most, static_cast<double>(ingot::limits::angle_per_path) / 2 / std::max(spin[0], spin[1]));
+        EXPECT_NEAR(static_cast<double>(room.moment()) / std::min(by_way, by_turn), 1, near) << case_i;
+        const auto travel = [&](int which) { return (which == 0 ? 0.0 : v) * h + spin[which] * h * radius[which]; };
+        const double fast_share = static_cast<double>(ingot::limits::fast_share);
+        EXPECT_EQ(room.some_fast(static_cast<scalar>(h)), travel(0) > fast_share * size[0] || travel(1) > fast_share * size[1]) << case_i;
+        EXPECT_FALSE(room.some_fast(scalar(1e-6)));
+    }
+}
+
+}  // namespace
