@@ -426,10 +426,13 @@ private:
         return sum;
     }
 
-    /// Updates of a body in a step: normals, twist and friction, of all its manifolds, in sweeps and their extrapolations, the warm start and the kick.
-    /// A body that is followed within the step has as many again at each impact.
-    static constexpr double updates = limits::substeps * (2 * limits::sweeps_of_few + 2) * 3 * (N - 1) * S::max_shapes_of_body * S::max_shapes_of_body *
-                                      (S::continuous ? limits::impacts_in_step_max + 1 : 1);
+    /// Updates of a body in a step: normals, twist and friction, of all its manifolds, in sweeps and their extrapolations, and no more warm starts and
+    /// kicks than sweeps. Waves of impacts have sweeps of their own; direct solves, at most direct_sets_max a substep.
+    static double updates_in(const StepReport& report) {
+        const int direct = ingot::solves_directly<S> ? limits::substeps * limits::direct_sets_max : 0;
+        const int rounds = report.sweeps + report.impact_waves * limits::sweeps_of_few + direct;
+        return 4.0 * rounds * 3 * (N - 1) * S::max_shapes_of_body * S::max_shapes_of_body;
+    }
 
     /// Where nothing but contacts acts.
     ///
@@ -464,6 +467,7 @@ private:
         if (!isolated || was_loaded || report.contacts == 0) return;
         if (fuzz_fault == 13) is.P[0] += 0.1 * was.size;
         if (fuzz_fault == 14) is.kinetic *= 1.1;
+        const double updates = updates_in(report);
         const double rounding = updates * 2 * static_cast<double>(ingot::epsilon) * size;
         for (int axis = 0; axis < 3; ++axis) demand(!(__builtin_fabs(is.P[axis] - was.P[axis]) > rounding), "contacts keep the momentum");
         if (!quiet || report.sweeps >= limits::sweeps_of_few) return;
