@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <ingot/body/auxiliary.h>
 #include <ingot/collide/compound.h>
+#include <ingot/collide/nearest_points.h>
+#include <ingot/contact/contact_events.h>
 
 #include "collide/placed.h"
 #include "stages/tiles.h"
@@ -48,6 +50,58 @@ TEST(PlacedShapes, are_where_the_body_has_them_and_turn_with_it) {
         EXPECT_GT(static_cast<double>(omega.norm()), 0.1);
         EXPECT_LE(static_cast<double>((exact(ingot::omega_of(shapes.view(), i)) - omega).norm()), rounding * static_cast<double>(omega.norm()));
     }
+}
+
+/// Events of shape slots become those of bodies, and say which of their shapes.
+TEST(PlacedShapes, have_events_of_their_bodies) {
+    constexpr int each = 3;
+    ingot::Event events[4] = {};
+    std::uint16_t count = 0, lost = 0;
+    for (int i = 0; i < 4; ++i) {
+        events[i].A.slot = static_cast<std::uint16_t>(5 + i), events[i].A.generation = 7;
+        events[i].B.slot = static_cast<std::uint16_t>(13 + i);
+        ++count;
+    }
+    ingot::name_bodies<each>({events, &count, 4, &lost});
+    for (int i = 0; i < 4; ++i) {
+        EXPECT_EQ(events[i].A.slot, (5 + i) / each);
+        EXPECT_EQ(events[i].shape_A, (5 + i) % each);
+        EXPECT_EQ(events[i].B.slot, (13 + i) / each);
+        EXPECT_EQ(events[i].shape_B, (13 + i) % each);
+        EXPECT_EQ(events[i].A.generation, 7);
+    }
+}
+
+/// overlap() asks for no distance beyond 0; closest_points() stops early only where the distance is beyond what is enough.
+TEST(Overlap, of_round_and_edged_shapes_is_that_of_the_oracle) {
+    RandomInput random(1452);
+    int overlapping = 0, apart = 0, within = 0;
+    for (int i = 0; i < 600; ++i) {
+        const auto any = [&]() -> ingot::Shape {
+            const auto length = [&] { return static_cast<scalar>(random.real(0.2, 1)); };
+            const scalar a = length(), b = length(), c = length();
+            if (i % 3 == 0) return ingot::Sphere{a};
+            if (i % 3 == 1) return ingot::Capsule{a, b};
+            return ingot::Box{{a, b, c}};
+        };
+        const ingot::Shape shape_A = any(), shape_B = ingot::Capsule{static_cast<scalar>(random.real(0.2, 1)), static_cast<scalar>(random.real(0.2, 1))};
+        const Eigen::Matrix3d turn_A = random.rotation(), turn_B = random.rotation();
+        const PlacedShape A = placed(shape_A, Eigen::Vector3d::Zero(), turn_A), B = placed(shape_B, random.vector(2), turn_B);
+        const double exact_s = static_cast<double>(ingot_oracle::signed_distance(oracle_of(A), oracle_of(B)));
+        if (std::abs(exact_s) < 1e-4) continue;
+        EXPECT_EQ(ingot::overlap(A, B), exact_s < 0) << i;
+        ++(exact_s < 0 ? overlapping : apart);
+        const double enough = random.real(0, 2);
+        const ingot::Nearest nearest = ingot::closest_points(A, B, static_cast<scalar>(enough));
+        EXPECT_EQ(nearest.overlap, exact_s < 0) << i;
+        if (exact_s > 0 && exact_s < enough) {
+            ++within;
+            EXPECT_NEAR(static_cast<double>(nearest.distance), exact_s, (static_cast<double>(ingot::limits::nearest_accuracy) + 64 * static_cast<double>(ingot::epsilon)) * 4) << i;
+        }
+    }
+    EXPECT_GT(overlapping, 50);
+    EXPECT_GT(apart, 50);
+    EXPECT_GT(within, 30);
 }
 
 }  // namespace
