@@ -18,7 +18,7 @@ void set4(scalar (&to)[4], const Vector& value, scalar fourth = 0) {
 }
 Vector vector_of(const scalar (&from)[4]) { return {from[0], from[1], from[2]}; }
 
-/// True where forces leave the motion of a body within limits::speed_runaway and spin_runaway. False for NaN.
+/// True where forces or contacts leave the motion of a body within limits::speed_runaway and spin_runaway. False for NaN.
 bool stays_in_range(const RotationTile& rotation, const Vector& v_CM, const Vector& L, int lane_i) {
     const scalar most = limits::speed_runaway, scale = rotation.inv_I_scale[lane_i];
     if (!(abs(v_CM.x) <= most && abs(v_CM.y) <= most && abs(v_CM.z) <= most)) return false;
@@ -113,7 +113,7 @@ void write_contact_motion(const SolverView& solver, const BodyView& bodies, cons
         RotationTile& rotation = bodies.rotation[at.tile];
         TranslationTile& translation = bodies.translation[at.tile];
         const uint16_t bit = static_cast<uint16_t>(1u << at.lane);
-        if (!is_finite(v) || !is_finite(L) || !is_finite(dp) || !is_finite(vector_of(body.dth))) {
+        if (!stays_in_range(rotation, v, L, at.lane) || !is_finite(dp) || !is_finite(vector_of(body.dth))) {
             rotation.bad = static_cast<uint16_t>(rotation.bad | bit);
             continue;
         }

@@ -209,15 +209,19 @@ INGOT_INLINE void prepare_friction(FrictionPair& friction, const LaneContacts& c
     const lane K_11 = compliance(friction.levers[0], friction.levers[0], contacts.inv_M);
     const lane K_22 = compliance(friction.levers[1], friction.levers[1], contacts.inv_M);
     const lane K_12 = compliance(friction.levers[0], friction.levers[1], lane{});
-    const lane inv_det = one / select(there, K_11 * K_22 - K_12 * K_12, one);
-    store(friction.K[0], K_11);
-    store(friction.K[1], K_22);
-    store(friction.inv_K[0], select(there, K_22 * inv_det, lane{}));
-    store(friction.inv_K[1], select(there, -K_12 * inv_det, lane{}));
-    store(friction.inv_K[2], select(there, K_11 * inv_det, lane{}));
     const lane half = splat<lane>(scalar(0.5)), difference = (K_11 - K_22) * half;
     const lane K_max = (K_11 + K_22) * half + sqrt(difference * difference + K_12 * K_12);
-    store(friction.inv_K_max, select(there, one / select(there, K_max, one), lane{}));
+    const lane inv_K_max = select(there, one / select(there, K_max, one), lane{});
+    // Of a lever beside which the mass is a rounding, one direction is all that is known of the pair: then both are taken as stiff as it is.
+    const lane det = K_11 * K_22 - K_12 * K_12;
+    const mask regular = both(there, det > splat<lane>(4 * epsilon) * (K_11 * K_22));
+    const lane inv_det = one / select(regular, det, one);
+    store(friction.K[0], K_11);
+    store(friction.K[1], K_22);
+    store(friction.inv_K[0], select(regular, K_22 * inv_det, inv_K_max));
+    store(friction.inv_K[1], select(regular, -K_12 * inv_det, lane{}));
+    store(friction.inv_K[2], select(regular, K_11 * inv_det, inv_K_max));
+    store(friction.inv_K_max, inv_K_max);
     for (int axis = 0; axis < 2; ++axis) store(friction.direction[axis], lane{});
 }
 

@@ -31,14 +31,16 @@ void prepare_compliance(RollingRows& rolling, const ContactBlock& block, const S
     }
     const lane K_11 = dot(k[0], t[0]), K_22 = dot(k[1], t[1]), K_12 = dot(k[0], t[1]);
     const mask turns = K_11 > lane{};
-    const lane inv_det = one / select(turns, K_11 * K_22 - K_12 * K_12, one), difference = (K_11 - K_22) * half;
-    const lane K_max = select(turns, (K_11 + K_22) * half + sqrt(difference * difference + K_12 * K_12), one);
+    const lane difference = (K_11 - K_22) * half, det = K_11 * K_22 - K_12 * K_12;
+    const lane K_max = select(turns, (K_11 + K_22) * half + sqrt(difference * difference + K_12 * K_12), one), inv_K_max = select(turns, one / K_max, lane{});
+    const mask regular = both(turns, det > splat<lane>(4 * epsilon) * (K_11 * K_22));  // as of friction
+    const lane inv_det = one / select(regular, det, one);
     store(rolling.K[0], K_11);
     store(rolling.K[1], K_22);
-    store(rolling.inv_K[0], select(turns, K_22 * inv_det, lane{}));
-    store(rolling.inv_K[1], select(turns, -K_12 * inv_det, lane{}));
-    store(rolling.inv_K[2], select(turns, K_11 * inv_det, lane{}));
-    store(rolling.inv_K_max, select(turns, one / K_max, lane{}));
+    store(rolling.inv_K[0], select(regular, K_22 * inv_det, inv_K_max));
+    store(rolling.inv_K[1], select(regular, -K_12 * inv_det, lane{}));
+    store(rolling.inv_K[2], select(regular, K_11 * inv_det, inv_K_max));
+    store(rolling.inv_K_max, inv_K_max);
     store(rolling.size, sqrt((load(block.inv_M_A) + load(block.inv_M_B)) / K_max));
 }
 
