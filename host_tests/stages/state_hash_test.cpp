@@ -71,4 +71,20 @@ TEST(StateHash, symmetric_matrices_go_into_lanes_and_back) {
         for (int lane_i = 0; lane_i < lanes; ++lane_i) EXPECT_EQ(again[row][lane_i], rows[row][lane_i]);
 }
 
+/// Bodies of scenes that do not translate have no tiles for it.
+TEST(StateHash, bodies_that_only_turn_have_no_place) {
+    Tiles tiles(2);
+    ingot::BodyDef def = definition(3, Eigen::Vector3d(1, 2, 4));
+    def.state.L = {1, 2, 4}, def.state.r_CM = {5, 0, 0};
+    for (const int slot : {0, 1}) tiles.write(slot, def);
+    ingot::BodyView view = tiles.view();
+    const std::uint64_t with_place = ingot::hash_body(view, 1, ingot::state_hash_seed);
+    view.translation = nullptr;
+    EXPECT_NE(ingot::hash_body(view, 1, ingot::state_hash_seed), with_place);
+    ingot::set_identity_body(view, 1);
+    EXPECT_EQ(tiles.rotation(1).inv_I_scale[1 % lanes], 0);
+    EXPECT_EQ(tiles.rotation(0).L[2][0], 4) << "the other stays";
+    EXPECT_EQ(tiles.translation(1).r_CM[0][1 % lanes], 5) << "and so does what the view has not";
+}
+
 }  // namespace
