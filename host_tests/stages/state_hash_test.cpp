@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The hash of a body is of every number that its motion has, and of no other body's.
 #include <gtest/gtest.h>
+#include <ingot/body/energy_momentum.h>
 #include <ingot/world/state_hash.h>
 
 #include <set>
@@ -81,6 +82,15 @@ TEST(StateHash, bodies_that_only_turn_have_no_place) {
     const std::uint64_t with_place = ingot::hash_body(view, 1, ingot::state_hash_seed);
     view.translation = nullptr;
     EXPECT_NE(ingot::hash_body(view, 1, ingot::state_hash_seed), with_place);
+    // L^2 / (2 I) of each axis: 1/2 (1 + 2 + 4), and no momentum but L.
+    EXPECT_NEAR(static_cast<double>(ingot::kinetic_energy_of(view, 1)), 3.5, 16 * static_cast<double>(ingot::epsilon));
+    EXPECT_EQ(to_eigen(ingot::linear_momentum_of(view, 1)), Eigen::Vector3d::Zero());
+    EXPECT_EQ(to_eigen(ingot::angular_momentum_of(view, 1)), Eigen::Vector3d(1, 2, 4));
+    EXPECT_EQ(ingot::freeze_bad_bodies(view), 0);
+    tiles.rotation(1).bad = static_cast<std::uint16_t>(1u << (1 % lanes));
+    EXPECT_EQ(ingot::freeze_bad_bodies(view), 1);
+    EXPECT_TRUE(ingot::is_frozen(view, 1));
+    EXPECT_NE(tiles.translation(1).inv_M[1 % lanes], 0) << "what the view has not stays";
     ingot::set_identity_body(view, 1);
     EXPECT_EQ(tiles.rotation(1).inv_I_scale[1 % lanes], 0);
     EXPECT_EQ(tiles.rotation(0).L[2][0], 4) << "the other stays";
