@@ -112,7 +112,9 @@ TEST(TimeOfImpact, is_when_the_shapes_meet_and_never_later) {
     for (int i = 0; i < 400; ++i) {
         const double from_A = i % 3 == 0 ? random.real(0, 0.5) : 0, from_B = i % 3 == 1 ? random.real(0, 0.5) : 0, begin = std::max(from_A, from_B);
         const Shape A = any_shape(random), B = any_shape(random);
-        const BodyPath path_A = any_path(random, from_A, 1), path_B = any_path(random, from_B, -1);
+        const BodyPath path_A = any_path(random, from_A, 1);
+        BodyPath path_B = any_path(random, from_B, -1);
+        if (i % 10 == 9) path_B.r_CM.y += 6;  // well beside it
         const auto gap = [&](double t) { return gap_at(path_A, A, path_B, B, t); };
         // Both move and turn by less than `speed` in a step, so between two looks the gap changes by no more than speed / looks.
         constexpr int looks = 200;
@@ -173,27 +175,28 @@ TEST(TimeOfImpact, of_balls_is_that_of_the_parabola) {
     }
 }
 
-/// Balls of 1 m that are deep in each other from the begin: A without its skins is inside B too, and what may not reach B is the ball of half the
-/// radius about the centre of A.
-TEST(TimeOfImpact, of_balls_that_begin_deep_in_each_other_is_when_the_half_ball_reaches) {
-    const double core = 1 - static_cast<double>(ingot::limits::skin_share) * ingot::limits::skins_max, begin = 1.5 + 0.5 * (core - 0.5 > 0 ? core - 0.5 : 0.1);
-    const auto time = [&](double distance, double way) {
+/// A plate that is edge on in a ball from the begin, deeper than all skins: what may not reach the ball is the ball of half its thickness about the
+/// centre of the plate. Less deep, A without the skins that it takes may not reach B.
+TEST(TimeOfImpact, of_bodies_that_begin_in_each_other_is_when_what_is_left_of_one_reaches) {
+    const double never = static_cast<double>(ingot::never), gap = static_cast<double>(ingot::limits::impact_gap_max) + 64 * eps;
+    const auto time_of = [&](const Shape& A, double distance, double way) {
         BodyPath path_A{}, path_B{};
         path_A.A = path_B.A = ingot::identity_matrix<scalar>();
         path_A.r_CM = {0, 0, static_cast<scalar>(distance)};
         path_A.way = {0, 0, static_cast<scalar>(way)};
         path_A.until = path_B.until = 1;
-        return static_cast<double>(ingot::time_of_impact(path_A, ingot::Sphere{1}, path_B, ingot::Sphere{1}, 1, false));
+        return static_cast<double>(ingot::time_of_impact(path_A, A, path_B, ingot::Sphere{1}, 1, false));
     };
-    const double never = static_cast<double>(ingot::never), gap = static_cast<double>(ingot::limits::impact_gap_max) + 64 * eps;
-    if (begin < 1 + core) {  // inside without all skins
-        const double t = time(begin, -2), meets = (begin - 1.5) / 2;
-        EXPECT_LE(t, meets + 1e-6);
-        EXPECT_GE(t, meets - gap / 2 - 1e-6);
-        EXPECT_EQ(time(begin, 2), never) << "they part";
-    }
-    EXPECT_EQ(time(1.4, -2), never) << "even the half ball is inside: contacts see to it";
-    EXPECT_EQ(time(1.4, 2), never);
+    const Shape plate = ingot::Box{{1, scalar(0.125), 1}};
+    const double core = 1 - static_cast<double>(ingot::limits::skin_share) * ingot::limits::skins_max, half_ball = 0.0625, begin = 1 + core - 0.1;
+    const double reached = time_of(plate, begin, -0.5), meets = (begin - 1 - half_ball) / 0.5;
+    EXPECT_LE(reached, meets + 1e-6);
+    EXPECT_GE(reached, meets - gap / 0.5 - 1e-6);
+    EXPECT_EQ(time_of(plate, begin, 0.5), never) << "they part";
+    EXPECT_EQ(time_of(plate, begin, -0.1), never) << "not in this step";
+    EXPECT_EQ(time_of(plate, 1.04, -0.5), never) << "even the half ball is inside: contacts see to it";
+    EXPECT_EQ(time_of(plate, 1.04, 0.5), never);
+    const auto time = [&](double distance, double way) { return time_of(ingot::Sphere{1}, distance, way); };
     // Less deep: some skins are left out, and A without them may not reach B.
     for (int skins = 1; skins < ingot::limits::skins_max; ++skins) {
         const double without = 1 - static_cast<double>(ingot::limits::skin_share) * skins, distance = 1 + without + 0.03;
@@ -280,11 +283,13 @@ TEST(TwoBodies, refuse_a_state_that_is_no_number) {
 /// How long two bodies move little against each other, whether one gets past its size, and how far apart they may be to touch: closed forms.
 TEST(TwoBodies, know_how_far_they_move_in_a_while) {
     const double h = 1.0 / 64;
-    for (int case_i = 0; case_i < 3; ++case_i) {
+    for (int case_i = 0; case_i < 5; ++case_i) {
         ingot_stages::Tiles tiles(2);
         ingot::Surface surfaces[2] = {};
-        // Spins of 3 and 5 rad/s about z, moments of 2: L = 6 and 10; speeds of 7 m/s against each other; or hardly moving; or turning fast.
-        const double v = case_i == 0 ? 7 : 0.001, spin[2] = {case_i == 2 ? 300.0 : 3.0, case_i == 2 ? 10.0 : 5.0}, size[2] = {0.5, 0.25}, radius[2] = {0.75, 1};
+        // Spins of 3 and 5 rad/s about z, moments of 2: L = 6 and 10; speeds of 7 m/s against each other; or hardly moving; or turning fast; or at
+        // rest; or turning fast and thin.
+        const double v = case_i == 0 ? 7 : case_i == 3 ? 0 : 0.001, size[2] = {0.5, 0.25}, thin = case_i == 4 ? 1e-4 : 1, radius[2] = {0.75 * thin, thin};
+        const double spin[2] = {case_i == 3 ? 0 : case_i == 1 || case_i == 0 ? 3.0 : 300.0, case_i == 3 ? 0 : case_i == 1 || case_i == 0 ? 5.0 : 10.0};
         for (int which = 0; which < 2; ++which) {
             ingot::BodyDef def = ingot_reference::definition(1, Vector3d(2 * Vector3d::Ones()));
             def.state.v_CM = {0, static_cast<scalar>(which == 0 ? 0.0 : v), 0};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The hash of a body is of every number that its motion has, and of no other body's.
 #include <gtest/gtest.h>
+#include <ingot/body/energy_momentum.h>
 #include <ingot/world/state_hash.h>
 
 #include <set>
@@ -69,6 +70,31 @@ TEST(StateHash, symmetric_matrices_go_into_lanes_and_back) {
     ingot::store(again, ingot::load(rows));
     for (int row = 0; row < 6; ++row)
         for (int lane_i = 0; lane_i < lanes; ++lane_i) EXPECT_EQ(again[row][lane_i], rows[row][lane_i]);
+}
+
+/// Bodies of scenes that do not translate have no tiles for it.
+TEST(StateHash, bodies_that_only_turn_have_no_place) {
+    Tiles tiles(2);
+    ingot::BodyDef def = definition(3, Eigen::Vector3d(1, 2, 4));
+    def.state.L = {1, 2, 4}, def.state.r_CM = {5, 0, 0};
+    for (const int slot : {0, 1}) tiles.write(slot, def);
+    ingot::BodyView view = tiles.view();
+    const std::uint64_t with_place = ingot::hash_body(view, 1, ingot::state_hash_seed);
+    view.translation = nullptr;
+    EXPECT_NE(ingot::hash_body(view, 1, ingot::state_hash_seed), with_place);
+    // L^2 / (2 I) of each axis: 1/2 (1 + 2 + 4), and no momentum but L.
+    EXPECT_NEAR(static_cast<double>(ingot::kinetic_energy_of(view, 1)), 3.5, 16 * static_cast<double>(ingot::epsilon));
+    EXPECT_EQ(to_eigen(ingot::linear_momentum_of(view, 1)), Eigen::Vector3d::Zero());
+    EXPECT_EQ(to_eigen(ingot::angular_momentum_of(view, 1)), Eigen::Vector3d(1, 2, 4));
+    EXPECT_EQ(ingot::freeze_bad_bodies(view), 0);
+    tiles.rotation(1).bad = static_cast<std::uint16_t>(1u << (1 % lanes));
+    EXPECT_EQ(ingot::freeze_bad_bodies(view), 1);
+    EXPECT_TRUE(ingot::is_frozen(view, 1));
+    EXPECT_NE(tiles.translation(1).inv_M[1 % lanes], 0) << "what the view has not stays";
+    ingot::set_identity_body(view, 1);
+    EXPECT_EQ(tiles.rotation(1).inv_I_scale[1 % lanes], 0);
+    EXPECT_EQ(tiles.rotation(0).L[2][0], 4) << "the other stays";
+    EXPECT_EQ(tiles.translation(1).r_CM[0][1 % lanes], 5) << "and so does what the view has not";
 }
 
 }  // namespace
