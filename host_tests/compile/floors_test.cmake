@@ -31,8 +31,8 @@ set(query_shares candidates query_filter ray_on_shapes cast_ray)
 set(fast_shares body_path fast_pairs time_of_impact two_bodies)
 set(solve_shares contact_rows impulse)
 # solve_manifolds conducts the stages of a substep.
-set(blocks_shares block_solve contact_block block_rows solver_body solver_view conjugate_gradients move_bodies note_impulses order_manifolds
-  predict_contacts prepare_blocks row_flight sequence_impacts solve_velocities
+set(blocks_shares block_solve contact_block block_rows solver_body solver_view material_view conjugate_gradients move_bodies note_impulses order_manifolds
+  predict_contacts prepare_blocks prepare_materials row_flight sequence_impacts solve_velocities
   sweep_positions sweep_velocities warm_start)
 # solve_directly conducts the stages, and calls the others of its room.
 set(direct_shares direct_view hold_energy island_rows islands normal_set sliding factor_rows solve_island solve_directly)

@@ -284,7 +284,7 @@ TEST_F(Damage, of_what_a_body_cannot_be) {
         {"a speed out of all range", cast_.ball, to_v_CM, limits::speed_runaway * 1001},
         {"a torque out of range", cast_.ball, to_tau_T, -limits::torque_max * above},
         {"a force out of range", cast_.ball, to_F_T + 2 * s, limits::force_max * above},
-        {"a spin out of range", cast_.ball, to_L, limits::spin_runaway * 4},
+        {"a spin out of range", cast_.ball, to_L, limits::spin_runaway * 1000},
         {"a low part of A that is high", cast_.ball, to_A_low + s, scalar(0.1)},
         {"an energy below zero", cast_.ball, to_E_0, scalar(-0.5)},
         {"a scale that is no power of two", cast_.ball, to_scale, 3},

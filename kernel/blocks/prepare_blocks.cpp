@@ -136,7 +136,7 @@ INGOT_INLINE mask is_central(const LaneContacts& contacts) {
 
 int count_of(mask m) {
     int count = 0;
-    for (unsigned left = bits(m); left != 0; left &= left - 1) ++count;
+    for (int lane_i = 0; lane_i < lanes; ++lane_i) count += static_cast<int>(static_cast<unsigned>(bits(m)) >> lane_i & 1u);
     return count;
 }
 
