@@ -288,10 +288,11 @@ bool lay_all_paths(const Flights<Meets>& flights, TwoBodies& room) {
 ///
 /// Impact by impact in the order of time, two bodies that meet are taken back to that time, touch as in any step, with restitution, friction and
 /// forces, and go on to the end of the step. A body that takes part in the contacts of the step is not taken from them: whoever meets it waits there
-/// for the next step, which finds both touching; so do those that are left after limits::impacts_in_step_max. Only what meets at the very begin is not left waiting, lest it wait for ever. They are counted in
-/// report.impacts_left: the rest of the step is lost to them, and no energy or momentum.
+/// for the next step, which finds both touching; so do those that are left after limits::impacts_in_step_max. Only what meets at the
+/// very begin is not left waiting, lest it wait for ever. They are counted in report.impacts_left: the rest of the step is lost to
+/// them, and no energy or momentum.
 /// What was made fast by the contacts of this step is seen too: all goes by the ways that bodies have gone.
-/// Bound: impacts_in_step_max impacts, and as many parts of paths as their turns need, 2 limits::substeps_max a body and step.
+/// Bound: impacts_in_step_max impacts, and as many parts of paths as their turns need, limits::path_parts_max a body and step.
 /// Cost:  a look at every body for each fast one, and some searches for nearest points for those near its path.
 template <class Shapes, class Rotation, bool notes_impulses, class Meets>
 void fly_fast_bodies(const Flights<Meets>& flights, StepReport& report) {
