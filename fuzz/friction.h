@@ -426,8 +426,8 @@ private:
         return sum;
     }
 
-    /// Updates of a body in a step: normals, twist and friction, of all its manifolds, in sweeps and their extrapolations, and no more warm starts and
-    /// kicks than sweeps. Waves of impacts have sweeps of their own; direct solves, at most direct_sets_max a substep.
+    /// Updates of a body in a step: normals, twist and friction, of all its manifolds, in sweeps and their extrapolations, and no more warm
+    /// starts and kicks than sweeps. Waves of impacts have sweeps of their own; direct solves, at most direct_sets_max a substep.
     static double updates_in(const StepReport& report) {
         const int direct = ingot::solves_directly<S> ? limits::substeps * limits::direct_sets_max : 0;
         const int rounds = report.sweeps + report.impact_waves * limits::sweeps_of_few + direct;
@@ -436,14 +436,16 @@ private:
 
     /// Where nothing but contacts acts.
     ///
-    /// Each update of v rounds twice, by half an epsilon of the fastest a body of the energy can be; a sweep that has not ended may be twice that fast.
+    /// Each update of v rounds twice, by half an epsilon of the fastest a body of the energy can be; a sweep that has not ended may be twice
+    /// that fast.
     /// Of bodies at rest the rounding of a target makes sweeps that push at up to approach_slack, and take it back.
     /// Energy: with e = 0 an exact solve gives -j.K j / 2. The sweeps leave rows that are off by what the last one corrected, no more than
     /// settled_speed_of_few and 4 epsilon of the fastest where it was not the last allowed, times the rows beside it. That speed, times all impulses
     /// there can be, is what they may give.
     ///
-    /// A step begins with the impulses of the one before, which may have changed no speed at all: those that held a load that is gone, or that the bodies
-    /// have been stopped since. Sweeps take them back, with the rounding of what they were. So the step before counts too, and must have been such a one.
+    /// A step begins with the impulses of the one before, which may have changed no speed at all: those that held a load that is gone, or
+    /// that the bodies have been stopped since. Sweeps take them back, with the rounding of what they were. So the step before counts too,
+    /// and must have been such a one.
     void demand_balance(const StepReport& report) {
         if constexpr (S::sleeps) return;  // who falls asleep leaves its momentum, up to M sleep_speed
         const Vector g = world_.gravity();
@@ -515,7 +517,8 @@ private:
                 const scalar within = magnitude(in.number(8));
                 const Result<ingot::QueryNearest> nearest = world.find_nearest(from, within, filter);
                 see_all(nearest.status, nearest.value.body, nearest.value.distance, nearest.value.P, nearest.value.n);
-                demand(ingot::is_finite(nearest.value.distance) && ingot::is_finite(nearest.value.P) && ingot::is_finite(nearest.value.n), "what a query finds is finite");
+                demand(ingot::is_finite(nearest.value.distance) && ingot::is_finite(nearest.value.P) && ingot::is_finite(nearest.value.n),
+                       "what a query finds is finite");
                 if (!nearest.ok() || !nearest.value.found()) break;
                 demand_seen(nearest.value.body, filter);
                 demand(nearest.value.distance <= within, "what is nearest is near enough");
@@ -527,7 +530,8 @@ private:
 
     void demand_hit(const Result<ingot::QueryHit>& hit, const QueryFilter& filter) {
         see_all(hit.status, hit.value.body, hit.value.fraction, hit.value.P, hit.value.n);
-        demand(ingot::is_finite(hit.value.P) && ingot::is_finite(hit.value.n) && hit.value.fraction >= 0 && hit.value.fraction <= 1, "what a query finds is finite");
+        demand(ingot::is_finite(hit.value.P) && ingot::is_finite(hit.value.n) && hit.value.fraction >= 0 && hit.value.fraction <= 1,
+               "what a query finds is finite");
         if (!hit.ok() || !hit.value.found()) return;
         demand_seen(hit.value.body, filter);
         demand(magnitude(ingot::length_sq(hit.value.n) - 1) <= 64 * ingot::epsilon, "the normal of a hit is of unit length");

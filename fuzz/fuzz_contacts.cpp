@@ -68,7 +68,8 @@ Real distance(const PlacedShape& s, const V& P) {
 Real gap_along(const PlacedShape& A, const PlacedShape& B, const V& n) {
     const Real of_A = -reach(A, n * -1);
     if (B.shape.kind != ShapeKind::half_space) return of_A - reach(B, n);
-    const V face = wide(B.A.c0) * static_cast<Real>(B.shape.size.x) + wide(B.A.c1) * static_cast<Real>(B.shape.size.y) + wide(B.A.c2) * static_cast<Real>(B.shape.size.z);
+    const V face = wide(B.A.c0) * static_cast<Real>(B.shape.size.x) + wide(B.A.c1) * static_cast<Real>(B.shape.size.y) +
+                   wide(B.A.c2) * static_cast<Real>(B.shape.size.z);
     return -reach(A, face * -1) - dot(face, wide(B.r)) - static_cast<Real>(B.shape.offset);
 }
 
@@ -190,7 +191,8 @@ void demand_pair(const PlacedShape& A, const PlacedShape& B, scalar margin, cons
     const Real least_gap = gap < 0 && round ? gap_along(A, B, wide(m.n)) : gap < 0 && boxes ? gap / static_cast<Real>(limits::facing_cos) : gap;
     demand(s >= least_gap - slack, "shapes that are apart do not overlap");
     // Deeper than that n may be far from square to the surfaces, and the ends of a separation beyond their rims.
-    const bool shallow = s > -static_cast<Real>(limits::shallow) * (B.shape.kind == ShapeKind::half_space ? least_extent(A) : least_extent(A) < least_extent(B) ? least_extent(A) : least_extent(B));
+    const Real of_A = least_extent(A), of_B = B.shape.kind == ShapeKind::half_space ? of_A : least_extent(B);
+    const bool shallow = s > -static_cast<Real>(limits::shallow) * (of_A < of_B ? of_A : of_B);
     // Those points of boxes are in both: along n the boxes may be deeper.
     const Real along_n = gap_along(A, B, wide(m.n)), deep_enough = boxes ? gap : along_n;
     if (shallow) demand(s >= along_n - slack && (s > 0 || s <= deep_enough + slack), "the deepest point is as deep as the shapes");
@@ -227,13 +229,17 @@ uint64_t INGOT_FUZZ_RUN(const uint8_t* data, size_t size) {
     see(m);
     demand_pair(A, B, margin, m);
     (void)collide(A, B, margin, again);
-    demand(m.count == again.count && same_bytes(&m.n, &again.n, sizeof m.n) && same_bytes(m.points, again.points, sizeof m.points[0] * static_cast<size_t>(m.count)), "the same call gives the same bits");
+    demand(m.count == again.count && same_bytes(&m.n, &again.n, sizeof m.n) &&
+               same_bytes(m.points, again.points, sizeof m.points[0] * static_cast<size_t>(m.count)),
+           "the same call gives the same bits");
 
     // Of overlapping cylinders the way out need not be the shortest, and another one may be found from the other side.
     if (m.count == 0 || (least(m) < 0 && (A.shape.kind == ShapeKind::cylinder || B.shape.kind == ShapeKind::cylinder))) return seen;
     // Of shapes that are apart, edges and corners that are not above each other are left out (narrow_phase.h): rounding may tell which.
     const Real slack = 2 * slack_of(A, B);
-    const auto as_deep = [&] { return m.count == 0 || again.count == 0 || (least(m) > slack && least(again) > slack) || size_of(least(m) - least(again)) <= slack; };
+    const auto as_deep = [&] {
+        return m.count == 0 || again.count == 0 || (least(m) > slack && least(again) > slack) || size_of(least(m) - least(again)) <= slack;
+    };
     if (A.shape.kind == B.shape.kind) {
         (void)collide(B, A, margin, again);
         demand(as_deep(), "swapped, a pair is as deep");

@@ -28,7 +28,8 @@ struct FlightBy : Flight {
 constexpr double eps = static_cast<double>(ingot::epsilon);
 
 double dot(const Vector& a, const Vector& b) {
-    return static_cast<double>(a.x) * static_cast<double>(b.x) + static_cast<double>(a.y) * static_cast<double>(b.y) + static_cast<double>(a.z) * static_cast<double>(b.z);
+    return static_cast<double>(a.x) * static_cast<double>(b.x) + static_cast<double>(a.y) * static_cast<double>(b.y) +
+           static_cast<double>(a.z) * static_cast<double>(b.z);
 }
 double energy_of(const BodyState& s, const Vector& I) {
     const double x = dot(s.A.c0, s.L), y = dot(s.A.c1, s.L), z = dot(s.A.c2, s.L);
@@ -77,7 +78,8 @@ private:
         // Moments of a box, so that they are those of a solid.
         const scalar a = spread(in, 3), b = spread(in, 3), c = spread(in, 3);
         const Vector I = {b * b + c * c, c * c + a * a, a * a + b * b};
-        const scalar least = I.x < I.y ? (I.x < I.z ? I.x : I.z) : (I.y < I.z ? I.y : I.z), most = I.x > I.y ? (I.x > I.z ? I.x : I.z) : (I.y > I.z ? I.y : I.z);
+        const scalar least = I.x < I.y ? (I.x < I.z ? I.x : I.z) : (I.y < I.z ? I.y : I.z),
+                     most = I.x > I.y ? (I.x > I.z ? I.x : I.z) : (I.y > I.z ? I.y : I.z);
         BodyDef def;
         def.mass.M = 1;
         def.mass.I_body = I;

@@ -94,13 +94,15 @@ void demand_hull(const ingot::HullOf<room>& made, const Vector* points) {
     Exact far = 0;
     for (int i = 0; i < hull.vertex_count; ++i) {
         bool given = false;
-        for (int k = 0; k < count; ++k) given = given || (hull.vertices[i].x == points[k].x && hull.vertices[i].y == points[k].y && hull.vertices[i].z == points[k].z);
+        for (int k = 0; k < count; ++k)
+            given = given || (hull.vertices[i].x == points[k].x && hull.vertices[i].y == points[k].y && hull.vertices[i].z == points[k].z);
         demand(given, "corners of a hull are points that were given");
         const Point v = exact(hull.vertices[i]);
         far = dot(v, v) > far ? dot(v, v) : far;
     }
     far = __builtin_sqrtl(far);
-    demand(static_cast<Exact>(hull.radius) >= far && static_cast<Exact>(hull.radius) <= far * (1 + 16 * static_cast<Exact>(ingot::epsilon)), "a ball holds the hull, and no larger one is named");
+    demand(static_cast<Exact>(hull.radius) >= far && static_cast<Exact>(hull.radius) <= far * (1 + 16 * static_cast<Exact>(ingot::epsilon)),
+           "a ball holds the hull, and no larger one is named");
 
     int loops = 0;
     for (int face_i = 0; face_i < hull.face_count; ++face_i) {
@@ -112,13 +114,15 @@ void demand_hull(const ingot::HullOf<room>& made, const Vector* points) {
         // n is rounded, and so is the offset: of points as far as `far` from the origin.
         const Exact slack = 5 * static_cast<Exact>(limits::hull_flatness) * size + 4 * static_cast<Exact>(ingot::epsilon) * (far + size);
         for (int i = 0; i < count; ++i)
-            demand(dot(exact(face.n), exact(points[i])) - static_cast<Exact>(face.offset) <= slack + (fuzz_fault == 2 ? -size / 8 : 0), "no point is above a face");
+            demand(dot(exact(face.n), exact(points[i])) - static_cast<Exact>(face.offset) <= slack + (fuzz_fault == 2 ? -size / 8 : 0),
+                   "no point is above a face");
         demand(static_cast<Exact>(face.offset) - dot(exact(face.n), exact(hull.centre)) >= -slack, "the centre is inside");
     }
     demand(loops == 2 * hull.edge_count, "every edge is in two loops");
     for (int edge_i = 0; edge_i < hull.edge_count; ++edge_i) {
         const ingot::HullEdge& edge = hull.edges[edge_i];
-        demand(has_edge(hull, edge.face_left, edge.a, edge.b) && has_edge(hull, edge.face_right, edge.b, edge.a), "an edge runs between its two faces");
+        demand(has_edge(hull, edge.face_left, edge.a, edge.b) && has_edge(hull, edge.face_right, edge.b, edge.a),
+               "an edge runs between its two faces");
     }
 }
 
@@ -161,7 +165,8 @@ uint64_t make_hull(Bytes& in) {
         if (points.whole) {
             demand(solid.ok(), "a hull of a lattice has a mass");
             const Exact M = 1000 * volume_of(hull), error = static_cast<Exact>(solid.value.M) - M;
-            demand(M > 0 && (error < 0 ? -error : error) <= 64 * static_cast<Exact>(ingot::epsilon) * 1000 * 17 * 17 * 17, "the mass is that of the volume");
+            demand(M > 0 && (error < 0 ? -error : error) <= 64 * static_cast<Exact>(ingot::epsilon) * 1000 * 17 * 17 * 17,
+                   "the mass is that of the volume");
         }
         if (solid.ok()) {
             const Result<ingot::MassProperties> mass = ingot::principal(solid.value);
@@ -188,10 +193,12 @@ uint64_t make_mesh(Bytes& in) {
     }
     const Result<ingot::MassDistribution> solid = ingot::solid_mesh(in.number(1000), points.at, vertex_count, triangles, triangle_count);
     if (!solid.ok()) return static_cast<uint64_t>(solid.status);
-    demand(ingot::is_finite(solid.value.M) && ingot::is_finite(solid.value.r_CM) && ingot::is_finite(solid.value.I), "a mesh that is taken gives finite numbers");
+    demand(ingot::is_finite(solid.value.M) && ingot::is_finite(solid.value.r_CM) && ingot::is_finite(solid.value.I),
+           "a mesh that is taken gives finite numbers");
     for (int i = 0; i < triangle_count; ++i) {
         const ingot::MeshTriangle& t = triangles[i];
-        demand(t.a >= 0 && t.a < vertex_count && t.b >= 0 && t.b < vertex_count && t.c >= 0 && t.c < vertex_count, "triangles name corners there are");
+        demand(t.a >= 0 && t.a < vertex_count && t.b >= 0 && t.b < vertex_count && t.c >= 0 && t.c < vertex_count,
+               "triangles name corners there are");
     }
     return 1;
 }

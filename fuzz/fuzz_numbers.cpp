@@ -77,7 +77,8 @@ public:
         if (kind < 64) return A;
         if (kind < 128) return {vector(1), vector(1), vector(1)};
         if (kind < 192) {
-            const Result<Matrix> turned = ingot::rotation_about({0, kind < 160 ? scalar(0.6) : scalar(0), kind < 160 ? scalar(0.8) : scalar(1)}, in_.number(4));
+            const Result<Matrix> turned =
+                ingot::rotation_about({0, kind < 160 ? scalar(0.6) : scalar(0), kind < 160 ? scalar(0.8) : scalar(1)}, in_.number(4));
             if (turned.ok()) A = turned.value;
         }
         A.c0.x += number(limits::orthogonality);
@@ -256,7 +257,8 @@ private:
         const Status status = world_.add_central_force(box_, second);
         checked(status);
         const Vector sum = first + second;  // rounded once, as the kernel's is
-        demand((status == Status::ok) == (inside(second, limits::force_max) && inside(sum, limits::force_max)), "a sum of forces keeps the range of one");
+        demand((status == Status::ok) == (inside(second, limits::force_max) && inside(sum, limits::force_max)),
+               "a sum of forces keeps the range of one");
     }
     void impulse(const Vector& j, const Vector& P) {
         const Status status = world_.apply_impulse(box_, j, P);
@@ -385,10 +387,12 @@ private:
         const Result<Matrix> A = ingot::rotation_about(n, angle);
         demand(!A.ok() || (finite_bits(n) && between(angle, -1000, 1000)), "an axis is finite, an angle within its range");
         demand(!A.ok() || ingot::check_rotation(A.value) == Status::ok, "rotation_about gives rotations");
-        demand(!A.ok() || ingot::orthogonality_error(A.value) <= 2 * limits::unit_length + 32 * ingot::epsilon, "rotation_about is as exact as its axis");
+        demand(!A.ok() || ingot::orthogonality_error(A.value) <= 2 * limits::unit_length + 32 * ingot::epsilon,
+               "rotation_about is as exact as its axis");
     }
     void solids(Bytes& in, Numbers& numbers) {
-        const scalar density = numbers.number(1000), a = numbers.number(limits::size_max), b = numbers.number(limits::size_max), c = numbers.number(1);
+        const scalar density = numbers.number(1000), a = numbers.number(limits::size_max), b = numbers.number(limits::size_max),
+                     c = numbers.number(1);
         switch (in.byte() % 7u) {
             case 0: return demand_principal(ingot::solid_sphere(density, a));
             case 1: return demand_principal(ingot::solid_box(density, {a, b, c}));
@@ -396,7 +400,9 @@ private:
             case 3: return demand_principal(ingot::solid_capsule(density, a, b));
             case 4: return demand_principal(ingot::solid_cone(density, a, b));
             case 5: return demand_principal(ingot::solid_ellipsoid(density, {a, b, c}));
-            default: return demand_principal(ingot::combined(ingot::solid_box(density, {a, 1, b}), ingot::placed(ingot::solid_sphere(1, c), numbers.matrix(), numbers.vector(100))));
+            default:
+                return demand_principal(ingot::combined(ingot::solid_box(density, {a, 1, b}),
+                                                        ingot::placed(ingot::solid_sphere(1, c), numbers.matrix(), numbers.vector(100))));
         }
     }
     void shape(Numbers& numbers) {
@@ -405,7 +411,8 @@ private:
         demand(status != Status::ok || (finite_bits(s.size) && finite_bits(s.offset)), "a shape is finite");
         if (status != Status::ok || s.kind == ShapeKind::none) return;
         const scalar radius = ingot::bounding_radius(s);
-        demand(s.kind == ShapeKind::half_space ? radius == 0 : between(radius, limits::size_min, 2 * limits::size_max), "a bounding radius is as large as the shape");
+        demand(s.kind == ShapeKind::half_space ? radius == 0 : between(radius, limits::size_min, 2 * limits::size_max),
+               "a bounding radius is as large as the shape");
     }
 
     // The promises.

@@ -13,10 +13,16 @@ using ingot::scalar;
 using ingot::Vector;
 
 /// A hull whose origin is its centre; the body may have any mass.
-constexpr Vector wedge_points[6] = {{scalar(-0.5), scalar(-0.5), scalar(-0.25)}, {scalar(0.5), scalar(-0.5), scalar(-0.25)}, {scalar(-0.5), scalar(0.5), scalar(-0.25)},
-                                    {scalar(0.5), scalar(0.5), scalar(-0.25)}, {scalar(-0.5), 0, scalar(0.5)}, {scalar(0.5), 0, scalar(0.5)}};
-constexpr Vector octahedron_points[6] = {{scalar(0.5), 0, 0}, {scalar(-0.5), 0, 0}, {0, scalar(0.5), 0}, {0, scalar(-0.5), 0}, {0, 0, scalar(0.5)}, {0, 0, scalar(-0.5)}};
-constexpr Vector sliver_points[5] = {{0, 0, scalar(0.03)}, {scalar(0.75), 0, 0}, {scalar(-0.5), scalar(0.25), 0}, {scalar(-0.5), scalar(-0.25), 0}, {0, 0, scalar(-0.03)}};
+constexpr Vector wedge_points[6] = {{scalar(-0.5), scalar(-0.5), scalar(-0.25)},
+                                    {scalar(0.5), scalar(-0.5), scalar(-0.25)},
+                                    {scalar(-0.5), scalar(0.5), scalar(-0.25)},
+                                    {scalar(0.5), scalar(0.5), scalar(-0.25)},
+                                    {scalar(-0.5), 0, scalar(0.5)},
+                                    {scalar(0.5), 0, scalar(0.5)}};
+constexpr Vector octahedron_points[6] = {{scalar(0.5), 0, 0},  {scalar(-0.5), 0, 0}, {0, scalar(0.5), 0},
+                                         {0, scalar(-0.5), 0}, {0, 0, scalar(0.5)},  {0, 0, scalar(-0.5)}};
+constexpr Vector sliver_points[5] = {
+    {0, 0, scalar(0.03)}, {scalar(0.75), 0, 0}, {scalar(-0.5), scalar(0.25), 0}, {scalar(-0.5), scalar(-0.25), 0}, {0, 0, scalar(-0.03)}};
 constexpr auto wedge = ingot::convex_hull(wedge_points);
 constexpr auto octahedron = ingot::convex_hull(octahedron_points);
 constexpr auto sliver = ingot::convex_hull(sliver_points);

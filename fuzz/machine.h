@@ -264,7 +264,8 @@ protected:
         demand(report.impacts_left <= (S::continuous ? movable : report.contacts), "at most every contact is left, or every fast body");
         demand(report.contacts <= S::max_contacts + S::max_manifolds, "contacts fit");
         demand(ingot::stacks<S> || report.contacts_lost == 0 || report.contacts == S::max_contacts, "contacts are lost when the array is full");
-        demand(report.pairs_untested <= S::max_bodies * (S::max_bodies - 1) / 2 * S::max_shapes_of_body * S::max_shapes_of_body, "at most every pair is untested");
+        demand(report.pairs_untested <= S::max_bodies * (S::max_bodies - 1) / 2 * S::max_shapes_of_body * S::max_shapes_of_body,
+               "at most every pair is untested");
         if constexpr (S::max_contacts > 0) demand(world_.contact_count() == report.contacts, "contacts are those reported");
     }
 

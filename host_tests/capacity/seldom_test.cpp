@@ -247,8 +247,9 @@ TEST(Reports, are_clean_when_no_count_is_raised) {
         report.*harmless = 1;
         EXPECT_TRUE(report.clean());
     }
-    for (uint16_t StepReport::*const telling : {&StepReport::bodies_frozen, &StepReport::spins_clamped, &StepReport::contacts_lost, &StepReport::pairs_untested,
-                                                &StepReport::impacts_left, &StepReport::sweeps_unfinished, &StepReport::overlaps_lost, &StepReport::events_lost}) {
+    for (uint16_t StepReport::*const telling :
+         {&StepReport::bodies_frozen, &StepReport::spins_clamped, &StepReport::contacts_lost, &StepReport::pairs_untested, &StepReport::impacts_left,
+          &StepReport::sweeps_unfinished, &StepReport::overlaps_lost, &StepReport::events_lost}) {
         report.*telling = 1;
         EXPECT_FALSE(report.clean());
         report.*telling = 0;
@@ -265,10 +266,20 @@ TEST(Door, of_surfaces_ends_where_limits_say) {
     static World<Solids> world;
     clear(world);
     const scalar small = limits::size_min / 2, large = limits::size_max * 2, good = 1;
-    const Shape bad[] = {ingot::Box{{small, good, good}}, ingot::Box{{good, small, good}}, ingot::Box{{good, good, small}}, ingot::Box{{large, good, good}},
-                         ingot::Box{{good, large, good}}, ingot::Box{{good, good, large}}, ingot::Cylinder{small, good}, ingot::Cylinder{good, small},
-                         ingot::Cylinder{large, good}, ingot::Cylinder{good, large}, ingot::Capsule{small, good}, ingot::Capsule{good, large},
-                         ingot::Sphere{small}, ingot::Sphere{large}};
+    const Shape bad[] = {ingot::Box{{small, good, good}},
+                         ingot::Box{{good, small, good}},
+                         ingot::Box{{good, good, small}},
+                         ingot::Box{{large, good, good}},
+                         ingot::Box{{good, large, good}},
+                         ingot::Box{{good, good, large}},
+                         ingot::Cylinder{small, good},
+                         ingot::Cylinder{good, small},
+                         ingot::Cylinder{large, good},
+                         ingot::Cylinder{good, large},
+                         ingot::Capsule{small, good},
+                         ingot::Capsule{good, large},
+                         ingot::Sphere{small},
+                         ingot::Sphere{large}};
     for (const Shape& shape : bad) EXPECT_EQ(world.add(plain_body({}, shape)).status, Status::bad_shape);
     BodyDef def = plain_body({}, ingot::Sphere{1});
     def.friction = limits::friction_max * 2;
@@ -330,7 +341,8 @@ TEST(Impacts, of_what_is_apart_are_none) {
     uint16_t count = 0, lost = 0;
     ingot::ContactSink sink{{contacts, &count, 8}, 0, 1, 0, &lost};
     const ingot::Matrix upright = ingot::identity_matrix<scalar>();
-    const ingot::Placed ball{ingot::Sphere{1}, {0, 0, scalar(2.5)}, upright}, other{ingot::Sphere{1}, {}, upright}, floor{ingot::HalfSpace{{0, 0, 1}, 0}, {}, upright};
+    const ingot::Placed ball{ingot::Sphere{1}, {0, 0, scalar(2.5)}, upright}, other{ingot::Sphere{1}, {}, upright},
+        floor{ingot::HalfSpace{{0, 0, 1}, 0}, {}, upright};
     ingot::collide_sphere_sphere(ball, other, sink);
     EXPECT_EQ(count, 0);
     ingot::collide_sphere_half_space(ball, floor, sink);
@@ -353,7 +365,8 @@ TEST(Impacts, of_what_overlaps_say_by_how_much) {
 
     // A box turned by its axes, its lowest face a quarter under the ground; all numbers are exact.
     count = 0;
-    const ingot::Placed floor{ingot::HalfSpace{{0, 0, 1}, 0}, {}, upright}, box{ingot::Box{{1, 2, 4}}, {0, 0, scalar(1.75)}, {{0, 1, 0}, {0, 0, 1}, {1, 0, 0}}};
+    const ingot::Placed floor{ingot::HalfSpace{{0, 0, 1}, 0}, {}, upright},
+        box{ingot::Box{{1, 2, 4}}, {0, 0, scalar(1.75)}, {{0, 1, 0}, {0, 0, 1}, {1, 0, 0}}};
     ingot::collide_box_half_space(box, floor, sink);
     ASSERT_EQ(count, 4);
     bool seen[2][2] = {};
@@ -403,7 +416,8 @@ TEST(Bounds, of_round_shapes_are_theirs) {
                 // sin of the angle between the axis of the shape and that of the world, in double: rounding is within flatness.
                 const double across = std::sqrt(std::fmax(0.0, 1 - static_cast<double>(along[k]) * static_cast<double>(along[k])));
                 const double reach = static_cast<double>(along[k] * half_length) + static_cast<double>(radius) * (capsule ? 1 : across);
-                const double more = static_cast<double>(limits::contact_margin) / 2, slack = 2 * static_cast<double>(limits::flatness) * 3 + std::sqrt(static_cast<double>(ingot::epsilon));
+                const double more = static_cast<double>(limits::contact_margin) / 2,
+                             slack = 2 * static_cast<double>(limits::flatness) * 3 + std::sqrt(static_cast<double>(ingot::epsilon));
                 EXPECT_GE(static_cast<double>(bounds.high[k][0]), reach + more - std::sqrt(static_cast<double>(ingot::epsilon)));
                 EXPECT_LE(static_cast<double>(bounds.high[k][0]), reach + more + slack);
                 EXPECT_EQ(bounds.low[k][0], -bounds.high[k][0]);

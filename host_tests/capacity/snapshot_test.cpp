@@ -26,7 +26,8 @@ constexpr bool is_plain = is_bytes<T> && std::is_standard_layout_v<T>;
 static_assert(is_bytes<World<Satellite>> && is_bytes<World<Yard>> && is_bytes<World<PrintedYard>>);
 static_assert(is_plain<BodyId> && is_plain<BodyState> && is_plain<BodyDef> && is_plain<StepReport> && is_plain<Shape>);
 static_assert(is_plain<ingot::ContactInfo> && is_plain<Result<BodyId>> && is_plain<MassProperties>);
-static_assert(is_plain<ingot::RotationTile> && is_plain<ingot::CompensationTile> && is_plain<ingot::EnergyTile> && is_plain<ingot::TranslationTile> && is_plain<ingot::Contact>);
+static_assert(is_plain<ingot::RotationTile> && is_plain<ingot::CompensationTile> && is_plain<ingot::EnergyTile> && is_plain<ingot::TranslationTile> &&
+              is_plain<ingot::Contact>);
 
 /// What one frame of a game does to a world, told by its number: bodies come and go, are pushed, moved, and step.
 template <class S>

@@ -49,7 +49,8 @@ TEST(BoxBox, agrees_with_all_axes) {
             // Deeper only by the preference for faces: of the smallest half extent, and what near parallel edges hide.
             const long double hidden = std::sqrt(static_cast<long double>(ingot::limits::parallel_sin_sq)) * size;
             const long double smallest = std::min(h_A.minCoeff(), h_B.minCoeff());
-            // Edges that cross all but in a face, up to facing_cos, have the points of that face, as deep across it as the overlap is across the edges.
+            // Edges that cross all but in a face, up to facing_cos, have the points of that face, as deep across it as the overlap is across
+            // the edges.
             const V n = exact(m.n);
             const bool lies_flat = m.count > 1 && std::abs(n.dot(exact_one.n)) > ingot::limits::facing_cos;
             const long double best = lies_flat ? exact_one.s / ingot::limits::facing_cos : exact_one.s;
@@ -136,8 +137,8 @@ TEST(BoxBox, edges_turn_through_parallel) {
 }
 
 /// Two cards that lean on each other meet edge to edge. The normal is the middle of what both edges allow, not that of one face, with two points at
-/// the ends of what the edges share; it turns steadily as they shift, up to the normal of the face that an edge then lies on; and edges that are apart
-/// have the direction between them (accuracy case C10).
+/// the ends of what the edges share; it turns steadily as they shift, up to the normal of the face that an edge then lies on; and edges that
+/// are apart have the direction between them (accuracy case C10).
 TEST(BoxBox, leaning_cards_have_the_normal_between_their_faces) {
     const double tilt = 25 * 3.14159265358979324 / 180, half = 0.5, thin = 0.02, rounded = 0.01 * thin;
     const double x = half * std::sin(tilt) + thin * std::cos(tilt);

@@ -149,8 +149,11 @@ TEST(Hull, degenerate_points_are_refused) {
 /// Found by fuzz_hull: a needle, but for limits::hull_flatness, whose faces met three at an edge and yet added up by Euler's formula.
 TEST(Hull, of_a_needle_is_refused) {
     const ingot::scalar length = static_cast<ingot::scalar>(4 / static_cast<double>(ingot::limits::hull_flatness));
-    const ingot::Vector points[] = {{ingot::scalar(2.85205078), 0, 0}, {ingot::scalar(-0.84375), 1, -length}, {ingot::scalar(0.0814208984), ingot::scalar(-3.1373291), ingot::scalar(0.00207519531)},
-                                    {ingot::scalar(-0.84375), ingot::scalar(2.85205078), 0}, {0, 0, 0}};
+    const ingot::Vector points[] = {{ingot::scalar(2.85205078), 0, 0},
+                                    {ingot::scalar(-0.84375), 1, -length},
+                                    {ingot::scalar(0.0814208984), ingot::scalar(-3.1373291), ingot::scalar(0.00207519531)},
+                                    {ingot::scalar(-0.84375), ingot::scalar(2.85205078), 0},
+                                    {0, 0, 0}};
     // In double such a needle is longer than a shape may be.
     EXPECT_EQ(ingot::convex_hull(points).status, length > ingot::limits::size_max ? Status::out_of_range : Status::bad_shape);
 }

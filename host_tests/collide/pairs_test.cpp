@@ -293,8 +293,8 @@ long double outside(const PlacedShape& s, const V& P) {
 }
 
 /// Rods up to 15 m long and 4 cm thick beside boxes of some centimetres: what touches is where the box is. In float the corners that the search for
-/// nearest points keeps are all but in a plane, a triangle of them has weights to no more than epsilon (length / thickness)^2, and the rest of the rod
-/// seemed to lie on both sides of the box: the point was a metre off.
+/// nearest points keeps are all but in a plane, a triangle of them has weights to no more than epsilon (length / thickness)^2, and the rest
+/// of the rod seemed to lie on both sides of the box: the point was a metre off.
 TEST(Rod, is_touched_where_the_other_is) {
     RandomInput random(1405);
     int touching = 0;

@@ -84,7 +84,8 @@ TEST(Overlap, of_round_and_edged_shapes_is_that_of_the_oracle) {
             if (i % 3 == 1) return ingot::Capsule{a, b};
             return ingot::Box{{a, b, c}};
         };
-        const ingot::Shape shape_A = any(), shape_B = ingot::Capsule{static_cast<scalar>(random.real(0.2, 1)), static_cast<scalar>(random.real(0.2, 1))};
+        const ingot::Shape shape_A = any(),
+                           shape_B = ingot::Capsule{static_cast<scalar>(random.real(0.2, 1)), static_cast<scalar>(random.real(0.2, 1))};
         const Eigen::Matrix3d turn_A = random.rotation(), turn_B = random.rotation();
         const PlacedShape A = placed(shape_A, Eigen::Vector3d::Zero(), turn_A), B = placed(shape_B, random.vector(2), turn_B);
         const double exact_s = static_cast<double>(ingot_oracle::signed_distance(oracle_of(A), oracle_of(B)));
@@ -96,7 +97,9 @@ TEST(Overlap, of_round_and_edged_shapes_is_that_of_the_oracle) {
         EXPECT_EQ(nearest.overlap, exact_s < 0) << i;
         if (exact_s > 0 && exact_s < enough) {
             ++within;
-            EXPECT_NEAR(static_cast<double>(nearest.distance), exact_s, (static_cast<double>(ingot::limits::nearest_accuracy) + 64 * static_cast<double>(ingot::epsilon)) * 4) << i;
+            EXPECT_NEAR(static_cast<double>(nearest.distance), exact_s,
+                        (static_cast<double>(ingot::limits::nearest_accuracy) + 64 * static_cast<double>(ingot::epsilon)) * 4)
+                << i;
         }
     }
     EXPECT_GT(overlapping, 50);

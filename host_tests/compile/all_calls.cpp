@@ -71,7 +71,8 @@ bool use_members(ingot::World<Scene>& world) {
     ok = world.apply_central_impulse(id, x) == ingot::Status::ok && world.apply_angular_impulse(id, x) == ingot::Status::ok && ok;
     ok = world.collide(id, world.body_at(1), x, x, 1).ok() && world.kinetic_energy() > 0 && world.kinetic_energy(id).ok() && ok;
     ok = world.linear_momentum().x > 0 && world.linear_momentum(id).ok() && world.angular_momentum().x > 0 && world.angular_momentum(id).ok() && ok;
-    ok = world.cast_ray(x, x).ok() && world.cast_shape(ball, x).ok() && world.find_overlaps(ball, found, 2).ok() && world.find_nearest(x, 1).ok() && ok;
+    ok = world.cast_ray(x, x).ok() && world.cast_shape(ball, x).ok() && world.find_overlaps(ball, found, 2).ok() && world.find_nearest(x, 1).ok() &&
+         ok;
     return world.state_hash() != 0 && world.step_count() > 0 && world.remove(id) == ingot::Status::ok && ok;
 }
 /// Those of impacts and fields.

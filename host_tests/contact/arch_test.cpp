@@ -45,9 +45,10 @@ PlacedBody arch_body(int body_i, scalar mu) {
     return block;
 }
 
-/// The least friction with which some thrust holds the arch: over all forces between the two halves, which are horizontal by symmetry, and all heights
-/// of them within the ring, so that at every joint the resultant passes through the ring; 1 and more where none does. If any forces hold it, symmetric
-/// ones do: their mean with their mirror image. (Heyman, "The stone skeleton", 1966. The least thickness comes out as Milankovitch's of 1907, 0.1075 R.)
+/// The least friction with which some thrust holds the arch: over all forces between the two halves, which are horizontal by symmetry, and
+/// all heights of them within the ring, so that at every joint the resultant passes through the ring; 1 and more where none does. If any
+/// forces hold it, symmetric ones do: their mean with their mirror image. (Heyman, "The stone skeleton", 1966. The least thickness comes out
+/// as Milankovitch's of 1907, 0.1075 R.)
 double least_friction(double thickness) {
     const double b = pi / blocks, in = mid_radius - thickness / 2, out = mid_radius + thickness / 2;
     const double weight = std::sin(b) / 2 * (out * out - in * in);
@@ -118,7 +119,8 @@ struct SliverRoom : Room<2> {
     using shapes = ingot::Shapes<ingot::Hull, ingot::HalfSpace>;
     static constexpr ingot::ConvexHull hulls[] = {solid.hull.value.view()};
 };
-/// On its base, as the slivers of boxes: 60 s without jitter, and its base stays on the ground, of which its top is as near as what touches. (Its mass properties: MassProperties, against inertia_polyhedra.)
+/// On its base, as the slivers of boxes: 60 s without jitter, and its base stays on the ground, of which its top is as near as what touches.
+/// (Its mass properties: MassProperties, against inertia_polyhedra.)
 TEST(SliverTetrahedron, rests) {
     PlacedBody tetrahedron;
     tetrahedron.def.mass = SliverRoom::solid.mass;

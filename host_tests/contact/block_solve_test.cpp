@@ -168,9 +168,9 @@ struct Tally {
     int exact = 0, within_slack = 0, by_rounds = 0;
 };
 
-/// l is the solution of the stiffened rows; or, where the search accepts it, a set whose rows that are out approach by no more than 1e-3 of the largest w; or what
-/// six rounds come to. In no case is energy gained or a row pulled. Rows that are out may be so by the compliance as it is, or as it is
-/// stiffened: the one is what bodies have, the other what rows that are in are solved with.
+/// l is the solution of the stiffened rows; or, where the search accepts it, a set whose rows that are out approach by no more than 1e-3 of
+/// the largest w; or what six rounds come to. In no case is energy gained or a row pulled. Rows that are out may be so by the compliance as
+/// it is, or as it is stiffened: the one is what bodies have, the other what rows that are in are solved with.
 void expect_solved(const Block& block, const Vector4d& l, Tally& tally, const char* what) {
     const Vector4d exact = by_brute_force(block), rounds = by_rounds(block), d = l - block.before;
     const Matrix4d used = block.stiff.inverse();
@@ -199,7 +199,8 @@ void expect_solved(const Block& block, const Vector4d& l, Tally& tally, const ch
     for (int row = 0; row < block.points; ++row) {
         const bool out = l(row) == 0 && !block.pulls[row];
         const double u_tolerance = block.stiff.norm() * tolerance;
-        accepted = accepted && (out ? std::max(u(row), u_bare(row)) >= -1e-3 * block.w.cwiseAbs().maxCoeff() - u_tolerance : std::abs(u(row)) <= u_tolerance);
+        accepted = accepted &&
+                   (out ? std::max(u(row), u_bare(row)) >= -1e-3 * block.w.cwiseAbs().maxCoeff() - u_tolerance : std::abs(u(row)) <= u_tolerance);
     }
     if (accepted) {
         ++tally.within_slack;
@@ -272,7 +273,8 @@ TEST(BlockSolve, of_one_row_is_a_projection) {
         for (int lane_i = 0; lane_i < lanes; ++lane_i) {
             const Block& block = blocks[static_cast<std::size_t>(lane_i)];
             const double exact = std::max(0.0, block.before(0) - block.w(0) / block.K(0, 0));
-            EXPECT_NEAR(laid.solved(l, lane_i)(0), exact, 4 * static_cast<double>(ingot::epsilon) * (block.before(0) + std::abs(block.w(0) / block.K(0, 0))));
+            EXPECT_NEAR(laid.solved(l, lane_i)(0), exact,
+                        4 * static_cast<double>(ingot::epsilon) * (block.before(0) + std::abs(block.w(0) / block.K(0, 0))));
         }
     }
 }

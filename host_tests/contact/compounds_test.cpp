@@ -133,7 +133,8 @@ TEST(Dumbbell, of_two_boxes_comes_to_rest_on_both) {
     auto world = earth<Some<2>>();
     constexpr Shape weight = ingot::Box{{scalar(0.25), scalar(0.25), scalar(0.25)}};
     constexpr scalar mu = scalar(0.5);
-    const Parts<3> parts = {{part(weight, {scalar(-0.75), 0, 0}, mu), part(weight, {scalar(0.75), 0, 0}, mu), part(ingot::Capsule{scalar(0.0625), scalar(0.75)}, {}, mu, along_x)}};
+    const Parts<3> parts = {{part(weight, {scalar(-0.75), 0, 0}, mu), part(weight, {scalar(0.75), 0, 0}, mu),
+                             part(ingot::Capsule{scalar(0.0625), scalar(0.75)}, {}, mu, along_x)}};
     add_placed(*world, flat_ground(mu));
     const BodyId id = add_parts(*world, parts, 2, {0, 0, 2}, scattered_rotation(5)).value;
     run(*world, 10);
@@ -176,7 +177,8 @@ TEST(TableOfFiveBoxes, carries_a_tower) {
     const BodyId table_id = add_parts(*world, table(mu), 2, {}).value;
     std::vector<BodyId> cubes;
     constexpr scalar half = scalar(0.25);
-    for (int i = 0; i < 5; ++i) cubes.push_back(add_placed(*world, solid_box(1, {half, half, half}, {0, 0, scalar(0.875) + half + scalar(i) * 2 * half}, mu)));
+    for (int i = 0; i < 5; ++i)
+        cubes.push_back(add_placed(*world, solid_box(1, {half, half, half}, {0, 0, scalar(0.875) + half + scalar(i) * 2 * half}, mu)));
     const Vector3d from = place(*world, table_id);
     run(*world, 30);
     EXPECT_LE((place(*world, table_id) - from).norm(), 1e-3);
@@ -604,7 +606,8 @@ TEST(CompoundFilters, are_of_the_body) {
 /// A scene of bodies of one shape knows nothing of this: nothing of it is in its storage, and its bodies are the shapes.
 TEST(OneShape, is_the_body) {
     using S = Hulled<4, 8>;
-    static_assert(std::is_empty_v<ingot::CompoundPart<S, ingot::has_compounds<S>>> && std::is_empty_v<ingot::BodyPairPart<S, ingot::has_compounds<S>>>);
+    static_assert(std::is_empty_v<ingot::CompoundPart<S, ingot::has_compounds<S>>> &&
+                  std::is_empty_v<ingot::BodyPairPart<S, ingot::has_compounds<S>>>);
     ingot::Storage<S> storage{};
     EXPECT_EQ(storage.shapes().rotation, storage.bodies().rotation);
     EXPECT_EQ(storage.manifolds_of_bodies().pairs, storage.pairs);

@@ -49,7 +49,8 @@ TEST_P(Bullet, never_passes_a_plate) {
     for (const double e : {0.0, 0.5, 1.0}) {
         for (int phase_i = 0; phase_i < 40; ++phase_i) {
             const scalar phase = static_cast<scalar>(phase_i) / 40;
-            Play<FastRoom<2>> scene(bodies_from<2>([&](int i) { return BulletAndPlate::body(i, phase, static_cast<scalar>(e)); }), BulletAndPlate::gravity);
+            Play<FastRoom<2>> scene(bodies_from<2>([&](int i) { return BulletAndPlate::body(i, phase, static_cast<scalar>(e)); }),
+                                    BulletAndPlate::gravity);
             ASSERT_TRUE(scene.sound());
             const int steps = rate / 10;  // 0.1 s
             for (int step_i = 0; step_i < steps; ++step_i) {
@@ -80,7 +81,8 @@ TEST_P(Pairs, do_not_pass_each_other_head_on) {
     for (const bool balls : {false, true}) {
         for (const int speed : {10, 20, 40, 80, 800}) {
             for (int phase_i = 0; phase_i < HeadOn::phase_count; ++phase_i) {
-                Play<FastRoom<2>> scene(bodies_from<2>([&](int i) { return HeadOn::body(i, balls, static_cast<scalar>(speed), phase_i); }), HeadOn::gravity);
+                Play<FastRoom<2>> scene(bodies_from<2>([&](int i) { return HeadOn::body(i, balls, static_cast<scalar>(speed), phase_i); }),
+                                        HeadOn::gravity);
                 ASSERT_TRUE(scene.sound());
                 EnergyWatch watch(scene);
                 for (int step_i = 0; step_i < rate / 10 + 2; ++step_i) {
@@ -191,7 +193,8 @@ TEST(BetweenPlates, more_impacts_than_are_followed_are_counted) {
 /// A bullet stays before the cube it hits, and waits for the others of the stack: a flight that was cut, and told so.
 TEST(BulletIntoStack, stays_before_the_cube_it_hits) {
     for (int phase_i = 0; phase_i < 10; ++phase_i) {
-        Play<FastRoom<7>> scene(bodies_from<7>([&](int i) { return BulletIntoStack::body(i, static_cast<scalar>(phase_i) / 10); }), BulletIntoStack::gravity);
+        Play<FastRoom<7>> scene(bodies_from<7>([&](int i) { return BulletIntoStack::body(i, static_cast<scalar>(phase_i) / 10); }),
+                                BulletIntoStack::gravity);
         ASSERT_TRUE(scene.sound());
         EnergyWatch watch(scene);
         int cut = 0;
@@ -260,7 +263,9 @@ std::vector<PlacedBody> room_full_of_bullets(int seed, scalar e, scalar spin) {
     }
     for (int i = 0; i < 12; ++i) {
         const int index = 100 * seed + i;
-        const auto place = [&](int cell, int channel) { return scalar(0.6) * static_cast<scalar>(cell - 1) + scalar(0.1) * scattered(index, channel); };
+        const auto place = [&](int cell, int channel) {
+            return scalar(0.6) * static_cast<scalar>(cell - 1) + scalar(0.1) * scattered(index, channel);
+        };
         PlacedBody body = any_shape(kinds_from + i % (kinds_to - kinds_from + 1), {place(i % 3, 0), place(i / 3 % 3, 1), place(i / 9, 2)}, mu, e);
         body.turn(scattered_rotation(index));
         body.move(Vector{scattered(index, 3), scattered(index, 4), scattered(index, 5)} * scalar(300),

@@ -141,7 +141,8 @@ TEST_P(HullAndOther, rest_on_each_other) {
     using S = HullRoom<3>;
     const Companion& other = GetParam();
     for (const bool hull_above : {false, true}) {
-        PlacedBody cube = hull_body<S>(cube_form, {0, 0, scalar(0.5)}, scalar(0.6)), body = solid_ball(1, scalar(0.4), {0, 0, scalar(other.height)}, scalar(0.6));
+        PlacedBody cube = hull_body<S>(cube_form, {0, 0, scalar(0.5)}, scalar(0.6)),
+                   body = solid_ball(1, scalar(0.4), {0, 0, scalar(other.height)}, scalar(0.6));
         body.def.shape = other.shape;
         PlacedBody &below = hull_above ? body : cube, &above = hull_above ? cube : body;
         const double top = hull_above ? 2 * other.height : 1, rest = top + (hull_above ? 0.5 : other.height);
@@ -211,7 +212,8 @@ TEST(HullQueries, answer_as_those_of_the_box) {
     ASSERT_EQ(boxes.add(body.def).value, id);
     int met = 0, near = 0, overlapping = 0;
     for (int i = 0; i < 800; ++i) {
-        const Vector from = Vector{1, 2, 3} + Vector{scattered(i, 0), scattered(i, 1), scattered(i, 2)} * 2, way = {scattered(i, 3) * 4, scattered(i, 4) * 4, scattered(i, 5) * 4};
+        const Vector from = Vector{1, 2, 3} + Vector{scattered(i, 0), scattered(i, 1), scattered(i, 2)} * 2,
+                     way = {scattered(i, 3) * 4, scattered(i, 4) * 4, scattered(i, 5) * 4};
         const ingot::PlacedShape ball = {ingot::Sphere{scalar(0.25)}, from, ingot::identity_matrix<scalar>(), nullptr};
         const double tolerance = 64 * static_cast<double>(ingot::epsilon) * 8;
         const ingot::QueryHit ray = hulls.cast_ray(from, way).value, ray_box = boxes.cast_ray(from, way).value;

@@ -138,7 +138,8 @@ TEST(Cradle, of_two_that_touch) { expect_cradle<2, 1, 0>(true); }
 /// Two balls come towards the middle of a third along (0.6, +-0.8) and meet it at the same time: solved together, the answer is as symmetric as the
 /// question. The cosine between the two directions is -0.28, so equal masses get j = 2 v / (2 - 0.28) each, and the energy stays.
 TEST(ImpactsOfOneTime, are_solved_together) {
-    std::vector<PlacedBody> bodies = {solid_ball(1, scalar(0.5), {0, 0, 0}, 0, 1), solid_ball(1, scalar(0.5), {scalar(-0.63), scalar(-0.84), 0}, 0, 1),
+    std::vector<PlacedBody> bodies = {solid_ball(1, scalar(0.5), {0, 0, 0}, 0, 1),
+                                      solid_ball(1, scalar(0.5), {scalar(-0.63), scalar(-0.84), 0}, 0, 1),
                                       solid_ball(1, scalar(0.5), {scalar(-0.63), scalar(0.84), 0}, 0, 1)};
     bodies[1].move({scalar(1.2), scalar(1.6), 0});
     bodies[2].move({scalar(1.2), scalar(-1.6), 0});
@@ -174,8 +175,9 @@ TEST(ImpactsOnWhatLeans, bounce_as_off_the_floor) {
 /// Not a superball: its tangential restitution, which turns the spin over, is no part of the contact.
 void expect_spin_after(double gap, double mu, double v, double spin, double v_after) {
     const double radius = 0.25, v_n = 2;
-    std::vector<PlacedBody> bodies = {flat_ground(static_cast<scalar>(mu), 1),
-                                      solid_ball(1, static_cast<scalar>(radius), {0, 0, static_cast<scalar>(radius + gap)}, static_cast<scalar>(mu), 1)};
+    std::vector<PlacedBody> bodies = {
+        flat_ground(static_cast<scalar>(mu), 1),
+        solid_ball(1, static_cast<scalar>(radius), {0, 0, static_cast<scalar>(radius + gap)}, static_cast<scalar>(mu), 1)};
     bodies[1].move({static_cast<scalar>(v), 0, static_cast<scalar>(-v_n)}, {0, static_cast<scalar>(spin), 0});
     Play<Room<2>> scene(bodies, {0, 0, 0});
     ASSERT_TRUE(scene.sound());
@@ -195,8 +197,9 @@ TEST(SpinningBall, slides_by_mu_times_the_impulse) { expect_spin_after(0, 0.05, 
 double v_after_sticking(double v, double spin, double r, double x) { return v - (v - x * r * spin) / (1 + 2.5 * x * x); }
 
 /// A ball that comes from a gap s has its point of contact in the middle of that gap: friction has the lever (1 + s / 2 r) r, s up to the way of a
-/// step. That is what it may be off by, 0.0256 of 1 m/s here; it goes with h. (Levers to each surface's own point would be exact for a ball, to 1e-16 in
-/// double, but make a couple of whatever presses across a gap: a slab on tiles, whose gaps stay open for a while, does not come to rest then.)
+/// step. That is what it may be off by, 0.0256 of 1 m/s here; it goes with h. (Levers to each surface's own point would be exact for a ball,
+/// to 1e-16 in double, but make a couple of whatever presses across a gap: a slab on tiles, whose gaps stay open for a while, does not come
+/// to rest then.)
 TEST(SpinningBall, that_flies_in_rolls_off_by_the_rule_but_for_half_its_way) {
     constexpr double r = 0.25, v_n = 2, v = 1;
     for (const double spin : {0.0, -8.0}) {

@@ -61,7 +61,8 @@ TEST_P(Bricks, stop_where_and_when_the_closed_form_says) {
         EXPECT_NEAR(stopped_at, t_stop, h);
     }
     EXPECT_NEAR(way, exact_way, 0.01 * std::abs(exact_way) + 1e-5);
-    EXPECT_NEAR(down.dot(scene.v(1)), static_cast<double>(exact.at(static_cast<long double>(c.seconds)).v), 0.01 * std::abs(static_cast<double>(c.v_0)) + 1e-4);
+    EXPECT_NEAR(down.dot(scene.v(1)), static_cast<double>(exact.at(static_cast<long double>(c.seconds)).v),
+                0.01 * std::abs(static_cast<double>(c.v_0)) + 1e-4);
 }
 INSTANTIATE_TEST_SUITE_P(Incline, Bricks, ::testing::ValuesIn(brick_cases),
                          case_name);

@@ -117,17 +117,20 @@ Twins random_pile(RandomInput& random, double mu_max) {
             const Eigen::Vector3d up = (Eigen::Vector3d::UnitZ() + random.vector(0.2)).normalized();
             record.manifold.n = ingot_reference::to_vector(-up);  // A is the lower slot
             record.manifold.count = random.integer(1, 4);
-            const Eigen::Vector3d a = twins.problem.bodies[static_cast<std::size_t>(upper)].r_CM, b = twins.problem.bodies[static_cast<std::size_t>(lower)].r_CM;
+            const Eigen::Vector3d a = twins.problem.bodies[static_cast<std::size_t>(upper)].r_CM,
+                                  b = twins.problem.bodies[static_cast<std::size_t>(lower)].r_CM;
             Eigen::Vector3d middle = lower == 0 ? Eigen::Vector3d(a - 0.5 * up) : Eigen::Vector3d((a + b) / 2);
             middle += random.vector(0.1);
             for (int i = 0; i < record.manifold.count; ++i) {
                 const double angle = 1.5707963 * i + random.real(-0.5, 0.5);
                 const Eigen::Vector3d e1 = up.unitOrthogonal(), e2 = up.cross(e1);
-                record.manifold.points[i].P = ingot_reference::to_vector(middle + random.real(0.2, 0.5) * (std::cos(angle) * e1 + std::sin(angle) * e2));
+                record.manifold.points[i].P =
+                    ingot_reference::to_vector(middle + random.real(0.2, 0.5) * (std::cos(angle) * e1 + std::sin(angle) * e2));
                 record.manifold.points[i].separation = static_cast<scalar>(random.real(-0.001, 0));
                 record.manifold.points[i].feature = static_cast<std::uint32_t>(i);
             }
-            pile.pairs.push_back({static_cast<std::uint16_t>(lower), static_cast<std::uint16_t>(upper), static_cast<std::uint16_t>(pile.records.size())});
+            pile.pairs.push_back(
+                {static_cast<std::uint16_t>(lower), static_cast<std::uint16_t>(upper), static_cast<std::uint16_t>(pile.records.size())});
             pile.records.push_back(record);
         }
     }
@@ -203,7 +206,8 @@ void expect_sweeps_meet_the_exact_solution(double mu_max) {
         ingot::warm_start(solver, static_cast<scalar>(h));  // impulses are 0 as yet: nothing is given
         constexpr int sweeps = 2000;
         double residual = 0;
-        for (int sweep_i = 1; sweep_i <= sweeps; ++sweep_i) residual = static_cast<double>(ingot::sweep_velocities(solver, sweep_i, sweep_i % 2 != 0, 0));
+        for (int sweep_i = 1; sweep_i <= sweeps; ++sweep_i)
+            residual = static_cast<double>(ingot::sweep_velocities(solver, sweep_i, sweep_i % 2 != 0, 0));
         const double bound = (residual + 12 * 4 * static_cast<double>(ingot::epsilon)) / (1 - 0.9) + reference_tolerance;
         const double distance = ingot_reference::velocity_distance(twins.problem, exact, solution_of(solver, twins.problem));
         worst = std::max(worst, distance);

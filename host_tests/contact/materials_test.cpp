@@ -70,7 +70,8 @@ TEST(RollingResistance, slows_a_ball_by_its_law_and_stops_it) {
     for (const bool of_ball : {true, false}) {
         PlacedBody ball = solid_ball(3, scalar(R), {0, 0, scalar(R)}, scalar(0.5));
         ball.move({scalar(1.6), scalar(1.2), 0}, {scalar(-1.2 / R), scalar(1.6 / R), 0});
-        auto scene = play_materials<2>({{flat_ground(scalar(0.5)), scalar(of_ball ? 0 : lever), {}}, {ball, scalar(of_ball ? lever : 0.01), {}}}, OnEarth::gravity);
+        auto scene = play_materials<2>({{flat_ground(scalar(0.5)), scalar(of_ball ? 0 : lever), {}}, {ball, scalar(of_ball ? lever : 0.01), {}}},
+                                       OnEarth::gravity);
         const Allowed most = allowed(t_stop, v_0);
         const Vector3d way(0.8, 0.6, 0);
         double worst = 0, stopped_at = -1;
@@ -121,7 +122,8 @@ TEST(RollingResistance, is_between_two_bodies) {
         for (const int i : {0, 1}) EXPECT_EQ(scene.world().add_central_force(scene.id(i), {scalar(i == 0 ? force : -force), 0, 0}), Status::ok);
         (void)scene.step(OnEarth::h);
         const double given = std::min(rate * step_i * h, omega / 2);
-        if (std::abs(step_i * h - t_equal) > h) worst = std::max({worst, std::abs(scene.omega(0).z() - omega + given), std::abs(scene.omega(1).z() - given)});
+        if (std::abs(step_i * h - t_equal) > h)
+            worst = std::max({worst, std::abs(scene.omega(0).z() - omega + given), std::abs(scene.omega(1).z() - given)});
         EXPECT_NEAR((scene.omega(0) + scene.omega(1)).z(), omega, 400 * static_cast<double>(ingot::epsilon) * omega);
     }
     figure("error of the spin, rad/s", worst);
@@ -148,7 +150,9 @@ TEST(RollingResistance, stops_what_lies_along_a_line) {
 /// A box that is put on a belt gets mu g t, until it has the belt's speed; then it rides on it.
 TEST(Belt, brings_a_box_to_its_speed_by_friction) {
     constexpr double mu = 0.4, V = 1.5, t_ride = V / (mu * g);
-    auto scene = play_materials<2>({{fixed_box({20, 2, scalar(0.5)}, {0, 0, scalar(-0.5)}, scalar(mu)), 0, {scalar(-V), 0, 0}}, {parcel(flat, scalar(mu)), 0, {}}}, OnEarth::gravity);
+    auto scene = play_materials<2>(
+        {{fixed_box({20, 2, scalar(0.5)}, {0, 0, scalar(-0.5)}, scalar(mu)), 0, {scalar(-V), 0, 0}}, {parcel(flat, scalar(mu)), 0, {}}},
+        OnEarth::gravity);
     double worst = 0;
     scene.run(OnEarth::h, 3, [&](int step_i) {
         const double t = step_i * h, v = -std::min(mu * g * t, V);
@@ -185,7 +189,8 @@ TEST(Belt, carries_a_box_up_an_incline) {
 /// A ball on a belt slides for 2 V / (7 mu g) and then rolls, with 2/7 of the belt's speed and its rim with all of it.
 TEST(Belt, sets_a_ball_rolling_with_two_sevenths_of_its_speed) {
     constexpr double mu = 0.25, V = 2, R = 0.5, t_roll = 2 * V / (7 * mu * g);
-    auto scene = play_materials<2>({{flat_ground(scalar(mu)), 0, {0, scalar(V), 0}}, {solid_ball(1, scalar(R), {0, 0, scalar(R)}, scalar(mu)), 0, {}}}, OnEarth::gravity);
+    auto scene = play_materials<2>(
+        {{flat_ground(scalar(mu)), 0, {0, scalar(V), 0}}, {solid_ball(1, scalar(R), {0, 0, scalar(R)}, scalar(mu)), 0, {}}}, OnEarth::gravity);
     double rolls_at = -1;
     scene.run(OnEarth::h, 4, [&](int step_i) {
         const double rim = (scene.v(1) + scene.omega(1).cross(Vector3d(0, 0, -R))).y();
@@ -204,16 +209,19 @@ TEST(Belt, is_ground_to_who_moves_with_it) {
     for (const double lever : {0.0, 0.01}) {
         constexpr double V = 0.75;
         const auto with_belt = [&](double belt) {
-            PlacedBody lower = solid_ball(1, scalar(0.5), {0, 0, scalar(0.5)}, scalar(0.5), 1), upper = solid_ball(1, scalar(0.25), {0, 0, scalar(1.375)}, scalar(0.5), scalar(0.5));
+            PlacedBody lower = solid_ball(1, scalar(0.5), {0, 0, scalar(0.5)}, scalar(0.5), 1),
+                       upper = solid_ball(1, scalar(0.25), {0, 0, scalar(1.375)}, scalar(0.5), scalar(0.5));
             lower.move({scalar(1 + belt), 0, -1}, {0, -6, 0});
             upper.move({scalar(1 + belt), scalar(0.25), -2}, {0, 3, 0});
-            return play_materials<3>({{flat_ground(scalar(0.5), 1), 0, {scalar(belt), 0, 0}}, {lower, scalar(lever), {}}, {upper, scalar(lever), {}}}, {0, 0, -8});
+            return play_materials<3>({{flat_ground(scalar(0.5), 1), 0, {scalar(belt), 0, 0}}, {lower, scalar(lever), {}}, {upper, scalar(lever), {}}},
+                                     {0, 0, -8});
         };
         auto still = with_belt(0), moving = with_belt(V);
         double worst = 0;
         still.run(OnEarth::h, 0.25, [&](int) {
             (void)moving.step(OnEarth::h);
-            for (const int i : {1, 2}) worst = std::max({worst, (still.v(i) - moving.v(i) + Vector3d(V, 0, 0)).norm(), (still.omega(i) - moving.omega(i)).norm()});
+            for (const int i : {1, 2})
+                worst = std::max({worst, (still.v(i) - moving.v(i) + Vector3d(V, 0, 0)).norm(), (still.omega(i) - moving.omega(i)).norm()});
         });
         figure("largest difference, m/s and rad/s", worst);
         EXPECT_LE(worst, allowed(0.25, 2).speed / 0.25);
@@ -223,10 +231,11 @@ TEST(Belt, is_ground_to_who_moves_with_it) {
 /// A crawler on a slab that slides freely: momentum stays, and the two part at the speed of its surface.
 TEST(Belt, of_a_body_that_moves_pushes_back) {
     constexpr double s = 1.2;
-    auto scene = play_materials<3>({{flat_ground(0), 0, {}},
-                                    {solid_box(6, {4, 1, scalar(0.25)}, {0, 0, scalar(0.25)}, scalar(0.5)), 0, {}},
-                                    {solid_box(2, {scalar(0.5), scalar(0.5), scalar(0.25)}, {0, 0, scalar(0.75)}, scalar(0.5)), 0, {scalar(-s), 0, 0}}},
-                                   OnEarth::gravity);
+    auto scene =
+        play_materials<3>({{flat_ground(0), 0, {}},
+                           {solid_box(6, {4, 1, scalar(0.25)}, {0, 0, scalar(0.25)}, scalar(0.5)), 0, {}},
+                           {solid_box(2, {scalar(0.5), scalar(0.5), scalar(0.25)}, {0, 0, scalar(0.75)}, scalar(0.5)), 0, {scalar(-s), 0, 0}}},
+                          OnEarth::gravity);
     scene.run(OnEarth::h, 1);
     figure("relative speed, m/s", scene.v(2).x() - scene.v(1).x());
     EXPECT_NEAR(scene.v(2).x() - scene.v(1).x(), s, allowed(1, s).speed);
@@ -338,7 +347,8 @@ TEST(Materials, are_kept_by_a_snapshot) {
     const ingot::Result<size_t> size = ingot::save_snapshot(scene.world(), bytes.data(), bytes.size());
     ASSERT_TRUE(size.ok());
     replay::SnapshotFields fields;
-    EXPECT_EQ(replay::read_fields({bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size.value)}, fields), "") << "as ingot_replay reads it";
+    EXPECT_EQ(replay::read_fields({bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size.value)}, fields), "")
+        << "as ingot_replay reads it";
     double rolling = 0;
     for (const replay::SnapshotField& field : fields.fields) rolling += field.name == "rolling_resistance" ? field.value(fields.doubles) : 0;
     double given = 0;

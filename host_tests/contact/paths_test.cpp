@@ -33,7 +33,10 @@ TEST(Path, goes_from_its_begin_to_its_end_by_a_parabola_and_a_steady_turn) {
         // The turns at both ends are somewhat off the steady one, as those of a body that precesses are.
         const Vector3d off = i % 2 == 0 ? random.vector(0.02) : Vector3d(Vector3d::Zero());
         const PathPoint begin = {to_vector(random.vector(2)), {}, to_vector(Vector3d(turn + off)), to_matrix(A)};
-        const PathPoint end = {to_vector(Vector3d(in_double(begin.r_CM) + away)), {}, to_vector(Vector3d(turn + off / 2)), to_matrix(Eigen::Matrix3d(turn_by(turn * time) * A))};
+        const PathPoint end = {to_vector(Vector3d(in_double(begin.r_CM) + away)),
+                               {},
+                               to_vector(Vector3d(turn + off / 2)),
+                               to_matrix(Eigen::Matrix3d(turn_by(turn * time) * A))};
         BodyPath path{};
         ingot::lay_path(begin, static_cast<scalar>(from), end, static_cast<scalar>(until), to_vector(fall), path);
         EXPECT_EQ(path.next, ingot::never);
@@ -43,8 +46,8 @@ TEST(Path, goes_from_its_begin_to_its_end_by_a_parabola_and_a_steady_turn) {
             // r = begin + u (way + u fall) with r(time) = end: the way is away / time - fall time.
             const Vector3d r = in_double(begin.r_CM) + u * (away / time - fall * time + u * fall);
             EXPECT_LE((in_double(at.r) - r).norm(), 64 * eps) << i << " at " << share;
-            // The turn that is off by d = off time is put right by a vector that is added to it: to |turn| |d| / 2, half the commutator of the two, and
-            // d^2. A turn by x is sqrt(2) x in Frobenius' norm.
+            // The turn that is off by d = off time is put right by a vector that is added to it: to |turn| |d| / 2, half the commutator of
+            // the two, and d^2. A turn by x is sqrt(2) x in Frobenius' norm.
             const Eigen::Matrix3d A_at = turn_by(turn * u) * A;
             const double d = off.norm() * time, allowed = std::sqrt(2.0) * (turn.norm() * time * d / 2 + d * d) + 64 * eps;
             EXPECT_LE((exact(at.A).cast<double>() - A_at).norm(), allowed) << i << " at " << share;
@@ -58,7 +61,8 @@ TEST(Path, of_a_body_that_turns_far_ends_where_it_has_turned_by_an_angle) {
         for (const double from : {0.0, 0.3, 0.75}) {
             const double most = std::max(part, angle / parts_max), left = angle * (1 - from);
             const double end = left > most ? from + most / angle : 1;
-            EXPECT_NEAR(static_cast<double>(ingot::end_of_path({0, static_cast<scalar>(angle), 0}, static_cast<scalar>(from))), end, 16 * eps) << angle;
+            EXPECT_NEAR(static_cast<double>(ingot::end_of_path({0, static_cast<scalar>(angle), 0}, static_cast<scalar>(from))), end, 16 * eps)
+                << angle;
         }
     }
 }
@@ -166,7 +170,8 @@ TEST(TimeOfImpact, of_balls_is_that_of_the_parabola) {
             path_A.way = {0, 0, -1}, path_A.fall = {0, 0, static_cast<scalar>(-fall)};
             path_A.from = static_cast<scalar>(from);
             path_A.until = path_B.until = 4;
-            const double t = static_cast<double>(ingot::time_of_impact(path_A, ingot::Sphere{scalar(0.5)}, path_B, ingot::Sphere{scalar(0.25)}, 4, false));
+            const double t =
+                static_cast<double>(ingot::time_of_impact(path_A, ingot::Sphere{scalar(0.5)}, path_B, ingot::Sphere{scalar(0.25)}, 4, false));
             // 2 - u - fall u^2 = 0.75
             const double u = fall > 0 ? (-1 + std::sqrt(1 + 5 * fall)) / (2 * fall) : 1.25, speed = 1 + 2 * fall * u;
             EXPECT_LE(t, from + u + 1e-6);
@@ -211,7 +216,8 @@ TEST(Path, of_a_body_has_a_half_extent_of_its_shape) {
     EXPECT_EQ(ingot::least_half_extent(ingot::Capsule{2, 1}), 2);
     EXPECT_EQ(ingot::least_half_extent(ingot::Cylinder{2, 3}), 2);
     EXPECT_EQ(ingot::least_half_extent(ingot::Cylinder{3, 2}), 2);
-    for (const ingot::Vector& size : {ingot::Vector{1, 2, 3}, ingot::Vector{2, 1, 3}, ingot::Vector{2, 3, 1}}) EXPECT_EQ(ingot::least_half_extent(ingot::Box{size}), 1);
+    for (const ingot::Vector& size : {ingot::Vector{1, 2, 3}, ingot::Vector{2, 1, 3}, ingot::Vector{2, 3, 1}})
+        EXPECT_EQ(ingot::least_half_extent(ingot::Box{size}), 1);
     EXPECT_EQ(ingot::least_half_extent(ingot::Hull{2}), 2 * scalar(0.1));
     EXPECT_EQ(ingot::least_half_extent(ingot::HalfSpace{{0, 0, 1}, 0}), ingot::limits::unbounded);
     EXPECT_EQ(ingot::least_half_extent(Shape{}), ingot::limits::unbounded);
@@ -221,7 +227,8 @@ TEST(Path, is_fast_by_way_and_turn_and_not_when_it_is_no_number) {
     ingot::Surface surface{};
     surface.shape = ingot::Sphere{1};
     surface.bounding_radius = 1;
-    const scalar enough = ingot::limits::fast_share, nan = std::numeric_limits<scalar>::quiet_NaN(), infinity = std::numeric_limits<scalar>::infinity();
+    const scalar enough = ingot::limits::fast_share, nan = std::numeric_limits<scalar>::quiet_NaN(),
+                 infinity = std::numeric_limits<scalar>::infinity();
     const auto fast = [&](const ingot::Vector& way, const ingot::Vector& fall, const ingot::Vector& turn, scalar from) {
         BodyPath path{};
         path.way = way, path.fall = fall, path.turn = turn, path.from = from, path.until = 1;
@@ -260,7 +267,8 @@ TEST(TwoBodies, refuse_a_state_that_is_no_number) {
         tiles.write(slot, def);
         tiles.rotation(slot).kicked = 0;
         const ingot::FlightState before = ingot::flight_state(tiles.view(), slot);
-        ingot::FlightState next = {to_vector(random.vector(1)), to_vector(random.vector(1)), to_vector(random.vector(1)), to_matrix(random.rotation())};
+        ingot::FlightState next = {to_vector(random.vector(1)), to_vector(random.vector(1)), to_vector(random.vector(1)),
+                                   to_matrix(random.rotation())};
         (bad == 0 ? next.r_CM.y : bad == 1 ? next.v_CM.z : bad == 2 ? next.L.x : next.A.c1.z) = bad < 4 ? nan : scalar(0.25);
         ingot::BodyView view = tiles.view();
         if (bad == 3) view.compensation = nullptr;
@@ -288,8 +296,10 @@ TEST(TwoBodies, know_how_far_they_move_in_a_while) {
         ingot::Surface surfaces[2] = {};
         // Spins of 3 and 5 rad/s about z, moments of 2: L = 6 and 10; speeds of 7 m/s against each other; or hardly moving; or turning fast; or at
         // rest; or turning fast and thin.
-        const double v = case_i == 0 ? 7 : case_i == 3 ? 0 : 0.001, size[2] = {0.5, 0.25}, thin = case_i == 4 ? 1e-4 : 1, radius[2] = {0.75 * thin, thin};
-        const double spin[2] = {case_i == 3 ? 0 : case_i == 1 || case_i == 0 ? 3.0 : 300.0, case_i == 3 ? 0 : case_i == 1 || case_i == 0 ? 5.0 : 10.0};
+        const double v = case_i == 0 ? 7 : case_i == 3 ? 0 : 0.001, size[2] = {0.5, 0.25};
+        const double thin = case_i == 4 ? 1e-4 : 1, radius[2] = {0.75 * thin, thin};
+        const bool turns_slowly = case_i == 0 || case_i == 1;
+        const double spin[2] = {case_i == 3 ? 0 : turns_slowly ? 3.0 : 300.0, case_i == 3 ? 0 : turns_slowly ? 5.0 : 10.0};
         for (int which = 0; which < 2; ++which) {
             ingot::BodyDef def = ingot_reference::definition(1, Vector3d(2 * Vector3d::Ones()));
             def.state.v_CM = {0, static_cast<scalar>(which == 0 ? 0.0 : v), 0};

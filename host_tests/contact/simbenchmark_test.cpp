@@ -59,9 +59,10 @@ TEST(SimBenchmark, pile_666_does_not_overlap) {
     EXPECT_LE(sum / samples, 1.35e-4);
 }
 
-/// C21: a push sets off the box, and the balls roll on it. The error is that of the definition, in the mean over the steps, each taken before its step:
-/// |v_box - a_box t|^2 + |v_ball - a_ball t|^2 with a_box = (F - mu_1 (M + 25 m) g) / (M + 25 m 2/7) and a_ball = 2/7 a_box. The definition multiplies
-/// the coefficients of two materials (0.5, 0.8, 1); here, where the geometric mean counts, those of 0.2, 0.8 and 0.8 give its 0.4 and 0.8.
+/// C21: a push sets off the box, and the balls roll on it. The error is that of the definition, in the mean over the steps, each taken before
+/// its step:
+/// |v_box - a_box t|^2 + |v_ball - a_ball t|^2 with a_box = (F - mu_1 (M + 25 m) g) / (M + 25 m 2/7) and a_ball = 2/7 a_box. The definition
+/// multiplies the coefficients of two materials (0.5, 0.8, 1); here, where the geometric mean counts, those of 0.2, 0.8 and 0.8 give its 0.4 and 0.8.
 double rolling_error(const Vector& push) {
     const scalar mu[] = {scalar(0.2), scalar(0.8), scalar(0.8)};
     Play<Room<SimRolling::body_count>> scene(bodies_from<SimRolling::body_count>([&](int body_i) {
@@ -86,8 +87,9 @@ double rolling_error(const Vector& push) {
     figure("rolling error, m^2 s^-2", sum / steps);
     return sum / steps;
 }
-/// Double: <= 5.7e-9 (Bullet), <= 7.7e-9 (ODE), 1e-8 of C21; all of these are runs in double. Float cannot get there: in each substep the box takes the
-/// push and one impulse of each of its 26 contacts, all the same from substep to substep, so that each may round by half an ulp the same way every time.
+/// Double: <= 5.7e-9 (Bullet), <= 7.7e-9 (ODE), 1e-8 of C21; all of these are runs in double. Float cannot get there: in each substep the box
+/// takes the push and one impulse of each of its 26 contacts, all the same from substep to substep, so that each may round by half an ulp the
+/// same way every time.
 /// Of v = a t that adds up to 27 (epsilon / 2) (a t / 2) t / h, h of a substep; the balls have 2/7 of it.
 double rolling_bound() {
     if (is_double) return 5.7e-9;

@@ -100,7 +100,8 @@ TEST(SolverBodies, turn_by_what_dth_has_beyond_the_drift) {
     for (int i = 0; i < 50; ++i) {
         Solved solved;
         const Vector3d push = random.vector(i % 2 == 0 ? 0.01 : 1);
-        const Eigen::Matrix3d inv_I = to_eigen(ingot::lane_of(solved.tiles.translation(1).inv_I_world, 1 % ingot::lanes)), A = to_eigen(solved.tiles.state(1).A);
+        const Eigen::Matrix3d inv_I = to_eigen(ingot::lane_of(solved.tiles.translation(1).inv_I_world, 1 % ingot::lanes)),
+                              A = to_eigen(solved.tiles.state(1).A);
         const Vector3d dth = push + inv_I * solved.L_sum[1] * static_cast<double>(h) / ingot::limits::substeps;
         for (int k = 0; k < 3; ++k) solved.bodies[1].dth[k] = static_cast<scalar>(dth(k));
         ingot::turn_by_corrections(solved.view(), solved.tiles.view(), h);

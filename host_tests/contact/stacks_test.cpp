@@ -81,7 +81,8 @@ TEST(Tower, of_10_rests) {
     EXPECT_LE(scene.fastest(), rest_speed);
 }
 
-/// Impulses of the normals of each contact in the last substep, as a step of limits::substeps has them, N s: by the slots of its bodies, out of a snapshot.
+/// Impulses of the normals of each contact in the last substep, as a step of limits::substeps has them, N s: by the slots of its bodies, out
+/// of a snapshot.
 std::vector<double> loads_of_tower(const std::vector<uint8_t>& bytes, int height) {
     replay::SnapshotFields snapshot;
     EXPECT_EQ(replay::read_fields(bytes, snapshot), "");

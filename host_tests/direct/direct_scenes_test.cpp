@@ -90,11 +90,14 @@ TEST(DirectIslands, report_a_matrix_that_is_too_large) {
     EXPECT_EQ(small.reports().solved_directly, 0);
 }
 
-/// Balls of 1 kg and 1000 kg in a column, all elastic by `percent`, dropped together: chains of impacts between bodies that are for the direct solver.
+/// Balls of 1 kg and 1000 kg in a column, all elastic by `percent`, dropped together: chains of impacts between bodies that are for the
+/// direct solver.
 template <int percent>
 struct BouncingColumn : MassRatio<2, 1000> {
     static constexpr PlacedBody body(int body_i) {
-        PlacedBody placed = body_i == 0 ? flat_ground(mu) : solid_ball(body_i == 2 ? scalar(1000) : scalar(1), scalar(0.5), {0, 0, static_cast<scalar>(body_i) - scalar(0.25)}, mu);
+        PlacedBody placed =
+            body_i == 0 ? flat_ground(mu)
+                        : solid_ball(body_i == 2 ? scalar(1000) : scalar(1), scalar(0.5), {0, 0, static_cast<scalar>(body_i) - scalar(0.25)}, mu);
         placed.def.restitution = scalar(percent) / 100;
         return placed;
     }

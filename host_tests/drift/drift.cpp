@@ -111,7 +111,8 @@ int main(int argc, char** argv) {
         const Kept &o = orthogonality[body_i], &e = energy[body_i];
         const ingot::Vector& w = kinds[body_i].omega;
         const double angle = std::min(0.5, std::sqrt(double(ingot::length_sq(w))) / 60);
-        const bool good = same_L && o.worst <= orthogonality_max + 12 * epsilon * angle && e.worst <= energy_max && !o.grows(4 * epsilon) && !e.grows(4 * epsilon);
+        const bool good =
+            same_L && o.worst <= orthogonality_max + 12 * epsilon * angle && e.worst <= energy_max && !o.grows(4 * epsilon) && !e.grows(4 * epsilon);
         failed += good ? 0 : 1;
         std::printf("%-10s %14.1e %10.1e %10.1e %12.1e %10.1e %10.1e  %s%s\n", kinds[body_i].name, o.worst, o.early, o.late, e.worst, e.early, e.late,
                     same_L ? "kept" : "lost", good ? "" : "   FAILED");

@@ -76,9 +76,8 @@ TYPED_TEST(FieldsOf, point_mass_closes_the_ellipse) {
     field.mu = 1;
     field.centre = {1, -2, scalar(0.5)};
     const Vector3 centre(1, -2, 0.5), r(0.5, 0, 0), v(0, std::sqrt(3.0) * 0.8, std::sqrt(3.0) * 0.6);
-    expect_error<ingot::PointMassGravity, TypeParam>("Kepler", field, body_at(centre + r, v), 2 * std::acos(-1.0), 1024, 8, 0.5, [&](const ingot::BodyState& s) {
-                                                         return (to_eigen(s.r_CM) - centre - r).norm();
-                                                     });
+    expect_error<ingot::PointMassGravity, TypeParam>("Kepler", field, body_at(centre + r, v), 2 * std::acos(-1.0), 1024, 8, 0.5,
+                                                     [&](const ingot::BodyState& s) { return (to_eigen(s.r_CM) - centre - r).norm(); });
 }
 
 TYPED_TEST(FieldsOf, spring_swings_at_its_frequency) {
@@ -195,9 +194,8 @@ TYPED_TEST(DragOf, spring_damper_rings_down) {
     field.c = 4;  // of 2 kg: decay 1/s, omega^2 = 5 - 1
     const double t = 4;
     const double exact = std::exp(-t) * (std::cos(2 * t) + 0.5 * std::sin(2 * t));
-    expect_error<ingot::SpringDamper, TypeParam>("spring and damper", field, body_at({1, 0, 0}, Vector3::Zero()), t, 128, 2.5, 1, [&](const ingot::BodyState& s) {
-                                                     return std::abs(static_cast<double>(s.r_CM.x) - exact);
-                                                 });
+    expect_error<ingot::SpringDamper, TypeParam>("spring and damper", field, body_at({1, 0, 0}, Vector3::Zero()), t, 128, 2.5, 1,
+                                                 [&](const ingot::BodyState& s) { return std::abs(static_cast<double>(s.r_CM.x) - exact); });
 }
 
 /// A spring off the centre has a lever: with the mass far heavier than the inertia it is a torsion pendulum.

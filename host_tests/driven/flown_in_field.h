@@ -77,7 +77,8 @@ double flown(const Case& body, int rate, const std::function<void(const Sampled&
     for (const FreeBodyCase::Sample& sample : body.samples) {
         const long double due = sample.t * rate;
         if (due != std::floor(due)) continue;
-        for (; steps < static_cast<long>(due); ++steps) clean = ingot::step(world, ingot::scalar(1) / static_cast<ingot::scalar>(rate)).clean() && clean;
+        for (; steps < static_cast<long>(due); ++steps)
+            clean = ingot::step(world, ingot::scalar(1) / static_cast<ingot::scalar>(rate)).clean() && clean;
         const ingot::BodyState state = world.state(id).value;
         worst = std::max(worst, attitude_error(to_eigen<long double>(state.A), sample.A));
         if (see) see({&sample, state});

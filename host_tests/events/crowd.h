@@ -31,7 +31,8 @@ void run_crowd(const Look& look) {
         (void)world.add(fixed(ingot::HalfSpace{n, n.z > 0 ? scalar(0) : scalar(-1.5)}));
     std::vector<BodyId> balls;
     const auto add = [&] {
-        BodyDef def = ball(static_cast<scalar>(random.real(0.2, 0.5)), ingot_reference::to_vector(Eigen::Vector3d(random.vector(1) + Eigen::Vector3d(0, 0, 3.5))));
+        BodyDef def = ball(static_cast<scalar>(random.real(0.2, 0.5)),
+                           ingot_reference::to_vector(Eigen::Vector3d(random.vector(1) + Eigen::Vector3d(0, 0, 3.5))));
         def.restitution = static_cast<scalar>(random.real(0, 0.8));
         balls.push_back(world.add(def).value);
     };

@@ -96,7 +96,8 @@ TEST(Events, bodies_at_rest_have_nothing_to_tell) {
     (void)world.set_gravity({0, 0, -g});
     (void)world.add(ground());
     for (int i = 0; i < 4; ++i)
-        (void)world.add(body(ingot::Box{{scalar(0.5), scalar(0.5), scalar(0.5)}}, {scalar(0.1) * static_cast<scalar>(i), 0, scalar(0.5) + static_cast<scalar>(i)}));
+        (void)world.add(body(ingot::Box{{scalar(0.5), scalar(0.5), scalar(0.5)}},
+                             {scalar(0.1) * static_cast<scalar>(i), 0, scalar(0.5) + static_cast<scalar>(i)}));
     (void)world.add(ball(scalar(0.5), {5, 0, scalar(0.5)}));
     (void)ingot::step(world, h);
     EXPECT_EQ(count_of(world, EventKind::begin), 5);
@@ -290,7 +291,9 @@ TEST(Events, of_a_crowd_begin_and_end_in_turn) {
             ASSERT_TRUE(world.is_alive(pair.first) && world.is_alive(pair.second)) << "an end was forgotten";
             if (pair.first.slot < 5) continue;
             // Centres no further apart than two of the largest radii, the gap, and what the step can close.
-            const double speed = (ingot_reference::to_eigen(before.state(pair.first).value.v_CM) - ingot_reference::to_eigen(before.state(pair.second).value.v_CM)).norm();
+            const double speed =
+                (ingot_reference::to_eigen(before.state(pair.first).value.v_CM) - ingot_reference::to_eigen(before.state(pair.second).value.v_CM))
+                    .norm();
             EXPECT_LE(distance_of(before, pair.first, pair.second), 1.0 + 0.001 + speed * static_cast<double>(h) + 1e-2);
         }
     });

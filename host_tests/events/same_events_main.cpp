@@ -13,7 +13,8 @@ int main() {
     int count = 0;
     events_stage::run_crowd([&](const auto& world, const auto&) {
         for (const ingot::Event& event : world.events()) {
-            const std::uint32_t names[5] = {static_cast<std::uint32_t>(event.kind), event.A.slot, event.A.generation, event.B.slot, event.B.generation};
+            const std::uint32_t names[5] = {static_cast<std::uint32_t>(event.kind), event.A.slot, event.A.generation, event.B.slot,
+                                            event.B.generation};
             const ingot::scalar numbers[7] = {event.P.x, event.P.y, event.P.z, event.n.x, event.n.y, event.n.z, event.speed};
             add(names, sizeof names);
             add(numbers, sizeof numbers);

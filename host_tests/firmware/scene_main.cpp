@@ -126,18 +126,32 @@ int main() {
     return 0;
 #else
     run_methods();
-    const bool results[] = {run<scenes::Satellite>("satellite"), run<scenes::THandle>("t_handle"), run<scenes::Tumblers>("tumblers"),
-                            run<scenes::Drop>("drop"), keep<scenes::Drop>("snapshot_drop"), keep<scenes::TideOfMethods>("snapshot_tide"),
+    const bool results[] = {run<scenes::Satellite>("satellite"),
+                            run<scenes::THandle>("t_handle"),
+                            run<scenes::Tumblers>("tumblers"),
+                            run<scenes::Drop>("drop"),
+                            keep<scenes::Drop>("snapshot_drop"),
+                            keep<scenes::TideOfMethods>("snapshot_tide"),
                             run<scenes::Tower10>("tower_10"),
-                            run<scenes::TenBoxesRow>("ten_boxes_row"), run<scenes::TenBoxesColumn>("ten_boxes_column"), run<scenes::Playground>("playground"),
-                            run<scenes::Pyramid55>("pyramid_55"), run<scenes::MixedPile>("mixed_pile"),
+                            run<scenes::TenBoxesRow>("ten_boxes_row"),
+                            run<scenes::TenBoxesColumn>("ten_boxes_column"),
+                            run<scenes::Playground>("playground"),
+                            run<scenes::Pyramid55>("pyramid_55"),
+                            run<scenes::MixedPile>("mixed_pile"),
                             run<scenes::BulletRange>("bullet_walls"),
-                            run<scenes::HullPile>("hull_pile"), keep<scenes::HullPile>("snapshot_hull_pile"),
-                            run<scenes::CompoundPile>("compound_pile"), keep<scenes::CompoundPile>("snapshot_compound_pile"),
-                            run<scenes::MassRatio1e6>("mass_ratio_1e6"), run<scenes::Tower20>("tower_20"), keep<scenes::Tower20>("snapshot_tower_20"),
-                            run<scenes::ChosenBoxes>("uneven_boxes"), keep<scenes::ChosenBoxes>("snapshot_uneven_boxes"),
-                            run<scenes::SleepingTowers>("sleeping_towers"), keep<scenes::SleepingTowers>("snapshot_sleeping_towers"),
-                            run<scenes::Conveyors>("conveyors"), keep<scenes::Conveyors>("snapshot_conveyors")};
+                            run<scenes::HullPile>("hull_pile"),
+                            keep<scenes::HullPile>("snapshot_hull_pile"),
+                            run<scenes::CompoundPile>("compound_pile"),
+                            keep<scenes::CompoundPile>("snapshot_compound_pile"),
+                            run<scenes::MassRatio1e6>("mass_ratio_1e6"),
+                            run<scenes::Tower20>("tower_20"),
+                            keep<scenes::Tower20>("snapshot_tower_20"),
+                            run<scenes::ChosenBoxes>("uneven_boxes"),
+                            keep<scenes::ChosenBoxes>("snapshot_uneven_boxes"),
+                            run<scenes::SleepingTowers>("sleeping_towers"),
+                            keep<scenes::SleepingTowers>("snapshot_sleeping_towers"),
+                            run<scenes::Conveyors>("conveyors"),
+                            keep<scenes::Conveyors>("snapshot_conveyors")};
     for (bool result : results)
         if (!result) return 1;
     return 0;

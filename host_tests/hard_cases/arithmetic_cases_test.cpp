@@ -63,7 +63,8 @@ TEST(HardCases, A3_offset_box_does_not_cancel) {
 /// h = 0 is refused and is the identity; h from a nanosecond to a second is taken.
 TEST(HardCases, A4_steps_of_every_length) {
     const FreeBodyCase body("free_asymmetric", "book");
-    for (const scalar h : {scalar(0), scalar(-1), scalar(1e-10), scalar(2), std::numeric_limits<scalar>::infinity(), std::numeric_limits<scalar>::quiet_NaN()}) {
+    for (const scalar h :
+         {scalar(0), scalar(-1), scalar(1e-10), scalar(2), std::numeric_limits<scalar>::infinity(), std::numeric_limits<scalar>::quiet_NaN()}) {
         Flight<> flight(body);
         const ingot::BodyState before = flight.state();
         EXPECT_EQ(ingot::step(flight.world(), h).status, ingot::Status::bad_step);

@@ -136,10 +136,12 @@ TEST(HardCases, I07_newtons_cradle) {
     for (int balls = 2; balls <= 5; ++balls) {
         ingot::World<Yard<5>> world{};
         ingot::BodyId ids[5];
-        for (int ball_i = 0; ball_i < balls; ++ball_i) ids[ball_i] = world.add(ball(1, 0.5, ball_i == 0 ? -0.01 : ball_i, ball_i == 0 ? 1 : 0, 1)).value;
+        for (int ball_i = 0; ball_i < balls; ++ball_i)
+            ids[ball_i] = world.add(ball(1, 0.5, ball_i == 0 ? -0.01 : ball_i, ball_i == 0 ? 1 : 0, 1)).value;
         for (int step_i = 0; step_i < 30; ++step_i) ASSERT_TRUE(ingot::step(world, scalar(1) / 60).clean());
         for (int ball_i = 0; ball_i < balls; ++ball_i)
-            EXPECT_NEAR(static_cast<double>(world.state(ids[ball_i]).value.v_CM.x), ball_i == balls - 1 ? 1 : 0, 16 * eps) << balls << " balls, " << ball_i;
+            EXPECT_NEAR(static_cast<double>(world.state(ids[ball_i]).value.v_CM.x), ball_i == balls - 1 ? 1 : 0, 16 * eps)
+                << balls << " balls, " << ball_i;
         EXPECT_NEAR(static_cast<double>(world.kinetic_energy()), 0.5, 16 * eps);
     }
 }

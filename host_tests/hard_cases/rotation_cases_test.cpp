@@ -41,7 +41,8 @@ TEST(HardCases, R02_dzhanibekov_flips) {
     for (std::size_t i = 1; i < body.samples.size() && table == 0; ++i) {
         const double before = static_cast<double>(body.samples[i - 1].w_body.y()), after = static_cast<double>(body.samples[i].w_body.y());
         if (before * after < 0)
-            table = static_cast<double>(body.samples[i - 1].t) + static_cast<double>(body.samples[i].t - body.samples[i - 1].t) * before / (before - after);
+            table = static_cast<double>(body.samples[i - 1].t) +
+                    static_cast<double>(body.samples[i].t - body.samples[i - 1].t) * before / (before - after);
     }
     Flight<> flight(body);
     for (int step_i = 1; step_i < 3600 && found == 0; ++step_i) {

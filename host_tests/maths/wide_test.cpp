@@ -43,7 +43,8 @@ TEST(SumInIntegers, has_the_bits_of_the_machine) {
 
 TEST(SumInIntegers, of_the_ends_of_the_range) {
     using limits = std::numeric_limits<double>;
-    const double ends[] = {0., 1., limits::denorm_min(), limits::min(), limits::min() - limits::denorm_min(), limits::max(), limits::infinity(), limits::quiet_NaN()};
+    const double ends[] = {
+        0., 1., limits::denorm_min(), limits::min(), limits::min() - limits::denorm_min(), limits::max(), limits::infinity(), limits::quiet_NaN()};
     for (const double a : ends)
         for (const double b : ends)
             for (const double sign_a : {1., -1.})

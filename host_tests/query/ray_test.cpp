@@ -178,7 +178,8 @@ TEST(Ray, that_meets_two_at_once_takes_the_lower_slot) {
 
 struct WithHulls : Field {
     using shapes = ingot::Shapes<ingot::Sphere, ingot::Hull>;
-    static constexpr auto cube = ingot::convex_hull({{-1, -1, -1}, {1, -1, -1}, {-1, 1, -1}, {1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {-1, 1, 1}, {1, 1, 1}});
+    static constexpr auto cube =
+        ingot::convex_hull({{-1, -1, -1}, {1, -1, -1}, {-1, 1, -1}, {1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {-1, 1, 1}, {1, 1, 1}});
     static constexpr ingot::ConvexHull hulls[] = {cube.value.view()};
 };
 

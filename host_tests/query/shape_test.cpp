@@ -101,7 +101,8 @@ TEST(ShapeCast, stops_short_of_what_it_meets) {
         if (still.shape.kind != ShapeKind::half_space) {
             const V n = exact(hit.value.n);
             const double angle = 8 * 24 * static_cast<double>(ingot::epsilon) / most;
-            EXPECT_LE(static_cast<double>(query_oracle::support_of(still, n) - n.dot(exact(hit.value.P))), most + 2 * R_B * std::max(angle, static_cast<double>(ingot::limits::nearest_accuracy)));
+            EXPECT_LE(static_cast<double>(query_oracle::support_of(still, n) - n.dot(exact(hit.value.P))),
+                      most + 2 * R_B * std::max(angle, static_cast<double>(ingot::limits::nearest_accuracy)));
         }
         if (HasFailure()) FAIL() << case_i << " kinds " << static_cast<int>(c.moving.shape.kind) << " " << static_cast<int>(still.shape.kind);
     }
@@ -142,14 +143,17 @@ TEST(ShapeCast, meets_the_first_of_many_bodies) {
         Bodies bodies;
         const auto world = field_of<Field>(random, 40, bodies, 4);
         for (int cast_i = 0; cast_i < 60; ++cast_i) {
-            const PlacedShape moving = {ingot::Sphere{static_cast<scalar>(random.real(0.05, 0.5))}, to_vector(random.vector(place)), to_matrix(random.rotation()), nullptr};
+            const PlacedShape moving = {ingot::Sphere{static_cast<scalar>(random.real(0.05, 0.5))}, to_vector(random.vector(place)),
+                                        to_matrix(random.rotation()), nullptr};
             const Vector way = to_vector(random.vector(place));
             const double most = 1e-3;
             Real first = 2, second = 2;
             std::size_t first_i = 0;
             bool unclear = false;
             for (std::size_t i = 0; i < bodies.ids.size(); ++i) {
-                const auto f = [&](Real t) { return query_oracle::distance_of(bodies.placed[i], exact(moving.r) + exact(way) * t) - moving.shape.size.x; };
+                const auto f = [&](Real t) {
+                    return query_oracle::distance_of(bodies.placed[i], exact(moving.r) + exact(way) * t) - moving.shape.size.x;
+                };
                 const auto found = query_oracle::walk(f);
                 unclear = unclear || std::abs(found.least) < most || std::abs(f(0)) < most;
                 if (found.enters < first) {

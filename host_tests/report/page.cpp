@@ -117,7 +117,8 @@ std::vector<Section> all_sections(const Rows& rows) {
          contact_tables(rows)},
         {"simbenchmark",
          "SimBenchmark",
-         {"Four published tests of rigid-body engines, at steps of 1 to 10 ms: balls that roll on a box that is pushed, balls that bounce, and 216 balls "
+         {"Four published tests of rigid-body engines, at steps of 1 to 10 ms: balls that roll on a box that is pushed, balls that bounce, and 216 "
+          "balls "
           "that pile up, without and with restitution."},
          {},
          {simbenchmark_table(rows)}},

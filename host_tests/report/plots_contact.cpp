@@ -150,7 +150,8 @@ Sheet to_exact(const Rows& rows, const std::string& scene, const std::string& ti
     for (const Look& look : looks())
         add(look.method == "default" ? "contact" : "peers", look.method, look.scalar, sheet.line(look.title, look.color));
     for (const char* scalar : {"float", "double"})
-        add("contact", "chosen", scalar, sheet.line(std::string("ingot, ChosenSolver, ") + scalar, std::string(scalar) == "float" ? "#d95f02" : "#7570b3"));
+        add("contact", "chosen", scalar,
+            sheet.line(std::string("ingot, ChosenSolver, ") + scalar, std::string(scalar) == "float" ? "#d95f02" : "#7570b3"));
     add("contact", "exact", "double", sheet.line("exact solution", "#000000"));
     return sheet;
 }

@@ -60,7 +60,9 @@ Outcome outcome_of(const ContactCase& scene, int rate) {
         if (!overlaps || step_i % 10 == 0) {
             run->read(poses);
             const double E = energy_of(scene, poses) - E_0;
-            outcome.error += rolls ? rolling_error(scene, poses, static_cast<double>(step_i) / rate) : overlaps ? squared_overlaps(scene, poses) : E * E;
+            outcome.error += rolls      ? rolling_error(scene, poses, static_cast<double>(step_i) / rate)
+                             : overlaps ? squared_overlaps(scene, poses)
+                                        : E * E;
             ++samples;
         }
         const double from = thread_us();

@@ -23,12 +23,13 @@ const std::vector<int>& simbenchmark_rates() {
 }
 
 Table simbenchmark_table(const Rows& rows) {
-    Table table{"SimBenchmark",
-                "Errors by the definitions of the benchmark (Kang and Hwangbo, 2018); times are CPU time of the step call, 4 lanes. The best on record "
-                "is of runs in double on an i7-class desktop of 2018. Float ends where velocities round: 27 impulses a substep on a box of 3 m/s.",
-                {{"test", "step, ms", "unit", "error, float", "error, double", "µs per step, float", "µs per step, double", "CPU s of the run, float",
-                  "best on record"}},
-                "engines"};
+    Table table{
+        "SimBenchmark",
+        "Errors by the definitions of the benchmark (Kang and Hwangbo, 2018); times are CPU time of the step call, 4 lanes. The best on record "
+        "is of runs in double on an i7-class desktop of 2018. Float ends where velocities round: 27 impulses a substep on a box of 3 m/s.",
+        {{"test", "step, ms", "unit", "error, float", "error, double", "µs per step, float", "µs per step, double", "CPU s of the run, float",
+          "best on record"}},
+        "engines"};
     for (const SimBenchmarkTest& test : simbenchmark_tests()) {
         bool first = true;
         for (const int rate : simbenchmark_rates()) {

@@ -41,22 +41,26 @@ h1 { font-size: 2.3rem; line-height: 1.15; margin: 0 0 .4rem; letter-spacing: -.
 h2 { font-size: 1.5rem; margin: 3.2rem 0 .6rem; padding-top: .8rem; border-top: 2px solid var(--ink); }
 h3 { font-size: 1.05rem; margin: 2rem 0 .3rem; }
 p { max-width: 52rem; margin: .5rem 0; } .lead { font-size: 1.15rem; } .soft, figcaption { color: var(--soft); }
-.small { font-size: .87rem; } code { font: .9em ui-monospace, "DejaVu Sans Mono", monospace; background: var(--tint); padding: .05em .3em; border-radius: 3px; }
+.small { font-size: .87rem; }
+code { font: .9em ui-monospace, "DejaVu Sans Mono", monospace; background: var(--tint); padding: .05em .3em; border-radius: 3px; }
 nav { margin: 1.2rem 0 0; font-size: .95rem; display: flex; flex-wrap: wrap; gap: .2rem 1.1rem; } a { color: #17569b; }
 .cards { display: grid; grid-template-columns: repeat(auto-fit, minmax(14rem, 1fr)); gap: 1rem; margin: 1.6rem 0; }
 .card { border: 1px solid var(--line); border-left: 4px solid var(--red); border-radius: 6px; padding: .8rem 1rem; }
-.card b { font-size: 1.75rem; letter-spacing: -.01em; } .card span { color: var(--soft); } .card div { font-size: .9rem; color: var(--soft); line-height: 1.35; }
+.card b { font-size: 1.75rem; letter-spacing: -.01em; }
+.card span { color: var(--soft); } .card div { font-size: .9rem; color: var(--soft); line-height: 1.35; }
 .scroll { overflow-x: auto; margin: .7rem 0; }
 table { border-collapse: collapse; font-size: .84rem; font-variant-numeric: tabular-nums; }
 th, td { padding: .28rem .55rem; text-align: right; border-bottom: 1px solid var(--line); white-space: nowrap; }
-th { background: var(--tint); font-weight: 600; vertical-align: bottom; white-space: normal; line-height: 1.25; } th:first-child, td:first-child { text-align: left; }
+th { background: var(--tint); font-weight: 600; vertical-align: bottom; white-space: normal; line-height: 1.25; }
+th:first-child, td:first-child { text-align: left; }
 table.words th:nth-child(2), table.words td:nth-child(2), table.words th:nth-child(3), table.words td:nth-child(3) { text-align: left; }
 table.choice th:nth-child(2), table.choice td:nth-child(2) { text-align: left; }
 table.engines th:nth-child(2), table.engines td:nth-child(2) { text-align: left; } table.engines tr.group td { border-top: 2px solid #b8c2cf; }
 table.engines tr.group td:first-child { font-weight: 600; } table.engines tr.own td { background: #fdecee; }
 tr.default td { background: #fdecee; font-weight: 600; } td.met { color: #1a7f4b; font-weight: 600; } td.missed { color: #b3261e; font-weight: 600; }
 .plots { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 34rem), 1fr)); gap: 1.4rem; margin: 1.2rem 0; }
-figure { margin: 0; } figure h3 { margin-top: 0; } figure svg { width: 100%; height: auto; display: block; border: 1px solid var(--line); border-radius: 6px; }
+figure { margin: 0; } figure h3 { margin-top: 0; }
+figure svg { width: 100%; height: auto; display: block; border: 1px solid var(--line); border-radius: 6px; }
 figcaption { font-size: .9rem; margin-top: .4rem; max-width: 52rem; }
 details { margin: 1rem 0; } summary { cursor: pointer; font-weight: 600; }
 @media print { details { display: block; } nav { display: none; } }

@@ -20,7 +20,8 @@ struct Parts {
     constexpr ingot::MassProperties mass(scalar M) const { return ingot::principal(ingot::with_mass(ingot::solid_of_shapes(1, parts), M)).value; }
 };
 
-constexpr ingot::ShapeDef part(const ingot::Shape& shape, const Vector& r, scalar mu, const ingot::Matrix& A = ingot::identity_matrix<scalar>(), scalar e = 0) {
+constexpr ingot::ShapeDef part(const ingot::Shape& shape, const Vector& r, scalar mu, const ingot::Matrix& A = ingot::identity_matrix<scalar>(),
+                               scalar e = 0) {
     ingot::ShapeDef def;
     def.shape = shape;
     def.r = r;
@@ -42,8 +43,8 @@ constexpr Parts<2> hammer(scalar mu) {
 constexpr Parts<5> table(scalar mu) {
     constexpr ingot::Shape leg = ingot::Box{{scalar(0.0625), scalar(0.0625), scalar(0.375)}};
     constexpr scalar a = scalar(0.4375), z = scalar(0.375);
-    return {{part(ingot::Box{{scalar(0.5), scalar(0.5), scalar(0.0625)}}, {0, 0, scalar(0.8125)}, mu), part(leg, {a, a, z}, mu), part(leg, {-a, a, z}, mu),
-             part(leg, {a, -a, z}, mu), part(leg, {-a, -a, z}, mu)}};
+    return {{part(ingot::Box{{scalar(0.5), scalar(0.5), scalar(0.0625)}}, {0, 0, scalar(0.8125)}, mu), part(leg, {a, a, z}, mu),
+             part(leg, {-a, a, z}, mu), part(leg, {a, -a, z}, mu), part(leg, {-a, -a, z}, mu)}};
 }
 /// Three capsules across each other.
 constexpr Parts<3> jack(scalar mu) {
@@ -83,8 +84,8 @@ inline ingot::Status set_up(ingot::World<CompoundPile>& world) {
         status = world.add(wall.def).status;
     }
     for (int i = 0; i < S::max_bodies - S::wall_count && status == ingot::Status::ok; ++i) {
-        const Vector r = {scalar(i % 2) - scalar(0.5) + scalar(0.1) * scattered(i, 0), scalar(i / 2 % 2) - scalar(0.5) + scalar(0.1) * scattered(i, 1),
-                          1 + scalar(i / 4) * scalar(1.25)};
+        const Vector r = {scalar(i % 2) - scalar(0.5) + scalar(0.1) * scattered(i, 0),
+                          scalar(i / 2 % 2) - scalar(0.5) + scalar(0.1) * scattered(i, 1), 1 + scalar(i / 4) * scalar(1.25)};
         const ingot::Matrix A = scattered_rotation(i);
         PlacedBody cube = hull_body<S>(cube_form, r, S::mu);
         cube.def.friction = S::mu;

@@ -47,7 +47,10 @@ struct Hulled : Stacked<bodies, manifolds> {
 template <class S>
 constexpr PlacedBody hull_body(HullForm form, const Vector& r_CM, scalar mu) {
     PlacedBody body;
-    body.def.mass = form == cube_form ? cube_hull.mass : form == tetrahedron_form ? tetrahedron_hull.mass : form == octahedron_form ? octahedron_hull.mass : rock_hull.mass;
+    body.def.mass = form == cube_form          ? cube_hull.mass
+                    : form == tetrahedron_form ? tetrahedron_hull.mass
+                    : form == octahedron_form  ? octahedron_hull.mass
+                                               : rock_hull.mass;
     body.def.shape = ingot::hull_of<S>(form);
     body.def.state.r_CM = r_CM;
     body.mu = mu;
@@ -72,7 +75,8 @@ struct HullPile : Hulled<23, 100> {
         if (piece_i % 6 == 4) body = solid_ball(1, scalar(0.375), r, mu);
         if (piece_i % 6 == 5) {
             body.def.mass = mass_of(ingot::with_mass(ingot::solid_cylinder(1, scalar(0.375), scalar(0.375)), 1));
-            body.def.shape = piece_i % 4 == 1 ? ingot::Shape(ingot::Cylinder{scalar(0.375), scalar(0.375)}) : ingot::Shape(ingot::Capsule{scalar(0.25), scalar(0.25)});
+            body.def.shape = piece_i % 4 == 1 ? ingot::Shape(ingot::Cylinder{scalar(0.375), scalar(0.375)})
+                                              : ingot::Shape(ingot::Capsule{scalar(0.25), scalar(0.25)});
         }
         if (piece_i % 9 == 8) body = solid_box(1, {scalar(0.5), scalar(0.375), scalar(0.25)}, r, mu);
         body.turn(scattered_rotation(piece_i));

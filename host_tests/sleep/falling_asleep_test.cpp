@@ -120,7 +120,8 @@ TEST(FallingAsleep, what_rolls_faster_than_the_limit_rolls_on_and_what_is_slower
 }
 
 TEST(FallingAsleep, without_gravity_only_what_stands_still_sleeps) {
-    std::vector<PlacedBody> bodies = {solid_ball(1, scalar(0.5), {}, 0), solid_ball(1, scalar(0.5), {5, 0, 0}, 0), solid_ball(1, scalar(0.5), {10, 0, 0}, 0)};
+    std::vector<PlacedBody> bodies = {solid_ball(1, scalar(0.5), {}, 0), solid_ball(1, scalar(0.5), {5, 0, 0}, 0),
+                                      solid_ball(1, scalar(0.5), {10, 0, 0}, 0)};
     bodies[0].move({scalar(1e-6), 0, 0});
     bodies[1].move({}, {0, 0, scalar(1e-20)});
     Play<Bedroom<3>> play(bodies, {});
@@ -176,7 +177,8 @@ struct Boxes512 : OnEarth {
         const auto half = [&](int channel) { return scalar(0.35) + scalar(0.1) * scattered(box_i, channel); };
         const auto place = [](int cell) { return (static_cast<scalar>(cell) - scalar(3.5)) * scalar(1.3); };
         const Vector e = {half(0), half(1), half(2)};
-        PlacedBody box = solid_box(400 * 8 * e.x * e.y * e.z, e, {place(box_i % 8), place(box_i / 8 % 8), static_cast<scalar>(box_i / 64) * scalar(1.6) + 1}, mu);
+        PlacedBody box =
+            solid_box(400 * 8 * e.x * e.y * e.z, e, {place(box_i % 8), place(box_i / 8 % 8), static_cast<scalar>(box_i / 64) * scalar(1.6) + 1}, mu);
         box.turn(scattered_rotation(box_i));
         return box;
     }

@@ -54,7 +54,8 @@ void live(ingot::World<S>& world, Dice& dice) {
         case 0:
         case 1:
         case 2: {
-            PlacedBody body = dice.below(3) == 0 ? solid_ball(1, scalar(0.3), {x, y, 1}, 0) : solid_box(1, {scalar(0.3), scalar(0.4), scalar(0.25)}, {x, y, 1}, 0);
+            PlacedBody body =
+                dice.below(3) == 0 ? solid_ball(1, scalar(0.3), {x, y, 1}, 0) : solid_box(1, {scalar(0.3), scalar(0.4), scalar(0.25)}, {x, y, 1}, 0);
             body.def.friction = scalar(0.5);
             body.def.sensor = dice.below(6) == 0;
             body.def.immovable = body.def.sensor || dice.below(8) == 0;
@@ -171,7 +172,8 @@ using Slept = Nursery<ingot::MoserVeselov>;
 /// A tower of three that sleeps beside a ball that does not.
 void put_to_sleep(ingot::World<Slept>& world) {
     begin(world);
-    for (int cube_i = 0; cube_i < 3; ++cube_i) ASSERT_TRUE(world.add(solid_box(1, {scalar(0.5), scalar(0.5), scalar(0.5)}, {0, 0, static_cast<scalar>(cube_i) + scalar(0.5)}, 0).def).ok());
+    for (int cube_i = 0; cube_i < 3; ++cube_i)
+        ASSERT_TRUE(world.add(solid_box(1, {scalar(0.5), scalar(0.5), scalar(0.5)}, {0, 0, static_cast<scalar>(cube_i) + scalar(0.5)}, 0).def).ok());
     for (int step_i = 0; step_i < 60; ++step_i) (void)ingot::step(world, h);
     ASSERT_EQ(world.asleep_count(), 3);
 }
@@ -242,7 +244,8 @@ struct Telling : Nursery<ingot::MoserVeselov> {
 TEST(Kept, contacts_neither_end_nor_begin_when_an_island_sleeps_or_wakes) {
     static ingot::World<Telling> world;
     begin(world);
-    for (int cube_i = 0; cube_i < 3; ++cube_i) ASSERT_TRUE(world.add(solid_box(1, {scalar(0.5), scalar(0.5), scalar(0.5)}, {0, 0, static_cast<scalar>(cube_i) + scalar(0.5)}, 0).def).ok());
+    for (int cube_i = 0; cube_i < 3; ++cube_i)
+        ASSERT_TRUE(world.add(solid_box(1, {scalar(0.5), scalar(0.5), scalar(0.5)}, {0, 0, static_cast<scalar>(cube_i) + scalar(0.5)}, 0).def).ok());
     const BodyId far = world.add(solid_ball(1, scalar(0.5), {10, 0, 3}, 0, scalar(0.9)).def).value;
     int begins = 0, others = 0, slept = 0, far_events = 0;
     for (int step_i = 0; step_i < 200; ++step_i) {

@@ -37,7 +37,8 @@ bool play(const char* name) {
     ingot::BodyId cube[5][5];
     for (int level = 0; level < 5; ++level)
         for (int tower = 0; tower < 5; ++tower)
-            cube[tower][level] = add(solid_box(1, {scalar(0.4), scalar(0.5), scalar(0.3)}, {scalar(2 * tower), 0, scalar(0.6) * static_cast<scalar>(level) + scalar(0.3)}, scalar(0.6)));
+            cube[tower][level] = add(solid_box(1, {scalar(0.4), scalar(0.5), scalar(0.3)},
+                                               {scalar(2 * tower), 0, scalar(0.6) * static_cast<scalar>(level) + scalar(0.3)}, scalar(0.6)));
     const ingot::BodyId ball = add(solid_ball(2, scalar(0.4), {-8, scalar(0.1), scalar(1.5)}, scalar(0.4), scalar(0.6)));
     int most = 0;
     for (int step_i = 0; step_i < 600; ++step_i) {

@@ -22,7 +22,8 @@ protected:
     BodyId id(int body_i) const { return play.id(body_i); }
     int awake_in(int tower_i) {
         int awake = 0;
-        for (int cube_i = 1; cube_i <= 3; ++cube_i) awake += world().is_alive(id(3 * tower_i + cube_i)) && !world().is_asleep(id(3 * tower_i + cube_i));
+        for (int cube_i = 1; cube_i <= 3; ++cube_i)
+            awake += world().is_alive(id(3 * tower_i + cube_i)) && !world().is_asleep(id(3 * tower_i + cube_i));
         return awake;
     }
     Play<S> play{columns(2, 3), OnEarth::gravity};
@@ -94,7 +95,8 @@ TEST_F(TwoTowers, another_gravity_wakes_all_and_what_is_up_falls_down) {
     EXPECT_EQ(world().asleep_count(), 0);
     play.run(h, 1);
     // All rise freely: g t^2 / 2 of 1 s, each step rounded to an ulp of 8 m.
-    for (int body_i = 1; body_i <= 6; ++body_i) EXPECT_NEAR(play.moved(body_i).z(), 9.81 / 2, 60 * 8 * static_cast<double>(ingot::epsilon) + 1e-3) << body_i;
+    for (int body_i = 1; body_i <= 6; ++body_i)
+        EXPECT_NEAR(play.moved(body_i).z(), 9.81 / 2, 60 * 8 * static_cast<double>(ingot::epsilon) + 1e-3) << body_i;
 }
 
 TEST_F(TwoTowers, removing_the_lowest_cube_drops_the_others) {
@@ -192,7 +194,8 @@ TEST(Waking, a_support_that_is_moved_away_or_up_takes_the_sleeper_along) {
 
 TEST(Waking, a_ball_that_rolls_against_a_box_wakes_it_and_pushes_it) {
     const auto scene = [](bool rolls) {
-        std::vector<PlacedBody> bodies = {flat_ground(scalar(0.3)), unit_cube({0, 0, scalar(0.5)}, scalar(0.3)), solid_ball(1, scalar(0.5), {-6, 0, scalar(0.5)}, scalar(0.3))};
+        std::vector<PlacedBody> bodies = {flat_ground(scalar(0.3)), unit_cube({0, 0, scalar(0.5)}, scalar(0.3)),
+                                          solid_ball(1, scalar(0.5), {-6, 0, scalar(0.5)}, scalar(0.3))};
         if (rolls) bodies[2].move({3, 0, 0}, {0, 6, 0});
         return bodies;
     };
@@ -264,8 +267,8 @@ TEST(Waking, the_golden_scene_holds_sleepers_and_others) {
 
 /// What is hit in the same step by something fast meets what sleeps next to it, and wakes it before.
 TEST(Waking, what_is_hit_between_two_steps_does_not_pass_through_a_sleeper) {
-    std::vector<PlacedBody> bodies = {flat_ground(scalar(0.5)), unit_cube({0, 0, scalar(0.5)}, scalar(0.5)), unit_cube({scalar(1.01), 0, scalar(0.5)}, scalar(0.5)),
-                                      solid_ball(100, scalar(0.5), {-10, 0, scalar(0.5)}, 0)};
+    std::vector<PlacedBody> bodies = {flat_ground(scalar(0.5)), unit_cube({0, 0, scalar(0.5)}, scalar(0.5)),
+                                      unit_cube({scalar(1.01), 0, scalar(0.5)}, scalar(0.5)), solid_ball(100, scalar(0.5), {-10, 0, scalar(0.5)}, 0)};
     bodies[3].move({5, 0, 0});
     Play<Bedroom<4>> play(bodies, OnEarth::gravity);
     double deepest = 0;

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <string>
 
@@ -276,7 +277,10 @@ struct Lie {
 };
 
 TEST_F(Damage, of_what_a_body_cannot_be) {
-    const scalar above = 1 + 4 * ingot::epsilon;
+    const scalar above = 1 + 4 * ingot::epsilon, above_rounding = 1 + 16 * ingot::epsilon;
+    scalar least_ratio = 1;
+    for (size_t axis = 0; axis < 3; ++axis) least_ratio = std::min(least_ratio, scalar_at(sound_, at(cast_.ball) + to_ratio + axis * s));
+    const scalar L_max = 3 * limits::spin_runaway / (least_ratio * scalar_at(sound_, at(cast_.ball) + to_scale));  // what a step can leave
     const Lie lies[] = {
         {"a stretched A", cast_.box, to_A, scalar(1.1)},
         {"a mirrored A", cast_.heavy, to_A, -1},
@@ -284,7 +288,7 @@ TEST_F(Damage, of_what_a_body_cannot_be) {
         {"a speed out of all range", cast_.ball, to_v_CM, limits::speed_runaway * 1001},
         {"a torque out of range", cast_.ball, to_tau_T, -limits::torque_max * above},
         {"a force out of range", cast_.ball, to_F_T + 2 * s, limits::force_max * above},
-        {"a spin out of range", cast_.ball, to_L, limits::spin_runaway * 1000},
+        {"a spin out of range", cast_.ball, to_L, L_max * above_rounding},
         {"a low part of A that is high", cast_.ball, to_A_low + s, scalar(0.1)},
         {"an energy below zero", cast_.ball, to_E_0, scalar(-0.5)},
         {"a scale that is no power of two", cast_.ball, to_scale, 3},
@@ -352,6 +356,7 @@ TEST_F(Damage, of_what_a_body_cannot_be) {
     accepts(with(at(cast_.ball) + to_r_CM, scalar(17)), "another place");
     accepts(with(at(cast_.ball) + to_e, scalar(1)), "another restitution");
     accepts(with(at(cast_.ball) + to_flags, uint8_t(1)), "a kick");
+    accepts(with(at(cast_.ball) + to_L, L_max), "the most spin that a step leaves");
     accepts(with(at(cast_.ball) + to_inv_M, 1 / limits::mass_max), "the largest mass");
     accepts(with(at(cast_.ball) + to_inv_M, 1 / limits::mass_min), "the smallest mass");
 }

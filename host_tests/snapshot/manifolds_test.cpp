@@ -192,7 +192,8 @@ TEST_F(DamagedPile, of_numbers_that_are_not_finite) {
     add(to_j_friction, 6);
     add(to_on_A, 24 + 4 + 6);
     for (size_t number : numbers)
-        for (const scalar bad : {std::numeric_limits<scalar>::quiet_NaN(), std::numeric_limits<scalar>::infinity(), -std::numeric_limits<scalar>::infinity()})
+        for (const scalar bad :
+             {std::numeric_limits<scalar>::quiet_NaN(), std::numeric_limits<scalar>::infinity(), -std::numeric_limits<scalar>::infinity()})
             refuses(with(at + number, bad), "number at " + std::to_string(number));
 }
 

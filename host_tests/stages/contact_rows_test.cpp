@@ -97,8 +97,10 @@ TEST(ContactRow, has_the_denominator_and_the_speed_of_figure_4) {
         EXPECT_EQ(rows.inv_M(B) > 0, moves_B);
         // Some thirty roundings of sums of squares; |n|^2 is 1 to two.
         EXPECT_NEAR(static_cast<double>(c.inv_K * static_cast<scalar>(K)), 1, 64 * eps) << case_i;
-        EXPECT_NEAR(static_cast<double>((to_eigen<Real>(c.k_A) - I_A * rA.cross(n_)).norm()), 0, 64 * eps * static_cast<double>(I_A.norm() * rA.norm()));
-        EXPECT_NEAR(static_cast<double>((to_eigen<Real>(c.k_B) - I_B * rB.cross(n_)).norm()), 0, 64 * eps * static_cast<double>(I_B.norm() * rB.norm()));
+        EXPECT_NEAR(static_cast<double>((to_eigen<Real>(c.k_A) - I_A * rA.cross(n_)).norm()), 0,
+                    64 * eps * static_cast<double>(I_A.norm() * rA.norm()));
+        EXPECT_NEAR(static_cast<double>((to_eigen<Real>(c.k_B) - I_B * rB.cross(n_)).norm()), 0,
+                    64 * eps * static_cast<double>(I_B.norm() * rB.norm()));
         EXPECT_EQ(to_eigen(c.lever_A).isZero(), !moves_A);
         EXPECT_EQ(to_eigen(c.lever_B).isZero(), !moves_B);
         EXPECT_FALSE(c.active);
@@ -110,7 +112,8 @@ TEST(ContactRow, has_the_denominator_and_the_speed_of_figure_4) {
         const Real u = ((rows.v(A) + omega_A.cross(rA)) - (rows.v(B) + omega_B.cross(rB))).dot(n_);
         EXPECT_NEAR(static_cast<double>(speed.u), static_cast<double>(u), 64 * eps * static_cast<double>(speed.magnitude));
         const Real sizes = (n_.cwiseProduct(rows.v(A)).cwiseAbs() + n_.cwiseProduct(rows.v(B)).cwiseAbs() +
-                            to_eigen<Real>(c.k_A).cwiseProduct(rows.L(A)).cwiseAbs() + to_eigen<Real>(c.k_B).cwiseProduct(rows.L(B)).cwiseAbs()).sum();
+                            to_eigen<Real>(c.k_A).cwiseProduct(rows.L(A)).cwiseAbs() + to_eigen<Real>(c.k_B).cwiseProduct(rows.L(B)).cwiseAbs())
+                               .sum();
         EXPECT_NEAR(static_cast<double>(speed.magnitude), static_cast<double>(sizes), 64 * eps * static_cast<double>(sizes));
         const scalar rounding = ingot::limits::contact_roundings * ingot::epsilon * speed.magnitude;
         EXPECT_EQ(ingot::tolerance_of(c, speed), rounding);
@@ -138,11 +141,14 @@ TEST(ContactRow, gives_equal_and_opposite_impulses) {
         ASSERT_TRUE(ingot::apply_impulse(c, j, rows.tiles.view()));
         const V J = to_eigen<Real>(c.n) * static_cast<Real>(j);
         // Each component is rounded at its product, its factor and its sum.
-        const auto near = [&](const V& a, const V& b, Real scale) { EXPECT_LE(static_cast<double>((a - b).norm()), 8 * eps * static_cast<double>(scale)) << case_i; };
+        const auto near = [&](const V& a, const V& b, Real scale) {
+            EXPECT_LE(static_cast<double>((a - b).norm()), 8 * eps * static_cast<double>(scale)) << case_i;
+        };
         near(rows.v(0), v_A + J * rows.inv_M(0), v_A.norm() + J.norm() * rows.inv_M(0));
         near(rows.v(ingot::lanes), v_B - J * rows.inv_M(ingot::lanes), v_B.norm() + J.norm() * rows.inv_M(ingot::lanes));
         near(rows.L(0), L_A + to_eigen<Real>(c.lever_A) * static_cast<Real>(j), L_A.norm() + to_eigen<Real>(c.lever_A).norm() * static_cast<Real>(j));
-        near(rows.L(ingot::lanes), L_B - to_eigen<Real>(c.lever_B) * static_cast<Real>(j), L_B.norm() + to_eigen<Real>(c.lever_B).norm() * static_cast<Real>(j));
+        near(rows.L(ingot::lanes), L_B - to_eigen<Real>(c.lever_B) * static_cast<Real>(j),
+             L_B.norm() + to_eigen<Real>(c.lever_B).norm() * static_cast<Real>(j));
         EXPECT_EQ(rows.kicked(0), !central_A) << "a central impulse leaves the free flight alone";
         EXPECT_EQ(rows.kicked(ingot::lanes), !central_B);
         EXPECT_EQ(rows.tiles.rotation(0).kicked & ~1u, 0u) << "nobody else was";
@@ -185,7 +191,8 @@ TEST(ContactRows, whose_impulse_leaves_the_range_are_given_up) {
     constexpr scalar most = std::numeric_limits<scalar>::max();
     for (const int points : {1, 2}) {
         Rows rows(2);
-        for (const int slot : {0, 1}) rows.tiles.write(slot, definition(1, Eigen::Vector3d(1e6 * Eigen::Vector3d::Ones())));  // all the speed is that of the centres
+        // All the speed is that of the centres
+        for (const int slot : {0, 1}) rows.tiles.write(slot, definition(1, Eigen::Vector3d(1e6 * Eigen::Vector3d::Ones())));
         for (int i = 0; i < points; ++i) rows.touch(0, 1, Eigen::Vector3d::UnitX(), -Eigen::Vector3d::UnitY() * (1 + i), -Eigen::Vector3d::UnitY());
         rows.prepare();
         rows.tiles.rotation(0).L[2][0] = most;  // any impulse drives it beyond
@@ -206,7 +213,8 @@ TEST(ContactRows, whose_impulse_leaves_the_range_are_given_up) {
 TEST(ContactRows, of_one_pair_stand_together) {
     Rows rows(4);
     const Eigen::Vector3d n = Eigen::Vector3d::UnitX(), r = Eigen::Vector3d::UnitY();
-    for (const auto& [A, B] : {std::pair(0, 1), std::pair(0, 1), std::pair(0, 2), std::pair(1, 2), std::pair(1, 2), std::pair(1, 2)}) rows.touch(A, B, n, r, r);
+    for (const auto& [A, B] : {std::pair(0, 1), std::pair(0, 1), std::pair(0, 2), std::pair(1, 2), std::pair(1, 2), std::pair(1, 2)})
+        rows.touch(A, B, n, r, r);
     EXPECT_EQ(ingot::manifold_end(rows.view(), 0), 2);
     EXPECT_EQ(ingot::manifold_end(rows.view(), 1), 2);
     EXPECT_EQ(ingot::manifold_end(rows.view(), 2), 3);
@@ -278,8 +286,10 @@ TEST(ContactRows, of_many_pairs_meet_the_conditions_of_complementarity) {
         }
         for (int slot = 0; slot < bodies; ++slot) {
             const double roundings = 64 * eps * outcome.sweeps * 4;
-            EXPECT_LE(static_cast<double>((v[static_cast<std::size_t>(slot)] - rows.v(slot)).norm()), roundings * (1 + static_cast<double>(rows.v(slot).norm())));
-            EXPECT_LE(static_cast<double>((L[static_cast<std::size_t>(slot)] - rows.L(slot)).norm()), roundings * (1 + static_cast<double>(rows.L(slot).norm())));
+            EXPECT_LE(static_cast<double>((v[static_cast<std::size_t>(slot)] - rows.v(slot)).norm()),
+                      roundings * (1 + static_cast<double>(rows.v(slot).norm())));
+            EXPECT_LE(static_cast<double>((L[static_cast<std::size_t>(slot)] - rows.L(slot)).norm()),
+                      roundings * (1 + static_cast<double>(rows.L(slot).norm())));
         }
     }
     EXPECT_GT(pressed, 300);
@@ -350,7 +360,8 @@ TEST(ContactRows, pass_impacts_on_wave_by_wave) {
     Rows rows(balls);
     for (int slot = 0; slot < balls; ++slot) rows.tiles.write(slot, definition(1, Eigen::Vector3d::Ones()));
     rows.tiles.translation(0).v_CM[0][0] = 1;
-    for (int slot = 0; slot + 1 < balls; ++slot) rows.touch(slot, slot + 1, -Eigen::Vector3d::UnitX(), Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), 1);
+    for (int slot = 0; slot + 1 < balls; ++slot)
+        rows.touch(slot, slot + 1, -Eigen::Vector3d::UnitX(), Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), 1);
     rows.prepare();
     ingot::StepReport report{};
     ingot::solve_impacts(rows.view(), rows.tiles.view(), 0, report);
@@ -369,7 +380,8 @@ TEST(ContactRows, bounce_to_and_fro_for_half_of_the_waves) {
     rows.tiles.write(0, definition(1, Eigen::Vector3d::Ones()));
     for (const int slot : {1, 2}) rows.tiles.write(slot, wall);
     rows.tiles.translation(0).v_CM[0][0] = 1;
-    for (const int slot : {1, 2}) rows.touch(0, slot, Eigen::Vector3d::UnitX() * (slot == 1 ? 1 : -1), Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), 1);
+    for (const int slot : {1, 2})
+        rows.touch(0, slot, Eigen::Vector3d::UnitX() * (slot == 1 ? 1 : -1), Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), 1);
     rows.prepare();
     ingot::StepReport report{};
     ingot::solve_impacts(rows.view(), rows.tiles.view(), 0, report);
@@ -418,7 +430,8 @@ TEST(ContactForces, are_impulses_over_the_step_and_leave_loose_contacts_alone) {
             const auto i = static_cast<std::size_t>(slot);
             const int lane_i = slot % ingot::lanes;
             EXPECT_LE(static_cast<double>((to_eigen<Real>(ingot::lane_of(rows.tiles.translation(slot).F_T, lane_i)) - F[i]).norm()), 32 * eps * size);
-            EXPECT_LE(static_cast<double>((to_eigen<Real>(ingot::lane_of(rows.tiles.rotation(slot).tau_T, lane_i)) - tau[i]).norm()), 32 * eps * 2 * size);
+            EXPECT_LE(static_cast<double>((to_eigen<Real>(ingot::lane_of(rows.tiles.rotation(slot).tau_T, lane_i)) - tau[i]).norm()),
+                      32 * eps * 2 * size);
         }
     }
     EXPECT_GT(given, 50);

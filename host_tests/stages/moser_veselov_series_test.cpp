@@ -64,7 +64,8 @@ std::array<Power, 5> expansion(const V& j, const V& y) {
     const Eigen::Matrix<Real, nodes, nodes> inverse = powers.fullPivLu().inverse();
     std::array<Power, 5> of{};
     for (int power = 0; power < 5; ++power)
-        of[static_cast<std::size_t>(power)] = {(inverse.row(power) * values).transpose(), Pair::Constant(inverse.row(power).cwiseAbs().sum() * rounding)};
+        of[static_cast<std::size_t>(power)] = {(inverse.row(power) * values).transpose(),
+                                               Pair::Constant(inverse.row(power).cwiseAbs().sum() * rounding)};
     return of;
 }
 
@@ -85,9 +86,11 @@ Power last_power(const V& j, Real H, Real C) {
     const auto as = [](Real x) { return static_cast<scalar>(x); };
     const ingot::Vec3<scalar> j_of = {as(j.x()), as(j.y()), as(j.z())};
     const ingot::Vec3<Size> j_size = {{j.x()}, {j.y()}, {j.z()}};
-    const auto with = ingot::modified_inertia<order>(j_of, as(H * far), as(C * far)), without = ingot::modified_inertia<order - 2>(j_of, as(H * far), as(C * far));
+    const auto with = ingot::modified_inertia<order>(j_of, as(H * far), as(C * far)),
+               without = ingot::modified_inertia<order - 2>(j_of, as(H * far), as(C * far));
     const auto size = ingot::modified_inertia<order>(j_size, Size{H * far}, Size{C * far});
-    return {Pair(static_cast<Real>(with.S_minus_1) - static_cast<Real>(without.S_minus_1), static_cast<Real>(with.D) - static_cast<Real>(without.D)) / scale,
+    return {Pair(static_cast<Real>(with.S_minus_1) - static_cast<Real>(without.S_minus_1), static_cast<Real>(with.D) - static_cast<Real>(without.D)) /
+                scale,
             Pair(size.S_minus_1.x, size.D.x) / scale};
 }
 

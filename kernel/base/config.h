@@ -56,8 +56,9 @@
 
 /// Helpers over lanes are inlined at every level: a vector passed by value across a call is an ABI trap. With one lane and
 /// -Os the compiler may keep them apart, which halves the code of a core without a floating-point unit. With one, calls of helpers
-/// are longer than helpers where much is computed: INGOT_INLINE_ALWAYS is set for those files.
-#if INGOT_LANES == 1 && defined(__OPTIMIZE_SIZE__) && !defined(INGOT_INLINE_ALWAYS)
+/// are longer than helpers where much is computed: INGOT_INLINE_ALWAYS is set for those files. Sanitized builds of this project call
+/// helpers, INGOT_CALLS_HELPERS: inlined and watched, a sweep takes thirty times as long to compile.
+#if defined(INGOT_CALLS_HELPERS) || (INGOT_LANES == 1 && defined(__OPTIMIZE_SIZE__) && !defined(INGOT_INLINE_ALWAYS))
 #define INGOT_INLINE inline
 #else
 #define INGOT_INLINE inline __attribute__((always_inline))
@@ -65,13 +66,13 @@
 
 /// Code of sweeps that runs rarely. With one lane it is a function of its own, small, and one for all its callers; vectors do not
 /// cross calls.
-#if INGOT_LANES == 1
+#if INGOT_LANES == 1 || defined(INGOT_CALLS_HELPERS)
 #define INGOT_RARE __attribute__((noinline, cold)) inline
 #else
 #define INGOT_RARE INGOT_INLINE
 #endif
 /// Code that is long, and called in several places. With one lane it is there once.
-#if INGOT_LANES == 1
+#if INGOT_LANES == 1 || defined(INGOT_CALLS_HELPERS)
 #define INGOT_SHARED __attribute__((noinline)) inline
 #else
 #define INGOT_SHARED INGOT_INLINE

@@ -115,8 +115,8 @@ inline constexpr int direct_sets_max = 16;                  ///< tried in a solv
 inline constexpr int direct_refinements_max = 12;                  ///< of a solve
 inline constexpr int direct_refinements_of_sliding = 1;            ///< of one with sliding friction, which is not linear
 inline constexpr int direct_newton_steps_max = 6;                  ///< with the same set, where something slides
-/// Multiplications that the attempts at all islands may spend on factors: before the sweeps of a substep, after them, and for positions, each. 40 cubes
-/// on each other take 40000. What takes more is swept.
+/// Multiplications that the attempts at all islands may spend on factors: before the sweeps of a substep, after them, and for positions,
+/// each. 40 cubes on each other take 40000. What takes more is swept.
 inline constexpr int direct_work_max = 200000;
 inline constexpr double direct_diagonal = 1e-12;             ///< added to the diagonal, as a fraction of it: rows that depend on each other
 inline constexpr double direct_roundings = 1e-12;           ///< of the load of a manifold, below which an impulse is rounding

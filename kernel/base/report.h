@@ -15,8 +15,10 @@ constexpr void count(uint16_t& counter, int n = 1) {
 /// What the direct solver did in a step: bits of StepReport::direct, which take no room of their own there.
 struct DirectBits {
     static constexpr uint8_t solved = 1;      ///< an island
-    static constexpr uint8_t unfinished = 2;  ///< what it found for an island did not settle, or would have taken too much room or work: the sweeps stand
-    static constexpr uint8_t refused = 4;     ///< an island has more contacts than there is room for: raise max_island of DirectIslands. Sweeps solve it
+    /// what it found for an island did not settle, or would have taken too much room or work: the sweeps stand
+    static constexpr uint8_t unfinished = 2;
+    /// an island has more contacts than there is room for: raise max_island of DirectIslands. Sweeps solve it
+    static constexpr uint8_t refused = 4;
 };
 
 /// What a step has to say. Nothing is lost silently: a full array, a body taken out of the motion, an iteration that
@@ -31,7 +33,8 @@ struct [[nodiscard]] StepReport {
     uint16_t contacts_lost;      ///< shallower than those kept, and no room: raise Scene::max_contacts
     uint16_t pairs_untested;     ///< pairs of shapes that overlap by their bounds, and for which the kernel has no test yet
     uint16_t impact_waves;       ///< rounds of simultaneous impacts that were resolved
-    uint16_t impacts_left;       ///< contacts still approaching after limits::impact_waves_max; fast bodies that wait for the next step where they met something
+    /// contacts still approaching after limits::impact_waves_max; fast bodies that wait for the next step where they met something
+    uint16_t impacts_left;
     uint16_t sweeps;             ///< sweeps over contacts, in all
     uint16_t overlaps_lost;      ///< bodies in a sensor, and no room: raise Scene::max_overlaps
     scalar residual;             ///< m/s; the largest speed that the last sweep over manifolds still corrected

@@ -82,6 +82,27 @@ INGOT_INLINE void store_if(scalar (&to)[lanes], mask active, lane value) {
     store(to, whole ? value : select(active, value, load(to)));
 }
 
+/// Compliance of a pair of rows, and its inverse. Pair: FrictionPair, RollingRows. Returns the larger of its principal values; 1 where there
+/// is nothing.
+template <class Pair>
+INGOT_INLINE lane prepare_pair(Pair& pair, lane K_11, lane K_12, lane K_22, mask there) {
+    const lane one = splat<lane>(1), half = splat<lane>(scalar(0.5)), difference = (K_11 - K_22) * half;
+    const lane K_max = select(there, (K_11 + K_22) * half + sqrt(difference * difference + K_12 * K_12), one);
+    const lane inv_K_max = select(there, one / K_max, lane{});
+    // Of a lever beside which the mass is a rounding, one direction is all that is known of the pair: then both are taken as stiff as it is.
+    const lane det = K_11 * K_22 - K_12 * K_12;
+    const mask regular = both(there, det > splat<lane>(4 * epsilon) * (K_11 * K_22));
+    const lane inv_det = one / select(regular, det, one);
+    store(pair.K[0], K_11);
+    store(pair.K[1], K_22);
+    store(pair.inv_K[0], select(regular, K_22 * inv_det, inv_K_max));
+    store(pair.inv_K[1], select(regular, -K_12 * inv_det, lane{}));
+    store(pair.inv_K[2], select(regular, K_11 * inv_det, inv_K_max));
+    store(pair.inv_K_max, inv_K_max);
+    for (int axis = 0; axis < 2; ++axis) store(pair.direction[axis], lane{});
+    return K_max;
+}
+
 INGOT_INLINE lane cut_to(lane x, lane limit) { return least(greatest(x, -limit), limit); }
 
 /// Length of the friction impulse cut to the cone.
@@ -92,6 +113,29 @@ INGOT_INLINE void cut_to_cone(lane& j_1, lane& j_2, lane limit) {
     const lane cut = select(slides, limit / sqrt(select(slides, length_sq_of, splat<lane>(1))), splat<lane>(1));
     j_1 = j_1 * cut;
     j_2 = j_2 * cut;
+}
+
+/// The change of a pair's impulse that stops the motion u along its rows, on the circle of radius `limit`.
+struct PairImpulse {
+    lane d_1, d_2;
+};
+template <bool whole, class Pair>
+INGOT_INLINE PairImpulse solve_pair(Pair& pair, lane u_1, lane u_2, lane limit, mask active) {
+    const lane inv_K_11 = load(pair.inv_K[0]), inv_K_12 = load(pair.inv_K[1]), inv_K_22 = load(pair.inv_K[2]);
+    const lane before_1 = load(pair.j[0]), before_2 = load(pair.j[1]);
+    lane j_1 = before_1 - (inv_K_11 * u_1 + inv_K_12 * u_2), j_2 = before_2 - (inv_K_12 * u_1 + inv_K_22 * u_2);
+    const mask slides = j_1 * j_1 + j_2 * j_2 > limit * limit;
+    if (any(slides)) {
+        // What sticks is found along inv_K u. What slides is pulled against u itself: only then does it end along the slip.
+        const lane inv_K_max = load(pair.inv_K_max);
+        lane slide_1 = before_1 - inv_K_max * u_1, slide_2 = before_2 - inv_K_max * u_2;
+        cut_to_cone(slide_1, slide_2, limit);
+        j_1 = select(slides, slide_1, j_1);
+        j_2 = select(slides, slide_2, j_2);
+    }
+    store_if<whole>(pair.j[0], active, j_1);
+    store_if<whole>(pair.j[1], active, j_2);
+    return {j_1 - before_1, j_2 - before_2};
 }
 
 /// True where a manifold has that point.

@@ -44,7 +44,8 @@ void extrapolate(const View& solver, scalar beta) {
     for (int block_i = 0; block_i < solver.block_count; ++block_i) {
         ContactBlock& block = solver.blocks[block_i];
         for (int row = 0; row < block.rows; ++row) go_on(block.row[row].j, block.row[row].j_sweep, block.row[row].direction, beta_of_rows);
-        for (int axis = 0; axis < 2; ++axis) go_on(block.friction.j[axis], block.friction.j_sweep[axis], block.friction.direction[axis], beta_of_rows);
+        for (int axis = 0; axis < 2; ++axis)
+            go_on(block.friction.j[axis], block.friction.j_sweep[axis], block.friction.direction[axis], beta_of_rows);
         if (block.rows > 1) go_on(block.twist.j, block.twist.j_sweep, block.twist.direction, beta_of_rows);
         if constexpr (View::rolls) {
             RollingRows& rolling = solver.rolling[block_i];

@@ -10,6 +10,8 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
+/// Points that bounce within the substep leave with what gravity gives them after the impact, from where they meet; those that do not meet
+/// are left alone.
 INGOT_RARE void predict_bounces_of(ContactBlock& block, const SolverView& solver, scalar h) {
     const BlockFlight flight = flight_of(solver, block);
     const lane step = splat<lane>(h), half = splat<lane>(scalar(0.5)), e = load(block.e);

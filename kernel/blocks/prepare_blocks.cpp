@@ -3,6 +3,7 @@
 
 #include "../base/limits.h"
 #include "../math/sqrt.h"
+#include "block_rows.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -43,17 +44,19 @@ struct Collected {
         }
         LaneBodies loaded() const {
             const lane inverse_mass = load(inv_M);
-            return {load(r_CM),
-                    {load(inv_I_world[0]), load(inv_I_world[1]), load(inv_I_world[2]), load(inv_I_world[3]), load(inv_I_world[4]), load(inv_I_world[5])},
-                    inverse_mass, inverse_mass > lane{}};
+            return {
+                load(r_CM),
+                {load(inv_I_world[0]), load(inv_I_world[1]), load(inv_I_world[2]), load(inv_I_world[3]), load(inv_I_world[4]), load(inv_I_world[5])},
+                inverse_mass,
+                inverse_mass > lane{}};
         }
     };
     Body A, B;
     scalar n[3][lanes], P[block_rows][3][lanes], used[block_rows][lanes], separation[block_rows][lanes];
 };
 
-/// Names the manifolds and bodies of a block of at least so many rows, and collects them. A body that is 0 to the solver is all zero here too; between two of
-/// them there is nothing to solve: the lane is as if it had no points.
+/// Names the manifolds and bodies of a block of at least so many rows, and collects them. A body that is 0 to the solver is all zero here too;
+/// between two of them there is nothing to solve: the lane is as if it had no points.
 void collect(const SolverView& solver, const BodyView& bodies, int block_i, int rows, ContactBlock& block, Collected& in) {
     block.rows = rows;
     for (int lane_i = 0; lane_i < lanes; ++lane_i) {
@@ -135,8 +138,9 @@ INGOT_INLINE mask is_central(const LaneContacts& contacts) {
 }
 
 int count_of(mask m) {
+    const auto lane_bits = static_cast<unsigned>(bits(m));
     int count = 0;
-    for (int lane_i = 0; lane_i < lanes; ++lane_i) count += static_cast<int>(static_cast<unsigned>(bits(m)) >> lane_i & 1u);
+    for (int lane_i = 0; lane_i < lanes; ++lane_i) count += static_cast<int>(lane_bits >> lane_i & 1u);
     return count;
 }
 
@@ -160,7 +164,8 @@ INGOT_INLINE int prepare_normals(ContactBlock& block, const LaneContacts& contac
     Sym4 K;
     for (int row = 0; row < rows; ++row)
         for (int c = row; c < rows; ++c)
-            K(row, c) = select(both(there[row], there[c]), compliance(block.row[row].levers, block.row[c].levers, contacts.inv_M), row == c ? one : lane{});
+            K(row, c) =
+                select(both(there[row], there[c]), compliance(block.row[row].levers, block.row[c].levers, contacts.inv_M), row == c ? one : lane{});
     const mask singular = rows > 1 ? there[1] : one < lane{};  // four points have rank 3, and two that all but coincide have rank 1
     const lane factor = select(singular, splat<lane>(limits::block_diagonal), one);
     Sym4 stiffened = K;
@@ -202,27 +207,13 @@ INGOT_INLINE Middle middle_of(const LaneContacts& contacts, int rows) {
 }
 
 INGOT_INLINE void prepare_friction(FrictionPair& friction, const LaneContacts& contacts, const Vec3<lane>& P) {
-    const lane one = splat<lane>(1);
     const mask there = contacts.used[0] > lane{};
     store_levers(friction.levers[0], contacts, P, contacts.t_1, there);
     store_levers(friction.levers[1], contacts, P, contacts.t_2, there);
     const lane K_11 = compliance(friction.levers[0], friction.levers[0], contacts.inv_M);
     const lane K_22 = compliance(friction.levers[1], friction.levers[1], contacts.inv_M);
     const lane K_12 = compliance(friction.levers[0], friction.levers[1], lane{});
-    const lane half = splat<lane>(scalar(0.5)), difference = (K_11 - K_22) * half;
-    const lane K_max = (K_11 + K_22) * half + sqrt(difference * difference + K_12 * K_12);
-    const lane inv_K_max = select(there, one / select(there, K_max, one), lane{});
-    // Of a lever beside which the mass is a rounding, one direction is all that is known of the pair: then both are taken as stiff as it is.
-    const lane det = K_11 * K_22 - K_12 * K_12;
-    const mask regular = both(there, det > splat<lane>(4 * epsilon) * (K_11 * K_22));
-    const lane inv_det = one / select(regular, det, one);
-    store(friction.K[0], K_11);
-    store(friction.K[1], K_22);
-    store(friction.inv_K[0], select(regular, K_22 * inv_det, inv_K_max));
-    store(friction.inv_K[1], select(regular, -K_12 * inv_det, lane{}));
-    store(friction.inv_K[2], select(regular, K_11 * inv_det, inv_K_max));
-    store(friction.inv_K_max, inv_K_max);
-    for (int axis = 0; axis < 2; ++axis) store(friction.direction[axis], lane{});
+    prepare_pair(friction, K_11, K_12, K_22, there);
 }
 
 INGOT_INLINE void prepare_twist(TwistRow& twist, const LaneContacts& contacts, lane radius) {

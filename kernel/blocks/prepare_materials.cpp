@@ -2,6 +2,7 @@
 #include "prepare_materials.h"
 
 #include "../math/sqrt.h"
+#include "block_rows.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -19,28 +20,16 @@ Sym3<lane> inv_I_of(const SolverView& solver, const BodyView& bodies, const uint
 }
 
 void prepare_compliance(RollingRows& rolling, const ContactBlock& block, const Sym3<lane>& inv_I_A, const Sym3<lane>& inv_I_B) {
-    const lane one = splat<lane>(1), half = splat<lane>(scalar(0.5));
     const Vec3<lane> t[2] = {load(block.t_1), load(block.t_2)};
     Vec3<lane> k[2];
     for (int axis = 0; axis < 2; ++axis) {
         const Vec3<lane> k_A = inv_I_A * t[axis], k_B = inv_I_B * -t[axis];
         store(rolling.k_A[axis], k_A);
         store(rolling.k_B[axis], k_B);
-        store(rolling.direction[axis], lane{});
         k[axis] = k_A - k_B;
     }
     const lane K_11 = dot(k[0], t[0]), K_22 = dot(k[1], t[1]), K_12 = dot(k[0], t[1]);
-    const mask turns = K_11 > lane{};
-    const lane difference = (K_11 - K_22) * half, det = K_11 * K_22 - K_12 * K_12;
-    const lane K_max = select(turns, (K_11 + K_22) * half + sqrt(difference * difference + K_12 * K_12), one), inv_K_max = select(turns, one / K_max, lane{});
-    const mask regular = both(turns, det > splat<lane>(4 * epsilon) * (K_11 * K_22));  // as of friction
-    const lane inv_det = one / select(regular, det, one);
-    store(rolling.K[0], K_11);
-    store(rolling.K[1], K_22);
-    store(rolling.inv_K[0], select(regular, K_22 * inv_det, inv_K_max));
-    store(rolling.inv_K[1], select(regular, -K_12 * inv_det, lane{}));
-    store(rolling.inv_K[2], select(regular, K_11 * inv_det, inv_K_max));
-    store(rolling.inv_K_max, inv_K_max);
+    const lane K_max = prepare_pair(rolling, K_11, K_12, K_22, K_11 > lane{});
     store(rolling.size, sqrt((load(block.inv_M_A) + load(block.inv_M_B)) / K_max));
 }
 
@@ -82,7 +71,8 @@ void remember_rolling(const SolverView& solver, const RollingRows* rolling, Roll
             const uint16_t manifold_i = block.manifold[lane_i];
             if (manifold_i == no_manifold) continue;
             const RollingRows& rows = rolling[block_i];
-            records[solver.pairs[manifold_i].record].j = (lane_of(block.t_1, lane_i) * rows.j[0][lane_i] + lane_of(block.t_2, lane_i) * rows.j[1][lane_i]) * part;
+            records[solver.pairs[manifold_i].record].j =
+                (lane_of(block.t_1, lane_i) * rows.j[0][lane_i] + lane_of(block.t_2, lane_i) * rows.j[1][lane_i]) * part;
         }
     }
 }

@@ -63,25 +63,16 @@ void solve_manifolds(View& solver, const BodyView& bodies, const Vector& gravity
 }
 
 // The linker takes the one that the scene calls.
-template void solve_manifolds<false, false>(SolverView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
-template void solve_manifolds<false, true>(SolverView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
-template void solve_manifolds<true, false>(SolverView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
-template void solve_manifolds<true, true>(SolverView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
-template void solve_manifolds<false, false>(SmallView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
-template void solve_manifolds<false, true>(SmallView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
-template void solve_manifolds<true, false>(SmallView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
-template void solve_manifolds<true, true>(SmallView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
-template void solve_manifolds<false, false>(RollingView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
-template void solve_manifolds<false, true>(RollingView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
-template void solve_manifolds<true, false>(RollingView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
-template void solve_manifolds<true, true>(RollingView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
-template void solve_manifolds<false, false>(BeltView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
-template void solve_manifolds<false, true>(BeltView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
-template void solve_manifolds<true, false>(BeltView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
-template void solve_manifolds<true, true>(BeltView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
-template void solve_manifolds<false, false>(RollingBeltView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
-template void solve_manifolds<false, true>(RollingBeltView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
-template void solve_manifolds<true, false>(RollingBeltView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
-template void solve_manifolds<true, true>(RollingBeltView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
+#define INGOT_VIEW(View)                                                                                                          \
+    template void solve_manifolds<false, false>(View&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);         \
+    template void solve_manifolds<false, true>(View&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);          \
+    template void solve_manifolds<true, false>(View&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);          \
+    template void solve_manifolds<true, true>(View&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&)
+INGOT_VIEW(SolverView);
+INGOT_VIEW(SmallView);
+INGOT_VIEW(RollingView);
+INGOT_VIEW(BeltView);
+INGOT_VIEW(RollingBeltView);
+#undef INGOT_VIEW
 
 } }  // namespace ingot

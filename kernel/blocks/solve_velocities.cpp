@@ -9,16 +9,16 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
-constexpr SweepPlan plan_of_few = {limits::substeps, limits::sweeps_of_few, false, limits::settled_speed_of_few};
-constexpr SweepPlan plan_of_few_calm = {limits::calm_substeps, limits::sweeps_of_few, false, limits::settled_speed_of_few};
-constexpr SweepPlan plan_of_many = {limits::substeps, limits::sweeps, true, limits::settled_speed};
-constexpr SweepPlan plan_of_young = {limits::substeps, limits::sweeps_of_young, true, limits::settled_speed};
-constexpr SweepPlan plan_of_calm = {limits::calm_substeps, limits::calm_sweeps, true,
+constexpr SweepPlan plan_of_few = {limits::substeps, limits::sweeps_of_few, limits::sweeps_of_few, false, limits::settled_speed_of_few};
+constexpr SweepPlan plan_of_few_calm = {limits::calm_substeps, limits::sweeps_of_few, limits::sweeps_of_few, false, limits::settled_speed_of_few};
+constexpr SweepPlan plan_of_many = {limits::substeps, limits::sweeps, limits::sweeps_of_balls, true, limits::settled_speed};
+constexpr SweepPlan plan_of_young = {limits::substeps, limits::sweeps_of_young, limits::sweeps_of_young, true, limits::settled_speed};
+constexpr SweepPlan plan_of_calm = {limits::calm_substeps, limits::calm_sweeps, limits::calm_sweeps, true,
                                     limits::settled_speed * limits::substeps / limits::calm_substeps};
 
 int sweeps_of(const SweepPlan& plan, const SolverView& solver) {
     const bool is_heap_of_balls = 4 * solver.central_count > 3 * solver.manifold_count;
-    return is_heap_of_balls && plan.sweeps_max == limits::sweeps ? limits::sweeps_of_balls : plan.sweeps_max;
+    return is_heap_of_balls ? plan.sweeps_max_of_balls : plan.sweeps_max;
 }
 
 }  // namespace

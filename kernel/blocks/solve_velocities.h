@@ -12,6 +12,7 @@ namespace ingot { inline namespace INGOT_ABI {
 struct SweepPlan {
     int substeps;
     int sweeps_max;
+    int sweeps_max_of_balls;  ///< where most normals are central
     bool up_and_down;
     scalar settled_speed;  ///< m/s
 };

@@ -46,7 +46,8 @@ INGOT_INLINE lane solve_normals(ContactBlock& block, BodyPairLanes& pair, const 
 }
 
 template <bool whole>
-INGOT_INLINE void solve_twist(TwistRow& twist, BodyPairLanes& pair, const Vec3<lane>& n, lane inv_M_A, lane inv_M_B, lane limit, mask active, Change& change) {
+INGOT_INLINE void solve_twist(TwistRow& twist, BodyPairLanes& pair, const Vec3<lane>& n, lane inv_M_A, lane inv_M_B, lane limit, mask active,
+                              Change& change) {
     const lane spin = dot(pair.angular_A, load(twist.k_A)) + dot(pair.angular_B, load(twist.k_B));
     const lane before = load(twist.j), radius = load(twist.radius), K = load(twist.K);
     const lane j = cut_to(before - spin * load(twist.inv_K), limit * radius), d = j - before;
@@ -56,35 +57,23 @@ INGOT_INLINE void solve_twist(TwistRow& twist, BodyPairLanes& pair, const Vec3<l
     change.fastest = greatest(change.fastest, abs(d * K) * radius);
 }
 
-/// As friction, of which it has the form: a pair of rows and a circle around it.
 template <bool whole>
-INGOT_INLINE void solve_rolling(RollingRows& rolling, BodyPairLanes& pair, const ContactBlock& block, lane load_of_normals, mask active, Change& change) {
+INGOT_INLINE void solve_rolling(RollingRows& rolling, BodyPairLanes& pair, const ContactBlock& block, lane load_of_normals, mask active,
+                                Change& change) {
     const lane u_1 = dot(pair.angular_A, load(rolling.k_A[0])) + dot(pair.angular_B, load(rolling.k_B[0]));
     const lane u_2 = dot(pair.angular_A, load(rolling.k_A[1])) + dot(pair.angular_B, load(rolling.k_B[1]));
-    const lane inv_K_12 = load(rolling.inv_K[1]), before_1 = load(rolling.j[0]), before_2 = load(rolling.j[1]);
-    lane j_1 = before_1 - (load(rolling.inv_K[0]) * u_1 + inv_K_12 * u_2), j_2 = before_2 - (inv_K_12 * u_1 + load(rolling.inv_K[2]) * u_2);
-    const lane limit = load(rolling.lever) * load_of_normals;
-    const mask rolls = j_1 * j_1 + j_2 * j_2 > limit * limit;
-    if (any(rolls)) {
-        const lane inv_K_max = load(rolling.inv_K_max);
-        lane roll_1 = before_1 - inv_K_max * u_1, roll_2 = before_2 - inv_K_max * u_2;
-        cut_to_cone(roll_1, roll_2, limit);
-        j_1 = select(rolls, roll_1, j_1);
-        j_2 = select(rolls, roll_2, j_2);
-    }
-    const lane d_1 = j_1 - before_1, d_2 = j_2 - before_2, inv_M_A = load(block.inv_M_A), inv_M_B = load(block.inv_M_B);
+    const auto [d_1, d_2] = solve_pair<whole>(rolling, u_1, u_2, load(rolling.lever) * load_of_normals, active);
+    const lane inv_M_A = load(block.inv_M_A), inv_M_B = load(block.inv_M_B);
     add_twist(pair, load(block.t_1), d_1, inv_M_A, inv_M_B);
     add_twist(pair, load(block.t_2), d_2, inv_M_A, inv_M_B);
-    store_if<whole>(rolling.j[0], active, j_1);
-    store_if<whole>(rolling.j[1], active, j_2);
     const lane spin_1 = d_1 * load(rolling.K[0]), spin_2 = d_2 * load(rolling.K[1]);
     change.size = change.size + (d_1 * spin_1 + d_2 * spin_2);
     change.fastest = greatest(change.fastest, greatest(abs(spin_1), abs(spin_2)) * load(rolling.size));
 }
 
 template <bool whole, class View>
-INGOT_INLINE void solve_friction([[maybe_unused]] const View& solver, [[maybe_unused]] int block_i, ContactBlock& block, BodyPairLanes& pair, lane limit,
-                                 mask active, Change& change) {
+INGOT_INLINE void solve_friction([[maybe_unused]] const View& solver, [[maybe_unused]] int block_i, ContactBlock& block, BodyPairLanes& pair,
+                                 lane limit, mask active, Change& change) {
     FrictionPair& friction = block.friction;
     const Vec3<lane> t_1 = load(block.t_1), t_2 = load(block.t_2), slip = pair.linear_A - pair.linear_B;
     lane u_1 = row_speed(friction.levers[0], dot(t_1, slip), pair), u_2 = row_speed(friction.levers[1], dot(t_2, slip), pair);
@@ -92,24 +81,10 @@ INGOT_INLINE void solve_friction([[maybe_unused]] const View& solver, [[maybe_un
         u_1 = u_1 + load(solver.belts[block_i].speed[0]);
         u_2 = u_2 + load(solver.belts[block_i].speed[1]);
     }
-    const lane inv_K_11 = load(friction.inv_K[0]), inv_K_12 = load(friction.inv_K[1]), inv_K_22 = load(friction.inv_K[2]);
-    const lane before_1 = load(friction.j[0]), before_2 = load(friction.j[1]);
-    lane j_1 = before_1 - (inv_K_11 * u_1 + inv_K_12 * u_2), j_2 = before_2 - (inv_K_12 * u_1 + inv_K_22 * u_2);
-    const mask slides = j_1 * j_1 + j_2 * j_2 > limit * limit;
-    if (any(slides)) {
-        // What sticks is found along inv_K u. What slides is pulled against u itself: only then does it end along the slip.
-        const lane inv_K_max = load(friction.inv_K_max);
-        lane slide_1 = before_1 - inv_K_max * u_1, slide_2 = before_2 - inv_K_max * u_2;
-        cut_to_cone(slide_1, slide_2, limit);
-        j_1 = select(slides, slide_1, j_1);
-        j_2 = select(slides, slide_2, j_2);
-    }
-    const lane d_1 = j_1 - before_1, d_2 = j_2 - before_2;
+    const auto [d_1, d_2] = solve_pair<whole>(friction, u_1, u_2, limit, active);
     add_linear(pair, t_1 * d_1 + t_2 * d_2, load(block.inv_M_A), load(block.inv_M_B));
     add_angular(pair, friction.levers[0], d_1);
     add_angular(pair, friction.levers[1], d_2);
-    store_if<whole>(friction.j[0], active, j_1);
-    store_if<whole>(friction.j[1], active, j_2);
     change.add(d_1, load(friction.K[0]));
     change.add(d_2, load(friction.K[1]));
 }
@@ -123,7 +98,8 @@ INGOT_INLINE BodyPairLanes chosen(mask m, const BodyPairLanes& a, const BodyPair
 
 /// Normals, twist, rolling resistance, friction of the active lanes. `whole`: of all.
 template <int rows, bool whole, class View>
-INGOT_INLINE void solve_rows(const View& solver, int block_i, ContactBlock& block, BodyPairLanes& pair, mask visited, mask active, scalar sweep, scalar stirring, lane& residual) {
+INGOT_INLINE void solve_rows(const View& solver, int block_i, ContactBlock& block, BodyPairLanes& pair, mask visited, mask active, scalar sweep,
+                             scalar stirring, lane& residual) {
     const Vec3<lane> n = load(block.n);
     const lane inv_M_A = load(block.inv_M_A), inv_M_B = load(block.inv_M_B);
     const BodyPairLanes before = pair;
@@ -143,7 +119,8 @@ INGOT_INLINE void solve_rows(const View& solver, int block_i, ContactBlock& bloc
 
 /// Solves what one visit names, but for the lanes whose bodies neither this sweep nor the one before has stirred.
 template <int rows, class View>
-INGOT_INLINE void visit_velocities(const View& solver, int block_i, ContactBlock& block, uint16_t lane_bits, int sweep_i, scalar stirring, lane& residual) {
+INGOT_INLINE void visit_velocities(const View& solver, int block_i, ContactBlock& block, uint16_t lane_bits, int sweep_i, scalar stirring,
+                                   lane& residual) {
     const scalar sweep = static_cast<scalar>(sweep_i);
     const LaneQuad L_A = gather(solver.bodies, block.body_A, &SolverBody::L), L_B = gather(solver.bodies, block.body_B, &SolverBody::L);
     const mask visited = lanes_of(lane_bits);

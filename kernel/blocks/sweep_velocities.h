@@ -5,9 +5,9 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// Makes every contact's velocity right for the moment: normals as one block, then twist, rolling resistance, and the friction pair on its cone. Sweeps of a substep
-/// count from 1. Those after the first visit only what has a body that the sweep before or this one has stirred: whose contact took away more than
-/// `stirring`, m/s.
+/// Makes every contact's velocity right for the moment: normals as one block, then twist, rolling resistance, and the friction pair on its cone.
+/// Sweeps of a substep count from 1. Those after the first visit only what has a body that the sweep before or this one has stirred: whose
+/// contact took away more than `stirring`, m/s.
 ///
 /// Returns: m/s; the largest speed that an impulse took away.
 template <class View>

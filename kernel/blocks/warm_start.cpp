@@ -17,7 +17,8 @@ INGOT_INLINE Row4 impulses_kept(const SolverView& solver, const ContactBlock& bl
     if (solver.some_hit) {
         const mask hit = pair.last[1] + pair.last[3] > lane{};
         if (any(hit)) {
-            const lane g = greatest(gather(solver.bodies, block.body_A, &SolverBody::dp).at[3], gather(solver.bodies, block.body_B, &SolverBody::dp).at[3]);
+            const lane g =
+                greatest(gather(solver.bodies, block.body_A, &SolverBody::dp).at[3], gather(solver.bodies, block.body_B, &SolverBody::dp).at[3]);
             const lane allowance = splat<lane>(2 * h) * g;
             for (int row = 0; row < rows; ++row) {
                 const lane most = splat<lane>(2) * load(block.row[row].j_before) + allowance / load(block.K[Sym4::index(row, row)]);
@@ -106,7 +107,8 @@ void warm_start(const View& solver, scalar h) {
         ContactBlock& block = solver.blocks[visit.block];
         const bool whole = is_all(visit.lane_bits);
         if (!View::small && block.rows == 1)
-            whole ? warm_start_visit<1, true>(solver, visit.block, block, visit.lane_bits, h) : warm_start_visit<1, false>(solver, visit.block, block, visit.lane_bits, h);
+            whole ? warm_start_visit<1, true>(solver, visit.block, block, visit.lane_bits, h)
+                  : warm_start_visit<1, false>(solver, visit.block, block, visit.lane_bits, h);
         else
             whole ? warm_start_visit<block_rows, true>(solver, visit.block, block, visit.lane_bits, h)
                   : warm_start_visit<block_rows, false>(solver, visit.block, block, visit.lane_bits, h);

@@ -44,8 +44,9 @@ bool overlap(const PlacedShape& A, const PlacedShape& B);
 
 /// The same for the cores alone: what collide_* is made of.
 ///
-/// known_gap: m, how far they are apart along some direction, where the caller has found one. Corners of long thin shapes are all but in a plane, rounding
-/// then turns inside and outside round, and what is apart by 200 roundings of its length may look enclosed (a rod of 15 m, 2 cm thick, 0.4 mm away).
+/// known_gap: m, how far they are apart along some direction, where the caller has found one. Corners of long thin shapes are all but in a
+/// plane, rounding then turns inside and outside round, and what is apart by 200 roundings of its length may look enclosed (a rod of 15 m, 2
+/// cm thick, 0.4 mm away).
 Nearest nearest_cores(const PlacedShape& A, const PlacedShape& B, scalar enough, scalar known_gap = 0);
 
 } }  // namespace ingot

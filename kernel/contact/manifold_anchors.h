@@ -26,8 +26,9 @@ void anchor(const BodyFrame& A, const BodyFrame& B, const Manifold& manifold, sc
 /// Renews a manifold from its anchors: true if the bodies have moved so little against each other that a search would find the same features.
 ///
 /// No point of A has moved by more than `slip` (m) against its fellow of B, along the normal or across, and the normal of A has not turned against
-/// that of B by more than limits::recycled_slip. With slip = recycled_slip R, R the lesser bounding radius, a point of A that was further away than the
-/// margin is so still, but for 2 slip: well within limits::contact_margin for bodies up to some metres. Separations are exact but for slip^2 / R.
+/// that of B by more than limits::recycled_slip. With slip = recycled_slip R, R the lesser bounding radius, a point of A that was further
+/// away than the margin is so still, but for 2 slip: well within limits::contact_margin for bodies up to some metres. Separations are exact
+/// but for slip^2 / R.
 /// False: the manifold is as it was; search. So it is for anchors that know nothing, or that were found with less margin.
 /// Cost: about 40 flops a point.
 bool renew_from_anchors(const BodyFrame& A, const BodyFrame& B, scalar slip, scalar margin, const ManifoldAnchors& anchors, Manifold& manifold);

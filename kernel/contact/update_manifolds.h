@@ -178,7 +178,8 @@ void update_manifolds(const BodyView& bodies, const SurfaceView& surfaces, const
         const bool fast = fast_pairs.has(pair);
         const scalar margin = fast ? margin_of_fast(bodies, pair) : margin_of(bodies, bounds, pair, h);
         if constexpr (renews) {
-            if (held && !fast && renew_manifold<Shapes>(bodies, surfaces, pair, margin, manifolds.anchors[pair.record], manifolds.records[pair.record].manifold)) {
+            if (held && !fast &&
+                renew_manifold<Shapes>(bodies, surfaces, pair, margin, manifolds.anchors[pair.record], manifolds.records[pair.record].manifold)) {
                 manifolds.pairs[(*manifolds.count)++] = pair;
                 continue;
             }

@@ -79,7 +79,8 @@ int choose_islands(const SolverView& solver, const DirectView& direct, StepRepor
         const uint16_t root = direct.root[movable_body(solver, manifold_i)];
         if (root == 0) continue;  // a body that has gone bad, on one that cannot move
         ++direct.size[root];
-        if (are_uneven(solver, solver.local_of[solver.pairs[manifold_i].body_A], solver.local_of[solver.pairs[manifold_i].body_B]) || direct.unsettled[record_i] >= limits::unsettled_steps)
+        if (are_uneven(solver, solver.local_of[solver.pairs[manifold_i].body_A], solver.local_of[solver.pairs[manifold_i].body_B]) ||
+            direct.unsettled[record_i] >= limits::unsettled_steps)
             direct.fate[root] = IslandFate::chosen;
     }
     const auto fits = [&](int root) { return direct.size[root] <= direct.manifold_capacity; };

@@ -84,7 +84,8 @@ void choose_again(const SolverView& solver, const DirectView& direct) {
         if (direct.fate[root] != IslandFate::swept) direct.fate[root] = IslandFate::chosen;
 }
 
-/// Solves and displaces the substeps of a plan, from the state at the begin of the step: solve_substeps of solve_manifolds.cpp, with `chosen` islands.
+/// Solves and displaces the substeps of a plan, from the state at the begin of the step: solve_substeps of solve_manifolds.cpp, with `chosen`
+/// islands.
 /// True where sweeps were at their bound in the last.
 template <bool notes_impulses>
 bool solve_substeps_directly(SolverView& solver, DirectView& direct, const BodyView& bodies, const SweepPlan& plan, int chosen, scalar h_step,

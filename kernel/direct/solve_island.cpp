@@ -133,8 +133,8 @@ void stick_or_slide(const DirectView& island, DirectManifold& manifold, DirectRo
     }
 }
 
-/// A body meets another faster than forces drive it within two substeps, while neither is much heavier. Sweeps are better at that: the set of contacts
-/// that an impact leaves is far from the one that it found.
+/// A body meets another faster than forces drive it within two substeps, while neither is much heavier. Sweeps are better at that: the set of
+/// contacts that an impact leaves is far from the one that it found.
 bool has_impact(const SolverView& solver, const DirectView& island, scalar h) {
     if (island.uneven) return false;
     for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {

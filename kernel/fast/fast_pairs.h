@@ -16,8 +16,8 @@ struct FastPairs {
     scalar h;
 
     bool has(const BodyPair& pair) const { return paths[pair.body_A].fast || paths[pair.body_B].fast; }
-    /// Touching bodies that would get through each other's skin in the step, or turn their faces away: what they do is over in a moment of it. Others slide or rest, or a slow
-    /// body among others is hit: these are solved together.
+    /// Touching bodies that would get through each other's skin in the step, or turn their faces away: what they do is over in a moment of
+    /// it. Others slide or rest, or a slow body among others is hit: these are solved together.
     bool meets_in_flight(const BodyPair& pair, const Manifold& manifold) const;
 };
 

@@ -22,8 +22,8 @@ struct Approach {
 Vector way_at(const BodyPath& path, scalar t) { return path.way + path.fall * (2 * (t - path.from)); }
 
 Approach approach_at(const BodyPath& path_A, const Shape& A, const BodyPath& path_B, const Shape& B, scalar t) {
-    Approach now = {place_on_path(path_A, A, t), place_on_path(path_B, B, t), way_at(path_A, t) - way_at(path_B, t), (path_A.fall - path_B.fall) * scalar(2),
-                    bounding_radius(A), bounding_radius(B)};
+    Approach now = {place_on_path(path_A, A, t), place_on_path(path_B, B, t), way_at(path_A, t) - way_at(path_B, t),
+                    (path_A.fall - path_B.fall) * scalar(2), bounding_radius(A), bounding_radius(B)};
     now.A.r -= now.B.r;
     now.B.r = {};
     return now;

@@ -15,8 +15,8 @@ namespace ingot { inline namespace INGOT_ABI {
 /// have parted; meanwhile A without its skin (limits::skin_share) may not reach B. Where that is inside B from the begin, it is A without
 /// two skins, and so on; where even limits::skins_max are too few, a ball about the
 /// centre of A, half as large as A is thick, may not reach B. Where that is inside too nothing is met.
-/// `unsolved`: no contact of this step has seen to them; if they touch from the begin, and their nearest points close by more than that skin in the rest
-/// of the step, they meet at once.
+/// `unsolved`: no contact of this step has seen to them; if they touch from the begin, and their nearest points close by more than that skin
+/// in the rest of the step, they meet at once.
 /// After limits::approaches_max they are taken for met where they are: too early, never too late.
 /// Frames: world. Source: Mirtich, "Impulse-based dynamic simulation", 1996, 2.3; the second order is ours.
 scalar time_of_impact(const BodyPath& path_A, const Shape& A, const BodyPath& path_B, const Shape& B, scalar latest, bool unsolved);

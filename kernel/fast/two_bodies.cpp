@@ -104,7 +104,8 @@ scalar TwoBodies::moment() {
         spin = own > spin ? own : spin;
     }
     const scalar way = limits::together_share * (size_A < size_B ? size_A : size_B), angle = limits::angle_per_path / 2;
-    const scalar by_way = fastest * limits::step_max > way ? way / fastest : limits::step_max, by_turn = spin * limits::step_max > angle ? angle / spin : limits::step_max;
+    const scalar by_way = fastest * limits::step_max > way ? way / fastest : limits::step_max,
+                 by_turn = spin * limits::step_max > angle ? angle / spin : limits::step_max;
     return by_way < by_turn ? by_way : by_turn;
 }
 

@@ -81,7 +81,8 @@ void sort_by(const Item* from, Item* to, int count, uint32_t* counters, int buck
 void sort_keys(const SortedTreeView& tree, int count) {
     TreeKey *from = tree.keys, *to = tree.other_keys;
     for (int pass_i = 0; pass_i < 3; ++pass_i) {
-        sort_by(from, to, count, tree.counters, 1 << code_bits, [&](const TreeKey& key) { return key.code >> code_bits * pass_i & ((1u << code_bits) - 1); });
+        sort_by(from, to, count, tree.counters, 1 << code_bits,
+                [&](const TreeKey& key) { return key.code >> code_bits * pass_i & ((1u << code_bits) - 1); });
         TreeKey* const sorted = to;
         to = from;
         from = sorted;
@@ -126,7 +127,8 @@ void test_leaves(const TreeLeaf& A, const TreeLeaf& B, const PairList& pairs) {
         }
         for (int first = 0; first < leaf_bodies; first += lanes) {
             mask meet = splat<lane>(1) > lane{};
-            for (int axis = 0; axis < 3; ++axis) meet = both(meet, both(load(B.low[axis] + first) <= high[axis], low[axis] <= load(B.high[axis] + first)));
+            for (int axis = 0; axis < 3; ++axis)
+                meet = both(meet, both(load(B.low[axis] + first) <= high[axis], low[axis] <= load(B.high[axis] + first)));
             unsigned found = bits(meet);
             for (int k = first; found != 0; ++k, found >>= 1) {
                 if ((found & 1u) == 0 || (same && k <= i) || (A.moves[i] | B.moves[k]) == 0) continue;

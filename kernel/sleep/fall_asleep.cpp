@@ -39,7 +39,8 @@ void lie_down(const BodyView& bodies, const RestView& rest, int slot) {
 
 }  // namespace
 
-void fall_asleep(const BodyView& bodies, const SurfaceView& surfaces, const Vector& gravity, scalar h, const SleepLimits& limits, const RestView& rest) {
+void fall_asleep(const BodyView& bodies, const SurfaceView& surfaces, const Vector& gravity, scalar h, const SleepLimits& limits,
+                 const RestView& rest) {
     for_slots(rest.awake, bodies.tile_count, [&](int slot) { rest.marks[slot] = 0; });
     // A root whose island is not ready is marked.
     for_slots(rest.awake, bodies.tile_count, [&](int slot) {

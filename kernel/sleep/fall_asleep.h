@@ -22,6 +22,7 @@ struct SleepLimits {
 /// Needs:  F_T as write_contact_motion leaves it, the mean force of the step; islands of the step.
 /// Error:  what sleeps loses at most M speed^2 of energy, half for v_CM and half for L, since no moment is larger than M R^2.
 /// Cost:   about 60 flops a body that is awake.
-void fall_asleep(const BodyView& bodies, const SurfaceView& surfaces, const Vector& gravity, scalar h, const SleepLimits& limits, const RestView& rest);
+void fall_asleep(const BodyView& bodies, const SurfaceView& surfaces, const Vector& gravity, scalar h, const SleepLimits& limits,
+                 const RestView& rest);
 
 } }  // namespace ingot

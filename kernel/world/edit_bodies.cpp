@@ -224,8 +224,8 @@ Result<scalar> collide_bodies(const BodyView& bodies, int slot_A, int slot_B, co
         const Place at = place_of(slot);
         const TranslationTile& translation = bodies.translation[at.tile];
         const RotationTile& rotation = bodies.rotation[at.tile];
-        return CollidingBody{translation.inv_M[at.lane], inverse_inertia_world(lane_of(rotation.A, at.lane), inv_I_body_of(bodies, slot)), lane_of(translation.v_CM, at.lane),
-                             omega_of(bodies, slot), P - lane_of(translation.r_CM, at.lane)};
+        return CollidingBody{translation.inv_M[at.lane], inverse_inertia_world(lane_of(rotation.A, at.lane), inv_I_body_of(bodies, slot)),
+                             lane_of(translation.v_CM, at.lane), omega_of(bodies, slot), P - lane_of(translation.r_CM, at.lane)};
     };
     const CollidingBody A = colliding(slot_A), B = colliding(slot_B);
     const scalar j = collision_impulse(A, B, n, e);

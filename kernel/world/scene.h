@@ -36,8 +36,8 @@ struct Scene {
     static constexpr int  max_events   = 0;      ///< of contacts and sensors in one step, 0 .. 65535: see contact/contact_events.h
     static constexpr scalar hit_speed  = 1;      ///< m/s; contacts that meet faster are told as hits
     static constexpr bool renews_manifolds = true;   ///< where bodies hardly move, manifolds are moved along with them and not searched anew
-    static constexpr bool bounces      = true;   ///< bodies may have a restitution; false: none bounces, for 4 KB less flash
-    static constexpr bool small        = false;  ///< contacts of one point are solved as those of four, to the same bits: 4 KB less flash, for a third more time where many are
+    static constexpr bool bounces      = true;   ///< bodies may have a restitution; false: none bounces, for 5 KB less flash
+    static constexpr bool small        = false;  ///< contacts of one point are solved as those of four: the same bits, 5 KB less flash, more time
     static constexpr bool sleeps       = false;  ///< islands of bodies at rest are left out of the step until something wakes them
     static constexpr scalar sleep_speed = limits::sleep_speed;  ///< m/s; no point of a body at rest moves faster
     static constexpr scalar sleep_time  = limits::sleep_time;   ///< s; for which all bodies of an island are at rest before it falls asleep
@@ -46,8 +46,8 @@ struct Scene {
     static constexpr bool continuous   = false;  ///< fast bodies are followed within a step, impact by impact: none passes through another
     using broad_phase = AllPairs;                ///< or SortedTree, for many bodies
     /// Of contacts with friction. Sweeps carry piles, towers of 20, and up to 100 kg on 1 kg, with no memory of their own: what a small target
-    /// wants. ChosenSolver picks for each island: sweeps, or for mass ratios from 50 on, towers of 15 and more, and what sweeps do not settle a direct
-    /// solve in double; it takes 121 KB of RAM (DirectIslands<20, 10>, for smaller islands, 38), so a scene has to name it.
+    /// wants. ChosenSolver picks for each island: sweeps, or for mass ratios from 50 on, towers of 15 and more, and what sweeps do not settle
+    /// a direct solve in double; it takes 121 KB of RAM (DirectIslands<20, 10>, for smaller islands, 38), so a scene has to name it.
     using solver = Sweeps;
     using shapes   = Shapes<>;
     static constexpr NoHulls hulls = {};         ///< or `static constexpr ConvexHull hulls[]`, in flash: the forms of its Hull shapes, in body frames
@@ -93,8 +93,8 @@ inline constexpr int shape_capacity = S::max_bodies * S::max_shapes_of_body;
 
 /// Pairs that a search may find: shapes of one body too, which are dropped then.
 template <class S>
-inline constexpr long long pairs_with_own =
-    (S::max_pairs != 0 ? S::max_pairs : 2LL * S::max_manifolds) + static_cast<long long>(S::max_bodies) * S::max_shapes_of_body * (S::max_shapes_of_body - 1) / 2;
+inline constexpr long long pairs_with_own = (S::max_pairs != 0 ? S::max_pairs : 2LL * S::max_manifolds) +
+                                            static_cast<long long>(S::max_bodies) * S::max_shapes_of_body * (S::max_shapes_of_body - 1) / 2;
 
 /// The shapes of a scene as narrow phase and queries ask for them: which there are, and the form of a hull.
 template <class S>
@@ -147,7 +147,8 @@ constexpr bool check_scene() {
     static_assert(S::max_bodies >= 1 && S::max_bodies <= 65536, "a scene holds 1 to 65536 bodies: set max_bodies");
     static_assert(S::max_contacts >= 0 && S::max_contacts <= 65535, "a scene holds 0 to 65535 contacts: set max_contacts");
     static_assert(S::max_manifolds >= 0 && S::max_manifolds <= 65534, "a scene holds 0 to 65534 manifolds: set max_manifolds");
-    static_assert(!(collides<S> && stacks<S>), "a scene has impacts without friction, max_contacts, or contacts with friction, max_manifolds: set one of them");
+    static_assert(!(collides<S> && stacks<S>),
+                  "a scene has impacts without friction, max_contacts, or contacts with friction, max_manifolds: set one of them");
     static_assert(!stacks<S> || (S::max_pairs >= 0 && S::max_pairs <= 65535 && 2 * S::max_manifolds <= 65535 + S::max_pairs),
                   "a scene holds up to 65535 pairs, twice max_manifolds unless it says otherwise: set max_pairs");
     static_assert(!stacks<S> || S::max_bodies <= 65535, "bodies with contacts are up to 65535: set max_bodies");
@@ -159,7 +160,8 @@ constexpr bool check_scene() {
     static_assert(S::shapes::has(ShapeKind::hull) || hulls_of<S>.count == 0, "a scene with hulls has Hull among its shapes: set shapes");
     static_assert(are_hulls<S>(), "one of the hulls is none: ask convex_hull for the status");
     static_assert(S::max_shapes_of_body >= 1 && S::max_shapes_of_body <= 255, "a body has 1 to 255 shapes: set max_shapes_of_body");
-    static_assert(!has_compounds<S> || stacks<S>, "several shapes of a body are for contacts with friction: set max_manifolds, or max_shapes_of_body = 1");
+    static_assert(!has_compounds<S> || stacks<S>,
+                  "several shapes of a body are for contacts with friction: set max_manifolds, or max_shapes_of_body = 1");
     static_assert(!has_compounds<S> || (S::max_bodies <= 65535 && S::max_shapes_of_body <= 65535 / S::max_bodies),
                   "a scene holds up to 65535 shapes, max_shapes_of_body for each body: lower it, or max_bodies");
     static_assert(!has_compounds<S> || pairs_with_own<S> <= 65535,
@@ -169,7 +171,8 @@ constexpr bool check_scene() {
     static_assert(!S::small || (stacks<S> && !solves_directly<S> && !S::continuous && !has_materials<S>),
                   "small is for contacts with plain friction that sweeps solve, a step at a time: set max_manifolds, or small = false");
     static_assert(!S::filters || stacks<S>, "filters are for contacts with friction: set max_manifolds, or filters = false");
-    static_assert(!S::continuous || stacks<S>, "fast bodies are followed in scenes of contacts with friction: set max_manifolds, or continuous = false");
+    static_assert(!S::continuous || stacks<S>,
+                  "fast bodies are followed in scenes of contacts with friction: set max_manifolds, or continuous = false");
     static_assert(!S::continuous || (!has_compounds<S> && !S::shapes::has(ShapeKind::hull)),
                   "fast bodies are followed where each has one shape, and none is a hull: set continuous = false");
     static_assert(!S::continuous || !S::sleeps, "fast bodies are followed where nothing sleeps: set continuous or sleeps = false");

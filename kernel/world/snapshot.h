@@ -155,8 +155,8 @@ constexpr size_t snapshot_size_of(size_t slots_used, size_t living, size_t shape
     ByteCounter counter;
     SavedWorld<S> world{};
     world.numbers(counter);
-    return snapshot_header_size() + counter.count() + saved_field_size<S>() + slots_used * sizeof(uint32_t) +
-           living * saved_body_size<S>() + shapes * saved_shape_size<S>() + (stacks<S> ? sizeof(uint16_t) + manifolds * saved_manifold_size<S>() : 0) + snapshot_checksum_size;
+    return snapshot_header_size() + counter.count() + saved_field_size<S>() + slots_used * sizeof(uint32_t) + living * saved_body_size<S>() +
+           shapes * saved_shape_size<S>() + (stacks<S> ? sizeof(uint16_t) + manifolds * saved_manifold_size<S>() : 0) + snapshot_checksum_size;
 }
 
 /// Bytes that a snapshot of any world of the scene fits in: that of a full one.
@@ -284,7 +284,8 @@ Status read_manifolds(ByteReader& reader, uint32_t slots_used, Storage<S>* to) {
         if (!is_finite(j_rolling)) return Status::bad_snapshot;
         if (unsettled > limits::unsettled_steps) return Status::bad_snapshot;
         const BodyPair pair{saved.body_A, saved.body_B, record};
-        if (!is_sound(saved) || pair.body_A >= pair.body_B || pair.body_B >= slots_used * S::max_shapes_of_body || pair.key() <= key_before) return Status::bad_snapshot;
+        if (!is_sound(saved) || pair.body_A >= pair.body_B || pair.body_B >= slots_used * S::max_shapes_of_body || pair.key() <= key_before)
+            return Status::bad_snapshot;
         if (has_compounds<S> && pair.body_A / S::max_shapes_of_body == pair.body_B / S::max_shapes_of_body) return Status::bad_snapshot;
         key_before = pair.key();
         if (to == nullptr) continue;
@@ -336,7 +337,8 @@ Status read_shapes(ByteReader& reader, int slot, bool can_move, Storage<S>* to) 
         saved.numbers(reader, has_sensors<S>);
         const Shape shape{static_cast<ShapeKind>(saved.surface.kind), saved.surface.size, saved.surface.offset};
         if (!S::shapes::has(shape.kind) || !ShapesOf<S>::names_its_hull(shape) || !is_sound(saved.surface, can_move)) return Status::bad_snapshot;
-        if (check_vector(saved.place.r, limits::position_max) != Status::ok || check_rotation(saved.place.A) != Status::ok || saved.sensor > 1) return Status::bad_snapshot;
+        if (check_vector(saved.place.r, limits::position_max) != Status::ok || check_rotation(saved.place.A) != Status::ok || saved.sensor > 1)
+            return Status::bad_snapshot;
         if (read_material<S>(reader, shape_slot, to) != Status::ok) return Status::bad_snapshot;
         if (to == nullptr) continue;
         to->surfaces[shape_slot] = {shape, radius_about_body(shape, saved.place), saved.surface.e, saved.surface.mu};
@@ -362,7 +364,8 @@ Result<size_t> save_snapshot(const World<S>& world, uint8_t* bytes, size_t room)
     size_t shape_count = 0;
     if constexpr (has_compounds<S>)
         for (int slot = 0; slot < storage.slots_used; ++slot) shape_count += static_cast<size_t>(shape_count_of(storage, slot));
-    const size_t size = snapshot_size_of<S>(static_cast<size_t>(storage.slots_used), static_cast<size_t>(world.body_count()), shape_count, manifold_count);
+    const size_t size =
+        snapshot_size_of<S>(static_cast<size_t>(storage.slots_used), static_cast<size_t>(world.body_count()), shape_count, manifold_count);
     if (bytes == nullptr || room < size) return {Status::no_room, 0};
 
     ByteWriter writer(bytes);

@@ -68,7 +68,6 @@ bool are_moments_of_a_solid(const Vector& ratio, scalar scale) {
     return largest <= limits::inertia_ratio_max * (1 + 8 * epsilon) * smallest;
 }
 
-/// omega of omega_of, within what it lets pass; NaN is not, so an L that is not finite is not sound.
 /// A step looks at the spin before it turns the body: at its begin, and of the mean L. So it may leave three times spin_runaway, and an attitude in
 /// which L means more spin; it freezes such a body the next time. NaN is not in range, so an L that is not finite is not sound.
 bool turns_within_range(const SavedBody& body) {
@@ -191,8 +190,10 @@ bool is_sound(const SavedManifold& saved) {
     bool sound = is_finite(record.j_friction) && is_finite(record.j_reference) && is_finite(record.j_twist);
     for (int point_i = 0; point_i < Manifold::points_max; ++point_i) {
         const ManifoldPoint& point = manifold.points[point_i];
-        sound = sound && is_finite(point.P) && is_finite(point.separation) && is_finite(record.j[point_i]) && is_finite(record.j_before[point_i]) && is_finite(saved.anchors.separation[point_i]);
-        for (int axis = 0; axis < 3; ++axis) sound = sound && is_finite(saved.anchors.on_A[axis][point_i]) && is_finite(saved.anchors.on_B[axis][point_i]);
+        sound = sound && is_finite(point.P) && is_finite(point.separation) && is_finite(record.j[point_i]) && is_finite(record.j_before[point_i]) &&
+                is_finite(saved.anchors.separation[point_i]);
+        for (int axis = 0; axis < 3; ++axis)
+            sound = sound && is_finite(saved.anchors.on_A[axis][point_i]) && is_finite(saved.anchors.on_B[axis][point_i]);
     }
     return sound && is_finite(saved.anchors.n_A) && is_finite(saved.anchors.n_B) && saved.anchors.margin >= 0 && is_finite(saved.anchors.margin);
 }

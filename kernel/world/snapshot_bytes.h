@@ -112,8 +112,8 @@ private:
 
 /// Bits of SnapshotHeader::parts.
 struct SnapshotPart {
-    static constexpr uint16_t doubles = 1, translation = 2, compensation = 4, energy = 8, field = 16, surfaces = 32, manifolds = 64, anchors = 128, filters = 256, sensors = 512,
-                              compounds = 1024, unsettled = 2048, sleep = 4096, rolling = 8192, belts = 16384;
+    static constexpr uint16_t doubles = 1, translation = 2, compensation = 4, energy = 8, field = 16, surfaces = 32, manifolds = 64, anchors = 128,
+                              filters = 256, sensors = 512, compounds = 1024, unsettled = 2048, sleep = 4096, rolling = 8192, belts = 16384;
 };
 
 /// What comes first in a snapshot, whatever its scene.
@@ -194,8 +194,8 @@ struct SavedSurface {
     }
 };
 
-/// Whether one living body sleeps, in scenes with sleep. Its island is known from the manifolds. Who is due is told from who is not: a manifold that was
-/// found at rest and is then renewed from its anchors is the same but for rounding, and not to the bit.
+/// Whether one living body sleeps, in scenes with sleep. Its island is known from the manifolds. Who is due is told from who is not: a
+/// manifold that was found at rest and is then renewed from its anchors is the same but for rounding, and not to the bit.
 struct SavedRest {
     uint8_t awake;  ///< 0: at rest, and its manifolds are kept; 1: awake; 2: at rest and due, see sleep/rest_view.h
     scalar slow_for;

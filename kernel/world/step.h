@@ -151,8 +151,8 @@ StepReport step(World<S>& world, scalar h) {
             hold_records(manifolds, pairs);
         }
         if constexpr (S::continuous) begin_paths(bodies, storage.surface_view(), h, storage.paths);
-        update_manifolds<ShapesOf<S>, S::renews_manifolds>(shapes, storage.surface_view(), storage.bounds, h, storage.pair_rules(report), pairs, manifolds, report,
-                                    fast_pairs_of(storage, h));
+        update_manifolds<ShapesOf<S>, S::renews_manifolds>(shapes, storage.surface_view(), storage.bounds, h, storage.pair_rules(report), pairs,
+                                                           manifolds, report, fast_pairs_of(storage, h));
         if constexpr (has_compounds<S>) name_bodies<S::max_shapes_of_body>(manifolds, storage.body_pairs);
         if constexpr (S::sleeps) wake_what_is_met(storage, bodies, manifolds);
         [[maybe_unused]] const ManifoldView moving = storage.moving_manifolds();
@@ -178,7 +178,8 @@ StepReport step(World<S>& world, scalar h) {
             integrate_r(some, h, storage.gravity);
         });
         turn_by_corrections(solver, bodies, h);
-        if constexpr (S::sleeps) fall_asleep(bodies, storage.surface_view(), storage.gravity, h, {S::sleep_speed, S::sleep_time}, storage.rest_view());
+        if constexpr (S::sleeps)
+            fall_asleep(bodies, storage.surface_view(), storage.gravity, h, {S::sleep_speed, S::sleep_time}, storage.rest_view());
         if constexpr (S::continuous) follow_fast_bodies<S>(storage, solver, h, report);
     } else {
         integrate_L(bodies, h);

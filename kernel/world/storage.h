@@ -206,10 +206,13 @@ struct ManifoldPart : AnchorPart<S, S::renews_manifolds>, BodyPairPart<S, has_co
     uint16_t manifold_count = 0, records_used = 0, first_free_record = 0;
 
     PairList pair_list() { return {found_pairs, pair_capacity<S>, &found_count, &pairs_lost}; }
-    ManifoldView manifold_view() { return {pairs, &manifold_count, records, this->manifold_anchors(), &records_used, &first_free_record, S::max_manifolds}; }
+    ManifoldView manifold_view() {
+        return {pairs, &manifold_count, records, this->manifold_anchors(), &records_used, &first_free_record, S::max_manifolds};
+    }
     SolverView solver() {
-        return {this->by_bodies(pairs), records, manifold_count, blocks, visits, order, level, other_order, level_order,
-                solver_bodies, histories, slot_of, local_of, level_of_body, colours_of_body, 0, 0, 0, 0, 0, 0, static_cast<int>(block_capacity * lanes), 0, false, limits::substeps, false};
+        constexpr int room = static_cast<int>(block_capacity * lanes);
+        return {this->by_bodies(pairs), records, manifold_count, blocks, visits, order, level, other_order, level_order, solver_bodies, histories,
+                slot_of, local_of, level_of_body, colours_of_body, 0, 0, 0, 0, 0, 0, room, 0, false, limits::substeps, false};
     }
 };
 template <class S>

@@ -158,7 +158,8 @@ ingot::Status set_up(ingot::World<S>& world) {
     if constexpr (S::translates) status = world.set_gravity({0, 0, -standard_gravity});
     ingot::BodyDef def;
     def.mass = mass_of(ingot::solid_sphere(1, scalar(0.5)));
-    for (int body_i = ingot::has_shapes<S> ? 1 : 0; body_i < S::max_bodies - (ingot::has_compounds<S> ? 1 : 0) && status == ingot::Status::ok; ++body_i) {
+    for (int body_i = ingot::has_shapes<S> ? 1 : 0; body_i < S::max_bodies - (ingot::has_compounds<S> ? 1 : 0) && status == ingot::Status::ok;
+         ++body_i) {
         if constexpr (ingot::has_shapes<S>) def.shape = shape_of<S>(body_i);
         if constexpr (S::translates) def.state.r_CM = {static_cast<scalar>(body_i) * 3, 0, 1};
         status = world.add(def).status;

@@ -164,7 +164,8 @@ struct BulletWalls : OnEarth {
             return solid_box(2, {half_wall, scalar(0.5), scalar(0.5)}, {static_cast<scalar>(1 + movable_i), 0, scalar(0.5)}, mu, e);
         const int ball_i = movable_i - wall_count;
         const scalar number = static_cast<scalar>(ball_i);
-        PlacedBody ball = solid_ball(scalar(0.5), scalar(0.025), {-4 - 5 * number, scalar(0.1) * scattered(ball_i, 0), scalar(0.5) + scalar(0.1) * scattered(ball_i, 1)}, mu, e);
+        PlacedBody ball = solid_ball(scalar(0.5), scalar(0.025),
+                                     {-4 - 5 * number, scalar(0.1) * scattered(ball_i, 0), scalar(0.5) + scalar(0.1) * scattered(ball_i, 1)}, mu, e);
         ball.move({200 * (number + 1), 0, 0});
         return ball;
     }

@@ -40,15 +40,18 @@ struct ConveyorLine {
         if (piece_i < 4) {
             const scalar along = scalar(piece_i) - 2;
             PlacedBody parcel_on_incline =
-                solid_box(2, {scalar(0.2), scalar(0.3), scalar(0.15)}, {-3 + scalar(0.8) * along - scalar(0.6) * scalar(0.25), 0, 2 + scalar(0.6) * along + scalar(0.8) * scalar(0.25)}, mu);
+                solid_box(2, {scalar(0.2), scalar(0.3), scalar(0.15)},
+                          {-3 + scalar(0.8) * along - scalar(0.6) * scalar(0.25), 0, 2 + scalar(0.6) * along + scalar(0.8) * scalar(0.25)}, mu);
             parcel_on_incline.turn({{scalar(0.8), 0, scalar(0.6)}, {0, 1, 0}, {scalar(-0.6), 0, scalar(0.8)}});
             return {parcel_on_incline, 0, {}};
         }
         const int ball_i = piece_i - 4;
         const scalar radius = scalar(0.15) + scalar(0.0625) * scalar(ball_i % 3);
         const bool on_table = ball_i < 4;
-        PlacedBody ball = solid_ball(1, radius, {on_table ? scalar(ball_i) : 3 * scalar(ball_i) - 14, on_table ? scalar(-1) : scalar(-3), (on_table ? scalar(3.75) : 0) + radius},
-                                     scalar(0.6), ball_i % 2 == 0 ? scalar(0.5) : scalar(0));
+        PlacedBody ball = solid_ball(
+            1, radius,
+            {on_table ? scalar(ball_i) : 3 * scalar(ball_i) - 14, on_table ? scalar(-1) : scalar(-3), (on_table ? scalar(3.75) : 0) + radius},
+            scalar(0.6), ball_i % 2 == 0 ? scalar(0.5) : scalar(0));
         ball.move({scalar(0.5), scalar(0.25) * scalar(ball_i), 0}, {0, 0, 1});
         return {ball, scalar(0.005) * scalar(ball_i), {}};
     }

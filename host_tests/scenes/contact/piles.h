@@ -76,8 +76,9 @@ struct UnevenBoxes : OnEarth {
         if (body_i == 0) return flat_ground(mu);
         const int box_i = body_i - 1;
         const auto half = [&](int channel) { return scalar(0.3) + scalar(0.1) * scattered(box_i, channel); };
-        PlacedBody box = solid_box(box_i % 3 == 2 ? scalar(heavy_kg) : scalar(1), {half(0), half(1), half(2)},
-                                   {scalar(0.2) * scattered(box_i, 3), scalar(0.2) * scattered(box_i, 4), scalar(0.8) + static_cast<scalar>(box_i)}, mu);
+        PlacedBody box =
+            solid_box(box_i % 3 == 2 ? scalar(heavy_kg) : scalar(1), {half(0), half(1), half(2)},
+                      {scalar(0.2) * scattered(box_i, 3), scalar(0.2) * scattered(box_i, 4), scalar(0.8) + static_cast<scalar>(box_i)}, mu);
         box.turn(scattered_rotation(box_i));
         return box;
     }
