@@ -32,7 +32,7 @@ struct Tower10 : Stacked<11, 10> {
 struct TenBoxesBudget : Stacked<11, 10> {
     static constexpr bool bounces = false;
     static constexpr bool renews_manifolds = false;
-    static constexpr bool small = true;
+    using solver = ingot::PointSweeps;
 };
 struct TenBoxesRow : TenBoxesBudget {
     static constexpr const char* name = "ten_boxes_row";

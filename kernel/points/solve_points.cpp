@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "solve_points.h"
+
+#include "../base/limits.h"
+#include "move_point_bodies.h"
+#include "sweep_points.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+namespace {
+
+/// Notes which manifolds have carried an impulse at the end of a substep.
+void note_impulses_of_points(const PointView& solver, ImpactNote* notes, bool first) {
+    for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i) {
+        const ManifoldRecord& record = solver.records[solver.pairs[manifold_i].record];
+        bool carried = !first && notes[manifold_i].carried;
+        for (int point_i = 0; point_i < record.manifold.count; ++point_i) carried = carried || record.j[point_i] > 0;
+        notes[manifold_i].carried = carried;
+    }
+}
+
+}  // namespace
+
+template <bool notes_impulses>
+void solve_points(PointView& solver, const BodyView& bodies, const Vector& gravity, scalar h_step, [[maybe_unused]] ImpactNote* notes,
+                  StepReport& report) {
+    const scalar h = h_step / limits::substeps;
+    take_in_bodies(solver, bodies, gravity, h_step);
+    begin_contacts(solver, h);
+    for (int substep_i = 0; substep_i < limits::substeps; ++substep_i) {
+        const scalar settled = limits::settled_speed_of_few + 4 * epsilon * kick_bodies(solver, h);
+        warm_start(solver, h);
+        for (int sweep_i = 0; sweep_i < limits::sweeps_of_few; ++sweep_i) {
+            count(report.sweeps);
+            report.residual = sweep_point_velocities(solver, sweep_i % 2 == 0, settled * limits::ignored_share);
+            if (report.residual <= settled) break;
+        }
+        if constexpr (notes_impulses) note_impulses_of_points(solver, notes, substep_i == 0);
+        drift_bodies(solver, h);
+        sweep_point_positions(solver, h);
+    }
+}
+template void solve_points<false>(PointView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
+template void solve_points<true>(PointView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
+
+} }  // namespace ingot

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: MIT
+#include "sweep_points.h"
+
+#include "../base/limits.h"
+#include "../math/sqrt.h"
+#include "point_rows.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+namespace {
+
+/// A manifold with its bodies, while it is visited.
+struct PointVisit {
+    PointPair pair;
+    ManifoldRecord& record;
+    PointContact& contact;
+
+    bool moves() const { return pair.A.inv_M > 0 || pair.B.inv_M > 0; }
+    const Vector& n() const { return record.manifold.n; }
+    int count() const { return record.manifold.count; }
+    const Vector& P(int point_i) const { return record.manifold.points[point_i].P; }
+};
+PointVisit visit_of(const PointView& solver, int manifold_i) {
+    const BodyPair& pair = solver.pairs[manifold_i];
+    return {{solver.bodies[pair.body_A], solver.bodies[pair.body_B]}, solver.records[pair.record], solver.contacts[manifold_i]};
+}
+
+/// Motion along n at the points of a manifold: n.(V + W x d) = n.V + (n x W).d at a distance d from the middle.
+struct NormalMotion {
+    Vector slope, middle;
+    scalar at_middle;
+
+    scalar at(const Vector& P) const { return at_middle + dot(slope, P - middle); }
+};
+NormalMotion normal_motion(const PointVisit& visit, const PointTwist& twist) {
+    return {cross(visit.n(), twist.angular), visit.contact.middle, dot(visit.n(), twist.linear)};
+}
+NormalMotion normal_motion(const PointVisit& visit, MotionOfBody kind) {
+    return normal_motion(visit, relative_motion(visit.pair, kind, visit.contact.middle));
+}
+
+scalar compliance_of_point(const PointVisit& visit, int point_i) {
+    scalar& K = visit.contact.K[point_i];
+    if (K == 0) K = compliance_at(visit.pair, visit.P(point_i), visit.n());
+    return K;
+}
+scalar compliance_of_friction(const PointVisit& visit) {
+    scalar& K = visit.contact.K_friction;
+    if (K == 0) K = compliance_across(visit.pair, visit.contact.middle, visit.n()) * limits::friction_stiffening;
+    return K;
+}
+
+scalar load_on(const PointVisit& visit) {
+    scalar sum = 0;
+    for (int point_i = 0; point_i < visit.count(); ++point_i) sum += visit.record.j[point_i];
+    return sum;
+}
+
+/// Friction cut to its cone.
+Vector within(const Vector& f, scalar limit) {
+    const scalar size_sq = length_sq(f);
+    return size_sq > limit * limit ? f * (limit / sqrt(size_sq)) : f;
+}
+scalar within(scalar x, scalar limit) { return least(greatest(x, -limit), limit); }
+
+/// Points stop as if they touched from touching_gap on.
+scalar resting_speed(scalar separation, scalar h) { return -greatest(separation - limits::touching_gap, scalar(0)) / h; }
+
+/// What is kept of the normals of bodies that were hit.
+void cut_impulses_of_hit(const PointVisit& visit, scalar h) {
+    const scalar g_A = length_sq(visit.pair.A.forces.linear), g_B = length_sq(visit.pair.B.forces.linear);
+    const scalar allowance = 2 * h * sqrt(greatest(g_A, g_B));
+    for (int point_i = 0; point_i < visit.count(); ++point_i) {
+        scalar& j = visit.record.j[point_i];
+        j = least(j, 2 * visit.record.j_before[point_i] + allowance / compliance_of_point(visit, point_i));
+    }
+}
+
+/// One round over the normals. Returns the largest speed corrected, m/s.
+scalar round_of_normals(const PointVisit& visit, scalar ignored) {
+    scalar largest = 0;
+    NormalMotion motion = normal_motion(visit, &PointBody::velocity);
+    for (int point_i = 0; point_i < visit.count(); ++point_i) {
+        scalar& j = visit.record.j[point_i];
+        const scalar speed = motion.at(visit.P(point_i)) - visit.contact.target[point_i];
+        if (j > 0 ? abs(speed) <= ignored : speed >= -ignored) continue;
+        const scalar K = compliance_of_point(visit, point_i), d = greatest(-speed / K, -j);
+        j += d;
+        largest = greatest(largest, abs(d * K));
+        push_pair(visit.pair, &PointBody::velocity, visit.P(point_i), visit.n() * d, {});
+        motion = normal_motion(visit, &PointBody::velocity);
+    }
+    return largest;
+}
+
+scalar solve_friction(const PointVisit& visit, const PointTwist& twist, scalar limit, scalar ignored) {
+    const Vector slip = twist.linear - visit.n() * dot(visit.n(), twist.linear), before = visit.record.j_friction;
+    if (length_sq(slip) <= ignored * ignored && length_sq(before) <= limit * limit) return 0;
+    const scalar K = compliance_of_friction(visit);
+    const Vector next = within(before - slip * (1 / K), limit), d = next - before;
+    visit.record.j_friction = next;
+    push_pair(visit.pair, &PointBody::velocity, visit.contact.middle, d, {});
+    return sqrt(length_sq(d)) * K;
+}
+
+scalar solve_twist(const PointVisit& visit, const PointTwist& twist, scalar limit, scalar ignored) {
+    const scalar spin = dot(visit.n(), twist.angular), before = visit.record.j_twist, radius = visit.contact.radius;
+    if (abs(spin) * radius <= ignored && abs(before) <= limit * radius) return 0;
+    const scalar K = compliance_about(visit.pair, visit.n());
+    const scalar next = within(before - spin / K, limit * radius), d = next - before;
+    visit.record.j_twist = next;
+    push_pair(visit.pair, &PointBody::velocity, visit.contact.middle, {}, visit.n() * d);
+    return abs(d * K) * radius;
+}
+
+scalar visit_velocities(const PointVisit& visit, scalar ignored) {
+    scalar largest = 0;
+    for (int round_i = 0; round_i < limits::rounds_of_points; ++round_i) {
+        const scalar corrected = round_of_normals(visit, ignored);
+        largest = greatest(largest, corrected);
+        if (corrected <= ignored) break;
+    }
+    const scalar limit = visit.record.mu * load_on(visit);
+    largest = greatest(largest, solve_twist(visit, relative_motion(visit.pair, &PointBody::velocity, visit.contact.middle), limit, ignored));
+    return greatest(largest, solve_friction(visit, relative_motion(visit.pair, &PointBody::velocity, visit.contact.middle), limit, ignored));
+}
+
+/// What of each point is to be taken back.
+struct PointsOff {
+    scalar separation[Manifold::points_max], wanted[Manifold::points_max], q[Manifold::points_max];  ///< m, m, kg m
+};
+
+/// Pressed points are brought together from either side; others only push.
+void round_of_pushes(const PointVisit& visit, PointsOff& off) {
+    for (int point_i = 0; point_i < visit.count(); ++point_i) {
+        const scalar moved = normal_motion(visit, &PointBody::displacement).at(visit.P(point_i)) + off.separation[point_i];
+        scalar d = -(off.wanted[point_i] + moved) / compliance_of_point(visit, point_i);
+        if (!(visit.record.j[point_i] > 0)) d = greatest(d, -off.q[point_i]);
+        off.q[point_i] += d;
+        push_pair(visit.pair, &PointBody::displacement, visit.P(point_i), visit.n() * d, {});
+    }
+}
+
+void visit_positions(const PointVisit& visit, scalar h) {
+    const NormalMotion motion = normal_motion(visit, &PointBody::displacement);
+    PointsOff off;
+    bool is_off = false;
+    for (int point_i = 0; point_i < visit.count(); ++point_i) {
+        const scalar moved = motion.at(visit.P(point_i)), s = visit.record.manifold.points[point_i].separation + moved;
+        const bool pressed = visit.record.j[point_i] > 0;
+        const scalar w = pressed || s < 0 ? greatest(s * limits::position_share, -limits::push_speed_max * h) : s;
+        visit.contact.target[point_i] = resting_speed(s, h);
+        is_off = is_off || (pressed ? abs(w) : -w) > limits::settled_gap_of_points;
+        off.separation[point_i] = -moved;
+        off.wanted[point_i] = w;
+        off.q[point_i] = 0;
+    }
+    for (int round_i = 0; is_off && round_i < limits::rounds_of_pushes; ++round_i) round_of_pushes(visit, off);
+}
+
+void begin_contact(const PointVisit& visit, scalar h) {
+    PointContact& contact = visit.contact;
+    contact = {};
+    scalar weight[Manifold::points_max], weights = 0;
+    for (int point_i = 0; point_i < visit.count(); ++point_i) {
+        const scalar separation = visit.record.manifold.points[point_i].separation;
+        contact.target[point_i] = resting_speed(separation, h);
+        weight[point_i] = greatest(least(2 - separation / limits::contact_margin, scalar(1)), scalar(1e-6));
+        weights += weight[point_i];
+        contact.middle += visit.P(point_i) * weight[point_i];
+    }
+    contact.middle = contact.middle * (1 / weights);
+    for (int point_i = 0; visit.count() > 1 && point_i < visit.count(); ++point_i)
+        contact.radius += weight[point_i] / weights * sqrt(length_sq(visit.P(point_i) - contact.middle));
+    visit.record.j_friction -= visit.n() * dot(visit.n(), visit.record.j_friction);
+}
+
+void start_visit(const PointVisit& visit, scalar h) {
+    ManifoldRecord& record = visit.record;
+    if (visit.pair.A.hit || visit.pair.B.hit) cut_impulses_of_hit(visit, h);
+    Vector levers{};
+    scalar sum = 0;
+    for (int point_i = 0; point_i < visit.count(); ++point_i) {
+        const scalar j = record.j[point_i];
+        record.j_before[point_i] = j;
+        levers += (visit.P(point_i) - visit.contact.middle) * j;
+        sum += j;
+    }
+    const scalar limit = record.mu * sum;
+    record.j_friction = within(record.j_friction, limit);
+    record.j_twist = within(record.j_twist, limit * visit.contact.radius);
+    push_pair(visit.pair, &PointBody::velocity, visit.contact.middle, visit.n() * sum + record.j_friction,
+              cross(levers, visit.n()) + visit.n() * record.j_twist);
+}
+
+/// Calls a stage for the manifolds of bodies that move.
+template <class Stage>
+void over_manifolds(const PointView& solver, bool forward, const Stage& stage) {
+    for (int i = 0; i < solver.manifold_count; ++i) {
+        const PointVisit visit = visit_of(solver, forward ? i : solver.manifold_count - 1 - i);
+        if (visit.moves()) stage(visit);
+    }
+}
+
+}  // namespace
+
+void begin_contacts(const PointView& solver, scalar h) {
+    over_manifolds(solver, true, [h](const PointVisit& visit) { begin_contact(visit, h); });
+}
+
+void warm_start(const PointView& solver, scalar h) {
+    over_manifolds(solver, true, [h](const PointVisit& visit) { start_visit(visit, h); });
+}
+
+scalar sweep_point_velocities(const PointView& solver, bool forward, scalar ignored) {
+    scalar largest = 0;
+    over_manifolds(solver, forward, [&](const PointVisit& visit) { largest = greatest(largest, visit_velocities(visit, ignored)); });
+    return largest;
+}
+
+void sweep_point_positions(const PointView& solver, scalar h) {
+    over_manifolds(solver, true, [h](const PointVisit& visit) { visit_positions(visit, h); });
+}
+
+} }  // namespace ingot
