@@ -33,6 +33,7 @@ struct TenBoxesBudget : Stacked<11, 10> {
     static constexpr bool bounces = false;
     static constexpr bool renews_manifolds = false;
     using solver = ingot::PointSweeps;
+    using rotation = ingot::LieMidpoint;
 };
 struct TenBoxesRow : TenBoxesBudget {
     static constexpr const char* name = "ten_boxes_row";

@@ -40,14 +40,17 @@ void take_in_point_body(PointBody& body, const BodyView& bodies, const Vector& g
     PointMotion at_end = velocity;
     add_motion(at_end, forces, h);
     if (!is_sound(at_end)) return mark_point_body_bad(bodies, at);
-    body = {lane_of(translation.r_CM, at.lane), inv_M, inv_I_world, forces, velocity, {}, {}, false};
+    body = {lane_of(translation.r_CM, at.lane), inv_M, inv_I_world, forces, velocity, {}, velocity, false};
 }
 
 }  // namespace
 
 void take_in_bodies(PointView& solver, const BodyView& bodies, const Vector& gravity, scalar h) {
     solver.slot_count = bodies.tile_count * lanes;
-    for (int slot = 0; slot < solver.slot_count; ++slot) solver.bodies[slot] = {};
+    for (int slot = 0; slot < solver.slot_count; ++slot) {
+        solver.bodies[slot].inv_M = 0;  // of a body that does not move, nothing else is looked at
+        solver.bodies[slot].hit = false;
+    }
     for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i) {
         const BodyPair& pair = solver.pairs[manifold_i];
         take_in_point_body(solver.bodies[pair.body_A], bodies, gravity, h, pair.body_A);
@@ -60,22 +63,33 @@ scalar kick_bodies(const PointView& solver, scalar h) {
     for (int slot = 0; slot < solver.slot_count; ++slot) {
         PointBody& body = solver.bodies[slot];
         if (!(body.inv_M > 0)) continue;
-        body.v_begin = body.velocity.linear;
-        add_motion(body.velocity, body.forces, h);
+        const PointMotion before = body.begin;
+        body.begin = body.velocity;
+        if (h > 0) {
+            add_motion(body.velocity, body.forces, h);
+        } else {
+            add_motion(body.velocity, body.velocity, 1);
+            add_motion(body.velocity, before, -1);
+        }
         fastest_sq = greatest(fastest_sq, length_sq(body.velocity.linear));
     }
     return least(sqrt(fastest_sq), limits::rounding_speed_max);
 }
 
-void drift_bodies(const PointView& solver, scalar h) {
+scalar kick_again(const PointView& solver) { return kick_bodies(solver, 0); }
+
+bool drift_bodies(const PointView& solver, scalar h) {
+    bool some_hit = false;
     for (int slot = 0; slot < solver.slot_count; ++slot) {
         PointBody& body = solver.bodies[slot];
         if (!(body.inv_M > 0)) continue;
-        const Vector change = body.velocity.linear - body.v_begin;
+        const Vector change = body.velocity.linear - body.begin.linear;
         body.hit = length_sq(change) > 4 * h * h * length_sq(body.forces.linear);
         add_motion(body.displacement, body.velocity, h);
         if (!body.hit) body.displacement.linear -= change * (h / 2);
+        some_hit = some_hit || body.hit;
     }
+    return some_hit;
 }
 
 void write_contact_motion(const PointView& solver, const BodyView& bodies, const Vector& gravity, scalar h) {

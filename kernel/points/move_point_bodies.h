@@ -13,8 +13,12 @@ void take_in_bodies(PointView& solver, const BodyView& bodies, const Vector& gra
 /// The kick of a substep of h seconds by forces. Returns the speed of the fastest body, m/s, up to limits::rounding_speed_max.
 scalar kick_bodies(const PointView& solver, scalar h);
 
-/// Displaces the bodies by a substep: by the mean of its velocities, or, where a body was hit, by the last.
-void drift_bodies(const PointView& solver, scalar h);
+/// The kick by forces and by the impulses of the substep before, where all of them are given again as they were: the velocity changes once more
+/// by what it changed then.
+scalar kick_again(const PointView& solver);
+
+/// Displaces the bodies by a substep: by the mean of its velocities, or, where a body was hit, by the last. True if one was hit.
+bool drift_bodies(const PointView& solver, scalar h);
 
 /// Leaves velocities and angular momenta in the bodies, and in F_T and tau_T the forces with which integrate_r and integrate_A displace them as the
 /// solver has. What overlaps turned a body by is in the moment of its displacement, and so in the mean angular momentum it turns with.

@@ -15,32 +15,39 @@ void push_body(PointBody& body, MotionOfBody kind, const Vector& P, const Vector
 }
 
 scalar compliance_of(const PointBody& body, const Vector& P, const Vector& n) {
+    if (!(body.inv_M > 0)) return 0;
     const Vector J = cross(P - body.r_CM, n);
     return body.inv_M + dot(J, body.inv_I_world * J);
 }
 
 /// The trace of the compliance at P less its part along n.
 scalar compliance_across_of(const PointBody& body, const Vector& P, const Vector& n) {
+    if (!(body.inv_M > 0)) return 0;
     const SymmetricMatrix& inv_I = body.inv_I_world;
     const Vector r = P - body.r_CM;
     const scalar trace = 3 * body.inv_M + (inv_I.xx + inv_I.yy + inv_I.zz) * length_sq(r) - dot(r, inv_I * r);
     return trace - compliance_of(body, P, n);
 }
 
+scalar compliance_about_of(const PointBody& body, const Vector& n) {
+    if (!(body.inv_M > 0)) return 0;
+    return dot(n, body.inv_I_world * n);
+}
+
 }  // namespace
 
 PointTwist relative_motion(const PointPair& pair, MotionOfBody kind, const Vector& P) {
-    PointTwist twist{};
+    const PointMotion &A = pair.A.*kind, &B = pair.B.*kind;
+    Vector linear = {0, 0, 0}, angular = {0, 0, 0};
     if (pair.A.inv_M > 0) {
-        const PointMotion& A = pair.A.*kind;
-        twist = {A.linear + cross(A.angular, P - pair.A.r_CM), A.angular};
+        linear = A.linear + cross(A.angular, P - pair.A.r_CM);
+        angular = A.angular;
     }
     if (pair.B.inv_M > 0) {
-        const PointMotion& B = pair.B.*kind;
-        twist.linear -= B.linear + cross(B.angular, P - pair.B.r_CM);
-        twist.angular -= B.angular;
+        linear -= B.linear + cross(B.angular, P - pair.B.r_CM);
+        angular -= B.angular;
     }
-    return twist;
+    return {linear, angular};
 }
 
 void push_pair(const PointPair& pair, MotionOfBody kind, const Vector& P, const Vector& impulse, const Vector& moment) {
@@ -54,6 +61,6 @@ scalar compliance_across(const PointPair& pair, const Vector& P, const Vector& n
     return compliance_across_of(pair.A, P, n) + compliance_across_of(pair.B, P, n);
 }
 
-scalar compliance_about(const PointPair& pair, const Vector& n) { return dot(n, pair.A.inv_I_world * n) + dot(n, pair.B.inv_I_world * n); }
+scalar compliance_about(const PointPair& pair, const Vector& n) { return compliance_about_of(pair.A, n) + compliance_about_of(pair.B, n); }
 
 } }  // namespace ingot

@@ -17,7 +17,7 @@ struct PointMotion {
     Vector moment;   ///< kg m^2/s, which is L; kg m^2
 };
 
-/// World axes. All zero: it cannot move, has gone bad, or touches nothing.
+/// World axes. With inv_M = 0 it cannot move, has gone bad, or touches nothing, and the rest means nothing.
 struct PointBody {
     Vector r_CM;      ///< m
     scalar inv_M;     ///< kg^-1
@@ -25,8 +25,8 @@ struct PointBody {
     PointMotion forces;        ///< per second, of velocity: gravity, and what the user adds
     PointMotion velocity;
     PointMotion displacement;  ///< since the step began
-    Vector v_begin;   ///< m/s, of the substep
-    bool hit;         ///< in the substep before: its velocity changed by more than forces explain
+    PointMotion begin;         ///< velocity at the begin of the substep
+    bool hit;         ///< in the substep: its velocity changed by more than forces explain
 };
 
 /// A compliance of 0 is not known yet: it is worked out by the first row that changes.

@@ -27,16 +27,17 @@ void solve_points(PointView& solver, const BodyView& bodies, const Vector& gravi
     const scalar h = h_step / limits::substeps;
     take_in_bodies(solver, bodies, gravity, h_step);
     begin_contacts(solver, h);
+    bool given_again = false;
     for (int substep_i = 0; substep_i < limits::substeps; ++substep_i) {
-        const scalar settled = limits::settled_speed_of_few + 4 * epsilon * kick_bodies(solver, h);
-        warm_start(solver, h);
-        for (int sweep_i = 0; sweep_i < limits::sweeps_of_few; ++sweep_i) {
+        const scalar rounding = 4 * epsilon * (given_again ? kick_again(solver) : kick_bodies(solver, h));
+        if (!given_again) warm_start(solver);
+        for (int sweep_i = 0; sweep_i < limits::sweeps_of_points; ++sweep_i) {
             count(report.sweeps);
-            report.residual = sweep_point_velocities(solver, sweep_i % 2 == 0, settled * limits::ignored_share);
-            if (report.residual <= settled) break;
+            report.residual = sweep_point_velocities(solver, sweep_i % 2 == 0, limits::ignored_speed + rounding);
+            if (report.residual <= limits::settled_speed_of_points + rounding) break;
         }
         if constexpr (notes_impulses) note_impulses_of_points(solver, notes, substep_i == 0);
-        drift_bodies(solver, h);
+        given_again = !drift_bodies(solver, h);
         sweep_point_positions(solver, h);
     }
 }

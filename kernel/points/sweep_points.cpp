@@ -15,10 +15,10 @@ struct PointVisit {
     ManifoldRecord& record;
     PointContact& contact;
 
-    bool moves() const { return pair.A.inv_M > 0 || pair.B.inv_M > 0; }
-    const Vector& n() const { return record.manifold.n; }
-    int count() const { return record.manifold.count; }
-    const Vector& P(int point_i) const { return record.manifold.points[point_i].P; }
+    INGOT_INLINE bool moves() const { return pair.A.inv_M > 0 || pair.B.inv_M > 0; }
+    INGOT_INLINE const Vector& n() const { return record.manifold.n; }
+    INGOT_INLINE int count() const { return record.manifold.count; }
+    INGOT_INLINE const Vector& P(int point_i) const { return record.manifold.points[point_i].P; }
 };
 PointVisit visit_of(const PointView& solver, int manifold_i) {
     const BodyPair& pair = solver.pairs[manifold_i];
@@ -30,12 +30,12 @@ struct NormalMotion {
     Vector slope, middle;
     scalar at_middle;
 
-    scalar at(const Vector& P) const { return at_middle + dot(slope, P - middle); }
+    INGOT_INLINE scalar at(const Vector& P) const { return at_middle + dot(slope, P - middle); }
 };
-NormalMotion normal_motion(const PointVisit& visit, const PointTwist& twist) {
+INGOT_INLINE NormalMotion normal_motion(const PointVisit& visit, const PointTwist& twist) {
     return {cross(visit.n(), twist.angular), visit.contact.middle, dot(visit.n(), twist.linear)};
 }
-NormalMotion normal_motion(const PointVisit& visit, MotionOfBody kind) {
+INGOT_INLINE NormalMotion normal_motion(const PointVisit& visit, MotionOfBody kind) {
     return normal_motion(visit, relative_motion(visit.pair, kind, visit.contact.middle));
 }
 
@@ -66,20 +66,22 @@ scalar within(scalar x, scalar limit) { return least(greatest(x, -limit), limit)
 /// Points stop as if they touched from touching_gap on.
 scalar resting_speed(scalar separation, scalar h) { return -greatest(separation - limits::touching_gap, scalar(0)) / h; }
 
-/// What is kept of the normals of bodies that were hit.
+/// Of gravity and forces, m^2 s^-4.
+scalar pull_sq_on(const PointBody& body) { return body.inv_M > 0 ? length_sq(body.forces.linear) : 0; }
+
+/// What is kept of the normals of bodies that were hit: of an impact no more than gravity explains.
 void cut_impulses_of_hit(const PointVisit& visit, scalar h) {
-    const scalar g_A = length_sq(visit.pair.A.forces.linear), g_B = length_sq(visit.pair.B.forces.linear);
-    const scalar allowance = 2 * h * sqrt(greatest(g_A, g_B));
+    const scalar allowance = 2 * h * sqrt(greatest(pull_sq_on(visit.pair.A), pull_sq_on(visit.pair.B)));
     for (int point_i = 0; point_i < visit.count(); ++point_i) {
         scalar& j = visit.record.j[point_i];
         j = least(j, 2 * visit.record.j_before[point_i] + allowance / compliance_of_point(visit, point_i));
     }
 }
 
-/// One round over the normals. Returns the largest speed corrected, m/s.
-scalar round_of_normals(const PointVisit& visit, scalar ignored) {
+/// One round over the normals, which keeps `twist` up to date. Returns the largest speed corrected, m/s.
+scalar round_of_normals(const PointVisit& visit, PointTwist& twist, scalar ignored) {
     scalar largest = 0;
-    NormalMotion motion = normal_motion(visit, &PointBody::velocity);
+    NormalMotion motion = normal_motion(visit, twist);
     for (int point_i = 0; point_i < visit.count(); ++point_i) {
         scalar& j = visit.record.j[point_i];
         const scalar speed = motion.at(visit.P(point_i)) - visit.contact.target[point_i];
@@ -88,7 +90,8 @@ scalar round_of_normals(const PointVisit& visit, scalar ignored) {
         j += d;
         largest = greatest(largest, abs(d * K));
         push_pair(visit.pair, &PointBody::velocity, visit.P(point_i), visit.n() * d, {});
-        motion = normal_motion(visit, &PointBody::velocity);
+        twist = relative_motion(visit.pair, &PointBody::velocity, visit.contact.middle);
+        motion = normal_motion(visit, twist);
     }
     return largest;
 }
@@ -114,15 +117,17 @@ scalar solve_twist(const PointVisit& visit, const PointTwist& twist, scalar limi
 }
 
 scalar visit_velocities(const PointVisit& visit, scalar ignored) {
+    PointTwist twist = relative_motion(visit.pair, &PointBody::velocity, visit.contact.middle);
     scalar largest = 0;
     for (int round_i = 0; round_i < limits::rounds_of_points; ++round_i) {
-        const scalar corrected = round_of_normals(visit, ignored);
+        const scalar corrected = round_of_normals(visit, twist, ignored);
         largest = greatest(largest, corrected);
         if (corrected <= ignored) break;
     }
     const scalar limit = visit.record.mu * load_on(visit);
-    largest = greatest(largest, solve_twist(visit, relative_motion(visit.pair, &PointBody::velocity, visit.contact.middle), limit, ignored));
-    return greatest(largest, solve_friction(visit, relative_motion(visit.pair, &PointBody::velocity, visit.contact.middle), limit, ignored));
+    const scalar twisted = solve_twist(visit, twist, limit, ignored);
+    if (twisted > 0) twist = relative_motion(visit.pair, &PointBody::velocity, visit.contact.middle);
+    return greatest(greatest(largest, twisted), solve_friction(visit, twist, limit, ignored));
 }
 
 /// What of each point is to be taken back.
@@ -142,12 +147,14 @@ void round_of_pushes(const PointVisit& visit, PointsOff& off) {
 }
 
 void visit_positions(const PointVisit& visit, scalar h) {
+    if (visit.pair.A.hit || visit.pair.B.hit) cut_impulses_of_hit(visit, h);
     const NormalMotion motion = normal_motion(visit, &PointBody::displacement);
     PointsOff off;
     bool is_off = false;
     for (int point_i = 0; point_i < visit.count(); ++point_i) {
         const scalar moved = motion.at(visit.P(point_i)), s = visit.record.manifold.points[point_i].separation + moved;
         const bool pressed = visit.record.j[point_i] > 0;
+        visit.record.j_before[point_i] = visit.record.j[point_i];
         const scalar w = pressed || s < 0 ? greatest(s * limits::position_share, -limits::push_speed_max * h) : s;
         visit.contact.target[point_i] = resting_speed(s, h);
         is_off = is_off || (pressed ? abs(w) : -w) > limits::settled_gap_of_points;
@@ -175,14 +182,12 @@ void begin_contact(const PointVisit& visit, scalar h) {
     visit.record.j_friction -= visit.n() * dot(visit.n(), visit.record.j_friction);
 }
 
-void start_visit(const PointVisit& visit, scalar h) {
+void start_visit(const PointVisit& visit) {
     ManifoldRecord& record = visit.record;
-    if (visit.pair.A.hit || visit.pair.B.hit) cut_impulses_of_hit(visit, h);
     Vector levers{};
     scalar sum = 0;
     for (int point_i = 0; point_i < visit.count(); ++point_i) {
         const scalar j = record.j[point_i];
-        record.j_before[point_i] = j;
         levers += (visit.P(point_i) - visit.contact.middle) * j;
         sum += j;
     }
@@ -208,8 +213,8 @@ void begin_contacts(const PointView& solver, scalar h) {
     over_manifolds(solver, true, [h](const PointVisit& visit) { begin_contact(visit, h); });
 }
 
-void warm_start(const PointView& solver, scalar h) {
-    over_manifolds(solver, true, [h](const PointVisit& visit) { start_visit(visit, h); });
+void warm_start(const PointView& solver) {
+    over_manifolds(solver, true, [](const PointVisit& visit) { start_visit(visit); });
 }
 
 scalar sweep_point_velocities(const PointView& solver, bool forward, scalar ignored) {

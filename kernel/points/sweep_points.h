@@ -9,15 +9,15 @@ namespace ingot { inline namespace INGOT_ABI {
 /// Where friction takes hold, how fast points may approach in the first substep, of h seconds.
 void begin_contacts(const PointView& solver, scalar h);
 
-/// Gives the impulses of the substep before again: of bodies that were hit, no more than gravity explains.
-void warm_start(const PointView& solver, scalar h);
+/// Gives the impulses on record again.
+void warm_start(const PointView& solver);
 
 /// One sweep: normals until they agree within the manifold, friction, twist. A row that is off by no more than `ignored`, m/s, is left alone.
 /// Returns the largest speed that a row corrected, m/s.
 scalar sweep_point_velocities(const PointView& solver, bool forward, scalar ignored);
 
 /// One sweep that takes a part of the overlaps back, by displacements that no velocity ever sees. Notes how fast points may approach in the next
-/// substep.
+/// substep, and cuts what it is to give again of bodies that were hit to what gravity explains.
 void sweep_point_positions(const PointView& solver, scalar h);
 
 } }  // namespace ingot
