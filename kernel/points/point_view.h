@@ -29,6 +29,13 @@ struct PointBody {
     bool hit;         ///< in the substep: its velocity changed by more than forces explain
 };
 
+/// What a manifold gives: A gets it, B the opposite.
+struct PointImpulses {
+    scalar j[Manifold::points_max];  ///< N s, along n at the points
+    Vector friction;                 ///< N s, at the middle
+    scalar twist;                    ///< N m s, about n
+};
+
 /// A compliance of 0 is not known yet: it is worked out by the first row that changes.
 struct PointContact {
     Vector middle;      ///< m, where friction takes hold
@@ -36,6 +43,7 @@ struct PointContact {
     scalar K[Manifold::points_max];       ///< kg^-1, of the normals
     scalar K_friction;                    ///< kg^-1, at the middle, across n: no less than 3/4 of the greatest
     scalar target[Manifold::points_max];  ///< m/s, that A may approach B with in the substep, at least
+    PointImpulses change, along;  ///< of the sweep; conjugate gradients: the direction so far
 };
 
 struct PointView {

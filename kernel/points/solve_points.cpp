@@ -31,10 +31,15 @@ void solve_points(PointView& solver, const BodyView& bodies, const Vector& gravi
     for (int substep_i = 0; substep_i < limits::substeps; ++substep_i) {
         const scalar rounding = 4 * epsilon * (given_again ? kick_again(solver) : kick_bodies(solver, h));
         if (!given_again) warm_start(solver);
-        for (int sweep_i = 0; sweep_i < limits::sweeps_of_points; ++sweep_i) {
+        scalar size_before = 0;
+        for (int sweep_i = 1;; ++sweep_i) {
+            const SweepOfPoints sweep = sweep_point_velocities(solver, sweep_i % 2 != 0, limits::ignored_speed + rounding);
             count(report.sweeps);
-            report.residual = sweep_point_velocities(solver, sweep_i % 2 == 0, limits::ignored_speed + rounding);
-            if (report.residual <= limits::settled_speed_of_points + rounding) break;
+            report.residual = sweep.fastest;
+            if (sweep_i == limits::sweeps_of_points || sweep.fastest <= limits::settled_speed_of_points + rounding) break;
+            const bool shrinks = sweep_i > 1 && sweep.size <= size_before;
+            go_on_along(solver, shrinks ? sweep.size / size_before : 0);
+            size_before = sweep.size;
         }
         if constexpr (notes_impulses) note_impulses_of_points(solver, notes, substep_i == 0);
         given_again = !drift_bodies(solver, h);

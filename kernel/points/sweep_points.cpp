@@ -78,17 +78,25 @@ void cut_impulses_of_hit(const PointVisit& visit, scalar h) {
     }
 }
 
+/// Adds a row's change of impulse.
+void note_change(SweepOfPoints& sweep, scalar d, scalar K, scalar lever) {
+    sweep.fastest = greatest(sweep.fastest, d * K * lever);
+    sweep.size += d * d * K;
+}
+
 /// One round over the normals, which keeps `twist` up to date. Returns the largest speed corrected, m/s.
-scalar round_of_normals(const PointVisit& visit, PointTwist& twist, scalar ignored) {
+scalar round_of_normals(const PointVisit& visit, PointTwist& twist, scalar ignored, SweepOfPoints& sweep) {
     scalar largest = 0;
     NormalMotion motion = normal_motion(visit, twist);
     for (int point_i = 0; point_i < visit.count(); ++point_i) {
         scalar& j = visit.record.j[point_i];
         const scalar speed = motion.at(visit.P(point_i)) - visit.contact.target[point_i];
-        if (j > 0 ? abs(speed) <= ignored : speed >= -ignored) continue;
+        if (j > 0 ? abs(speed) <= ignored : j == 0 && speed >= -ignored) continue;
         const scalar K = compliance_of_point(visit, point_i), d = greatest(-speed / K, -j);
         j += d;
+        visit.contact.change.j[point_i] += d;
         largest = greatest(largest, abs(d * K));
+        note_change(sweep, abs(d), K, 1);
         push_pair(visit.pair, &PointBody::velocity, visit.P(point_i), visit.n() * d, {});
         twist = relative_motion(visit.pair, &PointBody::velocity, visit.contact.middle);
         motion = normal_motion(visit, twist);
@@ -96,38 +104,37 @@ scalar round_of_normals(const PointVisit& visit, PointTwist& twist, scalar ignor
     return largest;
 }
 
-scalar solve_friction(const PointVisit& visit, const PointTwist& twist, scalar limit, scalar ignored) {
+void solve_friction(const PointVisit& visit, const PointTwist& twist, scalar limit, scalar ignored, SweepOfPoints& sweep) {
     const Vector slip = twist.linear - visit.n() * dot(visit.n(), twist.linear), before = visit.record.j_friction;
-    if (length_sq(slip) <= ignored * ignored && length_sq(before) <= limit * limit) return 0;
+    if (length_sq(slip) <= ignored * ignored && length_sq(before) <= limit * limit) return;
     const scalar K = compliance_of_friction(visit);
     const Vector next = within(before - slip * (1 / K), limit), d = next - before;
     visit.record.j_friction = next;
+    visit.contact.change.friction += d;
     push_pair(visit.pair, &PointBody::velocity, visit.contact.middle, d, {});
-    return sqrt(length_sq(d)) * K;
+    note_change(sweep, sqrt(length_sq(d)), K, 1);
 }
 
-scalar solve_twist(const PointVisit& visit, const PointTwist& twist, scalar limit, scalar ignored) {
+/// True if it changed something.
+bool solve_twist(const PointVisit& visit, const PointTwist& twist, scalar limit, scalar ignored, SweepOfPoints& sweep) {
     const scalar spin = dot(visit.n(), twist.angular), before = visit.record.j_twist, radius = visit.contact.radius;
-    if (abs(spin) * radius <= ignored && abs(before) <= limit * radius) return 0;
+    if (abs(spin) * radius <= ignored && abs(before) <= limit * radius) return false;
     const scalar K = compliance_about(visit.pair, visit.n());
     const scalar next = within(before - spin / K, limit * radius), d = next - before;
     visit.record.j_twist = next;
+    visit.contact.change.twist += d;
     push_pair(visit.pair, &PointBody::velocity, visit.contact.middle, {}, visit.n() * d);
-    return abs(d * K) * radius;
+    note_change(sweep, abs(d), K, radius);
+    return true;
 }
 
-scalar visit_velocities(const PointVisit& visit, scalar ignored) {
+void visit_velocities(const PointVisit& visit, scalar ignored, SweepOfPoints& sweep) {
     PointTwist twist = relative_motion(visit.pair, &PointBody::velocity, visit.contact.middle);
-    scalar largest = 0;
-    for (int round_i = 0; round_i < limits::rounds_of_points; ++round_i) {
-        const scalar corrected = round_of_normals(visit, twist, ignored);
-        largest = greatest(largest, corrected);
-        if (corrected <= ignored) break;
-    }
+    for (int round_i = 0; round_i < limits::rounds_of_points; ++round_i)
+        if (round_of_normals(visit, twist, ignored, sweep) <= ignored) break;
     const scalar limit = visit.record.mu * load_on(visit);
-    const scalar twisted = solve_twist(visit, twist, limit, ignored);
-    if (twisted > 0) twist = relative_motion(visit.pair, &PointBody::velocity, visit.contact.middle);
-    return greatest(greatest(largest, twisted), solve_friction(visit, twist, limit, ignored));
+    if (solve_twist(visit, twist, limit, ignored, sweep)) twist = relative_motion(visit.pair, &PointBody::velocity, visit.contact.middle);
+    solve_friction(visit, twist, limit, ignored, sweep);
 }
 
 /// What of each point is to be taken back.
@@ -147,6 +154,7 @@ void round_of_pushes(const PointVisit& visit, PointsOff& off) {
 }
 
 void visit_positions(const PointVisit& visit, scalar h) {
+    visit.contact.change = {};
     if (visit.pair.A.hit || visit.pair.B.hit) cut_impulses_of_hit(visit, h);
     const NormalMotion motion = normal_motion(visit, &PointBody::displacement);
     PointsOff off;
@@ -182,20 +190,39 @@ void begin_contact(const PointVisit& visit, scalar h) {
     visit.record.j_friction -= visit.n() * dot(visit.n(), visit.record.j_friction);
 }
 
-void start_visit(const PointVisit& visit) {
-    ManifoldRecord& record = visit.record;
-    Vector levers{};
+void give(const PointVisit& visit, const scalar* j, const Vector& friction, scalar twist) {
+    Vector levers = {0, 0, 0};
     scalar sum = 0;
     for (int point_i = 0; point_i < visit.count(); ++point_i) {
-        const scalar j = record.j[point_i];
-        levers += (visit.P(point_i) - visit.contact.middle) * j;
-        sum += j;
+        levers += (visit.P(point_i) - visit.contact.middle) * j[point_i];
+        sum += j[point_i];
     }
-    const scalar limit = record.mu * sum;
+    push_pair(visit.pair, &PointBody::velocity, visit.contact.middle, visit.n() * sum + friction, cross(levers, visit.n()) + visit.n() * twist);
+}
+
+void start_visit(const PointVisit& visit) {
+    ManifoldRecord& record = visit.record;
+    const scalar limit = record.mu * load_on(visit);
     record.j_friction = within(record.j_friction, limit);
     record.j_twist = within(record.j_twist, limit * visit.contact.radius);
-    push_pair(visit.pair, &PointBody::velocity, visit.contact.middle, visit.n() * sum + record.j_friction,
-              cross(levers, visit.n()) + visit.n() * record.j_twist);
+    give(visit, record.j, record.j_friction, record.j_twist);
+}
+
+void go_on(const PointVisit& visit, scalar beta) {
+    ManifoldRecord& record = visit.record;
+    PointImpulses &change = visit.contact.change, &along = visit.contact.along;
+    scalar j[Manifold::points_max];
+    for (int point_i = 0; point_i < visit.count(); ++point_i) {
+        along.j[point_i] = along.j[point_i] * beta + change.j[point_i];
+        j[point_i] = along.j[point_i] * beta;
+        record.j[point_i] += j[point_i];
+    }
+    along.friction = along.friction * beta + change.friction;
+    along.twist = along.twist * beta + change.twist;
+    record.j_friction += along.friction * beta;
+    record.j_twist += along.twist * beta;
+    change = {};
+    give(visit, j, along.friction * beta, along.twist * beta);
 }
 
 /// Calls a stage for the manifolds of bodies that move.
@@ -217,10 +244,14 @@ void warm_start(const PointView& solver) {
     over_manifolds(solver, true, [](const PointVisit& visit) { start_visit(visit); });
 }
 
-scalar sweep_point_velocities(const PointView& solver, bool forward, scalar ignored) {
-    scalar largest = 0;
-    over_manifolds(solver, forward, [&](const PointVisit& visit) { largest = greatest(largest, visit_velocities(visit, ignored)); });
-    return largest;
+SweepOfPoints sweep_point_velocities(const PointView& solver, bool forward, scalar ignored) {
+    SweepOfPoints sweep = {0, 0};
+    over_manifolds(solver, forward, [&](const PointVisit& visit) { visit_velocities(visit, ignored, sweep); });
+    return sweep;
+}
+
+void go_on_along(const PointView& solver, scalar beta) {
+    over_manifolds(solver, true, [beta](const PointVisit& visit) { go_on(visit, beta); });
 }
 
 void sweep_point_positions(const PointView& solver, scalar h) {
