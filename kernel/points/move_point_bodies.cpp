@@ -78,18 +78,21 @@ scalar kick_bodies(const PointView& solver, scalar h) {
 
 scalar kick_again(const PointView& solver) { return kick_bodies(solver, 0); }
 
-bool drift_bodies(const PointView& solver, scalar h) {
-    bool some_hit = false;
+SubstepOfPoints drift_bodies(const PointView& solver, scalar h) {
+    SubstepOfPoints substep = {false, true};
     for (int slot = 0; slot < solver.slot_count; ++slot) {
         PointBody& body = solver.bodies[slot];
         if (!(body.inv_M > 0)) continue;
-        const Vector change = body.velocity.linear - body.begin.linear;
-        body.hit = length_sq(change) > 4 * h * h * length_sq(body.forces.linear);
+        const Vector change = body.velocity.linear - body.begin.linear, spun = body.velocity.moment - body.begin.moment;
+        const scalar forced = sqrt(length_sq(body.forces.linear)) * h, calm_change = limits::calm_acceleration * forced + limits::settled_speed;
+        const scalar change_sq = length_sq(change), spin_sq = dot(spun, body.velocity.angular - body.begin.angular) * body.inv_M;
+        body.hit = change_sq > 4 * forced * forced;
+        substep.some_hit = substep.some_hit || body.hit;
+        substep.calm = substep.calm && change_sq + spin_sq <= calm_change * calm_change;
         add_motion(body.displacement, body.velocity, h);
         if (!body.hit) body.displacement.linear -= change * (h / 2);
-        some_hit = some_hit || body.hit;
     }
-    return some_hit;
+    return substep;
 }
 
 void write_contact_motion(const PointView& solver, const BodyView& bodies, const Vector& gravity, scalar h) {

@@ -17,8 +17,13 @@ scalar kick_bodies(const PointView& solver, scalar h);
 /// by what it changed then.
 scalar kick_again(const PointView& solver);
 
-/// Displaces the bodies by a substep: by the mean of its velocities, or, where a body was hit, by the last. True if one was hit.
-bool drift_bodies(const PointView& solver, scalar h);
+/// What a substep was like.
+struct SubstepOfPoints {
+    bool some_hit;  ///< the velocity of a body changed by more than forces explain
+    bool calm;      ///< no body accelerated: see limits::calm_acceleration
+};
+/// Displaces the bodies by a substep: by the mean of its velocities, or, where a body was hit, by the last.
+SubstepOfPoints drift_bodies(const PointView& solver, scalar h);
 
 /// Leaves velocities and angular momenta in the bodies, and in F_T and tau_T the forces with which integrate_r and integrate_A displace them as the
 /// solver has. What overlaps turned a body by is in the moment of its displacement, and so in the mean angular momentum it turns with.

@@ -19,16 +19,25 @@ void note_impulses_of_points(const PointView& solver, ImpactNote* notes, bool fi
     }
 }
 
+/// Where nothing accelerated in the step before, and no chain of contacts is long.
+bool begins_calm(const PointView& solver) {
+    bool calm = solver.manifold_count <= limits::calm_levels;
+    for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i)
+        calm = calm && was_calm(solver.records[solver.pairs[manifold_i].record]);
+    return calm;
+}
+
 }  // namespace
 
 template <bool notes_impulses>
 void solve_points(PointView& solver, const BodyView& bodies, const Vector& gravity, scalar h_step, [[maybe_unused]] ImpactNote* notes,
                   StepReport& report) {
-    const scalar h = h_step / limits::substeps;
+    const int substeps = begins_calm(solver) ? limits::calm_substeps : limits::substeps;
+    const scalar h = h_step / static_cast<scalar>(substeps);
     take_in_bodies(solver, bodies, gravity, h_step);
-    begin_contacts(solver, h);
-    bool given_again = false;
-    for (int substep_i = 0; substep_i < limits::substeps; ++substep_i) {
+    begin_contacts(solver, static_cast<scalar>(limits::substeps / substeps), h);
+    bool given_again = false, calm = true;
+    for (int substep_i = 0; substep_i < substeps; ++substep_i) {
         const scalar rounding = 4 * epsilon * (given_again ? kick_again(solver) : kick_bodies(solver, h));
         if (!given_again) warm_start(solver);
         scalar size_before = 0;
@@ -42,9 +51,12 @@ void solve_points(PointView& solver, const BodyView& bodies, const Vector& gravi
             size_before = sweep.size;
         }
         if constexpr (notes_impulses) note_impulses_of_points(solver, notes, substep_i == 0);
-        given_again = !drift_bodies(solver, h);
+        const SubstepOfPoints substep = drift_bodies(solver, h);
+        given_again = !substep.some_hit;
+        calm = calm && substep.calm;
         sweep_point_positions(solver, h);
     }
+    end_contacts(solver, static_cast<scalar>(substeps) / limits::substeps, calm);
 }
 template void solve_points<false>(PointView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);
 template void solve_points<true>(PointView&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);

@@ -173,13 +173,21 @@ void visit_positions(const PointVisit& visit, scalar h) {
     for (int round_i = 0; is_off && round_i < limits::rounds_of_pushes; ++round_i) round_of_pushes(visit, off);
 }
 
-void begin_contact(const PointVisit& visit, scalar h) {
+void scale_impulses(ManifoldRecord& record, scalar share) {
+    for (int point_i = 0; point_i < record.manifold.count; ++point_i) record.j[point_i] *= share;
+    record.j_friction = record.j_friction * share;
+    record.j_twist *= share;
+}
+
+void begin_contact(const PointVisit& visit, scalar share, scalar h) {
     PointContact& contact = visit.contact;
     contact = {};
+    scale_impulses(visit.record, share);
     scalar weight[Manifold::points_max], weights = 0;
     for (int point_i = 0; point_i < visit.count(); ++point_i) {
         const scalar separation = visit.record.manifold.points[point_i].separation;
         contact.target[point_i] = resting_speed(separation, h);
+        visit.record.j_before[point_i] = visit.record.j[point_i];
         weight[point_i] = greatest(least(2 - separation / limits::contact_margin, scalar(1)), scalar(1e-6));
         weights += weight[point_i];
         contact.middle += visit.P(point_i) * weight[point_i];
@@ -236,8 +244,15 @@ void over_manifolds(const PointView& solver, bool forward, const Stage& stage) {
 
 }  // namespace
 
-void begin_contacts(const PointView& solver, scalar h) {
-    over_manifolds(solver, true, [h](const PointVisit& visit) { begin_contact(visit, h); });
+void begin_contacts(const PointView& solver, scalar share, scalar h) {
+    over_manifolds(solver, true, [share, h](const PointVisit& visit) { begin_contact(visit, share, h); });
+}
+
+void end_contacts(const PointView& solver, scalar share, bool calm) {
+    over_manifolds(solver, true, [share, calm](const PointVisit& visit) {
+        scale_impulses(visit.record, share);
+        visit.record.substeps = calm ? calm_bit : uint16_t(0);
+    });
 }
 
 void warm_start(const PointView& solver) {

@@ -6,8 +6,10 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// Where friction takes hold, how fast points may approach in the first substep, of h seconds.
-void begin_contacts(const PointView& solver, scalar h);
+/// Where friction takes hold, how fast points may approach in the first substep, of h seconds. Impulses on record become `share` times as much.
+void begin_contacts(const PointView& solver, scalar share, scalar h);
+/// Impulses on record become `share` times as much; and whether nothing accelerated.
+void end_contacts(const PointView& solver, scalar share, bool calm);
 
 /// Gives the impulses on record again.
 void warm_start(const PointView& solver);
