@@ -110,7 +110,7 @@ inline constexpr scalar block_diagonal = scalar(1.01);
 inline constexpr int rounds_of_points = 4;  ///< over the points of a manifold in a visit, at most
 inline constexpr int rounds_of_pushes = 4;  ///< in the sweep over positions, where something is off
 inline constexpr int sweeps_of_points = 16; ///< of a substep, at most
-inline constexpr scalar settled_speed_of_points = scalar(5e-7);  ///< m/s; settled_speed there
+inline constexpr scalar settled_speed_of_points = scalar(1e-6);  ///< m/s; settled_speed there
 inline constexpr scalar ignored_speed = scalar(1e-7);            ///< m/s; a row that is off by no more is left alone
 inline constexpr scalar settled_gap_of_points = scalar(1e-6);  ///< m; so much of an overlap is left: what rounding makes of separations ten metres up
 /// Of the sum of the two compliances across n: no less than 3/4 of the greater, so that friction converges, and where they are equal each visit
