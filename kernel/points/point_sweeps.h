@@ -6,9 +6,13 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// `using solver = ingot::PointSweeps;`, for a few bodies on a small target: ten or twenty that stand, slide, roll, fall. Sweeps point by point in
-/// scalar arithmetic, whatever `lanes` is. Nothing bounces: set bounces = false. RAM of the world: 180 bytes a body and 52 a manifold in float,
-/// where Sweeps takes 224 and 700. Time at rest is less than theirs; of what moves it is more, for they solve a manifold at once.
+/// `using solver = ingot::PointSweeps;`, for a few bodies on a small target: ten or twenty that stand, slide, roll, fall. Towers of ten sink by
+/// 0.04 mm, and 10 kg on three times 1 kg by 0.2; for more, or for restitution, there is Sweeps. Sweeps go point by point in scalar arithmetic,
+/// whatever `lanes` is. Nothing bounces: set bounces = false.
+///
+/// RAM of the world in float: 188 bytes a body and 116 a manifold, where Sweeps on one lane takes 220 and 720. Flash on a Cortex-M4F: 7 KB, where
+/// they take 20. Time at rest is less than theirs. What begins to move takes up to four times as much, for they solve the points of a manifold at
+/// once.
 struct PointSweeps {
     static constexpr bool is_direct = false, is_pointwise = true;
 
