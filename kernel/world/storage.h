@@ -224,9 +224,9 @@ struct BlockOrderPart : ManifoldListPart<S> {
     uint16_t other_order[manifold_capacity] = {}, level_order[manifold_capacity] = {}, level[manifold_capacity] = {};
     Visit visits[manifold_capacity + block_capacity] = {};
 
-    SolverView solver_of(const BodyPair* pairs, ManifoldRecord* records, int manifold_count) {
+    SolverView solver_of(const BodyPair* pairs_of_bodies, ManifoldRecord* records_of_pairs, int count) {
         constexpr int room = static_cast<int>(block_capacity * lanes);
-        return {pairs, records, manifold_count, this->blocks, visits, order, level, other_order, level_order, this->solver_bodies, this->histories,
+        return {pairs_of_bodies, records_of_pairs, count, this->blocks, visits, order, level, other_order, level_order, this->solver_bodies, this->histories,
                 slot_of, local_of, level_of_body, colours_of_body, 0, 0, 0, 0, 0, 0, room, 0, false, limits::substeps, false};
     }
 };
