@@ -227,7 +227,8 @@ struct BlockOrderPart : ManifoldListPart<S> {
     SolverView solver_of(const BodyPair* pairs_of_bodies, ManifoldRecord* records_of_pairs, int count) {
         constexpr int room = static_cast<int>(block_capacity * lanes);
         return {pairs_of_bodies, records_of_pairs, count, this->blocks, visits, order, level, other_order, level_order,
-                this->solver_bodies, this->histories, slot_of, local_of, level_of_body, colours_of_body, 0, 0, 0, 0, 0, 0, room, 0, false, limits::substeps, false};
+                this->solver_bodies, this->histories, slot_of, local_of, level_of_body, colours_of_body,
+                0, 0, 0, 0, 0, 0, room, 0, false, limits::substeps, false};
     }
 };
 template <class S>
