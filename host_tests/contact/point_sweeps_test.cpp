@@ -92,8 +92,8 @@ TEST(PointSweeps, slide_the_exact_way) {
     EXPECT_LE(std::abs(way / exact - 1), 1e-4);
 }
 
-/// Boxes dropped on a flat and on an edge, on their way sideways: friction and impacts only take energy. A step may round it by some units in the
-/// last place of what there is.
+/// Boxes dropped on a face and on a corner, on their way sideways: friction and impacts only take energy. A step may round it by some units in the
+/// last place of what there is, and lift the box by the overlaps that it takes back: settled_gap_of_points and what one more substep adds.
 TEST(PointSweeps, gain_no_energy_where_boxes_fall) {
     for (int tilt_i = 0; tilt_i < 4; ++tilt_i) {
         PlacedBody box = solid_box(2, {scalar(0.5), scalar(0.3), scalar(0.2)}, {0, 0, scalar(1.5)}, scalar(0.5));
@@ -109,10 +109,7 @@ TEST(PointSweeps, gain_no_energy_where_boxes_fall) {
         });
         figure("largest gain of a step, of the energy", most / start);
         figure("fastest at the end, m/s", scene.fastest());
-        EXPECT_LE(most, 1e-3 * start) << tilt_i;
-        if (tilt_i == 0) {
-            EXPECT_LE(most, 64 * eps * start);
-        }
+        EXPECT_LE(most, 64 * eps * start + 2 * 9.81 * 2 * static_cast<double>(ingot::limits::settled_gap_of_points)) << tilt_i;
         EXPECT_LE(scene.fastest(), 1e-3) << tilt_i;
         EXPECT_TRUE(scene.finite() && scene.reports().clean());
     }
