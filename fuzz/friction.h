@@ -362,7 +362,8 @@ private:
         }
     }
 
-    void demand_sleep() {
+    /// In a step as long as sleep_time an island may wake, move and fall asleep again.
+    void demand_sleep([[maybe_unused]] scalar h) {
         if constexpr (S::sleeps) {
             for (int slot = 0; slot < N; ++slot) {
                 const BodyId id = world_.body_at(slot);
@@ -373,13 +374,13 @@ private:
                 BodyState is = world_.state(id).value;
                 if (fuzz_fault == 15) is.v_CM.x = 1;
                 demand(Base::is_zero(is.v_CM) && Base::is_zero(is.L), "who sleeps is at rest");
-                demand(!before_.is_asleep(id) || same_bytes(&was, &is, sizeof is), "who sleeps keeps its bits");
+                demand(h >= S::sleep_time || !before_.is_asleep(id) || same_bytes(&was, &is, sizeof is), "who sleeps keeps its bits");
             }
         }
     }
 
     /// After each step.
-    void stepped(const StepReport& report, scalar) {
+    void stepped(const StepReport& report, scalar h) {
         demand(ingot::is_finite(report.residual) && report.residual >= 0, "the residual is a speed");
         constexpr int pairs_max = N * (N - 1) / 2 * S::max_shapes_of_body * S::max_shapes_of_body;
         demand(report.contacts + report.contacts_lost <= pairs_max, "a pair has one manifold");
@@ -389,7 +390,7 @@ private:
         state_.manifolds = report.contacts;
         demand_overlaps(report);
         demand_events(report);
-        demand_sleep();
+        demand_sleep(h);
         demand_balance(report);
         state_.pushed = false;
     }
