@@ -177,6 +177,20 @@ void refuses_hulls_of_no_scene() {
 TEST(DamagedTraits, of_hulls) { refuses_hulls_of_no_scene<Sleepy>(); }
 TEST(DamagedTraits, of_hulls_by_shape) { refuses_hulls_of_no_scene<OfSeveral>(); }
 
+/// Hulls are part of what a scene is, to a nanometre.
+struct OtherHulls : Sleepy {
+    static constexpr ingot::ConvexHull hulls[] = {rock_hull.hull.value.view(), cube_hull.hull.value.view()};
+};
+TEST(DamagedTraits, of_none_but_for_a_scene_of_other_hulls) {
+    EXPECT_NE(ingot::scene_signature<Sleepy>(), ingot::scene_signature<OtherHulls>());
+    const Sound<Sleepy> sound = after<Sleepy>(5);
+    const auto other = std::make_unique<World<OtherHulls>>(), before = std::make_unique<World<OtherHulls>>();
+    fill(*other);
+    copy(*before, *other);
+    EXPECT_EQ(ingot::load_snapshot(*other, sound.bytes.data(), sound.bytes.size()), Status::other_scene);
+    EXPECT_TRUE(same_bytes(*other, *before));
+}
+
 TEST(DamagedTraits, of_the_shapes_of_a_body) {
     const Sound<OfSeveral> sound = after<OfSeveral>(5);
     ASSERT_EQ(sound.field(ball_slot, "shapes").bits, 2u);
