@@ -154,6 +154,24 @@ TEST(ImpactsOfOneTime, are_solved_together) {
     EXPECT_NEAR(scene.kinetic(), 4, 4 * near);
 }
 
+/// A ball with e = 1 between two plates, with 1 mm of room on either side: at 1 m/s it meets them twice in a substep, at 10 m/s 21 times. There is
+/// work for impacts_of_contact impacts of each of the two contacts, 16; what is left is told, and gives no energy.
+TEST(ImpactsBeyondTheBound, are_told) {
+    for (const int speed : {1, 10}) {
+        std::vector<PlacedBody> bodies = {solid_ball(1, scalar(0.5), {0, 0, 0}, 0, 1)};
+        for (const int side : {-1, 1}) bodies.push_back(fixed_box({1, 1, scalar(0.125)}, {0, 0, static_cast<scalar>(side) * scalar(0.626)}, 0, 1));
+        bodies[0].move({0, 0, static_cast<scalar>(speed)});
+        Play<Room<3>> scene(bodies, {0, 0, 0});
+        ASSERT_TRUE(scene.sound());
+        const double energy = scene.kinetic();
+        const StepReport report = scene.step(OnEarth::h);
+        EXPECT_EQ(report.impacts_left > 0, speed == 10) << report.impacts_left;
+        EXPECT_EQ(report.clean(), speed == 1);
+        EXPECT_LE(scene.kinetic(), energy * (1 + 64 * static_cast<double>(ingot::epsilon)));
+        EXPECT_LE(std::abs(scene.r(0).z()), 0.001 + static_cast<double>(ingot::limits::touching_gap)) << speed;
+    }
+}
+
 /// A ball with e = 1 lands on a crate that lies on a floor, both without restitution: it comes back as from the floor, for the floor pushes while
 /// the impact lasts. On a crate that floats it shares its speed: equal masses, it stops.
 TEST(ImpactsOnWhatLeans, bounce_as_off_the_floor) {

@@ -208,6 +208,12 @@ TEST(TimeOfImpact, of_bodies_that_begin_in_each_other_is_when_what_is_left_of_on
         const double t = time(distance, -1);
         EXPECT_LE(t, 0.03 + 1e-6) << skins;
         EXPECT_GE(t, 0.03 - gap - 1e-6) << skins;
+        // One that begins within the gap in which it would have met already: the next one counts.
+        const double share = static_cast<double>(ingot::limits::skin_share), of_next = time(1 + without + gap / 2, -1);
+        if (skins + 1 < ingot::limits::skins_max) {
+            EXPECT_LE(of_next, share + gap / 2 + 1e-6) << skins;
+            EXPECT_GE(of_next, share - gap / 2 - 1e-6) << skins;
+        }
     }
 }
 

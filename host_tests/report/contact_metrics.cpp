@@ -120,12 +120,14 @@ void ContactTally::see_energy(const std::vector<BodyPose>& poses) {
 void ContactTally::see_displacements(const std::vector<BodyPose>& poses, double t) {
     bool moving = false;
     double furthest = 0;
+    settled_ = 0;
     for (std::size_t i = 0; i < poses.size(); ++i) {
         if (scene_.bodies[i].immovable) continue;
         const Vector3d moved = vector(poses[i].r) - vector(start_[i].r);
         const double sideways = moved.head<2>().norm();
         shift_ = worse(shift_, sideways);
-        settling_ = worse(settling_, -moved.z());
+        settled_ = worse(settled_, -moved.z());
+        settling_ = worse(settling_, settled_);
         furthest = worse(furthest, moved.norm());
         if (i + 1 == poses.size()) {
             top_shift_ = worse(top_shift_, sideways);
@@ -171,6 +173,7 @@ void ContactTally::see(const std::vector<BodyPose>& poses, const StepFigures& fi
 void ContactTally::add_of_stack(std::vector<Metric>& list) const {
     list.push_back({"shift", shift_ * 1e3, "mm"});
     list.push_back({"settling", settling_ * 1e3, "mm"});
+    list.push_back({"settled", settled_ * 1e3, "mm"});
     list.push_back({"drift", top_shift_ * 1e3, "mm"});
     list.push_back({"sink", top_sink_ * 1e3, "mm"});
     list.push_back({"stood", stood_, "s"});

@@ -50,7 +50,7 @@ private:
     const ContactCase& scene_;
     std::vector<BodyPose> start_, last_;
     double seconds_, t_ = 0;
-    double shift_ = 0, settling_ = 0, top_shift_ = 0, top_sink_ = 0, stood_ = 0;  ///< m; s
+    double shift_ = 0, settling_ = 0, settled_ = 0, top_shift_ = 0, top_sink_ = 0, stood_ = 0;  ///< m; s
     bool stands_ = true;
     double energy_begin_, energy_last_, energy_gain_ = 0, energy_error_ = 0;  ///< J; relative
     double last_moving_ = 0, spin_ = 0;                                       ///< s; rad/s

@@ -85,9 +85,10 @@ TEST(Tally, of_a_tower_takes_the_worst_of_all_steps) {
     tally.see({{}, pose_of(0.004, 0, 0.5), pose_of(0.003, 0.004, 1.498)}, {}, 0.25);
     tally.see({{}, pose_of(0, 0, 0.497), pose_of(0, 0, 1.499)}, {}, 0.5);
     tally.see({{}, pose_of(0, 0, 0.5), pose_of(0.75, 0, 1.499)}, {}, 0.75);
-    tally.see(start, {}, 1);
+    tally.see({{}, pose_of(0, 0, 0.5), pose_of(0, 0, 1.4995)}, {}, 1);
     EXPECT_NEAR(metric(tally, "shift"), 750, 1e-9);
     EXPECT_NEAR(metric(tally, "settling"), 3, 1e-9);
+    EXPECT_NEAR(metric(tally, "settled"), 0.5, 1e-9);
     EXPECT_NEAR(metric(tally, "sink"), 2, 1e-9);
     EXPECT_EQ(metric(tally, "stood"), 0.5);  // what has fallen stands no more
 }

@@ -21,6 +21,9 @@ struct Pile : ingot::Scene {
 struct SearchedPile : Pile {
     static constexpr bool renews_manifolds = false;
 };
+struct StillPile : Pile {
+    static constexpr bool bounces = false;
+};
 struct WatchedPile : Pile {
     static constexpr bool filters = true;
     static constexpr int max_overlaps = 8;
@@ -234,6 +237,25 @@ TEST_F(DamagedPile, of_who_touches_whom) {
 TEST_F(DamagedPile, of_a_body_in_it) {
     const size_t first_slot = 44 + 4 * s, ground_to_A = 5;
     refuses(with(first_slot + ground_to_A, scalar(2)), "an attitude that is no rotation");
+}
+
+/// Of a scene in which bodies bounce, for one in which none does: what does not bounce is the same in both.
+TEST_F(DamagedPile, of_what_does_not_bounce) {
+    static World<StillPile> still, before;
+    fill_pile(still);
+    BodyDef ball = plain_body({3, 0, 3}, ingot::Sphere{scalar(0.5)});
+    ball.restitution = scalar(0.5);
+    copy(before, still);
+    EXPECT_EQ(still.add(ball).status, Status::not_in_scene);
+    EXPECT_TRUE(same_bytes(still, before));
+    EXPECT_EQ(ingot::load_snapshot(still, sound_.data(), sound_.size()), Status::ok);
+    EXPECT_EQ(saved(still), sound_);
+
+    ASSERT_TRUE(world_.add(ball).ok());
+    const Bytes bouncing = saved(world_);
+    copy(before, still);
+    EXPECT_EQ(ingot::load_snapshot(still, bouncing.data(), bouncing.size()), Status::bad_snapshot);
+    EXPECT_TRUE(same_bytes(still, before));
 }
 
 TEST_F(DamagedPile, of_what_is_a_sensor) {

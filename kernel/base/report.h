@@ -33,7 +33,8 @@ struct [[nodiscard]] StepReport {
     uint16_t contacts_lost;      ///< shallower than those kept, and no room: raise Scene::max_contacts
     uint16_t pairs_untested;     ///< pairs of shapes that overlap by their bounds, and for which the kernel has no test yet
     uint16_t impact_waves;       ///< rounds of simultaneous impacts that were resolved
-    /// contacts still approaching after limits::impact_waves_max; fast bodies that wait for the next step where they met something
+    /// contacts still approaching after limits::impact_waves_max or impacts_of_contact, fast bodies that wait for the next step where they met
+    /// something
     uint16_t impacts_left;
     uint16_t sweeps;             ///< sweeps over contacts, in all
     uint16_t overlaps_lost;      ///< bodies in a sensor, and no room: raise Scene::max_overlaps

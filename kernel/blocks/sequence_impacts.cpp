@@ -211,6 +211,7 @@ bool sequence_impacts(const View& solver, scalar h, ImpactNote* notes, StepRepor
     }
     for_each_in_chain(solver, [&](int block_i, int lane_i) {
         ContactBlock& block = solver.blocks[block_i];
+        if (time_of(block, lane_i) < no_impact) count(report.impacts_left);
         aim_at_rest(solver, block, lane_i, h);
     });
     return some;

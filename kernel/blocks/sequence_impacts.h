@@ -22,8 +22,8 @@ bool find_impact_chains(const SolverView& solver);
 /// Between impacts bodies fly along parabolas. An impulse that is given at the time t is given from the begin on, and -t times
 /// what it does is added to the displacements: later impacts, and the end of the substep, are then where they should be.
 /// Energy: of an impact it changes by -(1 - e) j |u| / 2 summed over its rows: it never grows, and stays for e = 1 without
-/// friction. Bound: limits::impacts_of_contact impacts for each contact; what still approaches then bounces no more. notes: of
-/// the contacts that carried an impulse; may be null.
+/// friction. Bound: limits::impacts_of_contact impacts for each contact; what still approaches then bounces no more in this
+/// substep, and counts in impacts_left. notes: of the contacts that carried an impulse; may be null.
 template <class View>
 bool sequence_impacts(const View& solver, scalar h, ImpactNote* notes, StepReport& report);
 

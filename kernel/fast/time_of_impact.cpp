@@ -66,6 +66,10 @@ Shape core_of(const Shape& shape, int skins) {
 /// The ball about the centre that is half as large as the shape is thick.
 Shape ball_in(const Shape& shape) { return Sphere{least_half_extent(shape) * scalar(0.5)}; }
 
+bool is_clear(const PlacedShape& A, const PlacedShape& B, const Nearest& nearest, scalar gap) {
+    return !nearest.overlap && plane_between(A, B, nearest).gap > gap;
+}
+
 }  // namespace
 
 scalar time_of_impact(const BodyPath& path_A, const Shape& A, const BodyPath& path_B, const Shape& B, scalar latest, bool unsolved) {
@@ -85,7 +89,7 @@ scalar time_of_impact(const BodyPath& path_A, const Shape& A, const BodyPath& pa
         if (touching) {
             A_now.shape = core_of(A, skins);
             nearest = closest_points(A_now, now.B);
-            while (nearest.overlap && approach_i == 0 && skins < limits::skins_max) {
+            while (approach_i == 0 && !is_clear(A_now, now.B, nearest, gap) && skins < limits::skins_max) {
                 A_now.shape = core_of(A, ++skins);
                 nearest = closest_points(A_now, now.B);
             }

@@ -326,6 +326,11 @@ void write_shapes(ByteWriter& writer, const Storage<S>& storage, int slot) {
     }
 }
 
+template <class S>
+bool is_surface_of(const SavedSurface& surface, const Shape& shape, bool can_move) {
+    return ShapesOf<S>::names_its_hull(shape) && is_sound(surface, can_move) && (S::bounces || surface.e == 0);
+}
+
 /// Without storage it only checks.
 template <class S>
 Status read_shapes(ByteReader& reader, int slot, bool can_move, Storage<S>* to) {
@@ -336,7 +341,7 @@ Status read_shapes(ByteReader& reader, int slot, bool can_move, Storage<S>* to) 
         SavedShape saved{};
         saved.numbers(reader, has_sensors<S>);
         const Shape shape{static_cast<ShapeKind>(saved.surface.kind), saved.surface.size, saved.surface.offset};
-        if (!S::shapes::has(shape.kind) || !ShapesOf<S>::names_its_hull(shape) || !is_sound(saved.surface, can_move)) return Status::bad_snapshot;
+        if (!S::shapes::has(shape.kind) || !is_surface_of<S>(saved.surface, shape, can_move)) return Status::bad_snapshot;
         if (check_vector(saved.place.r, limits::position_max) != Status::ok || check_rotation(saved.place.A) != Status::ok || saved.sensor > 1)
             return Status::bad_snapshot;
         if (read_material<S>(reader, shape_slot, to) != Status::ok) return Status::bad_snapshot;
@@ -472,7 +477,7 @@ Status read_body(ByteReader& reader, int slot, Storage<S>* to) {
         surface.numbers(reader);
         const Shape shape{static_cast<ShapeKind>(surface.kind), surface.size, surface.offset};
         const bool in_scene = shape.kind == ShapeKind::none || S::shapes::has(shape.kind);
-        if (!in_scene || !ShapesOf<S>::names_its_hull(shape) || !is_sound(surface, body.inv_I_scale > 0)) return Status::bad_snapshot;
+        if (!in_scene || !is_surface_of<S>(surface, shape, body.inv_I_scale > 0)) return Status::bad_snapshot;
         if (read_material<S>(reader, slot, to) != Status::ok) return Status::bad_snapshot;
         if (to != nullptr) to->surfaces[slot] = {shape, bounding_radius(shape), surface.e, surface.mu};
     }

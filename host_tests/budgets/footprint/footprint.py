@@ -6,6 +6,8 @@
     footprint.py <footprint.json> --check     measures, and fails where footprint.csv is stale
     footprint.py --check                      fails where ../FOOTPRINT.md is not what the two tables of figures make it
 
+The table of cores stands in the project's README too, for three scenes.
+
 A row is a firmware of footprint_scenes.h; flash and world_ram are those of ../README.md. Tolerances are those of the budgets.
 """
 import argparse
@@ -20,9 +22,12 @@ sys.path.insert(0, str(HERE.parent))
 import measure  # noqa: E402
 
 TABLE, PAGE = HERE / "footprint.csv", HERE.parent / "FOOTPRINT.md"
+README = HERE.parents[2] / "README.md"
+MARK_BEGIN, MARK_END = "<!-- written by footprint.py -->\n", "<!-- end -->\n"
 FIGURES = ("flash", "world_ram")
 BUDGET_SCENES = {"satellite": "a satellite that turns", "ten_boxes_row": "ten boxes side by side", "ten_boxes_column": "ten boxes in a column",
                  "playground": "eight bodies with many features"}
+README_SCENES = ("satellite", "ten_boxes_row", "playground")
 CORES = {"cortex-m0": "M0", "cortex-m4f": "M4F", "cortex-m7": "M7"}
 
 HEAD = """<!-- SPDX-License-Identifier: MIT -->
@@ -72,9 +77,10 @@ def table_of_features(rows):
     return table([tuple(cell.strip() for cell in line) for line in cells])
 
 
-def table_of_cores(budgets):
+def table_of_cores(budgets, scenes=tuple(BUDGET_SCENES)):
     cells = [("scene", "core", "flash", "RAM", "stack", "last step", "worst step")]
-    for scene, title in BUDGET_SCENES.items():
+    for scene in scenes:
+        title = BUDGET_SCENES[scene]
         for core, short in CORES.items():
             row = budgets.get((scene, core))
             if row:
@@ -85,6 +91,12 @@ def table_of_cores(budgets):
 
 def page(rows):
     return HEAD % measure.TABLE_COMPILER + table_of_features(rows) + CORES_HEAD + table_of_cores(measure.read_table(measure.TABLE))
+
+
+def readme():
+    """As it is, with the table of today's figures."""
+    head, rest = README.read_text(encoding="utf-8").split(MARK_BEGIN)
+    return head + MARK_BEGIN + table_of_cores(measure.read_table(measure.TABLE), README_SCENES) + MARK_END + rest.split(MARK_END)[1]
 
 
 def read_rows():
@@ -108,9 +120,9 @@ def main():
     if arguments.build is None:
         if not arguments.check:
             parser.error("nothing to do")
-        if PAGE.read_text(encoding="utf-8") == page(read_rows()):
+        if PAGE.read_text(encoding="utf-8") == page(read_rows()) and README.read_text(encoding="utf-8") == readme():
             return 0
-        print("FOOTPRINT.md is not what the tables make it: cmake --build --preset cortex-m4f --target footprint")
+        print("FOOTPRINT.md, or the table in README.md, is not what the tables make it: cmake --build --preset cortex-m4f --target footprint")
         return 1
 
     build = json.loads(arguments.build.read_text(encoding="utf-8"))
@@ -122,6 +134,7 @@ def main():
     if arguments.update:
         write_rows(rows)
         PAGE.write_text(page(rows), encoding="utf-8")
+        README.write_text(readme(), encoding="utf-8")
         print(page(rows))
     complaints = []
     if arguments.check:
