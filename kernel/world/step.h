@@ -11,6 +11,7 @@
 #include "../fast/fly_fast_bodies.h"
 #include "../solve/solve_impacts.h"
 #include "../blocks/move_bodies.h"
+#include "../points/move_point_bodies.h"
 #include "world.h"
 
 namespace ingot { inline namespace INGOT_ABI {
