@@ -68,8 +68,8 @@ struct Materials<S, true> {
                 }
                 if constexpr (S::surface_velocities) {
                     const Result<Vector> got = world.surface_velocity(id, shape_i);
-                    demand(got.status == status && (!got.ok() || (got.value.x == belt[at].x && got.value.y == belt[at].y && got.value.z == belt[at].z)),
-                           "a surface keeps its velocity");
+                    const bool same = got.value.x == belt[at].x && got.value.y == belt[at].y && got.value.z == belt[at].z;
+                    demand(got.status == status && (!got.ok() || same), "a surface keeps its velocity");
                 }
             }
         }
