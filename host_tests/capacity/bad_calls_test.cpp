@@ -515,6 +515,18 @@ TEST_F(BadCalls, sums_that_leave_the_range_their_summands_keep) {
     refuses(Status::out_of_range, "an impulse as large as any", [&](World<Yard>& w) { return w.apply_impulse(cast_.box, {F, F, F}, {1, 2, 3}); });
 }
 
+TEST_F(BadCalls, a_spin_beyond_all_numbers) {
+    static World<Yard> world;
+    clear(world);
+    BodyDef def = plain_body({});
+    def.mass.I_body = {scalar(0.01), scalar(0.01), scalar(0.01)};
+    const BodyId id = world.add(def).value;
+    BodyState state = world.state(id).value;
+    state.L = {0, std::numeric_limits<scalar>::max(), 0};
+    EXPECT_EQ(world.set_state(id, state), Status::out_of_range);
+    EXPECT_EQ(world.state(id).value.L.y, 0);
+}
+
 TEST_F(BadCalls, a_collision_that_would_drive_a_body_beyond_the_limit_changes_neither) {
     World<Yard>& w = touched_;
     copy(w, world_);

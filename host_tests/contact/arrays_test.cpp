@@ -244,6 +244,21 @@ TEST(Degenerate, input_gives_no_nan) {
 }
 
 /// C19: a tower stands 10 km from the origin, where places in float are 1 mm apart: it stands, and no more is asked.
+/// Ground that is tilted by 3e-4, whose normal rounds to no unit vector and has a 1 in it: a kilometre uphill it is 0.3 m higher, and holds there.
+template <class BroadPhase>
+void expect_tilted_ground_holds() {
+    const scalar tilt = scalar(3e-4), up = scalar(0.5) + 1000 * tilt;
+    PlacedBody ground = flat_ground(scalar(0.6));
+    ground.def.shape = ingot::HalfSpace{{tilt, 0, 1}, 0};
+    Play<Room<2, BroadPhase>> play({ground, unit_cube({-1000, 0, up}, scalar(0.6))}, OnEarth::gravity);
+    ASSERT_TRUE(play.sound());
+    play.run(OnEarth::h, 1);
+    EXPECT_TRUE(play.reports().clean());
+    EXPECT_NEAR(play.r(1).z(), static_cast<double>(up), 1e-3);
+}
+TEST(TiltedGround, holds_far_away) { expect_tilted_ground_holds<ingot::AllPairs>(); }
+TEST(TiltedGround, holds_far_away_by_the_tree) { expect_tilted_ground_holds<ingot::SortedTree>(); }
+
 TEST(FarAway, tower_stands_10_km_from_the_origin) {
     std::vector<PlacedBody> bodies = bodies_of<Tower<5>>();
     for (PlacedBody& body : bodies)

@@ -156,6 +156,20 @@ void expect_full_array_is_told() {
 TEST(BroadPhase, all_pairs_tells_what_has_no_room) { expect_full_array_is_told<ingot::AllPairs>(); }
 TEST(BroadPhase, sorted_tree_tells_what_has_no_room) { expect_full_array_is_told<ingot::SortedTree>(); }
 
+/// More than can be counted are as many as can.
+template <class BroadPhase>
+void expect_lost_pairs_are_counted_to_the_end() {
+    constexpr int count = 400;
+    Bodies bodies(count);
+    for (int slot = 0; slot < count; ++slot) bodies.put(slot, Vector3d(0, 0, 0), Vector3d(1, 1, 1), true);
+    ASSERT_GT(bodies.expected().size(), 65535u + 1);
+    const Found found = found_by<BroadPhase>(bodies, 1);
+    EXPECT_EQ(found.keys.size(), 1u);
+    EXPECT_EQ(found.lost, 65535);
+}
+TEST(BroadPhase, all_pairs_counts_what_is_lost_to_the_end) { expect_lost_pairs_are_counted_to_the_end<ingot::AllPairs>(); }
+TEST(BroadPhase, sorted_tree_counts_what_is_lost_to_the_end) { expect_lost_pairs_are_counted_to_the_end<ingot::SortedTree>(); }
+
 /// All bodies at one place; all in a line; bounds that are a point.
 TEST(BroadPhase, degenerate_places_are_places) {
     for (const int count : {2, 9, 40, 200}) {

@@ -306,6 +306,9 @@ TEST(Compound, with_bad_input_is_refused_and_the_world_is_what_it_was) {
     expect_refused(*world, def, good.parts, -1, Status::out_of_range);
     expect_refused<S>(*world, def, nullptr, 1, Status::out_of_range);
     BodyDef other = def;
+    other.mass.r_CM.y = -ingot::limits::position_max;
+    expect_refused(*world, other, with([](ShapeDef& d) { d.r.y = ingot::limits::position_max; }).parts, 3, Status::out_of_range);
+    other = def;
     other.shape = ingot::Sphere{1};
     expect_refused(*world, other, good.parts, 3, Status::bad_shape);
     other = def;
@@ -346,6 +349,7 @@ TEST(Compound, gives_everything_back_when_removed) {
         ASSERT_EQ(world->remove(jack_id), Status::ok);
         EXPECT_FALSE(world->cast_ray({0, 0, 3}, {0, 0, -2}).value.found()) << "nothing is left above the ground";
         ASSERT_EQ(world->remove(table_id), Status::stale_id);
+        ASSERT_EQ(world->set_state(table_id, {}), Status::stale_id);
     }
     figure("contacts, most", most);
     EXPECT_GE(most, 5);  // four feet and the jack

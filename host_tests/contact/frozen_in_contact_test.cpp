@@ -15,12 +15,13 @@ using ingot::BodyId;
 using ingot::scalar;
 using ingot::Status;
 
-template <class BroadPhase>
+template <class BroadPhase, class Solver = ingot::Sweeps>
 struct Ground : ingot::Scene {
     static constexpr int max_bodies = 6;
     static constexpr bool translates = true;
     static constexpr int max_manifolds = 15;
     using broad_phase = BroadPhase;
+    using solver = Solver;
     using shapes = ingot::Shapes<ingot::Sphere, ingot::Box, ingot::HalfSpace>;
 };
 
@@ -32,10 +33,10 @@ BodyDef standing(const ingot::Shape& shape, scalar x) {
     return def;
 }
 
-template <class BroadPhase>
+template <class S>
 class FrozenInContact : public ::testing::Test {
 protected:
-    using World = ingot::World<Ground<BroadPhase>>;
+    using World = ingot::World<S>;
 
     /// Steps two bodies on the ground, and beside them one that freezes there, or none; gives the two.
     static std::vector<ingot::BodyState> stood(const ingot::Shape& victim_shape, bool with_victim) {
@@ -67,8 +68,8 @@ protected:
     }
 };
 
-using BroadPhases = ::testing::Types<ingot::AllPairs, ingot::SortedTree>;
-TYPED_TEST_SUITE(FrozenInContact, BroadPhases);
+using Grounds = ::testing::Types<Ground<ingot::AllPairs>, Ground<ingot::SortedTree>, Ground<ingot::AllPairs, ingot::DirectIslands<4>>>;
+TYPED_TEST_SUITE(FrozenInContact, Grounds);
 
 TYPED_TEST(FrozenInContact, leaves_others_on_the_ground_as_they_are) {
     const auto alone = this->stood({}, false);

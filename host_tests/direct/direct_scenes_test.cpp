@@ -158,6 +158,46 @@ Gains gains_of(Play<S>& scene, double seconds) {
     return gains;
 }
 
+/// Sliding takes a matrix of two halves: a scene whose matrix has room for one sticks by a direct solve, and slides by sweeps. These leave friction
+/// of such a column unsettled; it slides down, not faster than without friction, and energy does not grow.
+template <int entries_of_row>
+void expect_slides_without_a_matrix() {
+    auto small = play_by<SlidingColumn, DirectIslands<4, entries_of_row>>();
+    const double t = 0.5, free = static_cast<double>(SlidingColumn::gravity.x) * t;
+    EXPECT_EQ(gains_of(small, t).count, 0);
+    EXPECT_TRUE(small.reports().clean());
+    EXPECT_GE(small.reports().unfinished_directly, 20);
+    for (const int body_i : {1, 2}) EXPECT_TRUE(small.v(body_i).x() > 0 && small.v(body_i).x() < free) << body_i;
+}
+
+TEST(DirectIslands, slide_by_sweeps_without_room_for_a_matrix) { expect_slides_without_a_matrix<2>(); }
+TEST(DirectIslands, slide_by_sweeps_without_room_for_its_other_half) { expect_slides_without_a_matrix<4>(); }
+
+/// A heavy plate on a hundred light cubes: a matrix that has room, and takes more work than a step is given.
+struct Table : OnEarth {
+    static constexpr scalar mu = scalar(0.6);
+    static constexpr int legs = 100, body_count = legs + 2;
+    static constexpr PlacedBody body(int body_i) {
+        constexpr scalar half = scalar(0.5);
+        if (body_i == 0) return flat_ground(mu);
+        if (body_i > legs) return solid_box(10000, {10, 10, half}, {scalar(9), scalar(9), scalar(1.5)}, mu);
+        return unit_cube({static_cast<scalar>(2 * ((body_i - 1) % 10)), static_cast<scalar>(2 * ((body_i - 1) / 10)), half}, mu);
+    }
+};
+TEST(DirectIslands, leave_what_takes_too_much_work_to_the_sweeps) {
+    auto scene = play_by<Table, DirectIslands<2 * Table::legs, 6 * Table::legs>>();
+    auto swept = play_by<Table, Sweeps>();
+    const Gains by_choice = gains_of(scene, 0.5), by_sweeps = gains_of(swept, 0.5);
+    figure("largest gain by choice, lifting out what sank in", by_choice.most);
+    figure("largest gain by sweeps", by_sweeps.most);
+    figure("sink of the plate by choice, mm", -1e3 * scene.moved(Table::legs + 1).z());
+    figure("sink of the plate by sweeps, mm", -1e3 * swept.moved(Table::legs + 1).z());
+    EXPECT_LE(by_choice.most, 1.5 * by_sweeps.most);
+    EXPECT_TRUE(scene.reports().clean());
+    EXPECT_EQ(scene.reports().solved_directly, 0);
+    EXPECT_EQ(scene.reports().unfinished_directly, 30);
+}
+
 /// A heavy cube that falls flat on a light one: neither sinks into the other, and energy does not grow.
 struct Landing : MassRatio<1, 1000> {
     static constexpr PlacedBody body(int body_i) {
@@ -208,6 +248,97 @@ TEST(FallingPlanks, gain_no_more_than_by_sweeps) {
     figure("largest gain by sweeps", by_sweeps.most);
     EXPECT_LE(by_choice.most, 1.5 * by_sweeps.most);
     EXPECT_TRUE(chosen.reports().clean());
+}
+
+/// A scene whose ground has the last slot: who cannot move is then the second of its pairs.
+template <class Scene>
+struct GroundLast : Scene {
+    static constexpr PlacedBody body(int body_i) { return Scene::body((body_i + 1) % Scene::body_count); }
+};
+TEST(ChosenSolver, carries_1000_kg_on_1_kg_whichever_slot_the_ground_has) { expect_stands_still<GroundLast<MassRatio<1, 1000>>, ChosenSolver>(); }
+
+/// A column in room for no more than it needs: its contacts share blocks, which changes no bit.
+TEST(ChosenSolver, is_the_same_in_a_room_that_is_just_large_enough) {
+    using Column = MassRatio<9, 1000>;
+    constexpr int contacts = Column::body_count - 1;
+    Play<Room<Column::body_count, ingot::AllPairs, true, contacts, 2 * contacts, ChosenSolver>> tight(bodies_of<Column>(), Column::gravity);
+    auto roomy = play_by<Column, ChosenSolver>();
+    for (int step_i = 0; step_i < 60; ++step_i) {
+        (void)tight.step(h);
+        (void)roomy.step(h);
+        ASSERT_EQ(tight.world().state_hash(), roomy.world().state_hash()) << step_i;
+    }
+    EXPECT_TRUE(tight.reports().clean());
+    EXPECT_GT(tight.reports().solved_directly, 0);
+}
+
+/// A tower is chosen for its height where there is room for it, and is no refusal where there is none.
+TEST(DirectIslands, leave_a_tower_that_is_too_large_to_the_sweeps) {
+    auto small = play_by<Tower<20>, DirectIslands<4>>();
+    auto swept = play_by<Tower<20>, Sweeps>();
+    small.run(h, 1);
+    swept.run(h, 1);
+    EXPECT_EQ(small.world().state_hash(), swept.world().state_hash());
+    EXPECT_EQ(small.reports().solved_directly + small.reports().refused_directly + small.reports().unfinished_directly, 0);
+}
+
+/// A column that has come to rest, and is solved in few substeps for it, is pushed: the heavy cube slides on the light one by the closed form,
+/// which friction holds where it is: with less than 0.5, it does not tip either.
+struct SmoothColumn : MassRatio<1, 1000> {
+    static constexpr scalar mu = scalar(0.25);
+    static constexpr PlacedBody body(int body_i) {
+        PlacedBody placed = MassRatio<1, 1000>::body(body_i);
+        placed.mu = mu;
+        return placed;
+    }
+};
+TEST(DirectIslands, are_woken_by_a_push) {
+    using Column = SmoothColumn;
+    auto scene = play_by<Column, ChosenSolver>();
+    scene.run(h, 1);
+    const double v_0 = 0.5, decelerates = static_cast<double>(Column::mu) * -static_cast<double>(Column::gravity.z);
+    ASSERT_EQ(scene.world().apply_impulse(scene.id(2), {scalar(1000 * v_0), 0, 0}, scene.state(2).r_CM), Status::ok);
+    scene.run(h, 0.4, [&](int step_i) {
+        const double v = std::max(v_0 - decelerates * step_i * static_cast<double>(h), 0.0);
+        EXPECT_NEAR(scene.v(2).x(), v, 1e-5 * v_0) << step_i;
+    });
+    figure("way of the light cube, m", scene.drift(1));
+    EXPECT_NEAR(scene.moved(2).x(), v_0 * v_0 / (2 * decelerates), 1e-3);
+    EXPECT_LE(scene.drift(1), 1e-5);
+    EXPECT_EQ(scene.reports().unfinished_directly, 0);
+}
+
+/// A ball of 1000 kg that bounces, by half, on a cube of 1 kg that does not and stands on the ground: it comes up to a quarter of the height.
+struct BallOnCube : MassRatio<1, 1000> {
+    static constexpr scalar drop = scalar(0.5);
+    static constexpr PlacedBody body(int body_i) {
+        if (body_i < 2) return MassRatio<1, 1000>::body(body_i);
+        PlacedBody ball = solid_ball(1000, scalar(0.5), {0, 0, scalar(1.5) + drop}, mu);
+        ball.def.restitution = scalar(0.5);
+        return ball;
+    }
+};
+TEST(DirectIslands, bounce_on_what_rests) {
+    auto scene = play_by<BallOnCube, ChosenSolver>();
+    const double drop = static_cast<double>(BallOnCube::drop), g = -static_cast<double>(BallOnCube::gravity.z), begin = scene.energy();
+    double top = 0, highest = 0, sink = 0;
+    bool rose = false;
+    scene.run(h, 3, [&](int) {
+        rose = rose || scene.v(2).z() > 0;
+        if (rose) top = std::max(top, scene.r(2).z() - 1.5);
+        highest = std::max(highest, scene.energy());
+        sink = std::max(sink, -scene.moved(1).z());
+    });
+    figure("height of the first bounce, share", top / drop);
+    figure("energy gained, share", highest / begin - 1);
+    figure("worst sink of the cube, mm", 1e3 * sink);
+    const double between_steps = g * static_cast<double>(h * h) / 8;
+    EXPECT_NEAR(top, drop / 4, between_steps + static_cast<double>(ingot::limits::touching_gap));
+    EXPECT_LE(highest, begin * (1 + 1e-4));
+    EXPECT_GT(scene.reports().solved_directly, 0);
+    const double fall = g * std::pow(static_cast<double>(h) / ingot::limits::substeps, 2) / 2;
+    EXPECT_NEAR(scene.r(2).z(), 1.5, 1e-3 * rounding_mm + fall) << "it lies, and hops within substeps";
+    EXPECT_LE(1e3 * scene.deepest_overlap(), rounding_mm);
 }
 
 /// A world that was saved, in either form, goes on as if it had never been left, wherever islands are between the two solvers.

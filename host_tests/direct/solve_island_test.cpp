@@ -11,6 +11,8 @@
 #include <ingot/direct/solve_island.h>
 #include <ingot/ingot.h>
 
+#include <cstring>
+
 #include "reference/contact_reference.h"
 #include "reference/kernel_types.h"
 #include "reference/random_input.h"
@@ -37,6 +39,10 @@ ingot::Vector in_scalar(const Vector3d& v) {
     return {static_cast<scalar>(v.x()), static_cast<scalar>(v.y()), static_cast<scalar>(v.z())};
 }
 
+/// Where bodies of a random island touch: at corners of rectangles that lie anyhow, or right below, along one axis of the world, so that levers
+/// are exact: at four points of a line, at three of a line and one beside it that is apart, or at one under the centre of mass.
+enum class Touch { rectangle, line, line_and_one, centre };
+
 /// Bodies at random that touch at random, slot 0 what cannot move; and the same as a problem for the reference.
 struct RandomIsland {
     static constexpr double h = 1.0 / 240;
@@ -46,7 +52,9 @@ struct RandomIsland {
     ContactProblem problem;
     double fastest = 0;  ///< m/s, that a body or a point of it has
 
-    RandomIsland(RandomInput& random, int body_count, double mu_most, double mass_binades) {
+    Touch touch;
+
+    RandomIsland(RandomInput& random, int body_count, double mu_most, double mass_binades, Touch touch_ = Touch::rectangle) : touch(touch_) {
         problem.h = h;
         storage.slots_used = body_count;
         for (int slot = 0; slot < body_count; ++slot) add_body(random, slot, mass_binades);
@@ -106,10 +114,25 @@ struct RandomIsland {
         record.manifold.n = in_scalar(-n);  // from B, the one above, to A
         const double long_side = random.real(0.1, 0.5), short_side = random.real(0.1, 0.5);
         const double separation = random.integer(0, 4) == 0 ? random.real(0.002, 0.004) : -1e-4;
+        if (touch != Touch::rectangle) {
+            touch_below(record.manifold, B.r_CM, long_side);
+            return;
+        }
         for (int point_i = 0; point_i < record.manifold.count; ++point_i) {
             const double x = record.manifold.count == 1 ? 0 : (point_i & 1) != 0 ? 1 : -1, y = (point_i & 2) != 0 ? 1 : -1;
             const Vector3d P = middle + across * (x * long_side) + n.cross(across) * (y * short_side);
             record.manifold.points[point_i] = {in_scalar(P), static_cast<scalar>(separation), static_cast<uint32_t>(point_i)};
+        }
+    }
+
+    void touch_below(ingot::Manifold& manifold, const Vector3d& r_CM, double side) const {
+        manifold.count = touch == Touch::centre ? 1 : 4;
+        manifold.n = {0, 0, -1};
+        for (int point_i = 0; point_i < manifold.count; ++point_i) {
+            const bool beside = touch == Touch::line_and_one && point_i == 3;
+            const double x = touch == Touch::centre || beside ? 0 : side * (point_i - 1);
+            const Vector3d P = r_CM + Vector3d(x, beside ? side : 0, -0.5);
+            manifold.points[point_i] = {in_scalar(P), scalar(beside ? 0.1 : -1e-4), static_cast<uint32_t>(point_i)};
         }
     }
 
@@ -228,6 +251,83 @@ TEST(DirectIsland, agrees_with_the_exact_solution_without_friction) {
     }
     std::printf("%d of 400 islands without friction solved\n", solved);
     EXPECT_GE(solved, 390);
+}
+
+/// Points of which none, or not all, have an area between them: what some carry can be carried by others in more than one way, and how much of
+/// it is undetermined must not matter.
+TEST(DirectIsland, agrees_with_the_exact_solution_on_points_of_a_line) {
+    RandomInput random(5);
+    for (const Touch touch : {Touch::line, Touch::line_and_one}) {
+        int solved = 0;
+        for (int case_i = 0; case_i < 200; ++case_i) {
+            RandomIsland island(random, random.integer(2, 4), 0, 3, touch);
+            ContactSolution found;
+            if (!island.solve(found)) continue;
+            ++solved;
+            const ContactSolution exact = solve_contacts_without_friction(island.problem);
+            ASSERT_TRUE(exact.converged) << case_i;
+            EXPECT_LE(velocity_distance(island.problem, found, exact), allowance(island)) << case_i;
+        }
+        std::printf("%d of 200 islands on points of a line solved\n", solved);
+        EXPECT_GE(solved, 190);
+    }
+}
+
+/// A second attempt, from what the first found, is taken if it is better, and changes nothing else.
+TEST(DirectIsland, is_left_as_it_is_where_another_attempt_gains_nothing) {
+    RandomInput random(6);
+    int left = 0, taken = 0;
+    for (int case_i = 0; case_i < 100; ++case_i) {
+        RandomIsland island(random, random.integer(2, most_bodies), 1, 3);
+        ContactSolution found;
+        if (!island.solve(found)) continue;
+        for (int root = 1; root < island.solver.body_count; ++root) {
+            if (island.direct.fate[root] != ingot::IslandFate::chosen) continue;
+            ingot::load_rows(island.solver, island.storage.bodies(), island.direct, static_cast<uint16_t>(root));
+            island.direct.work_left = 1 << 24;
+            island.direct.uneven = true;
+            const std::vector<ingot::SolverBody> before(island.solver.bodies, island.solver.bodies + island.solver.body_count);
+            const ingot::IslandFate fate = ingot::solve_island(island.solver, island.direct, static_cast<scalar>(RandomIsland::h), true);
+            ++(fate == ingot::IslandFate::solved ? taken : left);
+            for (std::size_t i = 1; i < before.size() && fate != ingot::IslandFate::solved; ++i)
+                EXPECT_EQ(std::memcmp(&before[i], &island.solver.bodies[i], sizeof before[i]), 0) << case_i;
+            ContactSolution again = found;
+            for (int body_i = 1; body_i < island.direct.body_count; ++body_i) {
+                const ingot::SolverBody& body = island.solver.bodies[island.direct.bodies[body_i].body_i];
+                const std::size_t slot = island.solver.slot_of[island.direct.bodies[body_i].body_i];
+                for (int axis = 0; axis < 3; ++axis) again.v_CM[slot][axis] = static_cast<double>(body.v_CM[axis]);
+                const Vector3d L(static_cast<double>(body.L[0]), static_cast<double>(body.L[1]), static_cast<double>(body.L[2]));
+                again.omega[slot] = island.problem.bodies[slot].inv_I_world * L;
+            }
+            EXPECT_LE(velocity_distance(island.problem, found, again), allowance(island)) << case_i;
+        }
+    }
+    std::printf("%d second attempts taken, %d not\n", taken, left);
+    EXPECT_GT(left, 0);
+}
+
+/// A body at rest, with impulses left over from when it slid: taken back whole, they leave the friction without a direction, and the body at rest.
+TEST(DirectIsland, forgets_how_it_slid) {
+    RandomInput random(7);
+    for (int case_i = 0; case_i < 50; ++case_i) {
+        RandomIsland island(random, 2, 1, 3, Touch::centre);
+        const double N = random.real(0.1, 10);
+        ingot::ContactBlock& block = island.solver.blocks[0];
+        int lane_i = 0;
+        while (block.manifold[lane_i] == ingot::no_manifold) ++lane_i;
+        block.row[0].j[lane_i] = static_cast<scalar>(N);
+        block.friction.j[case_i % 2][lane_i] = static_cast<scalar>(N) * block.mu[lane_i];
+        ingot::SolverBody& body = island.solver.bodies[1];
+        for (int axis = 0; axis < 3; ++axis) body.v_CM[axis] = body.L[axis] = 0;
+        island.direct.free_motion[1] = {};
+        block.row[0].separation[lane_i] = 0;
+        ingot::predict_contacts(island.solver, static_cast<scalar>(RandomIsland::h));
+        ContactSolution found;
+        ASSERT_TRUE(island.solve(found)) << case_i;
+        const double settled = 10 * ingot::limits::direct_settled_speed;
+        EXPECT_LE(found.v_CM[1].norm() + found.omega[1].norm(), settled) << case_i;
+        EXPECT_LE(found.patch_impulse[0].norm() * island.problem.bodies[1].inv_M, settled) << case_i;
+    }
 }
 
 /// With friction a solution need not be the only one: it is one if it keeps the laws.

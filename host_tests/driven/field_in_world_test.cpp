@@ -189,6 +189,30 @@ TEST(Field, has_the_order_of_the_step_that_takes_it) {
     EXPECT_NEAR(order(error_of_spring<Printed>(1024), error_of_spring<Printed>(2048)), 1, 0.3);
 }
 
+/// Listing 1 takes a torque of the field as one that was given: that of the begin of the step, for the whole of it. Of a body that only turns, too.
+struct Winding : ingot::ForceField {
+    static constexpr bool depends_on_velocity = false;
+    ingot::Wrench operator()(const ingot::BodyMotion& at) const {
+        return ingot::Wrench::torque(ingot::splat(ingot::Vector{at.t, 2, 0}));
+    }
+};
+struct Wound : ingot::Scene {
+    using rotation = ingot::Listing1Euler;
+    using force_field = Winding;
+};
+TEST(Field, of_torque_is_that_of_the_begin_for_listing_1) {
+    ingot::World<Wound> world{};
+    ingot::BodyDef def = body(0);
+    def.state = {};
+    const ingot::BodyId id = world.add(def).value;
+    const double h = 1.0 / 64;  // and its multiples: no roundings
+    for (int step_i = 0; step_i < 64; ++step_i) ASSERT_TRUE(ingot::step(world, static_cast<scalar>(h)).clean());
+    const ingot::Vector L = world.state(id).value.L;
+    EXPECT_EQ(static_cast<double>(L.x), h * h * 64 * 63 / 2);
+    EXPECT_EQ(static_cast<double>(L.y), 2);
+    EXPECT_EQ(static_cast<double>(L.z), 0);
+}
+
 /// Drag brings a falling ball to its final speed and the ground stops it: contacts and the field in one step.
 struct Pool : ingot::Scene {
     static constexpr bool translates = true;

@@ -115,6 +115,19 @@ void expect_turning_points(const char* name, int rate) {
     EXPECT_NEAR(found.most, exact.most, 1e-3 + missed) << name;
 }
 
+/// The same flight without the low digits of A: it errs by their roundings more, a few in each step, along each of two turns.
+TEST(HardCases, T2_without_low_digits) {
+    using Plain = ingot::DiscreteMoserVeselov<6, false, true>;
+    static_assert(!Plain::compensates && ingot::MoserVeselov::compensates, "the two differ in this");
+    const TopCase top("looping");
+    const double with = flown<CommutatorFree4>(top, 256), without = flown<CommutatorFree4, Plain>(top, 256);
+    const double steps = 256 * static_cast<double>(top.samples.back().t);
+    std::printf("    looping 256 Hz: attitude %.1e rad with low digits, %.1e without\n", with, without);
+    EXPECT_GE(with, 0);
+    EXPECT_GE(without, 0);
+    EXPECT_LE(without, with + 8 * static_cast<double>(ingot::epsilon) * steps);
+}
+
 TEST(HardCases, T2_nutation) {
     for (const char* name : {"cuspidal", "looping", "wavy"}) {
         expect_turning_points<KickDriftKick>(name, 64);

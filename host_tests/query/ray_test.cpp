@@ -34,6 +34,25 @@ void expect_enters(const PlacedShape& s, const Ray& ray, scalar fraction, const 
     EXPECT_LE(static_cast<double>(n.dot(exact(ray.way))), tolerance) << "out of the body, against the ray";
 }
 
+/// From a point of the surface, to a rounding, inward: it is met there and at no time before the begin.
+TEST(Ray, from_the_surface_of_a_ball_meets_it_at_once) {
+    World<Field> world;
+    (void)world.add(body_of({ingot::Sphere{1}, {}, ingot::identity_matrix<scalar>(), nullptr}));
+    RandomInput random(22);
+    int outside = 0;
+    for (int case_i = 0; case_i < 20000; ++case_i) {
+        const Vector from = to_vector(random.direction());
+        if (!(ingot::length_sq(from) > 1)) continue;
+        ++outside;
+        const Result<QueryHit> hit = world.cast_ray(from, from * scalar(-100));
+        ASSERT_TRUE(hit.ok() && hit.value.found()) << case_i;
+        EXPECT_GE(hit.value.fraction, 0) << case_i;
+        EXPECT_LE(static_cast<double>(hit.value.fraction) * 100, tolerance) << case_i;
+        EXPECT_NEAR(static_cast<double>((exact(hit.value.n) - exact(from)).norm()), 0, tolerance) << case_i;
+    }
+    EXPECT_GT(outside, 500);
+}
+
 TEST(Ray, enters_each_shape_where_the_oracle_does) {
     RandomInput random(21);
     int met[8] = {}, missed[8] = {}, inside[8] = {};

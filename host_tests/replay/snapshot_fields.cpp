@@ -13,7 +13,7 @@ namespace {
 class Reader {
 public:
     Reader(const std::vector<uint8_t>& bytes, size_t from, size_t to, SnapshotFields& into)
-        : next_(bytes.data() + from), end_(bytes.data() + to), into_(into) {}
+        : begin_(bytes.data()), next_(begin_ + from), end_(begin_ + to), into_(into) {}
 
     void at_slot(int slot) { slot_ = slot; }
 
@@ -31,6 +31,7 @@ public:
 private:
     uint64_t add(const std::string& name, unsigned size, bool is_real) {
         overrun_ = overrun_ || static_cast<size_t>(end_ - next_) < size;
+        const size_t offset = static_cast<size_t>(next_ - begin_);
         uint64_t bits = 0;
         for (unsigned byte_i = 0; byte_i < size && !overrun_; ++byte_i) bits |= static_cast<uint64_t>(*next_++) << (8 * byte_i);
         SnapshotField field;
@@ -38,12 +39,15 @@ private:
         field.name = name;
         field.is_real = is_real;
         field.bits = bits;
+        field.offset = offset;
+        field.size = size;
         into_.fields.push_back(field);
         return bits;
     }
 
+    const uint8_t* const begin_;
     const uint8_t* next_;
-    const uint8_t* end_;
+    const uint8_t* const end_;
     SnapshotFields& into_;
     int slot_ = -1;
     bool overrun_ = false;

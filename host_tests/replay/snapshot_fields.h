@@ -2,6 +2,7 @@
 // The numbers of a portable snapshot by name, without knowing its scene.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -13,6 +14,8 @@ struct SnapshotField {
     std::string name;  ///< as in the kernel: "L.y", "gravity.z", "generation"
     bool is_real = false;
     uint64_t bits = 0;
+    std::size_t offset = 0;  ///< from the begin of the snapshot, bytes
+    unsigned size = 0;  ///< bytes
 
     /// As a number; that of a float or double if it is_real.
     double value(bool doubles) const;

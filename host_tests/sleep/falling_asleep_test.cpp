@@ -121,12 +121,14 @@ TEST(FallingAsleep, what_rolls_faster_than_the_limit_rolls_on_and_what_is_slower
 
 TEST(FallingAsleep, without_gravity_only_what_stands_still_sleeps) {
     std::vector<PlacedBody> bodies = {solid_ball(1, scalar(0.5), {}, 0), solid_ball(1, scalar(0.5), {5, 0, 0}, 0),
-                                      solid_ball(1, scalar(0.5), {10, 0, 0}, 0)};
+                                      solid_ball(1, scalar(0.5), {10, 0, 0}, 0), solid_ball(1, scalar(0.5), {15, 0, 0}, 0)};
     bodies[0].move({scalar(1e-6), 0, 0});
     bodies[1].move({}, {0, 0, scalar(1e-20)});
-    Play<Bedroom<3>> play(bodies, {});
+    bodies[3].move({0, scalar(1e-6), 0});
+    Play<Bedroom<4>> play(bodies, {});
     play.run(h, 2);
     EXPECT_FALSE(play.world().is_asleep(play.id(0))) << "it drifts";
+    EXPECT_FALSE(play.world().is_asleep(play.id(3))) << "it drifts";
     EXPECT_FALSE(play.world().is_asleep(play.id(1))) << "it turns";
     EXPECT_TRUE(play.world().is_asleep(play.id(2)));
     EXPECT_EQ(play.state(0).v_CM.x, scalar(1e-6));

@@ -87,7 +87,39 @@ TEST_F(TwoTowers, refused_calls_change_no_byte) {
     EXPECT_EQ(world().set_gravity(OnEarth::gravity), Status::ok) << "gravity as it is";
     EXPECT_EQ(world().set_state(id(0), BodyState{{}, {1, 0, 0}, ingot::identity_matrix<scalar>(), {}}), Status::immovable);
     EXPECT_EQ(world().remove(stale), Status::stale_id);
+    EXPECT_EQ(world().collide(id(1), id(4), {nan, 0, 0}, {1, 0, 0}, 0).status, Status::not_finite);
+    const ingot::Result<scalar> none = world().collide(id(4), id(1), {scalar(1.5), 0, scalar(0.5)}, {1, 0, 0}, 0);
+    EXPECT_TRUE(none.ok() && none.value == 0) << "a collision of what is at rest";
     EXPECT_TRUE(same_world(world(), before));
+}
+
+TEST_F(TwoTowers, gravity_that_turns_wakes_all) {
+    static ingot::World<S> before;
+    copy_world(before, world());
+    for (const Vector& more : {Vector{1, 0, 0}, Vector{0, 1, 0}, Vector{0, 0, 1}}) {
+        copy_world(world(), before);
+        ASSERT_EQ(world().set_gravity(OnEarth::gravity + more), Status::ok);
+        EXPECT_EQ(world().asleep_count(), 0);
+    }
+}
+
+/// A cube that freezes where it stands is no more asleep than awake: nobody can wake it, and what it stood on can be moved without it.
+TEST_F(TwoTowers, one_that_freezes_is_left_out) {
+    ASSERT_EQ(world().wake(id(1)), Status::ok);
+    ASSERT_EQ(world().add_torque(id(1), {0, 0, ingot::limits::torque_max}), Status::ok);
+    EXPECT_EQ(play.step(h).bodies_frozen, 1);
+    ASSERT_TRUE(world().is_frozen(id(1)));
+    EXPECT_FALSE(world().is_asleep(id(1)));
+    EXPECT_EQ(world().wake(id(1)), Status::frozen);
+    EXPECT_EQ(world().sleep(id(1)), Status::frozen);
+    const BodyState frozen = play.state(1);
+    ASSERT_EQ(awake_in(1), 0);
+    ASSERT_EQ(world().set_state(id(0), play.state(0)), Status::ok);
+    EXPECT_EQ(awake_in(1), 3) << "the other tower's ground was moved";
+    play.run(h, 2);
+    EXPECT_TRUE(same_bits(play.state(1), frozen));
+    EXPECT_TRUE(world().is_asleep(id(2)) && world().is_asleep(id(3))) << "on the frozen one";
+    EXPECT_EQ(awake_in(1), 0);
 }
 
 TEST_F(TwoTowers, another_gravity_wakes_all_and_what_is_up_falls_down) {

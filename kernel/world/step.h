@@ -165,6 +165,8 @@ StepReport step(World<S>& world, scalar h) {
             solver.manifold_count = *moving.count;
         }
         storage.template solve_contacts<has_events<S>, S::bounces>(solver, bodies, storage.gravity, h, storage.impact_notes(), report);
+        if constexpr (S::sleeps)
+            if (*moving.count == 0) report.sweeps = 0;  // over none: a world that was loaded asleep tells what the one that was saved tells
         if constexpr (S::sleeps && has_events<S>) spread_notes(manifolds, moving.pairs, *moving.count, storage.notes);
         if constexpr (has_events<S>) tell_events(storage, report);
 
