@@ -24,10 +24,11 @@ using ingot::EventKind;
 using ingot::PlacedShape;
 using ingot::QueryFilter;
 
-/// Two bodies, by their ids.
+/// Two bodies, by their ids, and which of their shapes.
 struct Pair {
     BodyId A, B;
-    bool operator==(const Pair& other) const { return A == other.A && B == other.B; }
+    int shape_A, shape_B;
+    bool operator==(const Pair& other) const { return A == other.A && B == other.B && shape_A == other.shape_A && shape_B == other.shape_B; }
 };
 
 /// Pairs in no order.
@@ -78,7 +79,8 @@ private:
         typename Base::Known known;
         Pairs touching, inside;
         bool events_whole;     ///< none was lost since the world was empty
-        bool sensor[N];        ///< by slot
+        bool sensor[N][S::max_shapes_of_body];  ///< by slot and shape
+        bool only_senses[N];   ///< all its shapes are sensors
         scalar mass[N];        ///< kg, by slot; 0: immovable
         bool isotropic[N];     ///< turning it changes no energy
         Materials<S> materials;
@@ -139,8 +141,10 @@ private:
     }
 
     /// One shape, or several where the scene has them: then the first is def.shape where it would be, and others of that surface are about it.
-    Result<BodyId> add_shapes(const BodyDef& def, int& shape_count, [[maybe_unused]] Bytes& in) {
+    /// Of a sensor that has several, some are.
+    Result<BodyId> add_shapes(const BodyDef& def, int& shape_count, bool* sensors, [[maybe_unused]] Bytes& in) {
         shape_count = def.shape.kind == ShapeKind::none ? 0 : 1;
+        sensors[0] = def.sensor;
         if constexpr (S::max_shapes_of_body > 1) {
             ingot::ShapeDef parts[S::max_shapes_of_body];
             const int count = 1 + in.byte() % S::max_shapes_of_body;
@@ -151,9 +155,11 @@ private:
                 if (i > 0 && (in.byte() & 1u) != 0) parts[i].A = in.orientation();
                 parts[i].restitution = def.restitution;
                 parts[i].friction = def.friction;
+                sensors[i] = parts[i].sensor = def.sensor && (in.byte() & 1u) == 0;
             }
             BodyDef bare = def;
             bare.shape = {};
+            bare.sensor = false;
             const Result<BodyId> added = world_.add(bare, parts, count);
             this->demand_added(added, def);
             shape_count = count;
@@ -172,16 +178,23 @@ private:
 
     void add(BodyDef& def, Bytes& in) {
         const uint8_t surface = in.byte();
-        def.restitution = (surface & 1u) != 0 ? magnitude(in.number(1)) : scalar(0);
+        const bool bounces = (surface & 1u) != 0 && (S::bounces || in.byte() == 255);  // where nothing may, it is refused
+        def.restitution = bounces ? magnitude(in.number(1)) : scalar(0);
         def.friction = (surface & 2u) != 0 ? magnitude(in.number(2)) : scalar(0.5);
         if (S::filters && (surface & 12u) == 12u) def.filter = {in.byte() & 7u, in.byte() & 7u};
         def.sensor = S::max_overlaps > 0 && (surface & 112u) == 112u;
         int shape_count = 0;
-        const Result<BodyId> added = add_shapes(def, shape_count, in);
+        bool sensors[S::max_shapes_of_body] = {};
+        const Result<BodyId> added = add_shapes(def, shape_count, sensors, in);
         if (!added.ok()) return;
+        demand(S::bounces || def.restitution == 0, "where nothing bounces, nothing is added that does");
         const int slot = added.value.slot;
         state_.materials.begin_body(slot, shape_count);
-        state_.sensor[slot] = def.sensor;
+        state_.only_senses[slot] = shape_count > 0;
+        for (int i = 0; i < S::max_shapes_of_body; ++i) {
+            state_.sensor[slot][i] = sensors[i];
+            if (i < shape_count && !sensors[i]) state_.only_senses[slot] = false;
+        }
         state_.mass[slot] = def.immovable ? 0 : def.mass.M;
         state_.isotropic[slot] = def.mass.I_body.x == def.mass.I_body.y && def.mass.I_body.y == def.mass.I_body.z;
         state_.bounces = state_.bounces || def.restitution > 0;
@@ -403,7 +416,11 @@ private:
                 const ingot::OverlapInfo overlap = world_.overlap(i).value;
                 see_all(overlap.sensor, overlap.visitor);
                 demand_meet(overlap.sensor, overlap.visitor);
-                demand(state_.sensor[overlap.sensor.slot] && !state_.sensor[overlap.visitor.slot], "a body that is none is in a sensor");
+                demand(overlap.sensor_shape >= 0 && overlap.sensor_shape < S::max_shapes_of_body && overlap.visitor_shape >= 0 &&
+                           overlap.visitor_shape < S::max_shapes_of_body,
+                       "an overlap names shapes of its bodies");
+                demand(state_.sensor[overlap.sensor.slot][overlap.sensor_shape] && !state_.sensor[overlap.visitor.slot][overlap.visitor_shape],
+                       "a body that is none is in a sensor");
             }
         }
     }
@@ -423,7 +440,7 @@ private:
             static const int order[] = {2, 0, 4, 3, 1};  // of begin, end, hit, enter, leave
             int order_before = 0;
             for (const Event& event : events) {
-                see_all(event.kind, event.A, event.B, event.P, event.n, event.speed);
+                see_all(event.kind, event.A, event.B, event.shape_A, event.shape_B, event.P, event.n, event.speed);
                 const int now = order[static_cast<int>(event.kind)];
                 demand(now >= order_before, "events come in their order");
                 order_before = now;
@@ -435,19 +452,21 @@ private:
                 demand(state_.inside.count == world_.overlap_count(), "who entered a sensor and did not leave is in it");
                 for (int i = 0; i < world_.overlap_count(); ++i) {
                     const ingot::OverlapInfo overlap = world_.overlap(i).value;
-                    demand(state_.inside.find({overlap.sensor, overlap.visitor}) >= 0, "who is in a sensor has entered");
+                    const Pair pair = {overlap.sensor, overlap.visitor, overlap.sensor_shape, overlap.visitor_shape};
+                    demand(state_.inside.find(pair) >= 0, "who is in a sensor has entered");
                 }
             }
         }
     }
 
     void demand_event(const Event& event) {
-        const Pair pair = {event.A, event.B};
+        const Pair pair = {event.A, event.B, event.shape_A, event.shape_B};
+        demand(event.shape_A < S::max_shapes_of_body && event.shape_B < S::max_shapes_of_body, "an event names shapes of its bodies");
         const bool of_sensor = event.kind == EventKind::enter || event.kind == EventKind::leave;
         const bool ends = event.kind == EventKind::end || event.kind == EventKind::leave;
         if (!ends) demand_meet(event.A, event.B);
         if (!ends && !of_sensor) {
-            demand(!state_.sensor[event.A.slot] && !state_.sensor[event.B.slot], "sensors touch nothing");
+            demand(!state_.sensor[event.A.slot][event.shape_A] && !state_.sensor[event.B.slot][event.shape_B], "sensors touch nothing");
             demand(ingot::is_finite(event.P) && ingot::is_finite(event.speed) && event.speed >= 0, "events have finite places and speeds");
             demand(magnitude(ingot::length_sq(event.n) - 1) <= 64 * ingot::epsilon, "the normal of an event is of unit length");
             demand(event.kind != EventKind::hit || event.speed > S::hit_speed, "hits are fast");
@@ -489,7 +508,14 @@ private:
 
     /// Updates of a body in a step: normals, twist and friction, of all its manifolds, in sweeps and their extrapolations, and no more warm
     /// starts and kicks than sweeps. Waves of impacts have sweeps of their own; direct solves, at most direct_sets_max a substep.
+    ///
+    /// Solved point by point, a sweep visits a manifold once: rounds_of_points over its normals, friction, and the extrapolation. A twist does not
+    /// update v. A substep that begins with the change of the one before begins with its roundings too: each counts up to once a substep.
     static double updates_in(const StepReport& report) {
+        if constexpr (ingot::solves_pointwise<S>) {
+            constexpr int visit = limits::rounds_of_points * ingot::Manifold::points_max + 4;  // of the four, two are warm start and kick
+            return double{limits::substeps} * visit * report.sweeps * report.contacts;
+        }
         const int direct = ingot::solves_directly<S> ? limits::substeps * limits::direct_sets_max : 0;
         const int rounds = report.sweeps + report.impact_waves * limits::sweeps_of_few + direct;
         return 4.0 * rounds * 3 * (N - 1) * S::max_shapes_of_body * S::max_shapes_of_body;
@@ -504,7 +530,7 @@ private:
     /// Energy: with e = 0 an exact solve gives -j.K j / 2. The sweeps leave rows that are off by what the last one corrected, no more than
     /// settled_speed_of_few and 4 epsilon of the fastest where it was not the last allowed, times the rows beside it: four
     /// normals, twist and friction, and two of rolling resistance, whose turns count by the radius that makes a speed of them. That speed, times all
-    /// impulses there can be, is what they may give. Surfaces that move may give any energy.
+    /// impulses there can be, is what they may give. Surfaces that move may give any energy. For PointSweeps see off_by.
     ///
     /// A step begins with the impulses of the one before, which may have changed no speed at all: those that held a load that is gone, or
     /// that the bodies have been stopped since. Sweeps take them back, with the rounding of what they were. So the step before counts too,
@@ -536,12 +562,25 @@ private:
         const double updates = updates_in(report);
         const double rounding = updates * 2 * static_cast<double>(ingot::epsilon) * size;
         for (int axis = 0; axis < 3; ++axis) demand(!(__builtin_fabs(is.P[axis] - was.P[axis]) > rounding), "contacts keep the momentum");
-        if (!quiet || driven || report.sweeps >= limits::sweeps_of_few) return;
+        if (!quiet || driven || report.sweeps >= (ingot::solves_pointwise<S> ? limits::sweeps_of_points : limits::sweeps_of_few)) return;
         const double fastest = __builtin_sqrt(2 * was.kinetic / lightest);
-        constexpr int rows = S::rolling_resistance ? 8 : 6;
-        const double off = (static_cast<double>(limits::settled_speed_of_few) + 4 * static_cast<double>(ingot::epsilon) * fastest) * rows * (N - 1);
-        const double given = limits::substeps * off * size + updates * 2 * static_cast<double>(ingot::epsilon) * was.kinetic;
+        const double given = limits::substeps * off_by(report, fastest) * size + updates * 2 * static_cast<double>(ingot::epsilon) * was.kinetic;
         demand(!(is.kinetic - was.kinetic > given), "contacts give no energy");
+    }
+
+    /// m/s, that the last sweep leaves rows off by; `fastest`: m/s, what a body can go at.
+    ///
+    /// PointSweeps leave alone what is off by ignored_speed, and correct the rows beside it by no more than settled_speed_of_points in the last
+    /// sweep, each normal once in each of the rounds. To both, what 4 epsilon of the fastest makes.
+    static double off_by(const StepReport& report, double fastest) {
+        const double rounding = 4 * static_cast<double>(ingot::epsilon) * fastest;
+        if constexpr (ingot::solves_pointwise<S>) {
+            constexpr int rows = limits::rounds_of_points * ingot::Manifold::points_max + 2;
+            return (static_cast<double>(limits::settled_speed_of_points) + rounding) * rows * report.contacts +
+                   static_cast<double>(limits::ignored_speed) + rounding;
+        }
+        constexpr int rows = S::rolling_resistance ? 8 : 6;
+        return (static_cast<double>(limits::settled_speed_of_few) + rounding) * rows * (N - 1);
     }
 
     // Queries.
@@ -605,7 +644,7 @@ private:
     void demand_seen(BodyId id, const QueryFilter& filter) const {
         demand(world_.is_alive(id), "a query finds the living");
         demand(id != filter.except, "a query leaves out whom it is told to");
-        demand(filter.sensors || !state_.sensor[id.slot], "a query sees sensors when it is told to");
+        demand(filter.sensors || !state_.only_senses[id.slot], "a query sees sensors when it is told to");
         if constexpr (S::filters) demand(ingot::meet(world_.filter(id).value, filter.filter), "a query finds whom its filter lets");
     }
 
@@ -622,7 +661,7 @@ private:
 
     static World<S> kept_;
     static State kept_state_;
-    State state_ = {{}, {}, {}, true, {}, {}, {}, {}, false, false, 0, false, false, 0};
+    State state_ = {{}, {}, {}, true, {}, {}, {}, {}, {}, false, false, 0, false, false, 0};
 };
 
 template <class S>

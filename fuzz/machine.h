@@ -252,12 +252,14 @@ protected:
         }
         demand(report.bodies_frozen == frozen, "every body that froze is reported");
         demand(report.spins_clamped <= movable, "at most every body is clamped");
-        // Of contacts with friction, in every substep; calm steps that are calm no more begin again, with all of theirs.
+        // Of contacts with friction, in every substep; calm steps that are calm no more begin again, with all of theirs, but for those of points.
         // A body that is followed has as many again at each of its impacts.
-        constexpr int substeps = (limits::calm_substeps + limits::substeps) * (S::continuous ? limits::impacts_in_step_max + 1 : 1);
+        constexpr int begun_again = ingot::solves_pointwise<S> ? 0 : limits::calm_substeps;
+        constexpr int substeps = (begun_again + limits::substeps) * (S::continuous ? limits::impacts_in_step_max + 1 : 1);
         const int waves_max = ingot::stacks<S> ? substeps * limits::impacts_of_contact * report.contacts : limits::impact_waves_max;
         demand(report.impact_waves <= waves_max, "waves are bounded");
-        const int sweeps_max = ingot::stacks<S> ? substeps * limits::sweeps_of_few : limits::contact_sweeps_max * (limits::impact_waves_max + 1);
+        const int in_a_substep = ingot::solves_pointwise<S> ? limits::sweeps_of_points : limits::sweeps_of_few;
+        const int sweeps_max = ingot::stacks<S> ? substeps * in_a_substep : limits::contact_sweeps_max * (limits::impact_waves_max + 1);
         demand(report.sweeps <= sweeps_max, "sweeps are bounded");
         demand(report.sweeps_unfinished <= report.impact_waves + 1, "at most every solve is unfinished");
         // With friction, a substep that leaves some contacts has had impacts_of_contact waves for each of them; fast bodies wait beside that.
