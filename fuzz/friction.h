@@ -3,7 +3,8 @@
 //
 //   Events pair up: what begins was apart, what ends had begun, hits and begins are of bodies that live and may meet; the overlaps are those
 //   that entered and did not leave.
-//   Where nothing but contacts acts, they keep the momentum; where no impact bounces either, they give no energy.
+//   Where nothing but contacts acts, they keep the momentum, and solved point by point that of momentum too; where no impact bounces either, they
+//   give no energy.
 //   Queries find the living that their filter names, at finite places within their reach, on a surface.
 //   A snapshot saves as the bytes it was loaded from, in the middle of a pile too, and steps to the bytes of the world that was never saved.
 //   A world that is copied back is the world it was.
@@ -82,6 +83,8 @@ private:
         bool sensor[N][S::max_shapes_of_body];  ///< by slot and shape
         bool only_senses[N];   ///< all its shapes are sensors
         scalar mass[N];        ///< kg, by slot; 0: immovable
+        double reach[N];       ///< m, by slot, of its shapes from its centre of mass
+        double inertia[N];     ///< kg m^2, by slot, no less than about any axis
         bool isotropic[N];     ///< turning it changes no energy
         Materials<S> materials;
         bool bounces, pushed;  ///< some body has restitution; a force is due in the next step
@@ -140,11 +143,21 @@ private:
         return in.any_shape();
     }
 
+    /// What a body is made of.
+    struct Build {
+        int shape_count;
+        bool sensor[S::max_shapes_of_body];
+        double reach;  ///< m, from its centre of mass
+    };
+    static double reach_of(const Shape& shape, const Vector& r) {
+        if (shape.kind == ShapeKind::half_space) return __builtin_inf();
+        return __builtin_sqrt(static_cast<double>(ingot::length_sq(r))) + static_cast<double>(ingot::bounding_radius(shape));
+    }
+
     /// One shape, or several where the scene has them: then the first is def.shape where it would be, and others of that surface are about it.
     /// Of a sensor that has several, some are.
-    Result<BodyId> add_shapes(const BodyDef& def, int& shape_count, bool* sensors, [[maybe_unused]] Bytes& in) {
-        shape_count = def.shape.kind == ShapeKind::none ? 0 : 1;
-        sensors[0] = def.sensor;
+    Result<BodyId> add_shapes(const BodyDef& def, Build& body, [[maybe_unused]] Bytes& in) {
+        body = {def.shape.kind == ShapeKind::none ? 0 : 1, {def.sensor}, reach_of(def.shape, {})};
         if constexpr (S::max_shapes_of_body > 1) {
             ingot::ShapeDef parts[S::max_shapes_of_body];
             const int count = 1 + in.byte() % S::max_shapes_of_body;
@@ -155,14 +168,16 @@ private:
                 if (i > 0 && (in.byte() & 1u) != 0) parts[i].A = in.orientation();
                 parts[i].restitution = def.restitution;
                 parts[i].friction = def.friction;
-                sensors[i] = parts[i].sensor = def.sensor && (in.byte() & 1u) == 0;
+                body.sensor[i] = parts[i].sensor = def.sensor && (in.byte() & 1u) == 0;
+                const double reach = reach_of(parts[i].shape, parts[i].r);
+                body.reach = reach > body.reach ? reach : body.reach;
             }
             BodyDef bare = def;
             bare.shape = {};
             bare.sensor = false;
             const Result<BodyId> added = world_.add(bare, parts, count);
             this->demand_added(added, def);
-            shape_count = count;
+            body.shape_count = count;
             return added;
         } else {
             return Base::add(def);
@@ -183,18 +198,19 @@ private:
         def.friction = (surface & 2u) != 0 ? magnitude(in.number(2)) : scalar(0.5);
         if (S::filters && (surface & 12u) == 12u) def.filter = {in.byte() & 7u, in.byte() & 7u};
         def.sensor = S::max_overlaps > 0 && (surface & 112u) == 112u;
-        int shape_count = 0;
-        bool sensors[S::max_shapes_of_body] = {};
-        const Result<BodyId> added = add_shapes(def, shape_count, sensors, in);
+        Build body{};
+        const Result<BodyId> added = add_shapes(def, body, in);
         if (!added.ok()) return;
         demand(S::bounces || def.restitution == 0, "where nothing bounces, nothing is added that does");
         const int slot = added.value.slot;
-        state_.materials.begin_body(slot, shape_count);
-        state_.only_senses[slot] = shape_count > 0;
+        state_.materials.begin_body(slot, body.shape_count);
+        state_.only_senses[slot] = body.shape_count > 0;
         for (int i = 0; i < S::max_shapes_of_body; ++i) {
-            state_.sensor[slot][i] = sensors[i];
-            if (i < shape_count && !sensors[i]) state_.only_senses[slot] = false;
+            state_.sensor[slot][i] = body.sensor[i];
+            if (i < body.shape_count && !body.sensor[i]) state_.only_senses[slot] = false;
         }
+        state_.reach[slot] = body.reach;
+        state_.inertia[slot] = static_cast<double>(def.mass.I_body.x + def.mass.I_body.y + def.mass.I_body.z);
         state_.mass[slot] = def.immovable ? 0 : def.mass.M;
         state_.isotropic[slot] = def.mass.I_body.x == def.mass.I_body.y && def.mass.I_body.y == def.mass.I_body.z;
         state_.bounces = state_.bounces || def.restitution > 0;
@@ -562,11 +578,45 @@ private:
         const double updates = updates_in(report);
         const double rounding = updates * 2 * static_cast<double>(ingot::epsilon) * size;
         for (int axis = 0; axis < 3; ++axis) demand(!(__builtin_fabs(is.P[axis] - was.P[axis]) > rounding), "contacts keep the momentum");
+        if constexpr (ingot::solves_pointwise<S>) demand_moment(size, is.kinetic > was.kinetic ? is.kinetic : was.kinetic, updates);
         if (!quiet || driven || report.sweeps >= (ingot::solves_pointwise<S> ? limits::sweeps_of_points : limits::sweeps_of_few)) return;
         const double fastest = __builtin_sqrt(2 * was.kinetic / lightest);
         const double given = limits::substeps * off_by(report, fastest) * size + updates * 2 * static_cast<double>(ingot::epsilon) * was.kinetic;
         demand(!(is.kinetic - was.kinetic > given), "contacts give no energy");
     }
+
+    /// What contacts give is given at one point to both, with levers as they were at the begin of the step: the sum over the bodies of
+    /// r_CM x M (change of v_CM) + (change of L) is 0 but for rounding. `size` and `kinetic` as in Balance.
+    ///
+    /// An update gives a body up to 2 sqrt(2 E M). v_CM rounds as above, with r_CM as its lever. A lever P - r_CM rounds once, the moment of it by
+    /// two products and their difference: 6 half epsilons are more than both. P is no further off than two bodies are apart, and a reach of its own
+    /// and two of whom it is deep in. L, up to 2 sqrt(2 E I), rounds once.
+    void demand_moment(double size, double kinetic, double updates) const {
+        double sum[3] = {}, away = 0, reach = 0, spin = 0;
+        for (int slot = 0; slot < N; ++slot) {
+            const Result<BodyState> was = before_.state(world_.body_at(slot)), is = world_.state(world_.body_at(slot));
+            if (!is.ok()) continue;
+            const double M = static_cast<double>(state_.mass[slot]);
+            double r[3], p[3], r_size_sq = 0;
+            for (int axis = 0; axis < 3; ++axis) {
+                r[axis] = in_double(was.value.r_CM, axis);
+                p[axis] = M * (in_double(is.value.v_CM, axis) - in_double(was.value.v_CM, axis));
+                r_size_sq += r[axis] * r[axis];
+            }
+            for (int axis = 0; axis < 3; ++axis) {
+                const int next = (axis + 1) % 3, last = (axis + 2) % 3;
+                sum[axis] += r[next] * p[last] - r[last] * p[next] + in_double(is.value.L, axis) - in_double(was.value.L, axis);
+            }
+            away = r_size_sq > away * away ? __builtin_sqrt(r_size_sq) : away;
+            reach = state_.reach[slot] > reach ? state_.reach[slot] : reach;
+            spin += __builtin_sqrt(2 * kinetic * state_.inertia[slot]);
+        }
+        if (fuzz_fault == 19) sum[0] += 0.1 * size * away;
+        const double eps = static_cast<double>(ingot::epsilon);
+        const double rounding = updates * eps * (2 * size * away + 3 * 2 * size * (2 * away + 3 * reach) + spin);
+        for (const double off : sum) demand(!(__builtin_fabs(off) > rounding), "contacts keep the angular momentum");
+    }
+    static double in_double(const Vector& v, int axis) { return static_cast<double>(axis == 0 ? v.x : axis == 1 ? v.y : v.z); }
 
     /// m/s, that the last sweep leaves rows off by; `fastest`: m/s, what a body can go at.
     ///
@@ -661,7 +711,7 @@ private:
 
     static World<S> kept_;
     static State kept_state_;
-    State state_ = {{}, {}, {}, true, {}, {}, {}, {}, {}, false, false, 0, false, false, 0};
+    State state_ = {{}, {}, {}, true, {}, {}, {}, {}, {}, {}, {}, false, false, 0, false, false, 0};
 };
 
 template <class S>
