@@ -256,7 +256,8 @@ protected:
         // A body that is followed has as many again at each of its impacts.
         constexpr int begun_again = ingot::solves_pointwise<S> ? 0 : limits::calm_substeps;
         constexpr int substeps = (begun_again + limits::substeps) * (S::continuous ? limits::impacts_in_step_max + 1 : 1);
-        const int waves_max = ingot::stacks<S> ? substeps * limits::impacts_of_contact * report.contacts : limits::impact_waves_max;
+        const int waves_of_stacks = ingot::solves_pointwise<S> ? 0 : substeps * limits::impacts_of_contact * report.contacts;
+        const int waves_max = ingot::stacks<S> ? waves_of_stacks : limits::impact_waves_max;
         demand(report.impact_waves <= waves_max, "waves are bounded");
         const int in_a_substep = ingot::solves_pointwise<S> ? limits::sweeps_of_points : limits::sweeps_of_few;
         const int sweeps_max = ingot::stacks<S> ? substeps * in_a_substep : limits::contact_sweeps_max * (limits::impact_waves_max + 1);
