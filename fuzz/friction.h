@@ -8,12 +8,14 @@
 //   A snapshot saves as the bytes it was loaded from, in the middle of a pile too, and steps to the bytes of the world that was never saved.
 //   A world that is copied back is the world it was.
 //   Who sleeps is at rest, and keeps its bits until it is awake.
+//   Surfaces keep what they are told, rolling resistance and a velocity, and nobody else's; such a call is taken within its range.
 //
 // fuzz_fault breaks a promise: 1 to 5 are those of machine.h, 11 and on are its own.
 #pragma once
 
 #include "fuzz_world.h"
 #include "machine.h"
+#include "materials.h"
 
 namespace fuzz { inline namespace INGOT_ABI {
 
@@ -79,18 +81,28 @@ private:
         bool sensor[N];        ///< by slot
         scalar mass[N];        ///< kg, by slot; 0: immovable
         bool isotropic[N];     ///< turning it changes no energy
+        Materials<S> materials;
         bool bounces, pushed;  ///< some body has restitution; a force is due in the next step
         int manifolds;         ///< of the step before
         bool loaded;           ///< something but contacts acted in it
+        bool driven;           ///< some surface moved
         double size;           ///< kg m/s, of it: see Balance
     };
 
-    /// Scenes with sleep have three calls more.
-    static constexpr unsigned calls = S::sleeps ? 29 : 26;
+    /// Scenes with sleep have three calls more, and after those, scenes whose surfaces roll or move two.
+    static constexpr unsigned calls_of_sleep = S::sleeps ? 29 : 26;
+    static constexpr unsigned calls = calls_of_sleep + (ingot::has_materials<S> ? 2 : 0);
 
     void call(Bytes& in) {
         const uint8_t op = in.byte();
-        switch (op % calls) {
+        if (op % calls >= calls_of_sleep)
+            set_material(in);
+        else
+            call(op % calls, in);
+        state_.materials.demand_kept(world_);
+    }
+    void call(unsigned op, Bytes& in) {
+        switch (op) {
             case 16: case 17: add_near(in); break;
             case 18: build(in); break;
             case 19: ask(in); break;
@@ -99,10 +111,10 @@ private:
             case 22: through_a_snapshot(in); break;
             case 23: replace(in); break;
             case 24: case 25: this->step(in); break;
-            case 26: case 27: case 28: sleep(op % calls, in); break;
+            case 26: case 27: case 28: sleep(op, in); break;
             default:
-                if (op % calls == 4 || op % calls == 12 || op % calls == 13) state_.pushed = true;
-                Base::call(static_cast<uint8_t>(op % calls), in);
+                if (op == 4 || op == 12 || op == 13) state_.pushed = true;
+                Base::call(static_cast<uint8_t>(op), in);
                 break;
         }
     }
@@ -127,7 +139,8 @@ private:
     }
 
     /// One shape, or several where the scene has them: then the first is def.shape where it would be, and others of that surface are about it.
-    Result<BodyId> add_shapes(const BodyDef& def, [[maybe_unused]] Bytes& in) {
+    Result<BodyId> add_shapes(const BodyDef& def, int& shape_count, [[maybe_unused]] Bytes& in) {
+        shape_count = def.shape.kind == ShapeKind::none ? 0 : 1;
         if constexpr (S::max_shapes_of_body > 1) {
             ingot::ShapeDef parts[S::max_shapes_of_body];
             const int count = 1 + in.byte() % S::max_shapes_of_body;
@@ -143,6 +156,7 @@ private:
             bare.shape = {};
             const Result<BodyId> added = world_.add(bare, parts, count);
             this->demand_added(added, def);
+            shape_count = count;
             return added;
         } else {
             return Base::add(def);
@@ -162,9 +176,11 @@ private:
         def.friction = (surface & 2u) != 0 ? magnitude(in.number(2)) : scalar(0.5);
         if (S::filters && (surface & 12u) == 12u) def.filter = {in.byte() & 7u, in.byte() & 7u};
         def.sensor = S::max_overlaps > 0 && (surface & 112u) == 112u;
-        const Result<BodyId> added = add_shapes(def, in);
+        int shape_count = 0;
+        const Result<BodyId> added = add_shapes(def, shape_count, in);
         if (!added.ok()) return;
         const int slot = added.value.slot;
+        state_.materials.begin_body(slot, shape_count);
         state_.sensor[slot] = def.sensor;
         state_.mass[slot] = def.immovable ? 0 : def.mass.M;
         state_.isotropic[slot] = def.mass.I_body.x == def.mass.I_body.y && def.mass.I_body.y == def.mass.I_body.z;
@@ -236,6 +252,49 @@ private:
         }
     }
 
+    // Surfaces.
+
+    /// Rolling resistance or a velocity, of a shape that there is as a rule.
+    void set_material([[maybe_unused]] Bytes& in) {
+        if constexpr (ingot::has_materials<S>) {
+            const uint8_t kind = in.byte();
+            const int shape_i = kind < 192 ? kind % S::max_shapes_of_body : static_cast<int>(in.raw<int8_t>());
+            const bool moves = S::surface_velocities && (!S::rolling_resistance || (kind & 1u) != 0);
+            edit(in, [&](BodyId id) {
+                const Status status = moves ? set_belt(id, shape_i, in.vector(8)) : set_lever(id, shape_i, scalar(0.25) + in.number(scalar(0.25)));
+                if constexpr (S::sleeps) demand(status != Status::ok || !world_.is_asleep(id), "whose surface changes is awake");
+                return status;
+            });
+        }
+    }
+    Status set_lever(BodyId id, int shape_i, scalar lever) {
+        if constexpr (S::rolling_resistance) {
+            const Status status = world_.set_rolling_resistance(id, lever, shape_i);
+            demand_taken(status, id, shape_i, lever);
+            if (status == Status::ok) state_.materials.lever[id.slot * S::max_shapes_of_body + shape_i] = lever;
+            if (fuzz_fault == 16 && status == Status::ok) (void)world_.set_rolling_resistance(id, lever / 2, shape_i);
+            return status;
+        }
+        return Status::ok;
+    }
+    Status set_belt(BodyId id, int shape_i, const Vector& velocity) {
+        if constexpr (S::surface_velocities) {
+            const Status status = world_.set_surface_velocity(id, velocity, shape_i);
+            demand_taken(status, id, shape_i, velocity);
+            if (status == Status::ok) state_.materials.belt[id.slot * S::max_shapes_of_body + shape_i] = velocity;
+            if (fuzz_fault == 17 && status == Status::ok) (void)world_.set_surface_velocity(id, velocity * scalar(0.5), shape_i);
+            return status;
+        }
+        return Status::ok;
+    }
+    template <class Number>
+    void demand_taken(Status status, BodyId id, int shape_i, const Number& number) const {
+        Status due = state_.materials.status_of(world_, id, shape_i);
+        if (due == Status::ok) due = state_.materials.status_of(number);
+        if (fuzz_fault == 18 && due == Status::not_finite) due = Status::out_of_range;
+        demand(status == due, "what a surface is told is taken within its range");
+    }
+
     // Time.
 
     /// Keeps the world, or goes back to the one that was kept.
@@ -260,6 +319,7 @@ private:
             demand(same_bytes(&world_, &before_, sizeof world_), "saving changes nothing");
             demand(ingot::load_snapshot(twin_, bytes, saved.value) == Status::ok, "what was saved can be loaded");
             expect_same_snapshot(bytes, again, saved.value, "what was loaded saves as the same bytes");
+            state_.materials.demand_kept(twin_);
 
             const scalar h = in.step_length();
             StepReport report = ingot::step(world_, h);
@@ -302,7 +362,8 @@ private:
         }
     }
 
-    void demand_sleep() {
+    /// In a step as long as sleep_time an island may wake, move and fall asleep again.
+    void demand_sleep([[maybe_unused]] scalar h) {
         if constexpr (S::sleeps) {
             for (int slot = 0; slot < N; ++slot) {
                 const BodyId id = world_.body_at(slot);
@@ -313,13 +374,13 @@ private:
                 BodyState is = world_.state(id).value;
                 if (fuzz_fault == 15) is.v_CM.x = 1;
                 demand(Base::is_zero(is.v_CM) && Base::is_zero(is.L), "who sleeps is at rest");
-                demand(!before_.is_asleep(id) || same_bytes(&was, &is, sizeof is), "who sleeps keeps its bits");
+                demand(h >= S::sleep_time || !before_.is_asleep(id) || same_bytes(&was, &is, sizeof is), "who sleeps keeps its bits");
             }
         }
     }
 
     /// After each step.
-    void stepped(const StepReport& report, scalar) {
+    void stepped(const StepReport& report, scalar h) {
         demand(ingot::is_finite(report.residual) && report.residual >= 0, "the residual is a speed");
         constexpr int pairs_max = N * (N - 1) / 2 * S::max_shapes_of_body * S::max_shapes_of_body;
         demand(report.contacts + report.contacts_lost <= pairs_max, "a pair has one manifold");
@@ -329,7 +390,7 @@ private:
         state_.manifolds = report.contacts;
         demand_overlaps(report);
         demand_events(report);
-        demand_sleep();
+        demand_sleep(h);
         demand_balance(report);
         state_.pushed = false;
     }
@@ -409,7 +470,7 @@ private:
 
     /// Sums before or after a step, in double.
     struct Balance {
-        double P[3], kinetic, size;  ///< kg m/s, J, and sum of sqrt(2 E M) + approach_slack M, kg m/s
+        double P[3], kinetic, size;  ///< kg m/s, J, and sum of sqrt(2 E M) + (approach_slack + 2 w) M, kg m/s, w of the fastest surface
     };
     Balance balance_of(const World<S>& world) const {
         Balance sum{};
@@ -421,7 +482,7 @@ private:
             sum.P[0] += M * static_cast<double>(s.value.v_CM.x);
             sum.P[1] += M * static_cast<double>(s.value.v_CM.y);
             sum.P[2] += M * static_cast<double>(s.value.v_CM.z);
-            sum.size += __builtin_sqrt(2 * sum.kinetic * M) + static_cast<double>(limits::approach_slack) * M;
+            sum.size += __builtin_sqrt(2 * sum.kinetic * M) + (static_cast<double>(limits::approach_slack) + 2 * state_.materials.fastest()) * M;
         }
         return sum;
     }
@@ -439,9 +500,11 @@ private:
     /// Each update of v rounds twice, by half an epsilon of the fastest a body of the energy can be; a sweep that has not ended may be twice
     /// that fast.
     /// Of bodies at rest the rounding of a target makes sweeps that push at up to approach_slack, and take it back.
+    /// Two surfaces that move at w draw what they touch by up to 2 w, and a row by the mass of the lighter at most.
     /// Energy: with e = 0 an exact solve gives -j.K j / 2. The sweeps leave rows that are off by what the last one corrected, no more than
-    /// settled_speed_of_few and 4 epsilon of the fastest where it was not the last allowed, times the rows beside it. That speed, times all impulses
-    /// there can be, is what they may give.
+    /// settled_speed_of_few and 4 epsilon of the fastest where it was not the last allowed, times the rows beside it: four
+    /// normals, twist and friction, and two of rolling resistance, whose turns count by the radius that makes a speed of them. That speed, times all
+    /// impulses there can be, is what they may give. Surfaces that move may give any energy.
     ///
     /// A step begins with the impulses of the one before, which may have changed no speed at all: those that held a load that is gone, or
     /// that the bodies have been stopped since. Sweeps take them back, with the rounding of what they were. So the step before counts too,
@@ -460,10 +523,11 @@ private:
             lightest = M < lightest ? M : lightest;
         }
         Balance was = balance_of(before_), is = balance_of(world_);
-        const bool was_loaded = state_.loaded;
+        const bool was_loaded = state_.loaded, driven = state_.driven || state_.materials.fastest() > 0;
         double size = was.size > is.size ? was.size : is.size;
         const double size_before = state_.size;
         state_.loaded = !isolated;
+        state_.driven = state_.materials.fastest() > 0;
         state_.size = size;
         if (size_before > size) size = size_before;
         if (!isolated || was_loaded || report.contacts == 0) return;
@@ -472,9 +536,10 @@ private:
         const double updates = updates_in(report);
         const double rounding = updates * 2 * static_cast<double>(ingot::epsilon) * size;
         for (int axis = 0; axis < 3; ++axis) demand(!(__builtin_fabs(is.P[axis] - was.P[axis]) > rounding), "contacts keep the momentum");
-        if (!quiet || report.sweeps >= limits::sweeps_of_few) return;
+        if (!quiet || driven || report.sweeps >= limits::sweeps_of_few) return;
         const double fastest = __builtin_sqrt(2 * was.kinetic / lightest);
-        const double off = (static_cast<double>(limits::settled_speed_of_few) + 4 * static_cast<double>(ingot::epsilon) * fastest) * 6 * (N - 1);
+        constexpr int rows = S::rolling_resistance ? 8 : 6;
+        const double off = (static_cast<double>(limits::settled_speed_of_few) + 4 * static_cast<double>(ingot::epsilon) * fastest) * rows * (N - 1);
         const double given = limits::substeps * off * size + updates * 2 * static_cast<double>(ingot::epsilon) * was.kinetic;
         demand(!(is.kinetic - was.kinetic > given), "contacts give no energy");
     }
@@ -557,7 +622,7 @@ private:
 
     static World<S> kept_;
     static State kept_state_;
-    State state_ = {{}, {}, {}, true, {}, {}, {}, false, false, 0, false, 0};
+    State state_ = {{}, {}, {}, true, {}, {}, {}, {}, false, false, 0, false, false, 0};
 };
 
 template <class S>

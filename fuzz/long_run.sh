@@ -12,7 +12,7 @@ set -u
 folder=$1
 runs=$2
 seconds=${3:-0}
-targets=${4:-numbers hull contacts drift world lanes snapshot friction rooms}
+targets=${4:-numbers hull contacts drift world lanes snapshot friction rooms materials}
 here=$(dirname "$0")
 found=0
 printf '%-12s %14s %12s %9s\n' target executions per_second findings

@@ -14,8 +14,9 @@ set(sleep_may base math body collide pairs contact)
 set(query_may base math body collide)
 set(solve_may base math body collide)
 set(blocks_may base math body collide pairs contact)
+set(points_may base math body collide pairs contact)
 set(direct_may base math body collide pairs contact blocks)
-set(world_may base math body motion collide query pairs contact solve blocks direct sleep fast)
+set(world_may base math body motion collide query pairs contact solve blocks points direct sleep fast)
 set(fast_may base math body motion collide pairs contact blocks)
 set(freestanding "stdint\\.h|stddef\\.h|float\\.h|limits\\.h")
 
@@ -34,6 +35,8 @@ set(solve_shares contact_rows impulse)
 set(blocks_shares block_solve contact_block block_rows solver_body solver_view material_view conjugate_gradients move_bodies note_impulses order_manifolds
   predict_contacts prepare_blocks prepare_materials row_flight sequence_impacts solve_velocities
   sweep_positions sweep_velocities warm_start)
+# solve_points conducts the stages of its substeps, and point_sweeps names it to scenes.
+set(points_shares point_view point_rows move_point_bodies sweep_points solve_points)
 # solve_directly conducts the stages, and calls the others of its room.
 set(direct_shares direct_view hold_energy island_rows islands normal_set sliding factor_rows solve_island solve_directly)
 

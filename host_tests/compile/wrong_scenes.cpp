@@ -122,8 +122,24 @@ struct Wrong : ingot::Scene {
 #ifdef NOTHING_BOUNCES_WITHOUT_CONTACTS
     static constexpr bool bounces = false;
 #endif
-#ifdef SMALL_WITHOUT_CONTACTS
-    static constexpr bool small = true;
+#ifdef POINT_SWEEPS_WITHOUT_CONTACTS
+    static constexpr bool bounces = false;
+    using solver = ingot::PointSweeps;
+#endif
+#ifdef POINT_SWEEPS_THAT_BOUNCE
+    static constexpr bool translates = true;
+    static constexpr int max_manifolds = 4;
+    using solver = ingot::PointSweeps;
+#endif
+#ifdef POINT_SWEEPS_OF_FAST_BODIES
+    static constexpr bool translates = true, bounces = false, continuous = true;
+    static constexpr int max_manifolds = 4;
+    using solver = ingot::PointSweeps;
+#endif
+#ifdef POINT_SWEEPS_OF_BELTS
+    static constexpr bool translates = true, bounces = false, surface_velocities = true;
+    static constexpr int max_manifolds = 4;
+    using solver = ingot::PointSweeps;
 #endif
 #ifdef NOTHING_BOUNCES_DIRECTLY
     static constexpr int max_manifolds = 4;

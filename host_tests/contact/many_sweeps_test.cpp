@@ -10,6 +10,8 @@
 #include <ingot/blocks/sweep_velocities.h>
 #include <ingot/blocks/warm_start.h>
 #include <ingot/body/auxiliary.h>
+#include <ingot/points/move_point_bodies.h>
+#include <ingot/points/sweep_points.h>
 
 #include "contact/play.h"
 #include "reference/contact_reference.h"
@@ -230,6 +232,94 @@ double sum_by_lanes(const ingot::SolverView& solver) {
     for (int position = 0; position < solver.lane_count; ++position)
         if (solver.order[position] != ingot::no_manifold) sum += static_cast<double>(solver.blocks[position / lanes].change[position % lanes]);
     return sum;
+}
+
+/// The light solver on a pile, whose bodies have the velocities of the problem.
+struct LightPile {
+    std::vector<ingot::PointBody> bodies;
+    std::vector<ingot::PointContact> contacts;
+    ingot::PointView view;
+
+    explicit LightPile(Twins& twins)
+        : bodies(twins.pile.rotation.size() * lanes), contacts(twins.pile.pairs.size()),
+          view{twins.pile.pairs.data(), twins.pile.records.data(), static_cast<int>(twins.pile.pairs.size()), bodies.data(), contacts.data(), 0} {
+        ingot::take_in_bodies(view, twins.pile.view(), {}, static_cast<scalar>(h));
+        for (std::size_t slot = 1; slot < twins.problem.bodies.size(); ++slot) {
+            const ContactBody& body = twins.problem.bodies[slot];
+            bodies[slot].velocity = {ingot_reference::to_vector(body.v_CM), ingot_reference::to_vector(body.omega),
+                                     ingot_reference::to_vector(Eigen::Vector3d(body.inv_I_world.inverse() * body.omega))};
+        }
+        ingot::begin_contacts(view, 1, static_cast<scalar>(h));
+    }
+    /// Sweeps, joined by conjugate gradients or not; returns what the last still changed, m/s.
+    double sweep(int sweeps, bool joined) {
+        ingot::SweepOfPoints made{};
+        scalar before = 0;
+        for (int sweep_i = 1; sweep_i <= sweeps; ++sweep_i) {
+            made = ingot::sweep_point_velocities(view, sweep_i % 2 != 0, 0);
+            if (joined && sweep_i < sweeps) ingot::go_on_along(view, sweep_i > 1 && before > 0 && made.size <= before ? made.size / before : 0);
+            before = made.size;
+        }
+        return static_cast<double>(made.fastest);
+    }
+    ContactSolution solution() const {
+        ContactSolution found;
+        for (const ingot::PointBody& body : bodies) {
+            const bool moves = body.inv_M > 0;
+            found.v_CM.push_back(moves ? to_eigen(body.velocity.linear) : Eigen::Vector3d::Zero());
+            found.omega.push_back(moves ? to_eigen(body.velocity.angular) : Eigen::Vector3d::Zero());
+        }
+        return found;
+    }
+};
+
+/// The light solver's rows lead there too. Point by point these piles shrink by 0.99 and faster, and what points and bodies round is as much more.
+void expect_points_meet_the_exact_solution(double mu_max) {
+    RandomInput random(8);
+    double worst = 0, worst_share = 0;
+    int compared = 0;
+    for (int pile_i = 0; pile_i < 60; ++pile_i) {
+        Twins twins = random_pile(random, mu_max);
+        const ContactSolution exact = ingot_reference::solve_contacts(twins.problem, reference_tolerance);
+        if (!exact.converged) continue;
+        LightPile light(twins);
+        const double residual = light.sweep(2000, false);
+        const double bound = (residual + 4 * static_cast<double>(ingot::epsilon)) / (1 - 0.99) + reference_tolerance;
+        const double distance = ingot_reference::velocity_distance(twins.problem, exact, light.solution());
+        worst = std::max(worst, distance);
+        worst_share = std::max(worst_share, distance / bound);
+        EXPECT_LE(distance, bound) << "pile " << pile_i << " of " << twins.pile.bodies << " bodies, residual " << residual;
+        ++compared;
+    }
+    figure("piles", compared);
+    figure("largest distance, m/s", worst);
+    figure("largest share of its bound", worst_share);
+    EXPECT_GT(compared, 40);
+}
+TEST(ManySweepsOfPoints, without_friction_lead_to_the_exact_solution) { expect_points_meet_the_exact_solution(0); }
+TEST(ManySweepsOfPoints, with_friction_lead_to_the_exact_solution) { expect_points_meet_the_exact_solution(0.4); }
+
+/// As many sweeps as a substep may have, with conjugate gradients, are nearer to it than without.
+TEST(ManySweepsOfPoints, with_conjugate_gradients_lead_there_sooner) {
+    RandomInput random(9);
+    double sum[2] = {0, 0};
+    int compared = 0;
+    for (int pile_i = 0; pile_i < 40; ++pile_i) {
+        const Twins twins = random_pile(random, 0);
+        const ContactSolution exact = ingot_reference::solve_contacts(twins.problem, reference_tolerance);
+        if (!exact.converged) continue;
+        for (const bool joined : {false, true}) {
+            Twins own = twins;
+            LightPile light(own);
+            (void)light.sweep(ingot::limits::sweeps_of_points, joined);
+            sum[joined] += std::log(ingot_reference::velocity_distance(twins.problem, exact, light.solution()) + 1e-7);
+        }
+        ++compared;
+    }
+    figure("mean distance, m/s", std::exp(sum[0] / compared));
+    figure("the same with conjugate gradients, m/s", std::exp(sum[1] / compared));
+    EXPECT_LT(sum[1], sum[0]);
+    EXPECT_GT(compared, 25);
 }
 
 /// The extrapolations of conjugate gradients lead to the same end, and sooner.

@@ -135,6 +135,8 @@ int main() {
                             run<scenes::Tower10>("tower_10"),
                             run<scenes::TenBoxesRow>("ten_boxes_row"),
                             run<scenes::TenBoxesColumn>("ten_boxes_column"),
+                            run<scenes::LightPile>("light_pile"),
+                            keep<scenes::LightPile>("snapshot_light_pile"),
                             run<scenes::Playground>("playground"),
                             run<scenes::Pyramid55>("pyramid_55"),
                             run<scenes::MixedPile>("mixed_pile"),

@@ -32,7 +32,8 @@ struct Tower10 : Stacked<11, 10> {
 struct TenBoxesBudget : Stacked<11, 10> {
     static constexpr bool bounces = false;
     static constexpr bool renews_manifolds = false;
-    static constexpr bool small = true;
+    using solver = ingot::PointSweeps;
+    using rotation = ingot::LieMidpoint;
 };
 struct TenBoxesRow : TenBoxesBudget {
     static constexpr const char* name = "ten_boxes_row";
@@ -45,6 +46,29 @@ struct TenBoxesColumn : TenBoxesBudget {
     static constexpr const char* title = "ten cubes in one column, as small as can be";
     static constexpr int golden_steps = 120;
     static constexpr PlacedBody body(int body_i) { return TenBoxes<true>::body(body_i); }
+};
+
+/// Boxes and balls fall into a pit, solved point by point: impacts, what slides and spins, manifolds that come and go, rest.
+struct LightPile : Stacked<13, 48> {
+    using shapes = ingot::Shapes<ingot::Sphere, ingot::Box, ingot::HalfSpace>;
+    using solver = ingot::PointSweeps;
+    static constexpr bool bounces = false;
+    static constexpr const char* name = "light_pile";
+    static constexpr const char* title = "boxes and balls fall into a pit, solved point by point";
+    static constexpr int golden_steps = 180;
+    static constexpr scalar side = scalar(1.6);
+
+    static constexpr PlacedBody body(int body_i) {
+        if (body_i < 5) return pit_wall(body_i, side, scalar(0.5));
+        const int piece_i = body_i - 5;
+        const Vector r = {(scalar(piece_i % 2) - scalar(0.5)) * scalar(0.7), scalar(0.1) * scattered(piece_i, 0), scalar(0.5) + scalar(piece_i / 2)};
+        const scalar size = scalar(0.25) + scalar(0.05) * scattered(piece_i, 1);
+        if (piece_i % 3 == 0) return solid_ball(1, size, r, scalar(0.5));
+        PlacedBody box = solid_box(scalar(1 + piece_i % 2), {size, size * scalar(0.75), size * scalar(0.5)}, r, scalar(0.5));
+        box.turn(scattered_rotation(piece_i));
+        box.move({}, {0, 0, 3});
+        return box;
+    }
 };
 
 /// A wall of 55 cubes: ten in the lowest row.
@@ -190,6 +214,7 @@ ingot::Status set_up_placed(ingot::World<S>& world) {
 inline ingot::Status set_up(ingot::World<Tower10>& world) { return set_up_placed(world); }
 inline ingot::Status set_up(ingot::World<TenBoxesRow>& world) { return set_up_placed(world); }
 inline ingot::Status set_up(ingot::World<TenBoxesColumn>& world) { return set_up_placed(world); }
+inline ingot::Status set_up(ingot::World<LightPile>& world) { return set_up_placed(world); }
 inline ingot::Status set_up(ingot::World<Pyramid55>& world) { return set_up_placed(world); }
 inline ingot::Status set_up(ingot::World<MassRatio1e6>& world) { return set_up_placed(world); }
 inline ingot::Status set_up(ingot::World<Tower20>& world) { return set_up_placed(world); }

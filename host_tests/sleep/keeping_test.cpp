@@ -189,6 +189,22 @@ TEST(Kept, the_hash_of_the_state_tells_who_sleeps_and_for_how_long_others_were_s
     EXPECT_NE(world.state_hash(), awake);
 }
 
+// A step of a world at rest does nothing; the first after loading makes bounds, and must not tell of it.
+TEST(Kept, a_world_that_was_loaded_asleep_reports_what_the_saved_one_does) {
+    static ingot::World<Slept> world, loaded;
+    put_to_sleep(world);
+    const std::vector<uint8_t> bytes = saved(world);
+    ASSERT_EQ(ingot::load_snapshot(loaded, bytes.data(), bytes.size()), Status::ok);
+    const ingot::StepReport of_saved = ingot::step(world, h), of_loaded = ingot::step(loaded, h);
+    ASSERT_EQ(loaded.asleep_count(), 3);
+    EXPECT_EQ(of_loaded.contacts, 3);
+    EXPECT_EQ(of_saved.contacts, 3);
+    EXPECT_EQ(of_loaded.sweeps, 0);
+    EXPECT_EQ(of_saved.sweeps, 0);
+    EXPECT_EQ(of_loaded.residual, of_saved.residual);
+    EXPECT_EQ(saved(loaded), saved(world));
+}
+
 TEST(Kept, a_snapshot_of_a_sleeper_that_moves_is_refused) {
     static ingot::World<Slept> world, other;
     put_to_sleep(world);

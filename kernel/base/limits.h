@@ -106,6 +106,19 @@ inline constexpr scalar bounce_speed_min = scalar(0.01);    ///< m/s; slower imp
 /// digits in float.
 inline constexpr scalar block_diagonal = scalar(1.01);
 
+// Contacts solved point by point (points/).
+inline constexpr int sweeps_of_points = 16;  ///< of a substep, at most
+inline constexpr int rounds_of_points = 4;   ///< over the normals of a manifold in a visit, at most: with 1 a column of ten drifts by millimetres
+inline constexpr int rounds_of_pushes = 4;   ///< of the sweep over positions, where something is off
+/// m/s; settled_speed there. Less is not to be had: rows at rest round by half of it in a column of ten.
+inline constexpr scalar settled_speed_of_points = scalar(1e-6);
+/// m/s; a row that is off by no more is left alone, which at rest are nearly all. A slip may go on so: 1 um in 10 s.
+inline constexpr scalar ignored_speed = scalar(1e-7);
+inline constexpr scalar settled_gap_of_points = scalar(1e-6);  ///< m; settled_gap there: what rounding makes of separations ten metres up
+/// Of the sum of the two compliances across n: no less than 3/4 of the greater, so that friction converges. Where they are equal each visit leaves
+/// a third of the slip.
+inline constexpr scalar friction_stiffening = scalar(0.75);
+
 // The direct solver (direct/).
 inline constexpr scalar direct_mass_ratio = 50;             ///< across one contact, from which sweeps do not carry the load in time
 inline constexpr int direct_levels = 15;                    ///< of bodies on each other, from which sweeps let a tower lean

@@ -55,10 +55,10 @@ struct Collected {
     scalar n[3][lanes], P[block_rows][3][lanes], used[block_rows][lanes], separation[block_rows][lanes];
 };
 
-/// Names the manifolds and bodies of a block of at least so many rows, and collects them. A body that is 0 to the solver is all zero here too;
+/// Names the manifolds and bodies of a block, and collects them. A body that is 0 to the solver is all zero here too;
 /// between two of them there is nothing to solve: the lane is as if it had no points.
-void collect(const SolverView& solver, const BodyView& bodies, int block_i, int rows, ContactBlock& block, Collected& in) {
-    block.rows = rows;
+void collect(const SolverView& solver, const BodyView& bodies, int block_i, ContactBlock& block, Collected& in) {
+    block.rows = 1;
     for (int lane_i = 0; lane_i < lanes; ++lane_i) {
         const uint16_t manifold_i = solver.order[block_i * lanes + lane_i];
         const ManifoldRecord& record = record_of(solver, manifold_i);
@@ -247,11 +247,10 @@ void recall(const SolverView& solver, ContactBlock& block, int lane_i, const Man
 }
 
 /// Returns how many of its manifolds are central.
-template <class View>
-int prepare_block(const View& solver, const BodyView& bodies, int block_i) {
+int prepare_block(const SolverView& solver, const BodyView& bodies, int block_i) {
     ContactBlock& block = solver.blocks[block_i];
     Collected in{};
-    collect(solver, bodies, block_i, View::small ? block_rows : 1, block, in);
+    collect(solver, bodies, block_i, block, in);
     const LaneContacts contacts = vectors_of(in, block.rows);
     store(block.inv_M_A, contacts.A.inv_M);
     store(block.inv_M_B, contacts.B.inv_M);
@@ -259,7 +258,7 @@ int prepare_block(const View& solver, const BodyView& bodies, int block_i) {
     store(block.t_1, contacts.t_1);
     store(block.t_2, contacts.t_2);
 
-    const int central_count = !View::small && block.rows == 1 ? prepare_normals<1>(block, contacts) : prepare_normals<block_rows>(block, contacts);
+    const int central_count = block.rows == 1 ? prepare_normals<1>(block, contacts) : prepare_normals<block_rows>(block, contacts);
     const Middle middle = middle_of(contacts, block.rows);
     prepare_friction(block.friction, contacts, middle.P);
     prepare_twist(block.twist, contacts, middle.radius);
@@ -269,13 +268,10 @@ int prepare_block(const View& solver, const BodyView& bodies, int block_i) {
 
 }  // namespace
 
-template <class View>
-void prepare_blocks(View& solver, const BodyView& bodies) {
+void prepare_blocks(SolverView& solver, const BodyView& bodies) {
     solver.central_count = 0;
     for (int block_i = 0; block_i < solver.block_count; ++block_i) solver.central_count += prepare_block(solver, bodies, block_i);
 }
-template void prepare_blocks(SolverView&, const BodyView&);
-template void prepare_blocks(SmallView&, const BodyView&);
 
 void remember_impulses(const SolverView& solver) {
     constexpr scalar substeps_max = limits::substeps_kept;

@@ -7,10 +7,7 @@ namespace ingot { inline namespace INGOT_ABI {
 
 /// Fills the rows of every manifold from its geometry and the bodies' masses, and finds the impulses of the step before by the features
 /// of the points, and counts those that are central. Cost: about 900 flops and 11 divisions a manifold.
-///
-/// With a SmallView, here and where blocks are swept, all have four rows.
-template <class View>
-void prepare_blocks(View& solver, const BodyView& bodies);
+void prepare_blocks(SolverView& solver, const BodyView& bodies);
 
 /// Keeps the impulses for the next step.
 void remember_impulses(const SolverView& solver);

@@ -219,7 +219,6 @@ bool sequence_impacts(const View& solver, scalar h, ImpactNote* notes, StepRepor
 
 // The linker takes the one that the scene calls.
 template bool sequence_impacts(const SolverView&, scalar, ImpactNote*, StepReport&);
-template bool sequence_impacts(const SmallView&, scalar, ImpactNote*, StepReport&);
 template bool sequence_impacts(const RollingView&, scalar, ImpactNote*, StepReport&);
 template bool sequence_impacts(const BeltView&, scalar, ImpactNote*, StepReport&);
 template bool sequence_impacts(const RollingBeltView&, scalar, ImpactNote*, StepReport&);

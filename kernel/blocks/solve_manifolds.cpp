@@ -22,7 +22,7 @@ template <bool notes_impulses, bool bounces, class View>
 void solve_substeps(View& solver, const BodyView& bodies, const SweepPlan& plan, scalar h_step, ImpactNote* notes, StepReport& report) {
     solver.substeps = plan.substeps;
     solver.calm = true;
-    prepare_blocks<typename View::Plain>(solver, bodies);
+    prepare_blocks(solver, bodies);
     if constexpr (View::rolls) prepare_rolling(solver, bodies, solver.rolling, solver.rolling_records);
     if constexpr (View::drives) prepare_belts(solver, solver.belts, solver.belt_velocities);
     if constexpr (notes_impulses) clear_impulse_notes(solver, notes);
@@ -38,11 +38,11 @@ void solve_substeps(View& solver, const BodyView& bodies, const SweepPlan& plan,
         if constexpr (View::rolls)
             warm_start(solver, h);
         else
-            warm_start<typename View::Plain>(solver, h);
+            warm_start<SolverView>(solver, h);
         count(report.sweeps, solve_velocities(solver, plan, report.residual));
         if constexpr (notes_impulses) note_impulses(solver, notes);
         drift_bodies(solver, bodies, h);
-        sweep_positions<typename View::Plain>(solver, h);
+        sweep_positions(solver, h);
     }
 }
 
@@ -69,7 +69,6 @@ void solve_manifolds(View& solver, const BodyView& bodies, const Vector& gravity
     template void solve_manifolds<true, false>(View&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&);          \
     template void solve_manifolds<true, true>(View&, const BodyView&, const Vector&, scalar, ImpactNote*, StepReport&)
 INGOT_VIEW(SolverView);
-INGOT_VIEW(SmallView);
 INGOT_VIEW(RollingView);
 INGOT_VIEW(BeltView);
 INGOT_VIEW(RollingBeltView);

@@ -61,7 +61,6 @@ int solve_velocities(const View& solver, const SweepPlan& plan, scalar& residual
 
 // The linker takes the one that the scene calls.
 template int solve_velocities(const SolverView&, const SweepPlan&, scalar&);
-template int solve_velocities(const SmallView&, const SweepPlan&, scalar&);
 template int solve_velocities(const RollingView&, const SweepPlan&, scalar&);
 template int solve_velocities(const BeltView&, const SweepPlan&, scalar&);
 template int solve_velocities(const RollingBeltView&, const SweepPlan&, scalar&);

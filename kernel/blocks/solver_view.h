@@ -16,8 +16,6 @@ struct Visit {
 
 struct SolverView {
     static constexpr bool rolls = false, drives = false;  ///< see material_view.h
-    static constexpr bool small = false;
-    using Plain = SolverView;  ///< for stages that do not ask what surfaces are made of
 
     const BodyPair* pairs;     ///< that touch, sorted by slots
     ManifoldRecord* records;   ///< of the pairs
@@ -44,12 +42,6 @@ struct SolverView {
     bool some_hit;             ///< a body was hit in the substep before
     int substeps;              ///< of this step: limits::substeps, or limits::calm_substeps
     bool calm;                 ///< nothing that touches has accelerated in this step
-};
-
-/// Of a scene that is `small`: all blocks have four rows, so that no code is linked for those that need but one. The same bits.
-struct SmallView : SolverView {
-    static constexpr bool small = true;
-    using Plain = SmallView;
 };
 
 /// Impulses are kept as they are in a step of limits::substeps substeps; a longer one has so many times as much.

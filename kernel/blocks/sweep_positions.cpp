@@ -80,16 +80,15 @@ INGOT_INLINE void visit_central_positions(const SolverView& solver, ContactBlock
 
 }  // namespace
 
-template <class View>
-void sweep_positions(const View& solver, scalar h) {
+void sweep_positions(const SolverView& solver, scalar h) {
     for (int visit_i = 0; visit_i < solver.visit_count; ++visit_i) {
         const Visit visit = solver.visits[visit_i];
         ContactBlock& block = solver.blocks[visit.block];
-        if (!View::small && block.central) {
+        if (block.central) {
             visit_central_positions(solver, block, visit.lane_bits, h);
             continue;
         }
-        if (!View::small && block.rows == 1) {
+        if (block.rows == 1) {
             (void)visit_positions<1>(solver, block, visit.lane_bits, h, false);
             continue;
         }
@@ -98,8 +97,5 @@ void sweep_positions(const View& solver, scalar h) {
             lands = visit_positions<block_rows>(solver, block, visit.lane_bits, h, push_i > 0);
     }
 }
-
-template void sweep_positions(const SolverView&, scalar);
-template void sweep_positions(const SmallView&, scalar);
 
 } }  // namespace ingot

@@ -144,7 +144,7 @@ scalar sweep_velocities(const View& solver, int sweep_i, bool up, scalar stirrin
     for (int visit_i = 0; visit_i < solver.visit_count; ++visit_i) {
         const Visit visit = solver.visits[up ? visit_i : solver.visit_count - 1 - visit_i];
         ContactBlock& block = solver.blocks[visit.block];
-        if (!View::small && block.rows == 1)
+        if (block.rows == 1)
             visit_velocities<1>(solver, visit.block, block, visit.lane_bits, sweep_i, stirring, residual);
         else
             visit_velocities<block_rows>(solver, visit.block, block, visit.lane_bits, sweep_i, stirring, residual);
@@ -157,7 +157,6 @@ scalar sweep_velocities(const View& solver, int sweep_i, bool up, scalar stirrin
 
 // The linker takes the one that the scene calls.
 template scalar sweep_velocities(const SolverView&, int, bool, scalar);
-template scalar sweep_velocities(const SmallView&, int, bool, scalar);
 template scalar sweep_velocities(const RollingView&, int, bool, scalar);
 template scalar sweep_velocities(const BeltView&, int, bool, scalar);
 template scalar sweep_velocities(const RollingBeltView&, int, bool, scalar);

@@ -106,7 +106,7 @@ void warm_start(const View& solver, scalar h) {
         const Visit visit = solver.visits[visit_i];
         ContactBlock& block = solver.blocks[visit.block];
         const bool whole = is_all(visit.lane_bits);
-        if (!View::small && block.rows == 1)
+        if (block.rows == 1)
             whole ? warm_start_visit<1, true>(solver, visit.block, block, visit.lane_bits, h)
                   : warm_start_visit<1, false>(solver, visit.block, block, visit.lane_bits, h);
         else
@@ -117,7 +117,6 @@ void warm_start(const View& solver, scalar h) {
 
 // The linker takes the one that the scene calls. Belts have no impulses of their own.
 template void warm_start(const SolverView&, scalar);
-template void warm_start(const SmallView&, scalar);
 template void warm_start(const RollingView&, scalar);
 template void warm_start(const RollingBeltView&, scalar);
 

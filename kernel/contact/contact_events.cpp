@@ -79,7 +79,8 @@ Event event_of(EventKind kind, const PairOfBodies& pair, uint16_t world_tag, con
 void note_approaches(const BodyView& bodies, const Vector& gravity, scalar h, const ManifoldView& manifolds, ImpactNote* notes) {
     for (int manifold_i = 0; manifold_i < *manifolds.count; ++manifold_i) {
         const BodyPair& pair = manifolds.pairs[manifold_i];
-        notes[manifold_i] = note_of(mover(bodies, gravity, pair.body_A), mover(bodies, gravity, pair.body_B), h, manifold_of(manifolds, manifold_i));
+        const Mover A = mover(bodies, gravity, pair.body_A), B = mover(bodies, gravity, pair.body_B);
+        write_note(notes[manifold_i], note_of(A, B, h, manifold_of(manifolds, manifold_i)));
     }
 }
 
@@ -92,7 +93,7 @@ void find_touching(const ManifoldView& manifolds, const ImpactNote* notes, const
         const PairOfBodies bodies = {pair.body_A, pair.body_B, generation[pair.body_A], generation[pair.body_B], false};
         const scalar gap = least_separation(manifold_of(manifolds, manifold_i));
         const scalar allowed = finger.finds(bodies) ? limits::touching_gap : scalar(0);
-        if (notes[manifold_i].carried || gap <= allowed) touching.pairs[(*touching.count)++] = bodies;
+        if (notes[manifold_i].carried || gap <= allowed) write_pair(touching.pairs[(*touching.count)++], bodies);
     }
 }
 

@@ -26,6 +26,18 @@ struct Event {
     scalar speed;  ///< m/s, at which A and B approached each other along n at P, just before they met; begin and hit
 };
 
+/// By members, as write_pair: an event has gaps.
+INGOT_INLINE void write_event(Event& to, const Event& event) {
+    to.kind = event.kind;
+    to.shape_A = event.shape_A;
+    to.shape_B = event.shape_B;
+    to.A = event.A;
+    to.B = event.B;
+    to.P = event.P;
+    to.n = event.n;
+    to.speed = event.speed;
+}
+
 /// The events of a step, for reading: valid until the next step. `for (const ingot::Event& event : world.events())`.
 struct EventView {
     const Event* first;
@@ -45,7 +57,7 @@ struct EventList {
 
     void add(const Event& event) const {
         if (*count < capacity)
-            events[(*count)++] = event;
+            write_event(events[(*count)++], event);
         else
             ingot::count(*lost);
     }
@@ -69,6 +81,13 @@ struct ImpactNote {
     uint8_t point;  ///< of the manifold
     bool carried;   ///< a point gave an impulse in some substep
 };
+
+/// By members, as write_pair: a note has a gap.
+INGOT_INLINE void write_note(ImpactNote& to, const ImpactNote& note) {
+    to.speed = note.speed;
+    to.point = note.point;
+    to.carried = note.carried;
+}
 
 /// Before the solve: how fast points approach, v^2 = v_0^2 + 2 a s at the end of the gap s, under gravity and forces.
 ///

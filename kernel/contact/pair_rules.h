@@ -23,6 +23,15 @@ struct PairOfBodies {
     }
 };
 
+/// By members: a pair has a gap, which would take bytes of the stack along, and make equal worlds differ.
+INGOT_INLINE void write_pair(PairOfBodies& to, const PairOfBodies& pair) {
+    to.body_A = pair.body_A;
+    to.body_B = pair.body_B;
+    to.generation_A = pair.generation_A;
+    to.generation_B = pair.generation_B;
+    to.hit = pair.hit;
+}
+
 /// A list of such pairs, sorted by key, without its capacity.
 struct PairOfBodiesList {
     PairOfBodies* pairs;
@@ -47,7 +56,7 @@ struct SensorView {
     }
     void note(uint16_t sensor, uint16_t visitor) const {
         if (*overlaps.count < overlaps.capacity)
-            overlaps.pairs[(*overlaps.count)++] = {sensor, visitor, generation[sensor], generation[visitor], false};
+            write_pair(overlaps.pairs[(*overlaps.count)++], {sensor, visitor, generation[sensor], generation[visitor], false});
         else
             count(*lost);
     }

@@ -9,7 +9,7 @@ namespace ingot { inline namespace INGOT_ABI {
 /// `using solver = ingot::Sweeps;`, for many bodies of like masses. No memory of its own. What it did not settle is in
 /// StepReport::residual: some 1e-6 m/s where contacts rest; 0.1 and more where a heavy body crushes a light one.
 struct Sweeps {
-    static constexpr bool is_direct = false;
+    static constexpr bool is_direct = false, is_pointwise = false;
 
     template <int max_bodies, int max_manifolds>
     struct Memory {
@@ -35,7 +35,7 @@ struct Sweeps {
 /// a heavy cube on a light one takes a Cortex-M4F 1.6 million instructions a step, twenty cubes in a column 22 million.
 template <int max_island = 48, int entries_of_row = 24>
 struct DirectIslands {
-    static constexpr bool is_direct = true;
+    static constexpr bool is_direct = true, is_pointwise = false;
     static constexpr int island_capacity = max_island, entries_per_row = entries_of_row;
 
     template <int max_bodies, int max_manifolds>

@@ -34,7 +34,8 @@ public:
 
     Jacobi operator()(scalar u) const {
         const SinCos phase = sin_cos(u * mean_);
-        if (phase.sin == 0) return {0, phase.cos, 1};
+        // Beside a zero of sn the square of the cotangent would overflow, and sn is its slope, 1, times the way there: to rounding.
+        if (abs(phase.sin) <= epsilon * epsilon) return {phase.sin / mean_, phase.cos, 1};
         scalar cotangent = phase.cos / phase.sin, c = mean_ * cotangent, dn = 1;
         for (int step_i = count_; step_i >= 0; --step_i) {
             cotangent *= c;

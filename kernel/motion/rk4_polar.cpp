@@ -9,7 +9,7 @@ namespace ingot { inline namespace INGOT_ABI {
 namespace {
 
 /// Newton steps to the rotation next to A, until what a step leaves, 3/4 of the defect squared, is rounding; `fallback` where that takes too
-/// long: beyond the valid range the sum of the slopes is no rotation, nor near one.
+/// long, or ends at a reflection: beyond the valid range the sum of the slopes is no rotation, nor near one.
 INGOT_INLINE Mat3<lane> nearest_rotation(Mat3<lane> A, const Mat3<lane>& fallback) {
     mask unsettled = splat<lane>(1) > lane{};
     for (int step_i = 0; step_i < limits::polar_steps_max && any(unsettled); ++step_i) {
@@ -18,7 +18,7 @@ INGOT_INLINE Mat3<lane> nearest_rotation(Mat3<lane> A, const Mat3<lane>& fallbac
         const lane defect = abs(off.xx) + abs(off.yy) + abs(off.zz) + abs(off.xy) + abs(off.xz) + abs(off.yz);
         unsettled = both(unsettled, opposite(defect * defect <= splat<lane>(4 * epsilon)));
     }
-    return select(unsettled, fallback, A);
+    return select(both(opposite(unsettled), determinant(A) > lane{}), A, fallback);
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ void spread_notes(const ManifoldView& manifolds, const BodyPair* awake_pairs, in
     int awake_i = awake_count - 1;
     for (int manifold_i = *manifolds.count - 1; manifold_i >= 0; --manifold_i) {
         const bool solved = awake_i >= 0 && awake_pairs[awake_i].key() == manifolds.pairs[manifold_i].key();
-        notes[manifold_i] = solved ? notes[awake_i--] : ImpactNote{};
+        write_note(notes[manifold_i], solved ? notes[awake_i--] : ImpactNote{});
     }
 }
 

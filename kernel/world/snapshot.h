@@ -230,6 +230,7 @@ constexpr uint64_t scene_signature() {
         add(static_cast<uint64_t>(S::solver::island_capacity));
         add(static_cast<uint64_t>(S::solver::entries_per_row));
     }
+    if constexpr (stacks<S> && solves_pointwise<S>) add_name("point_sweeps");
     if (S::sleeps) {  // in micrometres and microseconds
         add(static_cast<uint64_t>(S::sleep_speed * scalar(1e6)));
         add(static_cast<uint64_t>(S::sleep_time * scalar(1e6)));

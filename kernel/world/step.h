@@ -11,6 +11,7 @@
 #include "../fast/fly_fast_bodies.h"
 #include "../solve/solve_impacts.h"
 #include "../blocks/move_bodies.h"
+#include "../points/move_point_bodies.h"
 #include "world.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -164,6 +165,8 @@ StepReport step(World<S>& world, scalar h) {
             solver.manifold_count = *moving.count;
         }
         storage.template solve_contacts<has_events<S>, S::bounces>(solver, bodies, storage.gravity, h, storage.impact_notes(), report);
+        if constexpr (S::sleeps)
+            if (*moving.count == 0) report.sweeps = 0;  // over none: a world that was loaded asleep tells what the one that was saved tells
         if constexpr (S::sleeps && has_events<S>) spread_notes(manifolds, moving.pairs, *moving.count, storage.notes);
         if constexpr (has_events<S>) tell_events(storage, report);
 

@@ -181,39 +181,69 @@ struct BeltPart<S, false> {
     static void show_belts(BeltRows*&, const Vector*&) {}
 };
 
+/// What other traits add to contacts.
+template <class S>
+struct ManifoldTraitsPart : AnchorPart<S, S::renews_manifolds>, BodyPairPart<S, has_compounds<S>>,
+                            S::broad_phase::template Memory<shape_capacity<S>, pair_capacity<S>>,
+                            S::solver::template Memory<S::max_bodies, S::max_manifolds> {};
+
+/// What a solver works in that solves manifolds as blocks. The light solver brings all it needs.
 template <class S, bool present>
-struct ManifoldPart : AnchorPart<S, S::renews_manifolds>, BodyPairPart<S, has_compounds<S>>,
-                      S::broad_phase::template Memory<shape_capacity<S>, pair_capacity<S>>,
-                      S::solver::template Memory<S::max_bodies, S::max_manifolds> {
-    static constexpr unsigned manifold_capacity = static_cast<unsigned>(S::max_manifolds);
-    static constexpr unsigned block_capacity = block_capacity_of<S>;
+struct BlockPart : ManifoldTraitsPart<S> {
     static constexpr unsigned body_capacity = static_cast<unsigned>(S::max_bodies) + 1;
 
-    ContactBlock blocks[block_capacity] = {};
+    ContactBlock blocks[block_capacity_of<S>] = {};
     SolverBody solver_bodies[body_capacity] = {};
     SolverBodyHistory histories[body_capacity] = {};
+};
+template <class S>
+struct BlockPart<S, false> : ManifoldTraitsPart<S> {};
+
+/// Between the two parts of blocks: after numbers of four bytes it leaves no gap.
+template <class S>
+struct ManifoldListPart : BlockPart<S, !S::solver::is_pointwise> {
+    static constexpr unsigned manifold_capacity = static_cast<unsigned>(S::max_manifolds);
+
     BoundsTile bounds[shape_tile_capacity<S>] = {};
     BodyPair found_pairs[pair_capacity<S>] = {};
     BodyPair pairs[manifold_capacity] = {};
     ManifoldRecord records[manifold_capacity] = {};
+};
+
+/// The order in which blocks are visited.
+template <class S, bool present>
+struct BlockOrderPart : ManifoldListPart<S> {
+    static constexpr unsigned manifold_capacity = static_cast<unsigned>(S::max_manifolds);
+    static constexpr unsigned block_capacity = block_capacity_of<S>;
+    static constexpr unsigned body_capacity = static_cast<unsigned>(S::max_bodies) + 1;
+
     uint32_t colours_of_body[body_capacity] = {};
     uint16_t level_of_body[body_capacity] = {}, slot_of[body_capacity] = {};
     uint16_t local_of[static_cast<unsigned>(tile_capacity<S> * lanes)] = {};
     uint16_t order[block_capacity * lanes] = {};
     uint16_t other_order[manifold_capacity] = {}, level_order[manifold_capacity] = {}, level[manifold_capacity] = {};
     Visit visits[manifold_capacity + block_capacity] = {};
+
+    SolverView solver_of(const BodyPair* pairs_of_bodies, ManifoldRecord* records_of_pairs, int count) {
+        constexpr int room = static_cast<int>(block_capacity * lanes);
+        return {pairs_of_bodies, records_of_pairs, count, this->blocks, visits, order, level, other_order, level_order,
+                this->solver_bodies, this->histories, slot_of, local_of, level_of_body, colours_of_body,
+                0, 0, 0, 0, 0, 0, room, 0, false, limits::substeps, false};
+    }
+};
+template <class S>
+struct BlockOrderPart<S, false> : ManifoldListPart<S> {};
+
+template <class S, bool present>
+struct ManifoldPart : BlockOrderPart<S, !S::solver::is_pointwise> {
     uint16_t found_count = 0, pairs_lost = 0;
     uint16_t manifold_count = 0, records_used = 0, first_free_record = 0;
 
-    PairList pair_list() { return {found_pairs, pair_capacity<S>, &found_count, &pairs_lost}; }
+    PairList pair_list() { return {this->found_pairs, pair_capacity<S>, &found_count, &pairs_lost}; }
     ManifoldView manifold_view() {
-        return {pairs, &manifold_count, records, this->manifold_anchors(), &records_used, &first_free_record, S::max_manifolds};
+        return {this->pairs, &manifold_count, this->records, this->manifold_anchors(), &records_used, &first_free_record, S::max_manifolds};
     }
-    SolverView solver() {
-        constexpr int room = static_cast<int>(block_capacity * lanes);
-        return {this->by_bodies(pairs), records, manifold_count, blocks, visits, order, level, other_order, level_order, solver_bodies, histories,
-                slot_of, local_of, level_of_body, colours_of_body, 0, 0, 0, 0, 0, 0, room, 0, false, limits::substeps, false};
-    }
+    auto solver() { return this->solver_of(this->by_bodies(this->pairs), this->records, manifold_count); }
 };
 template <class S>
 struct ManifoldPart<S, false> {};
@@ -373,8 +403,6 @@ struct Storage : TranslationPart<S, S::translates>,
             this->show_rolling(view.rolling, view.rolling_records);
             this->show_belts(view.belts, view.belt_velocities);
             return view;
-        } else if constexpr (S::small) {
-            return SmallView{this->solver()};
         } else {
             return this->solver();
         }

@@ -62,8 +62,8 @@ struct NothingBounces : TenBoxesOnPlane {
 struct NothingRenewed : TenBoxesOnPlane {
     static constexpr bool renews_manifolds = false;
 };
-struct Small : TenBoxesOnPlane {
-    static constexpr bool small = true;
+struct ByPointSweeps : NothingBounces {
+    using solver = ingot::PointSweeps;
 };
 struct BySortedTree : TenBoxesOnPlane {
     using broad_phase = ingot::SortedTree;
