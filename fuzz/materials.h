@@ -68,8 +68,8 @@ struct Materials<S, true> {
                 }
                 if constexpr (S::surface_velocities) {
                     const Result<Vector> got = world.surface_velocity(id, shape_i);
-                    const bool same = got.value.x == belt[at].x && got.value.y == belt[at].y && got.value.z == belt[at].z;
-                    demand(got.status == status && (!got.ok() || same), "a surface keeps its velocity");
+                    const auto same = [](const Vector& a, const Vector& b) { return a.x == b.x && a.y == b.y && a.z == b.z; };
+                    demand(got.status == status && (!got.ok() || same(got.value, belt[at])), "a surface keeps its velocity");
                 }
             }
         }

@@ -275,6 +275,19 @@ TYPED_TEST(Frozen, or_not_a_body_moves_beside_others_as_it_moves_alone) {
     }
 }
 
+/// What is allowed at the door is no reason to freeze: a body at rest in the last place that there is, along each axis.
+TEST(Frozen, is_no_body_at_rest_at_the_limit) {
+    static World<Crowd<ingot::MoserVeselov>> world;
+    for (const Vector& r : {Vector{limits::position_max, 0, 0}, Vector{0, -limits::position_max, 0}, Vector{0, 0, limits::position_max}}) {
+        clear(world);
+        const BodyId id = world.add(plain_body(r)).value;
+        for (int step_i = 0; step_i < 3; ++step_i) ASSERT_TRUE(ingot::step(world, h).clean());
+        EXPECT_FALSE(world.is_frozen(id));
+        const Vector now = world.state(id).value.r_CM;
+        EXPECT_TRUE(now.x == r.x && now.y == r.y && now.z == r.z);
+    }
+}
+
 #if !INGOT_DOUBLE
 /// The digits of A that wait in A_low for the next step enter with that step's turn, or not at all: in no lane count does a
 /// neighbour carry them in.

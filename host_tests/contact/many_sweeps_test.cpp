@@ -226,6 +226,14 @@ TEST(ManySweeps, without_friction_lead_to_the_exact_solution) { expect_sweeps_me
 /// Coulomb's law to the letter: where a manifold slides, friction is against the slip.
 TEST(ManySweeps, with_friction_lead_to_the_exact_solution) { expect_sweeps_meet_the_exact_solution(0.4); }
 
+/// What the last sweep changed of all contacts, one by one: no term is below zero, so the roundings of any order are of the sum.
+double sum_by_lanes(const ingot::SolverView& solver) {
+    double sum = 0;
+    for (int position = 0; position < solver.lane_count; ++position)
+        if (solver.order[position] != ingot::no_manifold) sum += static_cast<double>(solver.blocks[position / lanes].change[position % lanes]);
+    return sum;
+}
+
 /// The light solver on a pile, whose bodies have the velocities of the problem.
 struct LightPile {
     std::vector<ingot::PointBody> bodies;
@@ -337,6 +345,7 @@ TEST(ManySweeps, with_conjugate_gradients_lead_there_too) {
             for (int sweep_i = 1; sweep_i <= 8; ++sweep_i) {
                 (void)ingot::sweep_velocities(solver, sweep_i, sweep_i % 2 != 0, 0);
                 const scalar size = ingot::sum_of_changes(solver);
+                EXPECT_NEAR(static_cast<double>(size), sum_by_lanes(solver), 64 * static_cast<double>(ingot::epsilon * size));
                 const scalar beta = sweep_i > 1 && size <= before && before > 0 ? size / before : 0;
                 before = size;
                 if (joined && sweep_i < 8) ingot::extrapolate(solver, beta);
