@@ -155,10 +155,8 @@ TEST(SlidingRod, gains_nothing_far_above_the_paradox) { expect_rod_gains_nothing
 /// - M g touching_gap: what stands on an edge as the rod does, and comes to stand on the face, is drawn there by displacements: no speed comes of it,
 ///   but a body may come to lie higher by the gap. 4e-4 of the energy here, at 120 to 1920 Hz, in double too.
 /// - the energy of its spin about its own axis, where that turns it by a radian in a step, else the square of the angle of it: levers stand
-/// still within
-/// a step. In float at 60 Hz the rod, 1 cm thick, begins to spin so from rounding, up to 115 rad/s, and a step gains 0.6 % of its energy.
-/// Shorter steps
-///   do not cure it: at 120 Hz it does not spin, at 240 and 1920 Hz it does; in double it does at no rate.
+///   still within a step. In float at 60 Hz the rod, 1 cm thick, begins to spin so from rounding, up to 115 rad/s, and a step gains 0.6 % of its
+///   energy. Shorter steps do not cure it: at 120 Hz it does not spin, at 240 and 1920 Hz it does; in double it does at no rate.
 TEST(SlidingRod, above_the_paradox_gains_no_more_than_its_axial_spin) {
     using Rod = SlidingRod<60, 200>;
     for (const int rate : {60, 120, 240, 480}) {

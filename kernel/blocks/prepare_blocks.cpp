@@ -55,8 +55,8 @@ struct Collected {
     scalar n[3][lanes], P[block_rows][3][lanes], used[block_rows][lanes], separation[block_rows][lanes];
 };
 
-/// Names the manifolds and bodies of a block, and collects them. A body that is 0 to the solver is all zero here too;
-/// between two of them there is nothing to solve: the lane is as if it had no points.
+/// Names the manifolds and bodies of a block, and collects them. A body that is 0 to the solver is all zero here too; between two of them there
+/// is nothing to solve: the lane is as if it had no points.
 void collect(const SolverView& solver, const BodyView& bodies, int block_i, ContactBlock& block, Collected& in) {
     block.rows = 1;
     for (int lane_i = 0; lane_i < lanes; ++lane_i) {

@@ -5,8 +5,8 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// Fills the rows of every manifold from its geometry and the bodies' masses, and finds the impulses of the step before by the features
-/// of the points, and counts those that are central. Cost: about 900 flops and 11 divisions a manifold.
+/// Fills the rows of every manifold from its geometry and the bodies' masses, finds the impulses of the step before by the features of the
+/// points, and counts those manifolds that are central. Cost: about 900 flops and 11 divisions a manifold.
 void prepare_blocks(SolverView& solver, const BodyView& bodies);
 
 /// Keeps the impulses for the next step.

@@ -2,7 +2,6 @@
 #include "sweep_velocities.h"
 
 #include "../base/limits.h"
-#include "../math/sqrt.h"
 #include "block_rows.h"
 
 namespace ingot { inline namespace INGOT_ABI {

@@ -85,8 +85,7 @@ void choose_again(const SolverView& solver, const DirectView& direct) {
 }
 
 /// Solves and displaces the substeps of a plan, from the state at the begin of the step: solve_substeps of solve_manifolds.cpp, with `chosen`
-/// islands.
-/// True where sweeps were at their bound in the last.
+/// islands. True where sweeps were at their bound in the last.
 template <bool notes_impulses>
 bool solve_substeps_directly(SolverView& solver, DirectView& direct, const BodyView& bodies, const SweepPlan& plan, int chosen, scalar h_step,
                              ImpactNote* notes, StepReport& report) {

@@ -13,8 +13,8 @@ namespace ingot { inline namespace INGOT_ABI {
 ///
 /// Met: apart by limits::impact_gap, and the roundings of the positions. Bodies that touch from the begin are left to the contacts until they
 /// have parted; meanwhile A without its skin (limits::skin_share) may not reach B. Where that has reached B at the begin, it is A without
-/// two skins, and so on; where even limits::skins_max are too few, a ball about the
-/// centre of A, half as large as A is thick, may not reach B. Where that is inside too nothing is met.
+/// two skins, and so on; where even limits::skins_max are too few, a ball about the centre of A, half as large as A is thick, may not reach
+/// B. Where that is inside too nothing is met.
 /// `unsolved`: no contact of this step has seen to them; if they touch from the begin, and their nearest points close by more than that skin
 /// in the rest of the step, they meet at once.
 /// After limits::approaches_max they are taken for met where they are: too early, never too late.

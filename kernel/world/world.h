@@ -53,10 +53,9 @@ public:
 
     /// Adds a body in the lowest free slot.
     /// Errors: no_room, and what BodyDef's parts may have wrong: see check_mass_properties, check_state, check_shape;
-    ///         bad_restitution; bad_friction; immovable (one that has a velocity); not_in_scene (a shape the scene does not name, a
-    /// filter, a sensor or a restitution where it names none, a place or velocity where it does not translate); bad_shape (a half space that
-    /// can move, a
-    ///         hull that is none of the scene's).
+    ///         bad_restitution; bad_friction; immovable (one that has a velocity); not_in_scene (a shape the scene does not name, a filter, a
+    ///         sensor or a restitution where it names none, a place or velocity where it does not translate); bad_shape (a half space that can
+    ///         move, a hull that is none of the scene's).
     /// Cost:   O(1), or O(max_bodies) after removals.
     Result<BodyId> add(const BodyDef& def) {
         const Status status = check_add(def);
