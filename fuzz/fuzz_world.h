@@ -16,8 +16,8 @@ extern int fuzz_fault;
 /// Ends the program, which stands beside the entry: see fuzz_main.cpp.
 [[noreturn]] void broken_promise(const char* text);
 
-/// The step of a world that the promises are asked for, not of its copies: worlds play it for its instructions too, see
-/// host_tests/budgets/worst_steps.
+/// The step of the world that is asked for its promises; copies of it take ingot::step. Who measures steps defines another in a header that comes
+/// before: slow_steps.h, host_tests/budgets/worst_steps/counted_step.h.
 #ifndef INGOT_FUZZ_STEP
 #define INGOT_FUZZ_STEP ingot::step
 #endif

@@ -21,7 +21,7 @@ struct Input {
     size_t size;
 };
 const Input inputs[] = {
-#include INGOT_CORPUS  // written by CMake: {"name", bytes, size},
+#include INGOT_INPUTS  // written by CMake: {"name", bytes, size},
 };
 
 const char* scene_before = nullptr;  // of this input

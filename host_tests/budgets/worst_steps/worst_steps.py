@@ -5,6 +5,7 @@
     worst_steps.py <worst_steps.json>              prints the figures
     worst_steps.py <worst_steps.json> --check      the same, and fails where a worst step left its budget
     worst_steps.py <worst_steps.json> --update     writes them into worst_steps.csv
+    worst_steps.py <worst_steps.json> --keep       copies the inputs of the worst steps to fuzz/slow, of a build that played others
 
 ../README.md says what each column means. The programs print every step (play_corpus.cpp), so medians are exact. CMake writes
 worst_steps.json. Tolerances are those of the budgets.
@@ -15,6 +16,7 @@ import json
 import math
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 
@@ -24,21 +26,23 @@ sys.path.insert(0, str(HERE.parent))
 import measure  # noqa: E402
 
 TABLE = HERE / "worst_steps.csv"
+FUZZ = HERE.parents[2] / "fuzz"
 ALL = "all"  # the scenes of a machine taken together
 KEY_COLUMNS = ("machine", "scene")
 COLUMNS = KEY_COLUMNS + ("inputs", "steps", "median", "p99", "worst", "ratio", "contact_steps", "contact_median", "contact_ratio",
                          "worst_contacts", "worst_step", "worst_input")
 RUN_SECONDS_MAX = 60  # of a machine; the longest takes 2
+SEARCH_SECONDS_MAX = 3600  # of thousands of inputs
 
 
-def play(emulator, elf):
+def play(emulator, elf, seconds_max):
     """All steps of a machine, as [(input, number of the step in it from 1, scene, instructions, contacts)]. Run twice, which has to give the same."""
     printed = []
     for _ in range(2):
         try:
-            done = subprocess.run(emulator + [elf], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True, timeout=RUN_SECONDS_MAX)
+            done = subprocess.run(emulator + [elf], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True, timeout=seconds_max)
         except subprocess.TimeoutExpired:
-            raise measure.Failure("%s has not ended after %d s" % (elf, RUN_SECONDS_MAX))
+            raise measure.Failure("%s has not ended after %d s" % (elf, seconds_max))
         if done.returncode != 0:
             raise measure.Failure("%s ended with %d:\n%s" % (elf, done.returncode, done.stdout[-2000:]))
         printed.append(done.stdout)
@@ -117,6 +121,16 @@ def compare(rows, table, machines):
     return complaints + ["%s, %s is in the table, and took no step" % key for key in sorted(gone)]
 
 
+def keep(rows, slow_inputs):
+    """Copies inputs of worst steps that are not in the corpus."""
+    for row in rows:
+        found = pathlib.Path(slow_inputs) / row["machine"] / row["worst_input"]
+        to = FUZZ / "slow" / row["machine"]
+        if found.exists() and not any(FUZZ.glob("corpus*/" + found.name)):
+            to.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(found, to / found.name)
+
+
 def print_rows(rows):
     cells = [COLUMNS] + [tuple(str(row[column]) for column in COLUMNS) for row in rows]
     widths = [max(len(line[i]) for line in cells) for i in range(len(COLUMNS))]
@@ -130,6 +144,7 @@ def main():
     action = parser.add_mutually_exclusive_group()
     action.add_argument("--check", action="store_true", help="fail where a worst step left its budget")
     action.add_argument("--update", action="store_true", help="write the figures into the table")
+    action.add_argument("--keep", action="store_true", help="copy the inputs of the worst steps to fuzz/slow")
     parser.add_argument("--table", type=pathlib.Path, default=TABLE)
     parser.add_argument("--machines", help="only these, by comma")
     arguments = parser.parse_args()
@@ -141,7 +156,8 @@ def main():
         return measure.EXIT_SKIPPED
     machines = arguments.machines.split(",") if arguments.machines else list(build["machines"])
     try:
-        rows = [row for machine in machines for row in rows_of(machine, play(emulator, build["machines"][machine]))]
+        seconds_max = SEARCH_SECONDS_MAX if arguments.keep else RUN_SECONDS_MAX
+        rows = [row for machine in machines for row in rows_of(machine, play(emulator, build["machines"][machine], seconds_max))]
     except measure.Failure as why:
         print("worst_steps: %s" % why)
         return 1
@@ -153,6 +169,8 @@ def main():
             writer.writeheader()
             writer.writerows(rows)
         print("written to %s" % arguments.table)
+    if arguments.keep:
+        keep(rows, build["slow_inputs"])
     complaints = compare(rows, read_table(arguments.table), machines) if arguments.check else []
     for sentence in complaints:
         print("worst_steps: %s" % sentence)
