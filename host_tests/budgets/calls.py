@@ -99,11 +99,13 @@ def compare(rows, table):
     complaints = []
     for row in rows:
         where, budget = "%s on %s" % (row["call"], row["core"]), table.get((row["call"], row["core"]))
-        reason = "has no row in the table" if budget is None else measure.complaint("stack", row["stack"], budget)
+        if budget is None:
+            complaints.append("%s has no row in the table" % where)
+            continue
+        reason = measure.complaint("stack", row["stack"], budget)
         if reason:
-            complaints.append("%s: stack %s" % (where, reason) if budget is not None else "%s %s" % (where, reason))
-    there = {(row["call"], row["core"]) for row in rows}
-    cores = {row["core"] for row in rows}
+            complaints.append("%s: stack %s" % (where, reason))
+    there, cores = {(row["call"], row["core"]) for row in rows}, {row["core"] for row in rows}
     return complaints + ["%s on %s is in the table, and no call" % key for key in table if key[1] in cores and key not in there]
 
 
