@@ -139,7 +139,7 @@ def main():
         return 1
     for row in rows:
         budget = table.get((row["call"], row["core"]))
-        print("%6d  %s%s" % (row["stack"], row["call"], "" if budget == row["stack"] else "   (no row)" if budget is None else "   (table: %d)" % budget))
+        print("%6d  %s%s" % (row["stack"], row["call"], "" if budget == row["stack"] else "   (table: %s)" % ("no row" if budget is None else budget)))
 
     if arguments.update:
         table = {key: stack for key, stack in table.items() if key[1] != build["core"]}

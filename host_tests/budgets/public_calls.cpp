@@ -6,7 +6,7 @@
 #include "../scenes/all_scenes.h"
 #include <ingot/platform/recorder.h>
 
-// NOLINTNEXTLINE: the return types are C++, the names are not, so that a script can find them.
+// A C name, for the script to find; noipa, so that nothing is known of the arguments.
 #define CALL(name) extern "C" __attribute__((noipa)) decltype(auto) call_##name
 #pragma GCC diagnostic ignored "-Wmissing-declarations"  // nobody calls them
 
@@ -222,6 +222,7 @@ CALL(principal)(const MassDistribution& solid) { return principal(solid); }
 using Points = Vector[limits::hull_vertices_max];
 CALL(convex_hull)(const Points& points) { return convex_hull(points); }
 CALL(convex_hull_of_body)(const Points& points, const MassProperties& mass) { return convex_hull_of_body(points, mass); }
+CALL(hull_of)(int form) { return hull_of<Sleeping>(form); }
 CALL(solid_hull)(scalar density, const ConvexHull& hull) { return solid_hull(density, hull); }
 
 // Frames, points of a body, the impulse of Fig. 4.
@@ -232,7 +233,9 @@ CALL(axis_angle)(const Vector& n, scalar angle) { return axis_angle(n, angle); }
 CALL(rotation_about)(const Vector& n, scalar angle) { return rotation_about(n, angle); }
 CALL(point_position)(const Vector& o, const Matrix& A, const Vector& r_body) { return point_position(o, A, r_body); }
 CALL(point_velocity)(const Vector& v, const Vector& omega, const Vector& r) { return point_velocity(v, omega, r); }
-CALL(point_acceleration)(const Vector& a, const Vector& alpha, const Vector& omega, const Vector& r) { return point_acceleration(a, alpha, omega, r); }
+CALL(point_acceleration)(const Vector& a, const Vector& alpha, const Vector& omega, const Vector& r) {
+    return point_acceleration(a, alpha, omega, r);
+}
 CALL(orientation_rate)(const Vector& omega, const Matrix& A) { return orientation_rate(omega, A); }
 CALL(inverse_inertia_world)(const Matrix& A, const Vector& inv_I_body) { return inverse_inertia_world(A, inv_I_body); }
 CALL(spin_of)(const Matrix& A, const Vector& inv_I_body, const Vector& L) { return spin_of(A, inv_I_body, L); }
