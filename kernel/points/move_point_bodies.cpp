@@ -38,21 +38,19 @@ void take_in_point_body(PointBody& body, const BodyView& bodies, const Vector& g
     body = {lane_of(translation.r_CM, at.lane), inv_M, inv_I_world, forces, velocity, {}, velocity, false};
 }
 
-enum class Kick { by_forces, as_before };
-
-/// What a substep begins with: forces change the velocity of a body for h seconds, or by what they changed it in the substep before.
-scalar begin_substep(const PointView& solver, Kick kick, scalar h) {
+/// What a substep begins with: forces change the velocity of a body for h seconds, or it changes again by what it changed in the substep before.
+scalar begin_substep(const PointView& solver, bool again, scalar h) {
     scalar fastest_sq = 0;
     for (int slot = 0; slot < solver.slot_count; ++slot) {
         PointBody& body = solver.bodies[slot];
         if (!(body.inv_M > 0)) continue;
         const PointMotion before = body.begin;
         body.begin = body.velocity;
-        if (kick == Kick::by_forces) {
-            add_motion(body.velocity, body.forces, h);
-        } else {
+        if (again) {
             add_motion(body.velocity, body.velocity, 1);
             add_motion(body.velocity, before, -1);
+        } else {
+            add_motion(body.velocity, body.forces, h);
         }
         fastest_sq = greatest(fastest_sq, length_sq(body.velocity.linear));
     }
@@ -74,9 +72,9 @@ void take_in_bodies(PointView& solver, const BodyView& bodies, const Vector& gra
     }
 }
 
-scalar kick_bodies(const PointView& solver, scalar h) { return begin_substep(solver, Kick::by_forces, h); }
+scalar kick_bodies(const PointView& solver, scalar h) { return begin_substep(solver, false, h); }
 
-scalar kick_again(const PointView& solver) { return begin_substep(solver, Kick::as_before, 0); }
+scalar kick_again(const PointView& solver) { return begin_substep(solver, true, 0); }
 
 SubstepOfPoints drift_bodies(const PointView& solver, scalar h) {
     SubstepOfPoints substep = {false, true};
