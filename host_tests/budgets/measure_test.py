@@ -1,11 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Where the tolerances of measure.py end, to the byte, and which instructions call_graph.py takes for what."""
+"""Where the tolerances of measure.py end, to the byte, which instructions call_graph.py takes for what, what calls.py takes for public."""
+import pathlib
 import sys
+import tempfile
 import unittest
 
 sys.dont_write_bytecode = True  # the source tree stays as it is
 import call_graph  # noqa: E402
+import calls  # noqa: E402
 import measure  # noqa: E402
 
 
@@ -70,6 +73,89 @@ class StackPointer(unittest.TestCase):
     def test_what_is_not_understood_is_not_guessed(self):
         for mnemonic, operands in (("mov", "sp, r3"), ("sub.w", "sp, sp, r3"), ("add", "sp, r4"), ("ldr", "sp, [r0]")):
             self.assertIsNone(call_graph.push_bytes(mnemonic, operands), mnemonic + " " + operands)
+
+
+WORLD = """\
+template <class S>
+class World {
+    static_assert(check_scene<S>(), "");
+
+public:
+    static constexpr int max_bodies = S::max_bodies;
+    /// Comments may name call(s).
+    Result<BodyId> add(const BodyDef& def) {
+        const Status status = check_add(def);
+    }
+    template <unsigned N>
+    Result<BodyId> add(const BodyDef& def, const ShapeDef (&shapes)[N]) {
+    }
+    const typename S::force_field& force_field() const { return storage_.field; }
+
+private:
+    friend StepReport step(World<Any>& world, scalar h);
+    Status check_add(const BodyDef& def) const {
+};
+"""
+SOLIDS = """\
+namespace ingot { inline namespace INGOT_ABI {
+namespace solids {
+constexpr MassDistribution no_solid() {
+}  // namespace solids
+inline __attribute__((always_inline)) Status check() {
+template <class T>
+INGOT_INLINE constexpr Vec3<T> spin_of(const Mat3<T>& A, const Vec3<T>& L) {
+inline constexpr scalar pi = scalar(3);
+    return indented(A);
+static_assert(spin_of(1) == 2, "");
+"""
+ALL_CALLS = "world.add(def); world.add(def, shapes); world.force_field(); step(world, h); check(); spin_of(A, L);"
+
+
+class PublicFunctions(unittest.TestCase):
+    def missing(self, source):
+        with tempfile.TemporaryDirectory() as folder:
+            kernel = pathlib.Path(folder)
+            for name, text in (("world/world.h", WORLD), ("body/solids.h", SOLIDS), ("calls.cpp", source),
+                               ("ingot.h", '#include "body/solids.h"\n#include "world/world.h"\n')):
+                (kernel / name).parent.mkdir(exist_ok=True)
+                (kernel / name).write_text(text, encoding="utf-8")
+            return calls.missing_calls(kernel, kernel / "calls.cpp")
+
+    def test_members_friends_and_functions_of_public_headers_and_no_others(self):
+        self.assertEqual(calls.members_of_world(WORLD), {"add": 2, "force_field": 1})
+        self.assertEqual(calls.friends_of_world(WORLD), {"step": 1})
+        self.assertEqual(calls.free_functions(SOLIDS), {"check": 1, "spin_of": 1})
+
+    def test_each_that_is_not_called_is_named(self):
+        self.assertEqual(self.missing(ALL_CALLS), [])
+        for call, named in (("world.force_field();", "World::force_field "), ("step(world, h);", "step "), ("spin_of(A, L);", "spin_of ")):
+            sentences = self.missing(ALL_CALLS.replace(call, ""))
+            self.assertEqual(len(sentences), 1, call)
+            self.assertTrue(sentences[0].startswith(named), sentences[0])
+
+    def test_every_overload_wants_a_call(self):
+        self.assertIn("World::add has 2 ", self.missing(ALL_CALLS.replace("world.add(def);", ""))[0])
+
+    def test_a_member_is_no_call_of_a_free_function(self):
+        self.assertEqual(len(self.missing(ALL_CALLS.replace("step(", "world.step("))), 1)
+
+
+class StacksOfCalls(unittest.TestCase):
+    TABLE = {("wake", "cortex-m0"): 100, ("wake", "cortex-m4f"): 50}
+
+    def complaints(self, *rows):
+        return calls.compare([{"call": call, "core": "cortex-m0", "stack": stack} for call, stack in rows], self.TABLE)
+
+    def test_tolerances_are_those_of_the_budgets(self):
+        self.assertEqual(self.complaints(("wake", 102)), [])
+        self.assertEqual(self.complaints(("wake", 90)), [])
+        self.assertIn("wake on cortex-m0: stack grew from 100 to 103", self.complaints(("wake", 103))[0])
+        self.assertIn("wake on cortex-m0: stack shrank from 100 to 89", self.complaints(("wake", 89))[0])
+
+    def test_rows_and_calls_are_the_same(self):
+        self.assertEqual(self.complaints(("wake", 100), ("sleep", 8)), ["sleep on cortex-m0 has no row in the table"])
+        self.assertEqual(self.complaints(), [])
+        self.assertEqual(self.complaints(("sleep", 8))[1], "wake on cortex-m0 is in the table, and no call")
 
 
 if __name__ == "__main__":

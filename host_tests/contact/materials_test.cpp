@@ -8,6 +8,7 @@
 #include "contact/play.h"
 #include "replay/snapshot_fields.h"
 
+#include <cmath>
 #include <cstring>
 
 namespace {
@@ -406,6 +407,16 @@ TEST(Materials, that_are_not_used_change_no_bit) {
     }
     EXPECT_NE(plain.world().state_hash(), rolling_used.world().state_hash());
     EXPECT_NE(plain.world().state_hash(), belts_used.world().state_hash());
+}
+
+/// A zero has one set of bits, whatever its sign was: worlds that are equal have equal bytes.
+TEST(Materials, of_minus_nothing_are_of_nothing) {
+    auto scene = play_materials<2>({{flat_ground(scalar(0.5)), 0, {}}, {solid_ball(1, 1, {0, 0, 1}, 0), 0, {}}}, OnEarth::gravity);
+    ASSERT_EQ(scene.world().set_rolling_resistance(scene.id(1), scalar(-0.0)), Status::ok);
+    ASSERT_EQ(scene.world().set_surface_velocity(scene.id(1), {scalar(-0.0), scalar(-0.0), scalar(-0.0)}), Status::ok);
+    EXPECT_FALSE(std::signbit(scene.world().rolling_resistance(scene.id(1)).value));
+    const Vector v = scene.world().surface_velocity(scene.id(1)).value;
+    EXPECT_FALSE(std::signbit(v.x) || std::signbit(v.y) || std::signbit(v.z));
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ uint16_t take_in(SolverView& solver, const BodyView& bodies, const Vector& gravi
     const Vector v_CM = lane_of(bodies.translation[at.tile].v_CM, at.lane), L = lane_of(rotation.L, at.lane);
     const Vector a = lane_of(bodies.translation[at.tile].F_T, at.lane) * inv_M + gravity, tau = lane_of(rotation.tau_T, at.lane);
     if (!stays_in_range(rotation, v_CM + a * h, L + tau * h, at.lane)) {
-        rotation.bad = static_cast<uint16_t>(rotation.bad | 1u << at.lane);
+        mark_lane_bad(rotation.bad, at.lane);
         return 0;
     }
     const int local = solver.body_count++;

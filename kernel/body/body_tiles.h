@@ -89,6 +89,7 @@ inline constexpr uint16_t all_lanes = static_cast<uint16_t>((1ul << lanes) - 1ul
 INGOT_INLINE constexpr bool is_all(uint16_t lane_bits) { return lanes == 1 || lane_bits == all_lanes; }
 
 /// Marks the bodies of a tile that are not good.
+inline void mark_lane_bad(uint16_t& bad, int lane_i) { bad = static_cast<uint16_t>(bad | 1u << lane_i); }
 INGOT_INLINE void mark_bad(uint16_t& bad, mask good) {
     const mask lost = opposite(good);
     if (any(lost)) bad = static_cast<uint16_t>(bad | bits(lost));

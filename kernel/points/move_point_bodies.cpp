@@ -22,11 +22,6 @@ bool is_sound(const PointMotion& motion) {
     return abs(v.x) <= most && abs(v.y) <= most && abs(v.z) <= most && is_within_runaway(motion.angular);
 }
 
-void mark_point_body_bad(const BodyView& bodies, Place at) {
-    uint16_t& bad = bodies.rotation[at.tile].bad;
-    bad = static_cast<uint16_t>(bad | 1u << at.lane);
-}
-
 void take_in_point_body(PointBody& body, const BodyView& bodies, const Vector& gravity, scalar h, int slot) {
     const Place at = place_of(slot);
     const TranslationTile& translation = bodies.translation[at.tile];
@@ -39,8 +34,27 @@ void take_in_point_body(PointBody& body, const BodyView& bodies, const Vector& g
     const PointMotion velocity = {lane_of(translation.v_CM, at.lane), inv_I_world * L, L};
     PointMotion at_end = velocity;
     add_motion(at_end, forces, h);
-    if (!is_sound(at_end)) return mark_point_body_bad(bodies, at);
+    if (!is_sound(at_end)) return mark_lane_bad(bodies.rotation[at.tile].bad, at.lane);
     body = {lane_of(translation.r_CM, at.lane), inv_M, inv_I_world, forces, velocity, {}, velocity, false};
+}
+
+/// What a substep begins with: forces change the velocity of a body for h seconds, or it changes again by what it changed in the substep before.
+scalar begin_substep(const PointView& solver, bool again, scalar h) {
+    scalar fastest_sq = 0;
+    for (int slot = 0; slot < solver.slot_count; ++slot) {
+        PointBody& body = solver.bodies[slot];
+        if (!(body.inv_M > 0)) continue;
+        const PointMotion before = body.begin;
+        body.begin = body.velocity;
+        if (again) {
+            add_motion(body.velocity, body.velocity, 1);
+            add_motion(body.velocity, before, -1);
+        } else {
+            add_motion(body.velocity, body.forces, h);
+        }
+        fastest_sq = greatest(fastest_sq, length_sq(body.velocity.linear));
+    }
+    return least(sqrt(fastest_sq), limits::rounding_speed_max);
 }
 
 }  // namespace
@@ -58,25 +72,9 @@ void take_in_bodies(PointView& solver, const BodyView& bodies, const Vector& gra
     }
 }
 
-scalar kick_bodies(const PointView& solver, scalar h) {
-    scalar fastest_sq = 0;
-    for (int slot = 0; slot < solver.slot_count; ++slot) {
-        PointBody& body = solver.bodies[slot];
-        if (!(body.inv_M > 0)) continue;
-        const PointMotion before = body.begin;
-        body.begin = body.velocity;
-        if (h > 0) {
-            add_motion(body.velocity, body.forces, h);
-        } else {
-            add_motion(body.velocity, body.velocity, 1);
-            add_motion(body.velocity, before, -1);
-        }
-        fastest_sq = greatest(fastest_sq, length_sq(body.velocity.linear));
-    }
-    return least(sqrt(fastest_sq), limits::rounding_speed_max);
-}
+scalar kick_bodies(const PointView& solver, scalar h) { return begin_substep(solver, false, h); }
 
-scalar kick_again(const PointView& solver) { return kick_bodies(solver, 0); }
+scalar kick_again(const PointView& solver) { return begin_substep(solver, true, 0); }
 
 SubstepOfPoints drift_bodies(const PointView& solver, scalar h) {
     SubstepOfPoints substep = {false, true};
@@ -102,7 +100,7 @@ void write_contact_motion(const PointView& solver, const BodyView& bodies, const
         const Place at = place_of(slot);
         const PointMotion &velocity = body.velocity, &displacement = body.displacement;
         if (!is_sound(velocity) || !is_finite(displacement.linear) || !is_finite(displacement.moment)) {
-            mark_point_body_bad(bodies, at);
+            mark_lane_bad(bodies.rotation[at.tile].bad, at.lane);
             continue;
         }
         RotationTile& rotation = bodies.rotation[at.tile];

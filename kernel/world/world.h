@@ -341,7 +341,7 @@ public:
         if (!shape_slot.ok()) return shape_slot.status;
         if (!is_finite(lever)) return Status::not_finite;
         if (!(lever >= 0 && lever <= limits::size_max)) return Status::out_of_range;
-        storage_.rolling_levers[shape_slot.value] = lever;
+        storage_.rolling_levers[shape_slot.value] = lever + scalar(0);  // -0 becomes +0: one value, one set of bits
         return stirred(shape_slot.value / S::max_shapes_of_body, Status::ok);
     }
     Result<scalar> rolling_resistance(BodyId id, int shape_i = 0) const {

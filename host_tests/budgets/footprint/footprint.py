@@ -4,7 +4,7 @@
 
     footprint.py <footprint.json> --update    measures, writes both and prints the tables
     footprint.py <footprint.json> --check     measures, and fails where footprint.csv is stale
-    footprint.py --check                      fails where ../FOOTPRINT.md is not what the two tables of figures make it
+    footprint.py --check                      fails where ../FOOTPRINT.md is not what the tables of figures make it
 
 The table of cores stands in the project's README too, for three scenes.
 
@@ -19,6 +19,7 @@ import sys
 sys.dont_write_bytecode = True
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent))
+import calls  # noqa: E402
 import measure  # noqa: E402
 
 TABLE, PAGE = HERE / "footprint.csv", HERE.parent / "FOOTPRINT.md"
@@ -48,6 +49,15 @@ Figures of `budgets.csv`, in bytes and in instructions of one step of 1/60 s: th
 software.
 
 """
+CALLS_HEAD = """
+## Stack of calls
+
+Figures of `calls.csv`, in bytes, of the deepest way through each public function: those that take more than %d on one of the cores. Each is called
+in a scene that names most of what it looks at, all six shapes among them (`public_calls.cpp`); with fewer it takes less, as the steps above do.
+`step_...` is `step()` of one scene after another.
+
+"""
+CALLS_STACK_MIN = 500  # bytes; calls with no more than this on any core share a row
 
 
 def measured(build, rows):
@@ -89,8 +99,26 @@ def table_of_cores(budgets, scenes=tuple(BUDGET_SCENES)):
     return table(cells)
 
 
+def table_of_calls(stacks):
+    """Deepest first; calls that take the same share a row."""
+    names = list(dict.fromkeys(name for name, _ in stacks))
+    names_of = {}
+    for name in names:
+        names_of.setdefault(tuple(stacks.get((name, core), 0) for core in CORES), []).append(name)
+    rows = sorted(names_of.items(), reverse=True, key=lambda row: row[0])
+    large = [row for row in rows if max(row[0]) > CALLS_STACK_MIN]
+    small = [row for row in rows if max(row[0]) <= CALLS_STACK_MIN]
+    cells = [("call",) + tuple(CORES.values())]
+    cells += [(", ".join("`%s`" % name for name in same),) + tuple("%d" % stack for stack in figures) for figures, same in large]
+    if small:
+        count = sum(len(same) for _, same in small)
+        cells.append(("%d others, at most" % count,) + tuple("%d" % max(of_core) for of_core in zip(*(figures for figures, _ in small))))
+    return table(cells)
+
+
 def page(rows):
-    return HEAD % measure.TABLE_COMPILER + table_of_features(rows) + CORES_HEAD + table_of_cores(measure.read_table(measure.TABLE))
+    return (HEAD % measure.TABLE_COMPILER + table_of_features(rows) + CORES_HEAD + table_of_cores(measure.read_table(measure.TABLE))
+            + CALLS_HEAD % CALLS_STACK_MIN + table_of_calls(calls.read_table(calls.TABLE)))
 
 
 def readme():

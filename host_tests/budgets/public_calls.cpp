@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: MIT
+// Every function that a user calls, as a function of its own: roots of the call graphs whose depth stands in calls.csv. They are linked, and
+// never run. Each is called in the scene that names most of what it looks at; where the scene makes the difference, in several.
+//
+// The name behind call_ is the one in the table. calls.py fails on public functions that are not called here.
+#include "../scenes/all_scenes.h"
+#include <ingot/platform/recorder.h>
+
+// A C name, for the script to find; noipa, so that nothing is known of the arguments.
+#define CALL(name) extern "C" __attribute__((noipa)) decltype(auto) call_##name
+#pragma GCC diagnostic ignored "-Wmissing-declarations"  // nobody calls them
+
+using namespace ingot;
+using ingot::platform::Agreement;
+
+namespace {
+
+// Bodies that turn, by each method.
+template <class Method>
+struct Turning : Scene {
+    using rotation = Method;
+};
+
+/// Bodies that fly in a field, by each scheme; the field of all that takes velocities, the other that takes none.
+struct Orbiting : Scene {
+    static constexpr bool translates = true;
+    using force_field = BothFields<GravityGradient, MagneticDipole>;
+};
+struct ByBlanesMoan : Orbiting {
+    using flight = BlanesMoan4;
+};
+struct Dragged : Orbiting {
+    using force_field = BothFields<QuadraticDrag, ThrusterTable<2>>;
+};
+struct ByCommutatorFree : Dragged {
+    using flight = CommutatorFree4;
+};
+
+/// Impacts without friction, in a field.
+struct Impacts : Scene {
+    static constexpr int max_bodies = 9, max_contacts = 24;
+    static constexpr bool translates = true;
+    using shapes = Shapes<Sphere, Box, HalfSpace>;
+    using force_field = BothFields<SpringDamper, PointMassGravity>;
+};
+
+/// Contacts with friction, of all shapes, by sweeps: what the scenes below have in common.
+struct Touching : Scene {
+    static constexpr int max_bodies = 9, max_manifolds = 24, max_overlaps = 8;
+    static constexpr bool translates = true, filters = true;
+    using shapes = Shapes<Sphere, Capsule, Box, Cylinder, Hull, HalfSpace>;
+    static constexpr ConvexHull hulls[] = {scenes::cube_hull.hull.value.view()};
+    using broad_phase = SortedTree;
+};
+struct Telling : Touching {
+    static constexpr int max_events = 24;
+};
+/// All that can be named together: most calls are of this scene.
+struct Sleeping : Telling {
+    static constexpr bool sleeps = true;
+    using solver = ChosenSolver;
+};
+struct Belts : Touching {
+    static constexpr bool sleeps = true, rolling_resistance = true, surface_velocities = true;
+};
+struct Compounds : Touching {
+    static constexpr int max_shapes_of_body = 3;
+    static constexpr bool rolling_resistance = true, surface_velocities = true;
+    using force_field = BothFields<SpringDamper, PointMassGravity>;
+};
+struct Following : Telling {
+    static constexpr bool continuous = true;
+    using shapes = Shapes<Sphere, Capsule, Box, Cylinder, HalfSpace>;
+    static constexpr NoHulls hulls = {};
+};
+struct FollowingDirectly : Following {
+    using solver = ChosenSolver;
+};
+struct Light : Telling {
+    static constexpr bool bounces = false, sleeps = true;
+    using solver = PointSweeps;
+};
+
+}  // namespace
+
+// The step, by what the scene names.
+CALL(step_turning_moser_veselov)(World<Turning<MoserVeselov>>& world, scalar h) { return step(world, h); }
+CALL(step_turning_listing1)(World<Turning<Listing1Euler>>& world, scalar h) { return step(world, h); }
+CALL(step_turning_lie_midpoint)(World<Turning<LieMidpoint>>& world, scalar h) { return step(world, h); }
+CALL(step_turning_rk4)(World<Turning<Rk4Polar>>& world, scalar h) { return step(world, h); }
+CALL(step_turning_elliptic)(World<Turning<ExactElliptic>>& world, scalar h) { return step(world, h); }
+CALL(step_turning_symmetric_top)(World<Turning<SymmetricTop>>& world, scalar h) { return step(world, h); }
+CALL(step_turning_splitting)(World<Turning<SymmetricTopSplitting<6>>>& world, scalar h) { return step(world, h); }
+CALL(step_in_field_kick_drift_kick)(World<Dragged>& world, scalar h) { return step(world, h); }
+CALL(step_in_field_blanes_moan)(World<ByBlanesMoan>& world, scalar h) { return step(world, h); }
+CALL(step_in_field_commutator_free)(World<ByCommutatorFree>& world, scalar h) { return step(world, h); }
+CALL(step_impacts)(World<Impacts>& world, scalar h) { return step(world, h); }
+CALL(step_sweeps)(World<Telling>& world, scalar h) { return step(world, h); }
+CALL(step_point_sweeps)(World<Light>& world, scalar h) { return step(world, h); }
+CALL(step_chosen_solver)(World<Sleeping>& world, scalar h) { return step(world, h); }
+CALL(step_belts)(World<Belts>& world, scalar h) { return step(world, h); }
+CALL(step_compounds)(World<Compounds>& world, scalar h) { return step(world, h); }
+CALL(step_continuous)(World<Following>& world, scalar h) { return step(world, h); }
+CALL(step_continuous_chosen_solver)(World<FollowingDirectly>& world, scalar h) { return step(world, h); }
+
+// Snapshots.
+CALL(save_snapshot)(const World<Belts>& world, uint8_t* bytes, size_t room) { return save_snapshot(world, bytes, room); }
+CALL(load_snapshot)(World<Belts>& world, const uint8_t* bytes, size_t size) { return load_snapshot(world, bytes, size); }
+CALL(save_snapshot_of_compounds)(const World<Compounds>& world, uint8_t* bytes, size_t room) { return save_snapshot(world, bytes, room); }
+CALL(load_snapshot_of_compounds)(World<Compounds>& world, const uint8_t* bytes, size_t size) { return load_snapshot(world, bytes, size); }
+
+// Bodies.
+CALL(add)(World<Sleeping>& world, const BodyDef& def) { return world.add(def); }
+CALL(add_to_compounds)(World<Compounds>& world, const BodyDef& def) { return world.add(def); }
+CALL(add_compound)(World<Compounds>& world, const BodyDef& def, const ShapeDef* shapes, int count) { return world.add(def, shapes, count); }
+CALL(add_compound_of_array)(World<Compounds>& world, const BodyDef& def, const ShapeDef (&shapes)[3]) { return world.add(def, shapes); }
+CALL(remove)(World<Sleeping>& world, BodyId id) { return world.remove(id); }
+CALL(remove_compound)(World<Compounds>& world, BodyId id) { return world.remove(id); }
+CALL(is_alive)(const World<Sleeping>& world, BodyId id) { return world.is_alive(id); }
+CALL(is_frozen)(const World<Sleeping>& world, BodyId id) { return world.is_frozen(id); }
+CALL(body_count)(const World<Sleeping>& world) { return world.body_count(); }
+CALL(body_at)(const World<Sleeping>& world, int slot) { return world.body_at(slot); }
+
+// State, forces, impulses.
+CALL(state)(const World<Sleeping>& world, BodyId id) { return world.state(id); }
+CALL(set_state)(World<Sleeping>& world, BodyId id, const BodyState& state) { return world.set_state(id, state); }
+CALL(set_state_of_compound)(World<Compounds>& world, BodyId id, const BodyState& state) { return world.set_state(id, state); }
+CALL(mass)(const World<Sleeping>& world, BodyId id) { return world.mass(id); }
+CALL(omega)(const World<Sleeping>& world, BodyId id) { return world.omega(id); }
+CALL(add_force)(World<Sleeping>& world, BodyId id, const Vector& F, const Vector& P) { return world.add_force(id, F, P); }
+CALL(add_central_force)(World<Sleeping>& world, BodyId id, const Vector& F) { return world.add_central_force(id, F); }
+CALL(add_torque)(World<Sleeping>& world, BodyId id, const Vector& tau) { return world.add_torque(id, tau); }
+CALL(apply_impulse)(World<Sleeping>& world, BodyId id, const Vector& j, const Vector& P) { return world.apply_impulse(id, j, P); }
+CALL(apply_central_impulse)(World<Sleeping>& world, BodyId id, const Vector& j) { return world.apply_central_impulse(id, j); }
+CALL(apply_angular_impulse)(World<Sleeping>& world, BodyId id, const Vector& k) { return world.apply_angular_impulse(id, k); }
+CALL(collide)(World<Sleeping>& world, BodyId A, BodyId B, const Vector& P, const Vector& n, scalar e) { return world.collide(A, B, P, n, e); }
+CALL(set_gravity)(World<Sleeping>& world, const Vector& gravity) { return world.set_gravity(gravity); }
+CALL(gravity)(const World<Sleeping>& world) { return world.gravity(); }
+CALL(force_field)(World<Impacts>& world) { return (world.force_field()); }
+CALL(force_field_of_const)(const World<Impacts>& world) { return (world.force_field()); }
+CALL(time)(const World<Impacts>& world) { return world.time(); }
+CALL(kinetic_energy)(const World<Sleeping>& world) { return world.kinetic_energy(); }
+CALL(linear_momentum)(const World<Sleeping>& world) { return world.linear_momentum(); }
+CALL(angular_momentum)(const World<Sleeping>& world) { return world.angular_momentum(); }
+CALL(kinetic_energy_of_body)(const World<Sleeping>& world, BodyId id) { return world.kinetic_energy(id); }
+CALL(linear_momentum_of_body)(const World<Sleeping>& world, BodyId id) { return world.linear_momentum(id); }
+CALL(angular_momentum_of_body)(const World<Sleeping>& world, BodyId id) { return world.angular_momentum(id); }
+
+// Contacts, filters, materials, sensors, events.
+CALL(contact_count)(const World<Impacts>& world) { return world.contact_count(); }
+CALL(contact)(const World<Impacts>& world, int index) { return world.contact(index); }
+CALL(filter)(const World<Sleeping>& world, BodyId id) { return world.filter(id); }
+CALL(set_filter)(World<Sleeping>& world, BodyId id, const BodyFilter& filter) { return world.set_filter(id, filter); }
+CALL(set_rolling_resistance)(World<Belts>& world, BodyId id, scalar lever) { return world.set_rolling_resistance(id, lever); }
+CALL(rolling_resistance)(const World<Belts>& world, BodyId id) { return world.rolling_resistance(id); }
+CALL(set_surface_velocity)(World<Belts>& world, BodyId id, const Vector& velocity) { return world.set_surface_velocity(id, velocity); }
+CALL(surface_velocity)(const World<Belts>& world, BodyId id) { return world.surface_velocity(id); }
+CALL(overlap_count)(const World<Sleeping>& world) { return world.overlap_count(); }
+CALL(overlap)(const World<Sleeping>& world, int index) { return world.overlap(index); }
+CALL(events)(const World<Sleeping>& world) { return world.events(); }
+
+// Sleep.
+CALL(is_asleep)(const World<Sleeping>& world, BodyId id) { return world.is_asleep(id); }
+CALL(wake)(World<Sleeping>& world, BodyId id) { return world.wake(id); }
+CALL(sleep)(World<Sleeping>& world, BodyId id) { return world.sleep(id); }
+CALL(asleep_count)(const World<Sleeping>& world) { return world.asleep_count(); }
+CALL(asleep_island_count)(const World<Sleeping>& world) { return world.asleep_island_count(); }
+
+// Queries.
+CALL(cast_ray)(const World<Sleeping>& world, const Vector& from, const Vector& way, const QueryFilter& filter) {
+    return world.cast_ray(from, way, filter);
+}
+CALL(cast_ray_at_compounds)(const World<Compounds>& world, const Vector& from, const Vector& way, const QueryFilter& filter) {
+    return world.cast_ray(from, way, filter);
+}
+CALL(cast_shape)(const World<Sleeping>& world, const PlacedShape& shape, const Vector& way, const QueryFilter& filter) {
+    return world.cast_shape(shape, way, filter);
+}
+CALL(cast_shape_at_compounds)(const World<Compounds>& world, const PlacedShape& shape, const Vector& way, const QueryFilter& filter) {
+    return world.cast_shape(shape, way, filter);
+}
+CALL(find_overlaps)(const World<Sleeping>& world, const PlacedShape& shape, BodyId* found, int capacity, const QueryFilter& filter) {
+    return world.find_overlaps(shape, found, capacity, filter);
+}
+CALL(find_overlaps_of_compounds)(const World<Compounds>& world, const PlacedShape& shape, BodyId* found, int capacity, const QueryFilter& filter) {
+    return world.find_overlaps(shape, found, capacity, filter);
+}
+CALL(find_nearest)(const World<Sleeping>& world, const Vector& point, scalar within, const QueryFilter& filter) {
+    return world.find_nearest(point, within, filter);
+}
+CALL(find_nearest_of_compounds)(const World<Compounds>& world, const Vector& point, scalar within, const QueryFilter& filter) {
+    return world.find_nearest(point, within, filter);
+}
+
+// The world as a whole.
+CALL(state_hash)(const World<Sleeping>& world) { return world.state_hash(); }
+CALL(step_count)(const World<Sleeping>& world) { return world.step_count(); }
+CALL(set_tag)(World<Sleeping>& world, uint16_t tag) { return world.set_tag(tag); }
+
+// Mass properties. Of constants the compiler works them out.
+CALL(solid_sphere)(scalar density, scalar radius) { return solid_sphere(density, radius); }
+CALL(solid_box)(scalar density, const Vector& half_extents) { return solid_box(density, half_extents); }
+CALL(solid_cylinder)(scalar density, scalar radius, scalar half_length) { return solid_cylinder(density, radius, half_length); }
+CALL(solid_capsule)(scalar density, scalar radius, scalar half_length) { return solid_capsule(density, radius, half_length); }
+CALL(solid_cone)(scalar density, scalar radius, scalar height) { return solid_cone(density, radius, height); }
+CALL(solid_ellipsoid)(scalar density, const Vector& semi_axes) { return solid_ellipsoid(density, semi_axes); }
+CALL(solid_hemisphere)(scalar density, scalar radius) { return solid_hemisphere(density, radius); }
+CALL(solid_tetrahedron)(scalar density, const Vector (&p)[4]) { return solid_tetrahedron(density, p[0], p[1], p[2], p[3]); }
+CALL(solid_mesh)(scalar density, const Vector* vertices, int vertex_count, const MeshTriangle* triangles, int triangle_count) {
+    return solid_mesh(density, vertices, vertex_count, triangles, triangle_count);
+}
+CALL(solid_of_shape)(scalar density, const Shape& shape) { return solid_of_shape(density, shape); }
+CALL(solid_of_shapes)(scalar density, const ShapeDef (&parts)[3]) { return solid_of_shapes(density, parts); }
+CALL(with_mass)(const MassDistribution& solid, scalar M) { return with_mass(solid, M); }
+CALL(placed)(const MassDistribution& part, const Matrix& A, const Vector& r) { return placed(part, A, r); }
+CALL(combined)(const MassDistribution& a, const MassDistribution& b) { return combined(a, b); }
+CALL(without)(const MassDistribution& solid, const MassDistribution& hole) { return without(solid, hole); }
+CALL(inertia_about)(const MassDistribution& solid, const Vector& point) { return inertia_about(solid, point); }
+CALL(principal)(const MassDistribution& solid) { return principal(solid); }
+
+// Hulls, of as many points as there may be.
+using Points = Vector[limits::hull_vertices_max];
+CALL(convex_hull)(const Points& points) { return convex_hull(points); }
+CALL(convex_hull_of_body)(const Points& points, const MassProperties& mass) { return convex_hull_of_body(points, mass); }
+CALL(hull_of)(int form) { return hull_of<Sleeping>(form); }
+CALL(solid_hull)(scalar density, const ConvexHull& hull) { return solid_hull(density, hull); }
+
+// Frames, points of a body, the impulse of Fig. 4.
+CALL(user_pose)(const MassProperties& mass, const BodyState& state) { return user_pose(mass, state); }
+CALL(user_motion)(const MassProperties& mass, const BodyState& state) { return user_motion(mass, state); }
+CALL(body_state)(const MassProperties& mass, const UserPose& pose, const UserMotion& motion) { return body_state(mass, pose, motion); }
+CALL(axis_angle)(const Vector& n, scalar angle) { return axis_angle(n, angle); }
+CALL(rotation_about)(const Vector& n, scalar angle) { return rotation_about(n, angle); }
+CALL(point_position)(const Vector& o, const Matrix& A, const Vector& r_body) { return point_position(o, A, r_body); }
+CALL(point_velocity)(const Vector& v, const Vector& omega, const Vector& r) { return point_velocity(v, omega, r); }
+CALL(point_acceleration)(const Vector& a, const Vector& alpha, const Vector& omega, const Vector& r) {
+    return point_acceleration(a, alpha, omega, r);
+}
+CALL(orientation_rate)(const Vector& omega, const Matrix& A) { return orientation_rate(omega, A); }
+CALL(inverse_inertia_world)(const Matrix& A, const Vector& inv_I_body) { return inverse_inertia_world(A, inv_I_body); }
+CALL(spin_of)(const Matrix& A, const Vector& inv_I_body, const Vector& L) { return spin_of(A, inv_I_body, L); }
+CALL(is_within_runaway)(const Vector& omega) { return is_within_runaway(omega); }
+CALL(angular_momentum_of_spin)(const Matrix& A, const Vector& I_body, const Vector& omega) { return angular_momentum_of_spin(A, I_body, omega); }
+CALL(collision_impulse)(const CollidingBody& A, const CollidingBody& B, const Vector& n, scalar e) { return collision_impulse(A, B, n, e); }
+CALL(check_floating_point)() { return check_floating_point(); }
+CALL(check_floating_point_of_kernel)() { return check_floating_point_of_kernel(); }
+
+// The recorder of the platform.
+using Recorder = platform::Recorder<600, 16, 60, 1000>;
+CALL(recorder_record)(Recorder& recorder, uint32_t number, const uint8_t* input, size_t size, uint64_t hash) {
+    return recorder.record(number, input, size, hash);
+}
+CALL(recorder_keep_state)(Recorder& recorder, const uint8_t* state, size_t size) { return recorder.keep_state(state, size); }
+CALL(recorder_compare)(const Recorder& recorder, uint32_t number, uint64_t hash) { return recorder.compare(number, hash); }
+CALL(recorder_write)(const Recorder& recorder, volatile uint8_t* line) {
+    recorder.write([line](uint8_t byte) { *line = byte; });
+}
