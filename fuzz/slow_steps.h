@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Comes before the machines by -include, with INGOT_FUZZ_SLOW: a step of a scene that is slower than all before it is news to libFuzzer, like a branch
-// that nobody took. So the corpus grows towards slow steps. host_tests/budgets/worst_steps counts the instructions of what was found.
+// Comes before the machines by -include, with INGOT_FUZZ_SLOW: a step of a scene that is slower than all before it is news to libFuzzer, like a
+// branch that nobody took. So the corpus grows towards slow steps. host_tests/budgets/worst_steps counts the instructions of what was found.
 #pragma once
 
 #include <ingot/ingot.h>
@@ -9,8 +9,9 @@
 namespace fuzz {
 
 inline constexpr int scenes_max = 32, levels = 256;
-/// Of each scene, the levels that a step has reached. libFuzzer finds it by the name of the section; a target has one machine, so there is one.
-__attribute__((section("__libfuzzer_extra_counters"))) static uint8_t levels_reached[scenes_max * levels];
+/// Of each scene, the levels that a step has reached. libFuzzer finds it by the name of the section, and nobody else reads it. A target has one
+/// machine, so there is one.
+__attribute__((section("__libfuzzer_extra_counters"), used)) static uint8_t levels_reached[scenes_max * levels];
 inline int scene_count = 0;
 template <class S>
 const int index_of_scene = scene_count++ % scenes_max;

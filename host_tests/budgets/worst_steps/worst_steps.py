@@ -97,6 +97,8 @@ def row_of(machine, scene, steps):
 
 def rows_of(machine, steps):
     """A row for each scene that took a step, and one for all of them."""
+    if not steps:
+        raise measure.Failure("%s took no step" % machine)
     scenes = sorted({step[2] for step in steps})
     return [row_of(machine, scene, [step for step in steps if step[2] == scene]) for scene in scenes] + [row_of(machine, ALL, steps)]
 
@@ -160,7 +162,8 @@ def main():
         # A check is a second run by itself: the table is of the first. In a search it does not matter.
         runs = 2 if arguments.update else 1
         seconds_max = SEARCH_SECONDS_MAX if arguments.keep else RUN_SECONDS_MAX
-        rows = [row for machine in machines for row in rows_of(machine, steps_of(printed_by(emulator, build["machines"][machine], runs, seconds_max)))]
+        printed = {machine: printed_by(emulator, build["machines"][machine], runs, seconds_max) for machine in machines}
+        rows = [row for machine in machines for row in rows_of(machine, steps_of(printed[machine]))]
     except measure.Failure as why:
         print("worst_steps: %s" % why)
         return 1

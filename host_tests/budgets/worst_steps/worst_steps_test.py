@@ -7,7 +7,7 @@ import unittest
 sys.dont_write_bytecode = True  # the source tree stays as it is
 import worst_steps  # noqa: E402
 
-SIGNATURE = "ingot::f32x1::StepReport counted_step(ingot::f32x1::World<S>&, ingot::f32x1::scalar) [with S = {anonymous}::%s; ingot::f32x1::scalar = float]"
+SIGNATURE = "ingot::f32x1::StepReport counted_step(ingot::f32x1::World<S>&, ingot::f32x1::scalar) [with S = {anonymous}::%s; scalar = float]"
 PRINTED = "\n".join(["input a", "scene " + SIGNATURE % "Hall", "10 0", "40 2", "input b", "input c",
                      "scene " + SIGNATURE % "YardWith<ingot::f32x1::Splitting<6> >", "30 1", "20 0", "40 0"]) + "\n"
 
