@@ -4,9 +4,9 @@
 #pragma once
 
 #include <ingot/ingot.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
+
+#include "fuzz_world.h"
 
 namespace fuzz { inline namespace INGOT_ABI {
 
@@ -25,9 +25,7 @@ using ingot::World;
 namespace limits = ingot::limits;
 
 inline void demand(bool promise, const char* text) {
-    if (promise) return;
-    fprintf(stderr, "broken promise: %s\n", text);
-    abort();
+    if (!promise) broken_promise(text);
 }
 
 inline bool same_bytes(const void* a, const void* b, size_t size) { return memcmp(a, b, size) == 0; }

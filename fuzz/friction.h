@@ -351,7 +351,7 @@ private:
             state_.materials.demand_kept(twin_);
 
             const scalar h = in.step_length();
-            StepReport report = ingot::step(world_, h);
+            StepReport report = INGOT_FUZZ_STEP(world_, h);
             const StepReport of_twin = ingot::step(twin_, h);
             if (fuzz_fault == 11 && report.status == Status::ok) (void)twin_.set_gravity({1, 2, 3});
             demand(report.status == of_twin.status && report.contacts == of_twin.contacts && report.sweeps == of_twin.sweeps &&
@@ -381,7 +381,7 @@ private:
                 // Long enough for what lies still to fall asleep.
                 for (int i = 0; i < 40; ++i) {
                     memcpy(static_cast<void*>(&before_), &world_, sizeof world_);
-                    const StepReport report = ingot::step(world_, scalar(1) / 60);
+                    const StepReport report = INGOT_FUZZ_STEP(world_, scalar(1) / 60);
                     demand(report.status == Status::ok, "a step of 1/60 s is taken");
                     demand_report(report);
                     stepped(report, scalar(1) / 60);

@@ -59,7 +59,7 @@ public:
         const int count = 1 + in.byte() % 3, steps = 16 << (in.byte() % 8);
         for (int body_i = 0; body_i < count; ++body_i) add(in, h);
         for (int step_i = 1; step_i <= steps; ++step_i) {
-            const StepReport report = ingot::step(world_, h);
+            const StepReport report = INGOT_FUZZ_STEP(world_, h);
             demand(report.clean(), "a free flight has nothing to tell");
             for (Body& body : bodies_) demand_kept(body, step_i, h, kept);
         }

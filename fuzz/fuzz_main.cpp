@@ -14,6 +14,11 @@ extern "C" [[noreturn]] void ingot_fault(const char* expression, const char* fil
 
 int fuzz_fault = 0;
 
+void broken_promise(const char* text) {
+    fprintf(stderr, "broken promise: %s\n", text);
+    abort();
+}
+
 extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv);
 extern "C" int LLVMFuzzerInitialize(int*, char***) {
     const char* fault = getenv("INGOT_FUZZ_FAULT");
@@ -31,9 +36,6 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
 #if INGOT_FUZZ_8_LANES
     same = same && answers == run_with_8_lanes(data, size);
 #endif
-    if (!same) {
-        fprintf(stderr, "broken promise: every lane count gives the same answers\n");
-        abort();
-    }
+    if (!same) broken_promise("every lane count gives the same answers");
     return 0;
 }

@@ -302,7 +302,7 @@ private:
     }
 
     void step(scalar h) {
-        const StepReport report = ingot::step(world_, h);
+        const StepReport report = INGOT_FUZZ_STEP(world_, h);
         checked(report.status, false);
         demand((report.status == Status::ok) == between(h, limits::step_min, limits::step_max), "h is taken within its range");
         demand_bodies();
@@ -441,7 +441,7 @@ private:
             return;
         }
         if (!steps) return;
-        demand(ingot::step(world_, scalar(1) / 60).status == Status::ok, "a world steps");
+        demand(INGOT_FUZZ_STEP(world_, scalar(1) / 60).status == Status::ok, "a world steps");
         demand_bodies();
     }
 

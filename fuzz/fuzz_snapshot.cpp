@@ -13,8 +13,6 @@
 #include "fuzz_world.h"
 
 #include <ingot/ingot.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 namespace {
@@ -48,9 +46,7 @@ struct Tide : ingot::Scene {
 };
 
 void demand(bool promise, const char* text) {
-    if (promise) return;
-    fprintf(stderr, "broken promise: %s\n", text);
-    abort();
+    if (!promise) broken_promise(text);
 }
 
 bool within(const Vector& v, scalar limit) { return ingot::abs(v.x) <= limit && ingot::abs(v.y) <= limit && ingot::abs(v.z) <= limit; }
@@ -182,7 +178,7 @@ private:
         demand_all();
         // At times, and once: the contacts of forged states take all the sweeps there are, a hundred times the rest.
         if (steps_) {
-            (void)ingot::step(world_, scalar(1) / 60);
+            (void)INGOT_FUZZ_STEP(world_, scalar(1) / 60);
             demand_all();
         }
         BodyDef def;

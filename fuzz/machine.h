@@ -206,7 +206,7 @@ protected:
         const scalar h = in.step_length();
         for (; count > 0; --count) {
             memcpy(static_cast<void*>(&before_), &world_, sizeof world_);
-            StepReport report = ingot::step(world_, h);
+            StepReport report = INGOT_FUZZ_STEP(world_, h);
             if (fuzz_fault == 3) ++report.bodies_frozen;
             refused(report.status);
             demand((report.status == Status::ok) == (h >= limits::step_min && h <= limits::step_max), "h is taken within its range");
@@ -281,7 +281,7 @@ protected:
         memcpy(static_cast<void*>(&twin_), &world_, sizeof world_);
         const StepReport of_twin = ingot::step(twin_, h);
         demand(same_bytes(&world_, &before_, sizeof world_), "worlds share nothing");
-        const StepReport report = ingot::step(world_, h);
+        const StepReport report = INGOT_FUZZ_STEP(world_, h);
         demand(report.status == of_twin.status && report.contacts == of_twin.contacts && report.sweeps == of_twin.sweeps,
                "a copy reports the same");
         if (fuzz_fault == 5) flip_a_bit(twin_);

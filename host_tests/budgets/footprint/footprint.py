@@ -5,6 +5,7 @@
     footprint.py <footprint.json> --update    measures, writes both and prints the tables
     footprint.py <footprint.json> --check     measures, and fails where footprint.csv is stale
     footprint.py --check                      fails where ../FOOTPRINT.md is not what the tables of figures make it
+    footprint.py --update                     writes it from them, and measures nothing
 
 The table of cores stands in the project's README too, for three scenes.
 
@@ -22,6 +23,7 @@ sys.path.insert(0, str(HERE.parent))
 import calls  # noqa: E402
 import measure  # noqa: E402
 
+WORST_STEPS = HERE.parent / "worst_steps" / "worst_steps.csv"
 TABLE, PAGE = HERE / "footprint.csv", HERE.parent / "FOOTPRINT.md"
 README = HERE.parents[2] / "README.md"
 MARK_BEGIN, MARK_END = "<!-- written by footprint.py -->\n", "<!-- end -->\n"
@@ -47,6 +49,18 @@ CORES_HEAD = """
 
 Figures of `budgets.csv`, in bytes and in instructions of one step of 1/60 s: the last of the scene, and the worst. A Cortex-M0 computes floats in
 software.
+
+"""
+MACHINES = {"world": "impacts without friction, and free bodies", "numbers": "two bodies in states at the edges of what is taken",
+            "snapshot": "forged snapshots, a step each", "friction": "contacts with friction",
+            "rooms": "hulls, bodies of several shapes, direct solves, sleep, fast bodies", "materials": "rolling resistance, surfaces that move",
+            "light": "`PointSweeps`", "drift": "free bodies, and nothing else"}
+WORST_HEAD = """
+## Slowest steps
+
+Figures of `worst_steps/worst_steps.csv`: instructions of a step on a Cortex-M4F, of all steps of the fuzzers' corpora and of `fuzz/slow`. These are
+random calls with numbers at every edge, of up to seven bodies, in steps of up to 1 s, and inputs that a fuzzer found by looking for slow steps. The median
+is over all steps, most of them of a world where little touches, and over those with contacts.
 
 """
 CALLS_HEAD = """
@@ -99,6 +113,15 @@ def table_of_cores(budgets, scenes=tuple(BUDGET_SCENES)):
     return table(cells)
 
 
+def table_of_worst_steps(source):
+    cells = [("what is played", "steps", "median", "99 %", "worst", "worst / median", "median with contacts", "worst / this median")]
+    for row in csv.DictReader(source):
+        if row["scene"] == "all":
+            cells.append((MACHINES[row["machine"]],) + tuple(row[column] if row[column] != "0" else "" for column in (
+                "steps", "median", "p99", "worst", "ratio", "contact_median", "contact_ratio")))
+    return table(cells)
+
+
 def table_of_calls(stacks):
     """Deepest first; calls that take the same share a row."""
     names = list(dict.fromkeys(name for name, _ in stacks))
@@ -117,8 +140,10 @@ def table_of_calls(stacks):
 
 
 def page(rows):
+    with open(WORST_STEPS, newline="", encoding="utf-8") as source:
+        worst_steps = table_of_worst_steps(source)
     return (HEAD % measure.TABLE_COMPILER + table_of_features(rows) + CORES_HEAD + table_of_cores(measure.read_table(measure.TABLE))
-            + CALLS_HEAD % CALLS_STACK_MIN + table_of_calls(calls.read_table(calls.TABLE)))
+            + WORST_HEAD + worst_steps + CALLS_HEAD % CALLS_STACK_MIN + table_of_calls(calls.read_table(calls.TABLE)))
 
 
 def readme():
@@ -146,6 +171,10 @@ def main():
     parser.add_argument("--update", action="store_true")
     arguments = parser.parse_args()
     if arguments.build is None:
+        if arguments.update:
+            PAGE.write_text(page(read_rows()), encoding="utf-8")
+            README.write_text(readme(), encoding="utf-8")
+            return 0
         if not arguments.check:
             parser.error("nothing to do")
         if PAGE.read_text(encoding="utf-8") == page(read_rows()) and README.read_text(encoding="utf-8") == readme():
