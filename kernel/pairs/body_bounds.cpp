@@ -108,4 +108,14 @@ void widen_bounds(const BodyView& bodies, BoundsTile* bounds) {
     for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) widen(bounds[tile_i], load(bodies.translation[tile_i].inv_M));
 }
 
+void tighten_bounds(BoundsTile* bounds, int tile_count) {
+    for (int tile_i = 0; tile_i < tile_count; ++tile_i) {
+        BoundsTile& tile = bounds[tile_i];
+        for (int axis = 0; axis < 3; ++axis) {
+            store(tile.wide_low[axis], load(tile.low[axis]));
+            store(tile.wide_high[axis], load(tile.high[axis]));
+        }
+    }
+}
+
 } }  // namespace ingot
