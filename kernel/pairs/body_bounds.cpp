@@ -111,10 +111,8 @@ void widen_bounds(const BodyView& bodies, BoundsTile* bounds) {
 void tighten_bounds(BoundsTile* bounds, int tile_count) {
     for (int tile_i = 0; tile_i < tile_count; ++tile_i) {
         BoundsTile& tile = bounds[tile_i];
-        for (int axis = 0; axis < 3; ++axis) {
-            store(tile.wide_low[axis], load(tile.low[axis]));
-            store(tile.wide_high[axis], load(tile.high[axis]));
-        }
+        __builtin_memcpy(tile.wide_low, tile.low, sizeof tile.low);
+        __builtin_memcpy(tile.wide_high, tile.high, sizeof tile.high);
     }
 }
 
