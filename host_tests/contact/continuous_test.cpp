@@ -218,6 +218,32 @@ TEST(WaitingBall, is_not_driven_through_what_it_waits_at) {
     EXPECT_LE(watch.worst(), 16 * eps);
 }
 
+/// One ball catches up with another, a little faster, shortly before a plate: what they do to each other takes long, and the plate is not forgotten
+/// over it. None gets behind it, and both come back, as nothing takes from their energy.
+TEST(CatchingUp, of_two_balls_before_a_plate_takes_none_through_it) {
+    constexpr scalar radius = scalar(0.125), speed = 100;
+    for (const scalar faster : {scalar(0), scalar(0.1), scalar(1), scalar(10)}) {
+        for (const scalar gap : {scalar(0.001), scalar(0.01)}) {
+            std::vector<PlacedBody> bodies = {fixed_box({scalar(0.05), 2, 2}, {0, 0, 0}, 0, 1),
+                                              solid_ball(1, radius, {-1, 0, 0}, 0, 1),
+                                              solid_ball(1, radius, {-1 - 2 * radius - gap, 0, 0}, 0, 1)};
+            bodies[1].move({speed, 0, 0});
+            bodies[2].move({speed + faster, 0, 0});
+            Play<FastRoom<3>> scene(bodies, {});
+            ASSERT_TRUE(scene.sound());
+            EnergyWatch watch(scene);
+            for (int step_i = 0; step_i < 10; ++step_i) {
+                (void)scene.step(display_rate_h);
+                watch.look();
+                ASSERT_LT(scene.r(1).x(), 0) << faster << ", " << gap << ", step " << step_i;
+                ASSERT_LT(scene.r(2).x(), scene.r(1).x()) << faster << ", " << gap << ", step " << step_i;
+            }
+            EXPECT_LT(scene.v(1).x(), 0);
+            EXPECT_LE(watch.worst(), 16 * eps);
+        }
+    }
+}
+
 /// A bullet stays before the cube it hits, and waits for the others of the stack: a flight that was cut, and told so.
 TEST(BulletIntoStack, stays_before_the_cube_it_hits) {
     for (int phase_i = 0; phase_i < 10; ++phase_i) {
