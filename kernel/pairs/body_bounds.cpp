@@ -108,8 +108,8 @@ void widen_bounds(const BodyView& bodies, BoundsTile* bounds) {
     for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) widen(bounds[tile_i], load(bodies.translation[tile_i].inv_M));
 }
 
-void tighten_bounds(BoundsTile* bounds, int tile_count) {
-    for (int tile_i = 0; tile_i < tile_count; ++tile_i) {
+void tighten_bounds(const BodyView& bodies, BoundsTile* bounds) {
+    for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) {
         BoundsTile& tile = bounds[tile_i];
         __builtin_memcpy(tile.wide_low, tile.low, sizeof tile.low);
         __builtin_memcpy(tile.wide_high, tile.high, sizeof tile.high);

@@ -76,7 +76,7 @@ INGOT_INLINE void find_pairs_of_step(Storage<S>& storage, const BodyView& shapes
     if (left) storage.find_pairs(shapes, storage.bounds, pairs);
     const bool crowded = *pairs.lost > 0;
     if (crowded) {
-        tighten_bounds(storage.bounds, shapes.tile_count);
+        tighten_bounds(shapes, storage.bounds);
         storage.find_pairs(shapes, storage.bounds, pairs);
     }
     if (!left && !crowded) return;
