@@ -226,6 +226,34 @@ TEST(ManySweeps, without_friction_lead_to_the_exact_solution) { expect_sweeps_me
 /// Coulomb's law to the letter: where a manifold slides, friction is against the slip.
 TEST(ManySweeps, with_friction_lead_to_the_exact_solution) { expect_sweeps_meet_the_exact_solution(0.4); }
 
+/// Of a manifold with one point whose normal goes through both centres of mass there is nothing to turn: such a heap gets more sweeps.
+TEST(Blocks, know_how_many_manifolds_are_central) {
+    RandomInput random(9);
+    for (int pile_i = 0; pile_i < 40; ++pile_i) {
+        Twins twins = random_pile(random, 0);
+        int central = 0;
+        for (const BodyPair& pair : twins.pile.pairs) {
+            if (random.integer(0, 1) == 0) continue;  // as it is: its points are beside the middle
+            ingot::Manifold& manifold = twins.pile.records[pair.record].manifold;
+            const Eigen::Vector3d b = twins.problem.bodies[pair.body_B].r_CM;
+            const Eigen::Vector3d a = pair.body_A == 0 ? Eigen::Vector3d(b.x(), b.y(), 0) : twins.problem.bodies[pair.body_A].r_CM;
+            manifold.count = 1;
+            manifold.n = ingot_reference::to_vector((a - b).normalized());
+            manifold.points[0].P = ingot_reference::to_vector(pair.body_A == 0 ? a : Eigen::Vector3d((a + b) / 2));
+            ++central;
+        }
+        ingot::SolverView solver = twins.pile.solver();
+        take_in(solver, twins.problem);
+        ingot::order_manifolds(solver);
+        ingot::prepare_blocks(solver, twins.pile.view());
+        EXPECT_EQ(solver.central_count, central) << pile_i;
+        const int visits = solver.visit_count, levels = solver.level_count;
+        ingot::order_manifolds(solver);
+        EXPECT_EQ(solver.visit_count, visits) << "what the view held before does not matter";
+        EXPECT_EQ(solver.level_count, levels);
+    }
+}
+
 /// What the last sweep changed of all contacts, one by one: no term is below zero, so the roundings of any order are of the sum.
 double sum_by_lanes(const ingot::SolverView& solver) {
     double sum = 0;
