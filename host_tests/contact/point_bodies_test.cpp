@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+// What the light solver takes in and gives back: motion that is finite, or none.
+#include <gtest/gtest.h>
+#include <ingot/body/auxiliary.h>
+#include <ingot/points/move_point_bodies.h>
+#include <ingot/points/sweep_points.h>
+
+#include <limits>
+
+#include "reference/kernel_types.h"
+#include "reference/random_input.h"
+#include "stages/tiles.h"
+
+namespace {
+
+using ingot::PointBody;
+using ingot::scalar;
+using ingot::Vector;
+using ingot_reference::RandomInput;
+using ingot_reference::to_eigen;
+using ingot_reference::to_vector;
+
+constexpr scalar h = scalar(1) / 64;
+constexpr double eps = static_cast<double>(ingot::epsilon);
+constexpr Vector gravity = {0, 0, -8};
+
+/// Two bodies that touch, in the slots of one pair, and their solver.
+struct Touching {
+    static constexpr int slots[2] = {0, ingot::lanes + 1};
+    ingot_stages::Tiles tiles{ingot::lanes + 2};
+    std::vector<PointBody> bodies = std::vector<PointBody>(static_cast<std::size_t>(2 * ingot::lanes + 2));
+    ingot::BodyPair pair = {0, ingot::lanes + 1, 0};
+    ingot::ManifoldRecord record{};
+    ingot::PointContact contact{};
+    ingot::PointView view{&pair, &record, 1, bodies.data(), &contact, 0};
+
+    Touching() {
+        RandomInput random(1481);
+        for (const int slot : slots) {
+            ingot::BodyDef def = ingot_reference::definition(2, random.moments(2));
+            def.state = {to_vector(random.vector(1)), to_vector(random.vector(1)), ingot_reference::to_matrix(random.rotation()),
+                         to_vector(random.vector(1))};
+            tiles.write(slot, def);
+        }
+        record.manifold.n = {0, 0, -1};
+        record.manifold.count = 1;
+        ingot::refresh_inv_I_world(tiles.view());
+    }
+    PointBody& body(int i) { return bodies[static_cast<std::size_t>(slots[i])]; }
+    void take_in() { ingot::take_in_bodies(view, tiles.view(), gravity, h); }
+    bool is_bad(int i) { return (tiles.rotation(slots[i]).bad >> (slots[i] % ingot::lanes) & 1u) != 0; }
+};
+
+TEST(PointBodies, leave_the_motion_that_was_found) {
+    Touching two;
+    two.take_in();
+    RandomInput random(1482);
+    Eigen::Vector3d v[2], L[2], dp[2], turned[2];
+    for (int i = 0; i < 2; ++i) {
+        v[i] = random.vector(1), L[i] = random.vector(1), dp[i] = random.vector(0.01), turned[i] = random.vector(0.01);
+        two.body(i).velocity.linear = to_vector(v[i]), two.body(i).velocity.moment = to_vector(L[i]);
+        two.body(i).displacement.linear = to_vector(dp[i]), two.body(i).displacement.moment = to_vector(turned[i]);
+    }
+    ingot::write_contact_motion(two.view, two.tiles.view(), gravity, h);
+    const double step = static_cast<double>(h);
+    for (int i = 0; i < 2; ++i) {
+        const int lane_i = Touching::slots[i] % ingot::lanes;
+        EXPECT_LE((to_eigen(two.tiles.state(Touching::slots[i]).v_CM) - v[i]).norm(), 8 * eps);
+        EXPECT_LE((to_eigen(two.tiles.state(Touching::slots[i]).L) - L[i]).norm(), 8 * eps);
+        // With a = F/M + g: dp = (v - a h / 2) h. With the mean L of the step in the middle: L - tau h / 2.
+        const Eigen::Vector3d a = to_eigen(ingot::lane_of(two.tiles.translation(Touching::slots[i]).F_T, lane_i)) * 0.5 + to_eigen(gravity),
+                              tau = to_eigen(ingot::lane_of(two.tiles.rotation(Touching::slots[i]).tau_T, lane_i));
+        EXPECT_LE(((v[i] - a * step / 2) * step - dp[i]).norm(), 64 * eps);
+        EXPECT_LE(((L[i] - tau * step / 2) * step - turned[i]).norm(), 64 * eps);
+        EXPECT_FALSE(two.is_bad(i));
+    }
+}
+
+TEST(PointBodies, that_are_no_numbers_are_marked_and_left_as_they_were) {
+    for (int part = 0; part < 4; ++part) {
+        for (int axis = 0; axis < 3; ++axis) {
+            for (const scalar bad : {std::numeric_limits<scalar>::quiet_NaN(), -std::numeric_limits<scalar>::infinity()}) {
+                Touching two;
+                two.take_in();
+                const ingot::BodyState before = two.tiles.state(0);
+                PointBody& body = two.body(0);
+                Vector& of = part == 0   ? body.velocity.linear
+                             : part == 1 ? body.velocity.angular
+                             : part == 2 ? body.displacement.linear
+                                         : body.displacement.moment;
+                (axis == 0 ? of.x : axis == 1 ? of.y : of.z) = bad;
+                ingot::write_contact_motion(two.view, two.tiles.view(), gravity, h);
+                EXPECT_TRUE(two.is_bad(0)) << part << " " << axis;
+                EXPECT_FALSE(two.is_bad(1)) << "nobody else is";
+                EXPECT_EQ(to_eigen(two.tiles.state(0).v_CM), to_eigen(before.v_CM));
+                EXPECT_EQ(to_eigen(two.tiles.state(0).L), to_eigen(before.L));
+            }
+        }
+    }
+}
+
+/// Forces that leave a body beyond all bounds do not reach those that touch it: it counts as one that cannot move.
+TEST(PointBodies, that_forces_throw_out_are_not_taken_in) {
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const double sign : {-1.0, 1.0}) {
+            Touching two;
+            Eigen::Vector3d F = Eigen::Vector3d::Zero();
+            F(axis) = sign * 2 * static_cast<double>(2 * ingot::limits::speed_runaway / h);
+            ingot::set_lane(two.tiles.translation(0).F_T, 0, to_vector(F));
+            two.take_in();
+            EXPECT_TRUE(two.is_bad(0)) << axis;
+            EXPECT_FALSE(two.is_bad(1));
+            EXPECT_EQ(two.body(0).inv_M, 0);
+            EXPECT_GT(two.body(1).inv_M, 0);
+        }
+    }
+}
+
+/// Of two that cannot move nothing is asked and nothing written; whoever of two can move is the one that does.
+TEST(PointBodies, that_cannot_move_are_left_alone) {
+    for (const int movable : {-1, 0, 1}) {
+        Touching two;
+        for (int i = 0; i < 2; ++i) {
+            if (i == movable) continue;
+            ingot::BodyDef wall{};
+            wall.immovable = true;
+            two.tiles.write(Touching::slots[i], wall);
+        }
+        ingot::refresh_inv_I_world(two.tiles.view());
+        two.take_in();
+        two.contact.radius = 7;
+        two.record.j[0] = 1;
+        ingot::begin_contacts(two.view, 1, h);
+        EXPECT_EQ(two.contact.radius == 7, movable < 0) << "begun, or not looked at";
+        ingot::warm_start(two.view);
+        if (movable < 0) continue;
+        // A gets j n, B the opposite.
+        const Eigen::Vector3d n(0, 0, movable == 0 ? -1 : 1), v = to_eigen(two.tiles.state(Touching::slots[movable]).v_CM);
+        EXPECT_LE((to_eigen(two.body(movable).velocity.linear) - v - n / 2).norm(), 4 * eps);
+        EXPECT_EQ(two.body(1 - movable).inv_M, 0);
+    }
+}
+
+}  // namespace
