@@ -104,4 +104,126 @@ TEST(Patch, of_a_polyhedron_is_its_face_its_flattest_edge_or_its_furthest_corner
     EXPECT_GT(single, 100);
 }
 
+struct Point2 {
+    long double x, y;
+};
+
+/// A level patch with its corners on a circle, in one way round or the other.
+Patch level_polygon(RandomInput& random, int corners, double z) {
+    Patch patch{};
+    patch.count = corners;
+    patch.face = 0;
+    patch.z_0 = static_cast<scalar>(z);
+    const double radius = random.real(0.5, 1.5), begin = random.real(0, 6.28), turn = random.integer(0, 1) == 0 ? 1 : -1;
+    const double x = random.real(-0.5, 0.5), y = random.real(-0.5, 0.5);
+    for (int i = 0; i < corners; ++i) {
+        const double angle = begin + turn * (i + random.real(-0.2, 0.2)) * 6.2831853 / corners;
+        patch.x[i] = static_cast<scalar>(x + radius * std::cos(angle));
+        patch.y[i] = static_cast<scalar>(y + radius * std::sin(angle));
+        patch.z[i] = patch.z_0;
+    }
+    return patch;
+}
+
+Point2 corner_of(const Patch& patch, int i) { return {patch.x[i % patch.count], patch.y[i % patch.count]}; }
+
+/// Twice the area of the triangle of an edge and a point.
+long double side_of(const Patch& patch, int edge, Point2 p) {
+    const Point2 a = corner_of(patch, edge), b = corner_of(patch, edge + 1);
+    return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
+}
+
+/// 1 inside, -1 outside, 0 where rounding or the slack may decide.
+int where_in(const Patch& polygon, Point2 p) {
+    constexpr long double near = 0.05L;
+    int left = 0, right = 0;
+    for (int edge = 0; edge < polygon.count; ++edge) {
+        const long double side = side_of(polygon, edge, p);
+        if (std::abs(side) < near) return 0;
+        ++(side > 0 ? left : right);
+    }
+    return left == 0 || right == 0 ? 1 : -1;
+}
+
+/// Corners of the intersection of two convex polygons: those inside of the other, and where edges cross. False where one is not clear.
+bool intersection(const Patch& A, const Patch& B, std::vector<Point2>& corners) {
+    for (const auto& [of, other] : {std::make_pair(&A, &B), std::make_pair(&B, &A)}) {
+        for (int i = 0; i < of->count; ++i) {
+            const int where = where_in(*other, corner_of(*of, i));
+            if (where == 0) return false;
+            if (where > 0) corners.push_back(corner_of(*of, i));
+        }
+    }
+    for (int i = 0; i < A.count; ++i) {
+        for (int j = 0; j < B.count; ++j) {
+            const long double from = side_of(B, j, corner_of(A, i)), to = side_of(B, j, corner_of(A, i + 1));
+            const bool cross_A = (from > 0) != (to > 0), cross_B = (side_of(A, i, corner_of(B, j)) > 0) != (side_of(A, i, corner_of(B, j + 1)) > 0);
+            if (!cross_A || !cross_B) continue;
+            const long double t = from / (from - to);
+            const Point2 a = corner_of(A, i), b = corner_of(A, i + 1);
+            corners.push_back({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)});
+        }
+    }
+    return true;
+}
+
+ingot::Found nothing_found() {
+    ingot::Found found{};
+    found.margin = 10;
+    found.gap = -10;
+    found.nearby_sq = scalar(1e-12);
+    return found;
+}
+
+/// An edge is up to 3 m, and a side a product of two of them: rounded by 36 epsilon. The sides of the ends of an edge that crosses another are 0.1
+/// apart and more, so that where it does is known to 2 * 36 epsilon / 0.1 of its length.
+TEST(Overlay, of_two_polygons_is_the_corners_of_their_intersection) {
+    RandomInput random(1442);
+    const long double near = 3 * 720 * eps;
+    int compared = 0;
+    for (int case_i = 0; case_i < 2000; ++case_i) {
+        const Patch A = level_polygon(random, random.integer(3, 6), 0.25), B = level_polygon(random, random.integer(3, 6), -0.5);
+        std::vector<Point2> expected;
+        if (!intersection(A, B, expected)) continue;
+        ingot::Found found = nothing_found();
+        ingot::overlay(A, B, 0, 0, found);
+        ASSERT_EQ(found.count, static_cast<int>(expected.size())) << case_i;
+        for (const Point2& point : expected) {
+            bool is_there = false;
+            for (int i = 0; i < found.count && !is_there; ++i)
+                is_there = std::hypot(found.candidates[i].x - point.x, found.candidates[i].y - point.y) <= near;
+            EXPECT_TRUE(is_there) << case_i << ": " << static_cast<double>(point.x) << " " << static_cast<double>(point.y);
+        }
+        for (int i = 0; i < found.count; ++i) EXPECT_EQ(found.candidates[i].separation, scalar(0.75));
+        ++compared;
+    }
+    EXPECT_GT(compared, 500);
+}
+
+Patch level_line(Point2 from, Point2 to) {
+    Patch patch{};
+    patch.count = 2;
+    patch.face = -1;
+    patch.x[0] = static_cast<scalar>(from.x), patch.y[0] = static_cast<scalar>(from.y);
+    patch.x[1] = static_cast<scalar>(to.x), patch.y[1] = static_cast<scalar>(to.y);
+    return patch;
+}
+
+/// Edges that are not parallel meet in one point, however short one of them is.
+TEST(Overlay, of_two_edges_that_cross_is_one_point) {
+    const long double length_A = 2, length_B = 0.0625L;
+    for (const long double sin : {1.0L, 0.5L, -0.25L}) {
+        const long double cos = std::sqrt(1 - sin * sin), x = 0.25L, y = 0.125L;  // where they cross, a quarter along B
+        const Patch A = level_line({x - length_A / 2, y}, {x + length_A / 2, y});
+        const Patch B = level_line({x - cos * length_B / 4, y - sin * length_B / 4}, {x + cos * length_B * 3 / 4, y + sin * length_B * 3 / 4});
+        for (const bool swapped : {false, true}) {
+            ingot::Found found = nothing_found();
+            ingot::overlay(swapped ? B : A, swapped ? A : B, 0, scalar(1e-3), found);
+            ASSERT_EQ(found.count, 1);
+            EXPECT_NEAR(static_cast<double>(found.candidates[0].x), static_cast<double>(x), 16 * eps);
+            EXPECT_NEAR(static_cast<double>(found.candidates[0].y), static_cast<double>(y), 16 * eps);
+        }
+    }
+}
+
 }  // namespace

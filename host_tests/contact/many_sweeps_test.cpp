@@ -226,6 +226,34 @@ TEST(ManySweeps, without_friction_lead_to_the_exact_solution) { expect_sweeps_me
 /// Coulomb's law to the letter: where a manifold slides, friction is against the slip.
 TEST(ManySweeps, with_friction_lead_to_the_exact_solution) { expect_sweeps_meet_the_exact_solution(0.4); }
 
+/// Of a manifold with one point whose normal goes through both centres of mass there is nothing to turn: such a heap gets more sweeps.
+TEST(Blocks, know_how_many_manifolds_are_central) {
+    RandomInput random(9);
+    for (int pile_i = 0; pile_i < 40; ++pile_i) {
+        Twins twins = random_pile(random, 0);
+        int central = 0;
+        for (const BodyPair& pair : twins.pile.pairs) {
+            if (random.integer(0, 1) == 0) continue;  // as it is: its points are beside the middle
+            ingot::Manifold& manifold = twins.pile.records[pair.record].manifold;
+            const Eigen::Vector3d b = twins.problem.bodies[pair.body_B].r_CM;
+            const Eigen::Vector3d a = pair.body_A == 0 ? Eigen::Vector3d(b.x(), b.y(), 0) : twins.problem.bodies[pair.body_A].r_CM;
+            manifold.count = 1;
+            manifold.n = ingot_reference::to_vector((a - b).normalized());
+            manifold.points[0].P = ingot_reference::to_vector(pair.body_A == 0 ? a : Eigen::Vector3d((a + b) / 2));
+            ++central;
+        }
+        ingot::SolverView solver = twins.pile.solver();
+        take_in(solver, twins.problem);
+        ingot::order_manifolds(solver);
+        ingot::prepare_blocks(solver, twins.pile.view());
+        EXPECT_EQ(solver.central_count, central) << pile_i;
+        const int visits = solver.visit_count, levels = solver.level_count;
+        ingot::order_manifolds(solver);
+        EXPECT_EQ(solver.visit_count, visits) << "what the view held before does not matter";
+        EXPECT_EQ(solver.level_count, levels);
+    }
+}
+
 /// What the last sweep changed of all contacts, one by one: no term is below zero, so the roundings of any order are of the sum.
 double sum_by_lanes(const ingot::SolverView& solver) {
     double sum = 0;
@@ -298,6 +326,58 @@ void expect_points_meet_the_exact_solution(double mu_max) {
 }
 TEST(ManySweepsOfPoints, without_friction_lead_to_the_exact_solution) { expect_points_meet_the_exact_solution(0); }
 TEST(ManySweepsOfPoints, with_friction_lead_to_the_exact_solution) { expect_points_meet_the_exact_solution(0.4); }
+
+/// Who cannot move, has gone bad or touches nothing was not hit, whatever a step before has left.
+TEST(ManySweepsOfPoints, begin_with_bodies_that_were_not_hit) {
+    RandomInput random(10);
+    Twins twins = random_pile(random, 0);
+    LightPile light(twins);
+    for (ingot::PointBody& body : light.bodies) body.hit = true;
+    ingot::take_in_bodies(light.view, twins.pile.view(), {}, static_cast<scalar>(h));
+    for (const ingot::PointBody& body : light.bodies) EXPECT_FALSE(body.hit);
+}
+
+/// Of an impact the next substep is given no more again than twice what was given before it, and what stops two substeps of gravity.
+TEST(ManySweepsOfPoints, give_no_impact_again) {
+    RandomInput random(11);
+    int cut = 0;
+    for (int pile_i = 0; pile_i < 40; ++pile_i) {
+        Twins twins = random_pile(random, 0);
+        LightPile light(twins);
+        for (ingot::PointBody& body : light.bodies) {
+            body.hit = random.integer(0, 2) == 0;
+            body.forces.linear = ingot_reference::to_vector(random.vector(10));
+        }
+        std::vector<ingot::ManifoldRecord>& records = twins.pile.records;
+        for (ingot::ManifoldRecord& record : records)
+            for (int i = 0; i < record.manifold.count; ++i)
+                record.j[i] = static_cast<scalar>(random.real(0, 2)), record.j_before[i] = static_cast<scalar>(random.real(0, 0.5));
+        const std::vector<ingot::ManifoldRecord> before = records;
+        ingot::sweep_point_positions(light.view, static_cast<scalar>(h));
+        for (const BodyPair& pair : twins.pile.pairs) {
+            const ingot::ManifoldRecord &was = before[pair.record], &is = records[pair.record];
+            const Eigen::Vector3d n = to_eigen(was.manifold.n);
+            double pull = 0;
+            for (const int slot : {pair.body_A, pair.body_B})
+                if (slot != 0) pull = std::max(pull, to_eigen(light.bodies[static_cast<std::size_t>(slot)].forces.linear).norm());
+            const bool hit = light.bodies[pair.body_A].hit || light.bodies[pair.body_B].hit;
+            for (int i = 0; i < was.manifold.count; ++i) {
+                double K = 0;
+                for (const int slot : {pair.body_A, pair.body_B}) {
+                    const ContactBody& body = twins.problem.bodies[static_cast<std::size_t>(slot)];
+                    if (slot == 0) continue;
+                    const Eigen::Vector3d lever = (to_eigen(was.manifold.points[i].P) - body.r_CM).cross(n);
+                    K += body.inv_M + lever.dot(body.inv_I_world * lever);
+                }
+                const double j = static_cast<double>(was.j[i]), most = 2 * static_cast<double>(was.j_before[i]) + 2 * h * pull / K;
+                // K is a sum of a dozen rounded products of numbers of one sign, and levers of places up to 7 m.
+                EXPECT_NEAR(static_cast<double>(is.j[i]), hit ? std::min(j, most) : j, 64 * static_cast<double>(ingot::epsilon)) << pile_i;
+                cut += hit && most < j ? 1 : 0;
+            }
+        }
+    }
+    EXPECT_GT(cut, 50);
+}
 
 /// As many sweeps as a substep may have, with conjugate gradients, are nearer to it than without.
 TEST(ManySweepsOfPoints, with_conjugate_gradients_lead_there_sooner) {

@@ -350,6 +350,7 @@ TEST(Path, begins_with_the_motion_of_its_body) {
             if (def.immovable) states[slot].v_CM = states[slot].L = {};
             def.state = states[slot];
             tiles.write(slot, def);
+            states[slot] = tiles.state(slot);  // A is made orthonormal
             fast[slot] = kind != 3 && !def.immovable;
             surfaces[slot].shape = ingot::Box{{1, 1, 1}};
             surfaces[slot].bounding_radius = 2;

@@ -119,4 +119,33 @@ TEST(SolverBodies, turn_by_what_dth_has_beyond_the_drift) {
     }
 }
 
+/// v and L change by a h and tau h, what they were is kept, and the fastest speed is known: sweeps end where its rounding is all that is left.
+TEST(SolverBodies, are_kicked_by_what_accelerates_them) {
+    Solved solved;
+    const Vector3d a(1, -2, 3), tau(-4, 5, 6);
+    for (int i = 1; i < 3; ++i)
+        for (int k = 0; k < 3; ++k)
+            solved.histories[i].a[k] = static_cast<scalar>(i * a(k)), solved.histories[i].tau[k] = static_cast<scalar>(i * tau(k));
+    ingot::SolverView solver = solved.view();
+    ingot::kick_bodies(solver, h);
+    double fastest = 0;
+    for (int i = 1; i < 3; ++i) {
+        const ingot::SolverBody& body = solved.bodies[i];
+        const Vector3d v(body.v_CM[0], body.v_CM[1], body.v_CM[2]), L(body.L[0], body.L[1], body.L[2]);
+        // A product and a sum are rounded, of numbers up to 1 + 1/4 here.
+        EXPECT_LE((v - solved.v[i] - a * i * static_cast<double>(h)).lpNorm<Eigen::Infinity>(), 2 * eps) << i;
+        EXPECT_LE((L - solved.L[i] - tau * i * static_cast<double>(h)).lpNorm<Eigen::Infinity>(), 2 * eps) << i;
+        for (int k = 0; k < 3; ++k) {
+            EXPECT_EQ(solved.histories[i].v_begin[k], static_cast<scalar>(solved.v[i](k)));
+            EXPECT_EQ(solved.histories[i].L_begin[k], static_cast<scalar>(solved.L[i](k)));
+        }
+        fastest = std::max(fastest, v.norm());
+    }
+    EXPECT_NEAR(static_cast<double>(solver.speed_max), fastest, 4 * eps);
+
+    solved.bodies[2].v_CM[0] = 2 * ingot::limits::rounding_speed_max;
+    ingot::kick_bodies(solver, h);
+    EXPECT_EQ(solver.speed_max, ingot::limits::rounding_speed_max);
+}
+
 }  // namespace

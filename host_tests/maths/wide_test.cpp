@@ -51,6 +51,20 @@ TEST(SumInIntegers, of_the_ends_of_the_range) {
                 for (const double sign_b : {1., -1.}) EXPECT_TRUE(same_sum(sign_a * a, sign_b * b)) << sign_a * a << " + " << sign_b * b;
 }
 
+TEST(OwnDouble, compares_as_the_machine_does) {
+    for (const double a : {-1.0, 0.0, 1.0, std::numeric_limits<double>::quiet_NaN()}) {
+        for (const double b : {-1.0, 0.0, 1.0, std::numeric_limits<double>::quiet_NaN()}) {
+            const ingot::OwnDouble own_a = a, own_b = b;
+            EXPECT_EQ(own_a < own_b, a < b);
+            EXPECT_EQ(own_a > own_b, a > b);
+            EXPECT_EQ(own_a <= own_b, a <= b);
+            EXPECT_EQ(own_a >= own_b, a >= b);
+            EXPECT_EQ(own_a == own_b, a == b);
+            EXPECT_EQ(own_a != own_b, a != b);
+        }
+    }
+}
+
 /// What libgcc 12 rounds wrongly on cores with Thumb-2 and no double unit.
 TEST(SumInIntegers, of_exponents_33_apart) { EXPECT_EQ(ingot::sum_in_integers(0x1.fa8658p-16, -0x1p17), 0x1.fa8658p-16 - 0x1p17); }
 

@@ -13,7 +13,7 @@ Not mutated: what is computed by the compiler (limits, static_assert, constexpr 
 What the golden hashes alone would notice is not counted: a hash says that something changed, not what is right.
 
 Prints the score of each room and the survivors. survivors.csv lists those that were looked at, with the reason why no test can tell them from the
-kernel; they are not played and do not count. Columns: file, original, mutant (both as the run prints them), reason.
+kernel; they are not played and do not count. Columns: file, original, mutant (both as the run prints them), a piece of the line (may be empty), reason.
 Fails when the score is below --least.
 """
 import argparse
@@ -314,8 +314,18 @@ def killer(number, cases, budget):
 
 
 def read_reviewed():
+    """Whether a mutant is one of survivors.csv."""
+    pieces = collections.defaultdict(list)
     with open(os.path.join(HERE, "survivors.csv")) as file:
-        return {(row["file"], row["original"], row["mutant"]) for row in csv.DictReader(line for line in file if not line.startswith("#"))}
+        for row in csv.DictReader(line for line in file if not line.startswith("#")):
+            pieces[row["file"], row["original"], row["mutant"]].append(row["line"])
+
+    def is_reviewed(mutant):
+        with open(mutant.file) as file:
+            line = file.read().split("\n")[mutant.line - 1]
+        return any(piece in line for piece in pieces[os.path.relpath(mutant.file, ROOT), mutant.original, mutant.mutant])
+
+    return is_reviewed
 
 
 def main():
@@ -339,12 +349,11 @@ def main():
     programs = build_all(mutants, scratch, arguments.jobs, arguments.programs)
     print("built %d programs with %d mutants" % (len(programs), len(mutants)), flush=True)
     reaching = survey(programs, scratch, arguments.slowest, arguments.jobs)
-    reviewed = read_reviewed()
+    is_reviewed = read_reviewed()
 
     rooms, survivors = collections.defaultdict(lambda: [0, 0, 0]), []  # mutants, killed, equal by review
     begin = time.time()
     with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
-        is_reviewed = lambda mutant: (os.path.relpath(mutant.file, ROOT), mutant.original, mutant.mutant) in reviewed
         play = lambda number: None if is_reviewed(mutants[number]) else killer(number, reaching.get(number, []), arguments.budget)
         for number, found in zip(mutants, pool.map(play, mutants)):
             mutant = mutants[number]

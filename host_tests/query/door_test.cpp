@@ -169,6 +169,10 @@ TEST(Queries, of_an_empty_world_find_nothing) {
     EXPECT_FALSE(world.cast_shape(ball_at({}), {1, 2, 3}).value.found());
     EXPECT_EQ(world.find_overlaps(ball_at({}), found, 1).value, 0);
     EXPECT_FALSE(world.find_nearest({}, 1).value.found());
+    EXPECT_EQ(world.cast_ray({}, {1, 2, 3}).value.shape, 0) << "of nobody, the first";
+    EXPECT_EQ(world.cast_ray({}, {1, 2, 3}).value.fraction, 1);
+    EXPECT_EQ(world.cast_shape(ball_at({}), {1, 2, 3}).value.shape, 0);
+    EXPECT_EQ(world.find_nearest({}, 1).value.shape, 0);
 }
 
 }  // namespace

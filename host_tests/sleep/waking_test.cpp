@@ -207,6 +207,30 @@ TEST_F(TwoTowers, a_filter_that_lets_go_of_the_ground_drops_what_stood_on_it) {
 }
 
 /// A lift under a box, moved by hand.
+TEST_F(TwoTowers, what_was_woken_stays_up_for_the_time) {
+    ASSERT_EQ(world().wake(id(1)), Status::ok);
+    ASSERT_EQ(awake_in(0), 3);
+    EXPECT_GE(run_until_asleep(play, 2 * steps_to_sleep), steps_to_sleep - 1);
+}
+
+/// A body in the first slot, met by the first pair there is.
+TEST(Waking, the_first_of_all_is_woken_by_what_meets_it_and_by_gravity) {
+    std::vector<PlacedBody> balls = {solid_ball(1, scalar(0.5), {}, 0), solid_ball(1, scalar(0.5), {3, 0, 0}, 0)};
+    balls[1].move({-2, 0, 0});
+    Play<Bedroom<2>> play(balls, {});
+    play.run(h, 0.9);  // they meet after 1 s
+    ASSERT_TRUE(play.world().is_asleep(play.id(0)));
+    play.run(h, 0.3);
+    EXPECT_FALSE(play.world().is_asleep(play.id(0)));
+    EXPECT_LT(play.state(0).v_CM.x, -scalar(0.9)) << "without restitution they go on together";
+
+    balls.pop_back();
+    Play<Bedroom<2>> alone(balls, {});
+    ASSERT_GT(run_until_asleep(alone, 2 * steps_to_sleep), 0);
+    ASSERT_EQ(alone.world().set_gravity({0, 0, -1}), Status::ok);
+    EXPECT_FALSE(alone.world().is_asleep(alone.id(0)));
+}
+
 TEST(Waking, a_support_that_is_moved_away_or_up_takes_the_sleeper_along) {
     std::vector<PlacedBody> bodies = {fixed_box({1, 1, scalar(0.5)}, {}, 1), unit_cube({0, 0, 1}, 1)};
     Play<Bedroom<2>> play(bodies, OnEarth::gravity);

@@ -225,6 +225,8 @@ TEST_F(DamagedPile, of_what_no_contact_can_be) {
 TEST_F(DamagedPile, of_who_touches_whom) {
     const size_t at = first();
     refuses(with(at, uint16_t{1}), "a body that touches itself");
+    const size_t last = at + 4 * manifold_size;
+    refuses(with(last, static_cast<uint16_t>(sound_[last + to_B] | sound_[last + to_B + 1] << 8)), "a body that touches itself, last of all");
     refuses(with(at, uint16_t{2}), "the later body first");
     refuses(with(at + to_B, uint16_t{Pile::max_bodies}), "a slot that the scene has not");
     refuses(with(at + to_B, uint16_t{5}), "a slot that was never used");

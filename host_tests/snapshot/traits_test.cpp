@@ -191,6 +191,21 @@ TEST(DamagedTraits, of_none_but_for_a_scene_of_other_hulls) {
     EXPECT_TRUE(same_bytes(*other, *before));
 }
 
+/// So are the shapes that it names, each of them.
+template <class Left>
+struct Named : ingot::Scene {
+    using shapes = Left;
+};
+TEST(DamagedTraits, of_none_but_for_a_scene_of_other_shapes) {
+    using namespace ingot;
+    const uint64_t all = scene_signature<Named<Shapes<Sphere, Capsule, Box, Cylinder, HalfSpace>>>();
+    EXPECT_NE(all, (scene_signature<Named<Shapes<Capsule, Box, Cylinder, HalfSpace>>>()));
+    EXPECT_NE(all, (scene_signature<Named<Shapes<Sphere, Box, Cylinder, HalfSpace>>>()));
+    EXPECT_NE(all, (scene_signature<Named<Shapes<Sphere, Capsule, Cylinder, HalfSpace>>>()));
+    EXPECT_NE(all, (scene_signature<Named<Shapes<Sphere, Capsule, Box, HalfSpace>>>()));
+    EXPECT_NE(all, (scene_signature<Named<Shapes<Sphere, Capsule, Box, Cylinder>>>()));
+}
+
 TEST(DamagedTraits, of_the_shapes_of_a_body) {
     const Sound<OfSeveral> sound = after<OfSeveral>(5);
     ASSERT_EQ(sound.field(ball_slot, "shapes").bits, 2u);

@@ -24,7 +24,6 @@ void solve_contact_forces(const ContactView& contacts, const BodyView& bodies, s
         c.tolerance = tolerance_of(c, normal_speed(c, bodies));
         c.active = true;
         c.target = 0;
-        c.j = 0;
     }
     const SweepOutcome outcome = solve_active_contacts(contacts, bodies);
     count(report.sweeps, outcome.sweeps);
