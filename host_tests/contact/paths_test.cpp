@@ -447,7 +447,7 @@ TEST(TwoBodies, know_how_far_they_move_in_a_while) {
         const double spin[2] = {case_i == 3 ? 0 : turns_slowly ? 3.0 : 300.0, case_i == 3 ? 0 : turns_slowly ? 5.0 : 10.0};
         for (int which = 0; which < 2; ++which) {
             ingot::BodyDef def = ingot_reference::definition(1, Vector3d(2 * Vector3d::Ones()));
-            def.state.v_CM = {0, static_cast<scalar>(which == 0 ? 0.0 : v), 0};
+            def.state.v_CM = {0, static_cast<scalar>(which == 0 ? -v / 4 : 3 * v / 4), 0};  // against each other
             def.state.L = {0, 0, static_cast<scalar>(2 * spin[which])};
             tiles.write(which, def);
             surfaces[which].shape = ingot::Sphere{static_cast<scalar>(size[which])};
@@ -464,7 +464,7 @@ TEST(TwoBodies, know_how_far_they_move_in_a_while) {
         const double by_way = std::min(most, static_cast<double>(ingot::limits::together_share) * size[1] / fastest);
         const double by_turn = std::min(most, static_cast<double>(ingot::limits::angle_per_path) / 2 / std::max(spin[0], spin[1]));
         EXPECT_NEAR(static_cast<double>(room.moment()) / std::min(by_way, by_turn), 1, near) << case_i;
-        const auto travel = [&](int which) { return (which == 0 ? 0.0 : v) * h + spin[which] * h * radius[which]; };
+        const auto travel = [&](int which) { return (which == 0 ? v / 4 : 3 * v / 4) * h + spin[which] * h * radius[which]; };
         const double fast_share = static_cast<double>(ingot::limits::fast_share);
         EXPECT_EQ(room.some_fast(static_cast<scalar>(h)), travel(0) > fast_share * size[0] || travel(1) > fast_share * size[1]) << case_i;
         EXPECT_FALSE(room.some_fast(scalar(1e-6)));
