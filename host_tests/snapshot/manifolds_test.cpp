@@ -96,6 +96,30 @@ TYPED_TEST(SavedPile, goes_on_from_every_moment_as_if_never_left) {
     EXPECT_GT(touching, 100);
 }
 
+/// How far apart a pair may be and still touch is told by what it does now, not by who was in the slot before: that a snapshot does not hold.
+TEST(SavedSlot, of_ground_where_a_box_spun_goes_on_as_if_never_left) {
+    static World<Pile> world, restored;
+    clear(world);
+    BodyDef spinning = crate<Pile>({0, 0, 20});
+    spinning.state.L = {3, 0, 0};
+    const auto before = world.add(spinning);
+    ASSERT_TRUE(before.ok());
+    (void)ingot::step(world, h);
+    ASSERT_EQ(world.remove(before.value), Status::ok);
+    const auto floor = world.add(ground());
+    ASSERT_TRUE(floor.ok());
+    ASSERT_EQ(floor.value.slot, before.value.slot);
+    ASSERT_TRUE(world.add(crate<Pile>({0, 0, scalar(0.5)})).ok());
+
+    const Bytes bytes = saved(world);
+    ASSERT_EQ(ingot::load_snapshot(restored, bytes.data(), bytes.size()), Status::ok);
+    for (int step_i = 0; step_i < 10; ++step_i) {
+        EXPECT_EQ(ingot::step(world, h).contacts, 1);
+        (void)ingot::step(restored, h);
+        ASSERT_EQ(saved(restored), saved(world)) << "step " << step_i;
+    }
+}
+
 /// Sizes in bytes, written down a second time.
 constexpr size_t s = sizeof(scalar), checksum = 8;
 constexpr size_t to_B = 2, to_count = 4, to_n = 6, to_points = to_n + 3 * s, point_size = 6 * s + 4;

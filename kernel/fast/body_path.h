@@ -20,7 +20,7 @@ struct BodyPath {
     uint16_t next_slot;  ///< whom it meets; its own slot: nobody, the path ends
     bool fast;         ///< it may get beyond something within a step
     bool falls_free;   ///< nothing touches it on the way: its motion is known exactly at every time
-    bool held;         ///< it takes part in the contacts of the step
+    bool held;         ///< it takes part in the contacts of the step, or waits for the next
 };
 
 inline constexpr scalar never = 2;

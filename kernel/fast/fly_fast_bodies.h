@@ -257,6 +257,7 @@ void wait_at(const Flights<Meets>& flights, int slot, scalar t, TwoBodies& room)
     const FlightState motion = motion_at<Rotation>(flights, slot, t, room);
     put_state(flights.bodies, slot, motion);
     end_path(flights.paths[slot], motion.r_CM, motion.A, t);
+    flights.paths[slot].held = true;
 }
 
 /// The paths of all bodies as they have gone in this step. True if one is fast.
@@ -288,9 +289,9 @@ bool lay_all_paths(const Flights<Meets>& flights, TwoBodies& room) {
 ///
 /// Impact by impact in the order of time, two bodies that meet are taken back to that time, touch as in any step, with restitution, friction and
 /// forces, and go on to the end of the step. A body that takes part in the contacts of the step is not taken from them: whoever meets it waits there
-/// for the next step, which finds both touching; so do those that are left after limits::impacts_in_step_max. Only what meets at the
-/// very begin is not left waiting, lest it wait for ever. They are counted in report.impacts_left: the rest of the step is lost to
-/// them, and no energy or momentum.
+/// for the next step, which finds both touching, as does whoever meets one that waits; so do those that are left after
+/// limits::impacts_in_step_max. Only what meets at the very begin is not left waiting, lest it wait for ever. They are counted in
+/// report.impacts_left: the rest of the step is lost to them, and no energy or momentum.
 /// What was made fast by the contacts of this step is seen too: all goes by the ways that bodies have gone.
 /// Bound: impacts_in_step_max impacts, and as many parts of paths as their turns need, limits::path_parts_max a body and step.
 /// Cost:  a look at every body for each fast one, and some searches for nearest points for those near its path.

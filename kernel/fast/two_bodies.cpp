@@ -97,7 +97,8 @@ void TwoBodies::return_forces() {
 
 scalar TwoBodies::moment() {
     const scalar size_A = least_half_extent(surfaces[0].shape), size_B = least_half_extent(surfaces[1].shape);
-    scalar spin = 0, fastest = sqrt(length_sq(flight_state(bodies(), 0).v_CM - flight_state(bodies(), 1).v_CM));
+    const Vector v_A = flight_state(bodies(), 0).v_CM, v_B = flight_state(bodies(), 1).v_CM;
+    scalar spin = 0, fastest = sqrt(greatest(length_sq(v_A - v_B), greatest(length_sq(v_A), length_sq(v_B))));
     for (int which = 0; which < 2; ++which) {
         const scalar own = sqrt(length_sq(omega_of(bodies(), which)));
         fastest += own * surfaces[which].bounding_radius;

@@ -37,6 +37,7 @@ constexpr Vector nowhere = everywhere * scalar(2);  ///< empty bounds begin ther
 /// A half space whose face lies along two of the axes ends there; any other is everywhere. It never moves.
 void bound_half_space(const BodyView& bodies, const Surface& surface, Place at, BoundsTile& tile) {
     set_bounds(tile, at.lane, -everywhere, everywhere);
+    tile.spin_reach[at.lane] = 0;  // what was in the slot before may have spun
     const Vector n = lane_of(bodies.rotation[at.tile].A, at.lane) * surface.shape.size, r = lane_of(bodies.translation[at.tile].r_CM, at.lane);
     const scalar n_of[3] = {n.x, n.y, n.z}, r_of[3] = {r.x, r.y, r.z}, offset = surface.shape.offset;
     for (int axis = 0; axis < 3; ++axis) {
@@ -105,6 +106,14 @@ bool refresh_bounds(const BodyView& bodies, const SurfaceView& surfaces, scalar 
 
 void widen_bounds(const BodyView& bodies, BoundsTile* bounds) {
     for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) widen(bounds[tile_i], load(bodies.translation[tile_i].inv_M));
+}
+
+void tighten_bounds(const BodyView& bodies, BoundsTile* bounds) {
+    for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) {
+        BoundsTile& tile = bounds[tile_i];
+        __builtin_memcpy(tile.wide_low, tile.low, sizeof tile.low);
+        __builtin_memcpy(tile.wide_high, tile.high, sizeof tile.high);
+    }
 }
 
 } }  // namespace ingot

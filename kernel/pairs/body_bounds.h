@@ -23,6 +23,9 @@ bool refresh_bounds(const BodyView& bodies, const SurfaceView& surfaces, scalar 
 /// New wide bounds around the bounds as they are: where refresh_bounds was called for some of the tiles, and one has left.
 void widen_bounds(const BodyView& bodies, BoundsTile* bounds);
 
+/// Wide bounds without their skin: a search by these finds the pairs that may touch in this step, and no more.
+void tighten_bounds(const BodyView& bodies, BoundsTile* bounds);
+
 /// True for a tile as storage begins, and as a snapshot leaves it: all zero. What refresh_bounds writes never is, since bounds have an extent.
 INGOT_INLINE bool is_blank(const BoundsTile& tile) { return tile.low[0][0] == 0 && tile.high[0][0] == 0; }
 

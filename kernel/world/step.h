@@ -66,6 +66,24 @@ bool refresh_bounds_of(Storage<S>& storage, const BodyView& bodies, scalar h) {
         return refresh_bounds(bodies, storage.surface_view(), h, storage.bounds);
 }
 
+/// Bounds of the step, and the pairs that may touch in it.
+///
+/// As a rule they are those of the last search, by wide bounds, and some more. Where these have no room, pairs are searched for in every step, by its
+/// bounds alone: so what is lost does not depend on when wide bounds were made, which a snapshot does not hold.
+template <class S>
+INGOT_INLINE void find_pairs_of_step(Storage<S>& storage, const BodyView& shapes, const PairList& pairs, const ManifoldView& manifolds, scalar h) {
+    const bool left = refresh_bounds_of(storage, shapes, h);
+    if (left) storage.find_pairs(shapes, storage.bounds, pairs);
+    const bool crowded = *pairs.lost > 0;
+    if (crowded) {
+        tighten_bounds(shapes, storage.bounds);
+        storage.find_pairs(shapes, storage.bounds, pairs);
+    }
+    if (!left && !crowded) return;
+    if constexpr (has_compounds<S>) drop_pairs_of_one_body<S::max_shapes_of_body>(pairs);
+    hold_records(manifolds, pairs);
+}
+
 /// Islands of the step, those awake that can meet what moves, and the pairs that are to be solved.
 template <class S>
 void wake_what_is_met(Storage<S>& storage, const BodyView& bodies, const ManifoldView& manifolds) {
@@ -146,11 +164,7 @@ StepReport step(World<S>& world, scalar h) {
         const ManifoldView manifolds = storage.manifold_view();
         if constexpr (has_compounds<S>) storage.place_all_shapes();
         const BodyView shapes = storage.shapes();
-        if (refresh_bounds_of(storage, shapes, h)) {
-            storage.find_pairs(shapes, storage.bounds, pairs);
-            if constexpr (has_compounds<S>) drop_pairs_of_one_body<S::max_shapes_of_body>(pairs);
-            hold_records(manifolds, pairs);
-        }
+        find_pairs_of_step(storage, shapes, pairs, manifolds, h);
         if constexpr (S::continuous) begin_paths(bodies, storage.surface_view(), h, storage.paths);
         update_manifolds<ShapesOf<S>, S::renews_manifolds>(shapes, storage.surface_view(), storage.bounds, h, storage.pair_rules(report), pairs,
                                                            manifolds, report, fast_pairs_of(storage, h));
