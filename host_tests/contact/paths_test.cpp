@@ -7,6 +7,7 @@
 #include <ingot/fast/time_of_impact.h>
 #include <ingot/fast/two_bodies.h>
 
+#include <cstring>
 #include <limits>
 
 #include "collide/placed.h"
@@ -110,6 +111,12 @@ double gap_at(const BodyPath& path_A, const Shape& A, const BodyPath& path_B, co
     return static_cast<double>(ingot_oracle::signed_distance(oracle_of(place_at(path_A, A, t)), oracle_of(place_at(path_B, B, t))));
 }
 
+/// Where two shapes have met, but for roundings.
+double meeting_gap(const Shape& A, const Shape& B) {
+    const scalar least = std::min(ingot::least_half_extent(A), ingot::least_half_extent(B));
+    return std::min(static_cast<double>(ingot::limits::impact_gap * least), static_cast<double>(ingot::limits::impact_gap_max));
+}
+
 TEST(TimeOfImpact, is_when_the_shapes_meet_and_never_later) {
     RandomInput random(1462);
     int met = 0, passed = 0, ruled_out = 0, early = 0;
@@ -129,7 +136,7 @@ TEST(TimeOfImpact, is_when_the_shapes_meet_and_never_later) {
             if (first > 1 && least < 0) first = t;
         }
         if (least_before < 0.05) continue;
-        const double roundings = 64 * eps * 4, near = static_cast<double>(ingot::limits::impact_gap_max) + roundings;
+        const double roundings = 64 * eps * 4, near = meeting_gap(A, B) + roundings;
         const double t = static_cast<double>(ingot::time_of_impact(path_A, A, path_B, B, 1, false));
         ingot::Surface surface_A{}, surface_B{};
         surface_A.shape = A, surface_B.shape = B;
@@ -176,6 +183,74 @@ TEST(TimeOfImpact, of_balls_is_that_of_the_parabola) {
             const double u = fall > 0 ? (-1 + std::sqrt(1 + 5 * fall)) / (2 * fall) : 1.25, speed = 1 + 2 * fall * u;
             EXPECT_LE(t, from + u + 1e-6);
             EXPECT_GE(t, from + u - (static_cast<double>(ingot::limits::impact_gap_max) + 64 * eps) / speed - 1e-6) << fall << " " << from;
+        }
+    }
+}
+
+/// Balls of millimetres: the gap in which they have met is a fraction of their size, not of a metre.
+TEST(TimeOfImpact, of_small_balls_is_at_a_gap_as_small) {
+    for (const double radius : {0.0005, 0.002, 0.01, 0.05}) {
+        BodyPath path_A{}, path_B{};
+        path_A.A = path_B.A = ingot::identity_matrix<scalar>();
+        path_A.r_CM = {0, 0, scalar(0.25)};
+        path_A.way = {0, 0, scalar(-0.5)};
+        path_A.until = path_B.until = 1;
+        const Shape A = ingot::Sphere{static_cast<scalar>(radius)}, B = ingot::Sphere{static_cast<scalar>(2 * radius)};
+        const double t = static_cast<double>(ingot::time_of_impact(path_A, A, path_B, B, 1, false)), meets = (0.25 - 3 * radius) / 0.5;
+        // Positions of up to 0.25 m are rounded, each some times; t, which is below 1, itself.
+        const double roundings = 16 * eps;
+        EXPECT_LE(t, meets + roundings) << radius;
+        EXPECT_GE(t, meets - meeting_gap(A, B) / 0.5 - roundings) << radius;
+    }
+}
+
+/// A rod of a kilometre, across the way of a ball: its nearest point is known to the rounding of its length, which is what the gap has to make up
+/// for. Along the way all lengths are below 1 m, so that the time itself is known to some roundings.
+TEST(TimeOfImpact, of_a_long_rod_is_not_later_for_its_length) {
+    for (const double half : {1.0, 30.0, 1000.0}) {
+        for (const bool rod_first : {true, false}) {
+            const Shape rod = ingot::Capsule{scalar(0.0625), static_cast<scalar>(half)}, ball = ingot::Sphere{scalar(0.125)};
+            BodyPath path_A{}, path_B{};
+            path_A.A = path_B.A = ingot::identity_matrix<scalar>();
+            (rod_first ? path_A : path_B).A = {{0, 0, -1}, {0, 1, 0}, {1, 0, 0}};  // its axis along x
+            path_A.r_CM = {0, 0, 1};
+            path_A.way = {0, 0, -1};
+            path_A.until = path_B.until = 1;
+            const Shape &A = rod_first ? rod : ball, &B = rod_first ? ball : rod;
+            const double t = static_cast<double>(ingot::time_of_impact(path_A, A, path_B, B, 1, false)), meets = 1 - 0.1875;
+            EXPECT_LE(t, meets + 8 * eps) << half;
+            EXPECT_GE(t, meets - meeting_gap(A, B) - 4 * eps * (half + 4)) << half;
+        }
+    }
+}
+
+/// Bodies that touch from the begin, which no contact has seen to: they meet at once if their nearest points get through a skin of the thinner one
+/// in what is left of the step, and else are left to the contacts of the next.
+TEST(TimeOfImpact, of_bodies_that_touch_unsolved_is_at_once_where_they_close_by_more_than_a_skin) {
+    const Shape box = ingot::Box{{1, 1, scalar(0.5)}}, ball = ingot::Sphere{scalar(0.25)};
+    const double skin = static_cast<double>(ingot::limits::skin_share) * 0.25, lever = 0.75;
+    for (const double from : {0.0, 0.25, 0.75}) {
+        for (const bool box_first : {true, false}) {
+            for (const bool turns : {false, true}) {
+                for (const double share : {-1.1, 0.9, 1.1}) {
+                    // A ball right below a box, beside its middle. The box comes down, or turns so that this end of it does.
+                    BodyPath of_box{}, of_ball{};
+                    of_box.A = of_ball.A = ingot::identity_matrix<scalar>();
+                    of_ball.r_CM = {static_cast<scalar>(lever), 0, scalar(-0.75)};
+                    const double closing = share * skin / (1 - from);
+                    if (turns)
+                        of_box.turn = {0, static_cast<scalar>(closing / lever), 0};
+                    else
+                        of_box.way = {0, 0, static_cast<scalar>(-closing)};
+                    of_box.until = of_ball.until = 1;
+                    of_box.from = static_cast<scalar>(from);
+                    const BodyPath &path_A = box_first ? of_box : of_ball, &path_B = box_first ? of_ball : of_box;
+                    const Shape &A = box_first ? box : ball, &B = box_first ? ball : box;
+                    const scalar t = ingot::time_of_impact(path_A, A, path_B, B, 1, true);
+                    EXPECT_EQ(t, share > 1 ? static_cast<scalar>(from) : ingot::never)
+                        << "from " << from << ", box " << (box_first ? "first" : "second") << (turns ? ", turns, " : ", falls, ") << share;
+                }
+            }
         }
     }
 }
@@ -252,6 +327,55 @@ TEST(Path, is_fast_by_way_and_turn_and_not_when_it_is_no_number) {
     }
 }
 
+/// Before a step: where bodies are, how they go on by their velocities, and nobody is met yet.
+TEST(Path, begins_with_the_motion_of_its_body) {
+    constexpr scalar h = scalar(1) / 64;
+    constexpr int slots = ingot::lanes + 3;
+    RandomInput random(1464);
+    for (int i = 0; i < 20; ++i) {
+        ingot_stages::Tiles tiles(slots);
+        ingot::Surface surfaces[slots] = {};
+        ingot::BodyState states[slots];
+        Vector3d omegas[slots];
+        bool fast[slots];
+        for (int slot = 0; slot < slots; ++slot) {
+            // Boxes of 2 m, as balls turn: they get beyond their size by their way, by their turn, by both together, or not.
+            const int kind = random.integer(0, 3);
+            const double travel = kind == 0 ? 1.1 : kind == 1 ? 0 : kind == 2 ? 0.55 : 0.4, spin = (kind == 1 ? 1.1 : kind == 2 ? 0.55 : 0.4) / 2;
+            ingot::BodyDef def = ingot_reference::definition(1, Vector3d(2 * Vector3d::Ones()));
+            def.immovable = i % 3 == 0 && slot == 1;
+            omegas[slot] = def.immovable ? Vector3d(Vector3d::Zero()) : Vector3d(random.direction() * (spin * 64));
+            states[slot] = {to_vector(random.vector(2)), to_vector(Vector3d(random.direction() * (travel * 64))), to_matrix(random.rotation()),
+                            to_vector(Vector3d(2 * omegas[slot]))};
+            if (def.immovable) states[slot].v_CM = states[slot].L = {};
+            def.state = states[slot];
+            tiles.write(slot, def);
+            states[slot] = tiles.state(slot);  // A is made orthonormal
+            fast[slot] = kind != 3 && !def.immovable;
+            surfaces[slot].shape = ingot::Box{{1, 1, 1}};
+            surfaces[slot].bounding_radius = 2;
+        }
+        ingot::refresh_inv_I_world(tiles.view());
+        BodyPath paths[slots];
+        std::memset(static_cast<void*>(paths), 0x5a, sizeof paths);  // of the step before
+        ingot::begin_paths(tiles.view(), {surfaces, slots}, h, paths);
+        for (int slot = 0; slot < slots; ++slot) {
+            const BodyPath& path = paths[slot];
+            EXPECT_EQ(exact(path.r_CM), exact(states[slot].r_CM));
+            EXPECT_EQ(exact(path.A), exact(states[slot].A));
+            EXPECT_EQ(exact(path.v_CM), exact(states[slot].v_CM));
+            EXPECT_EQ(exact(path.L), exact(states[slot].L));
+            EXPECT_EQ(exact(path.way), V(exact(states[slot].v_CM) * static_cast<long double>(h))) << "h is a power of two";
+            EXPECT_LE((in_double(path.turn) - omegas[slot] / 64).norm(), 64 * eps) << slot;
+            EXPECT_EQ(exact(path.fall), V(V::Zero()));
+            EXPECT_EQ(path.from, 0);
+            EXPECT_EQ(path.until, 1);
+            EXPECT_EQ(path.next, ingot::never);
+            EXPECT_EQ(path.fast, fast[slot]) << slot;
+        }
+    }
+}
+
 /// No method follows a body that turns by hundreds of radians in a step: its path does so by 500.
 TEST(Path, turns_by_no_more_than_it_can) {
     const PathPoint begin = {{}, {}, {0, 0, 2000}, ingot::identity_matrix<scalar>()};
@@ -294,6 +418,21 @@ TEST(TwoBodies, refuse_a_state_that_is_no_number) {
     }
 }
 
+/// They press on each other where any of the points of their manifold has an impulse; what is left of points before does not count.
+TEST(TwoBodies, press_on_each_other_where_a_point_carries) {
+    static ingot::TwoBodies room;
+    for (int count = 0; count <= 4; ++count) {
+        for (unsigned carrying = 0; carrying < 16; ++carrying) {
+            ingot::Manifold manifold{};
+            manifold.count = count;
+            room.set_manifold(manifold);
+            EXPECT_FALSE(room.carries());
+            for (int point_i = 0; point_i < 4; ++point_i) room.record.j[point_i] = (carrying >> point_i & 1u) != 0 ? scalar(0.5) : 0;
+            EXPECT_EQ(room.carries(), (carrying & ((1u << count) - 1u)) != 0) << count << " points, " << carrying;
+        }
+    }
+}
+
 /// How long two bodies move little against each other, whether one gets past its size, and how far apart they may be to touch: closed forms.
 TEST(TwoBodies, know_how_far_they_move_in_a_while) {
     const double h = 1.0 / 64;
@@ -308,7 +447,7 @@ TEST(TwoBodies, know_how_far_they_move_in_a_while) {
         const double spin[2] = {case_i == 3 ? 0 : turns_slowly ? 3.0 : 300.0, case_i == 3 ? 0 : turns_slowly ? 5.0 : 10.0};
         for (int which = 0; which < 2; ++which) {
             ingot::BodyDef def = ingot_reference::definition(1, Vector3d(2 * Vector3d::Ones()));
-            def.state.v_CM = {0, static_cast<scalar>(which == 0 ? 0.0 : v), 0};
+            def.state.v_CM = {0, static_cast<scalar>(which == 0 ? -v / 4 : 3 * v / 4), 0};  // against each other
             def.state.L = {0, 0, static_cast<scalar>(2 * spin[which])};
             tiles.write(which, def);
             surfaces[which].shape = ingot::Sphere{static_cast<scalar>(size[which])};
@@ -325,7 +464,7 @@ TEST(TwoBodies, know_how_far_they_move_in_a_while) {
         const double by_way = std::min(most, static_cast<double>(ingot::limits::together_share) * size[1] / fastest);
         const double by_turn = std::min(most, static_cast<double>(ingot::limits::angle_per_path) / 2 / std::max(spin[0], spin[1]));
         EXPECT_NEAR(static_cast<double>(room.moment()) / std::min(by_way, by_turn), 1, near) << case_i;
-        const auto travel = [&](int which) { return (which == 0 ? 0.0 : v) * h + spin[which] * h * radius[which]; };
+        const auto travel = [&](int which) { return (which == 0 ? v / 4 : 3 * v / 4) * h + spin[which] * h * radius[which]; };
         const double fast_share = static_cast<double>(ingot::limits::fast_share);
         EXPECT_EQ(room.some_fast(static_cast<scalar>(h)), travel(0) > fast_share * size[0] || travel(1) > fast_share * size[1]) << case_i;
         EXPECT_FALSE(room.some_fast(scalar(1e-6)));

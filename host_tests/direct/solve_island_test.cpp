@@ -5,12 +5,15 @@
 #include <ingot/blocks/order_manifolds.h>
 #include <ingot/blocks/predict_contacts.h>
 #include <ingot/blocks/prepare_blocks.h>
+#include <ingot/direct/factor_rows.h>
 #include <ingot/direct/hold_energy.h>
 #include <ingot/direct/island_rows.h>
 #include <ingot/direct/islands.h>
+#include <ingot/direct/solve_directly.h>
 #include <ingot/direct/solve_island.h>
 #include <ingot/ingot.h>
 
+#include <array>
 #include <cstring>
 
 #include "reference/contact_reference.h"
@@ -53,6 +56,8 @@ struct RandomIsland {
     double fastest = 0;  ///< m/s, that a body or a point of it has
 
     Touch touch;
+    std::vector<ingot::IslandFate> fates;  ///< of the islands that solve() has tried
+    std::vector<bool> carried;             ///< of each, whether it found an impulse
 
     RandomIsland(RandomInput& random, int body_count, double mu_most, double mass_binades, Touch touch_ = Touch::rectangle) : touch(touch_) {
         problem.h = h;
@@ -156,12 +161,16 @@ struct RandomIsland {
             direct.unsettled[record_i] = ingot::limits::unsettled_steps;
     }
 
-    /// The islands one by one: to the bodies' velocities, and, into `found`, what impulses did it.
-    bool solve(ContactSolution& found, int work = 1 << 24) {
+    void choose() {
         for (auto& record : storage.records) record.substeps = 1;  // no contact is new
         ingot::StepReport report{};
         EXPECT_GT(choose_islands(solver, direct, report), 0);
         EXPECT_EQ(report.direct, 0);
+    }
+
+    /// The islands one by one: to the bodies' velocities, and, into `found`, what impulses did it.
+    bool solve(ContactSolution& found, int work = 1 << 24, bool after_sweeps = false) {
+        choose();
         for (const ContactBody& body : problem.bodies) {
             found.v_CM.push_back(body.v_CM);
             found.omega.push_back(body.omega);
@@ -172,7 +181,14 @@ struct RandomIsland {
             ingot::load_rows(solver, storage.bodies(), direct, static_cast<uint16_t>(root));
             direct.work_left = work;
             direct.uneven = true;  // impacts too
-            solved = ingot::solve_island(solver, direct, static_cast<scalar>(h), false) == ingot::IslandFate::solved && solved;
+            fates.push_back(ingot::solve_island(solver, direct, static_cast<scalar>(h), after_sweeps));
+            solved = fates.back() == ingot::IslandFate::solved && solved;
+            bool pushed = false;
+            for (int row_i = 0; row_i < direct.manifold_count * ingot::direct_rows; ++row_i) {
+                const bool exists = (direct.manifolds[row_i / ingot::direct_rows].rows >> row_i % ingot::direct_rows & 1u) != 0;
+                pushed = pushed || (exists && direct.rows[row_i].j > 0);
+            }
+            carried.push_back(pushed);
             collect(found);
         }
         return solved;
@@ -271,6 +287,168 @@ TEST(DirectIsland, agrees_with_the_exact_solution_on_points_of_a_line) {
         std::printf("%d of 200 islands on points of a line solved\n", solved);
         EXPECT_GE(solved, 190);
     }
+}
+
+/// An attempt after sweeps that have done nothing gains all there is to gain: what is solved before them is solved after them too, and keeps the laws
+/// to what sweeps would leave. Where nothing pushes, nothing is gained.
+TEST(DirectIsland, is_solved_after_sweeps_where_something_is_gained) {
+    RandomInput random(8);
+    int gained = 0, nothing = 0;
+    for (int case_i = 0; case_i < 400; ++case_i) {
+        const int body_count = random.integer(2, most_bodies);
+        const auto seed = static_cast<std::uint64_t>(1000 + case_i);
+        RandomInput once(seed), again(seed);
+        RandomIsland before(once, body_count, case_i % 2, 3), after(again, body_count, case_i % 2, 3);
+        ContactSolution found_before, found_after;
+        before.solve(found_before);
+        const bool all = after.solve(found_after, 1 << 24, true);
+        for (std::size_t i = 0; i < before.fates.size(); ++i) {
+            if (before.fates[i] != ingot::IslandFate::solved) continue;
+            const bool gains = before.carried[i];
+            EXPECT_EQ(after.fates[i], gains ? ingot::IslandFate::solved : ingot::IslandFate::chosen) << case_i;
+            ++(gains ? gained : nothing);
+        }
+        if (!all) continue;
+        EXPECT_LE(contact_residual(after.problem, found_after), allowance(after) + static_cast<double>(ingot::limits::settled_speed)) << case_i;
+    }
+    std::printf("%d islands solved after sweeps, %d at which nothing was to be gained\n", gained, nothing);
+    EXPECT_GT(gained, 300);
+    EXPECT_GT(nothing, 20);
+}
+
+/// What an island does not have is not touched, neither by its solve nor by a step: it may be there no more.
+TEST(DirectIsland, touches_nothing_beyond_its_end) {
+    RandomInput random(9);
+    for (int case_i = 0; case_i < 50; ++case_i) {
+        RandomIsland island(random, random.integer(2, most_bodies), 1, 3);
+        island.choose();
+        const ingot::DirectView& direct = island.direct;
+        for (int root = 1; root < island.solver.body_count; ++root) {
+            if (direct.fate[root] != ingot::IslandFate::chosen) continue;
+            ingot::load_rows(island.solver, island.storage.bodies(), island.direct, static_cast<uint16_t>(root));
+            const int count = direct.manifold_count;
+            // Left over from another: four points on the island's own bodies, that carry and slide.
+            for (int manifold_i = count; manifold_i < direct.manifold_capacity; ++manifold_i) {
+                ingot::DirectManifold& left = direct.manifolds[manifold_i] = direct.manifolds[0];
+                left.rows = left.active = left.sliding = left.pulls = 0x7f;
+                left.points = 4;
+                for (int row = 0; row < ingot::direct_rows; ++row) {
+                    direct.rows[manifold_i * ingot::direct_rows + row] = direct.rows[0];
+                    direct.rows[manifold_i * ingot::direct_rows + row].j = 1;
+                }
+            }
+            const std::vector<ingot::DirectManifold> manifolds(direct.manifolds + count, direct.manifolds + direct.manifold_capacity);
+            const std::vector<ingot::DirectRow> rows(direct.rows + count * ingot::direct_rows,
+                                                     direct.rows + direct.manifold_capacity * ingot::direct_rows);
+            island.direct.work_left = 1 << 24;
+            island.direct.uneven = case_i % 2 != 0;  // impacts too, or not
+            (void)ingot::solve_island(island.solver, island.direct, static_cast<scalar>(RandomIsland::h), false);
+            (void)ingot::place_island(island.solver, island.direct, static_cast<scalar>(RandomIsland::h));
+            for (std::size_t i = 0; i < manifolds.size(); ++i) {
+                const ingot::DirectManifold &is = direct.manifolds[static_cast<std::size_t>(count) + i], &was = manifolds[i];
+                EXPECT_TRUE(is.rows == was.rows && is.active == was.active && is.sliding == was.sliding && is.pulls == was.pulls) << case_i;
+            }
+            for (std::size_t i = 0; i < rows.size(); ++i) {
+                const ingot::DirectRow& is = direct.rows[static_cast<std::size_t>(count * ingot::direct_rows) + i];
+                EXPECT_TRUE(is.j == rows[i].j && is.target == rows[i].target) << case_i;
+            }
+        }
+    }
+    for (int case_i = 0; case_i < 50; ++case_i) {
+        RandomIsland island(random, random.integer(2, most_bodies), 1, 3);
+        for (auto& record : island.storage.records) record.substeps = 1;
+        const auto body_count = static_cast<std::size_t>(island.solver.body_count);
+        const ingot::FreeMotion motion = {{1, 2, 3}, {4, 5, 6}};
+        std::vector<ingot::FreeMotion> free_motion(body_count + 4, motion);
+        std::vector<ingot::IslandFate> fate(body_count + 4, ingot::IslandFate::struck);
+        island.direct.free_motion = free_motion.data();
+        island.direct.fate = fate.data();
+        ingot::StepReport report{};
+        const auto h = static_cast<scalar>(ingot::limits::substeps * RandomIsland::h);
+        ingot::solve_directly<false>(island.solver, island.direct, island.storage.bodies(), {}, h, nullptr, report);
+        ASSERT_EQ(static_cast<std::size_t>(island.solver.body_count), body_count);
+        EXPECT_NE(free_motion[1].v_CM[2], motion.v_CM[2]) << "an island was chosen";
+        for (std::size_t body_i = body_count; body_i < fate.size(); ++body_i) {
+            EXPECT_EQ(fate[body_i], ingot::IslandFate::struck) << case_i;
+            for (int axis = 0; axis < 3; ++axis) {
+                EXPECT_EQ(free_motion[body_i].v_CM[axis], motion.v_CM[axis]) << case_i;
+                EXPECT_EQ(free_motion[body_i].L[axis], motion.L[axis]) << case_i;
+            }
+        }
+    }
+}
+
+/// Islands that are solved are left out of the sweeps, and nobody else. Who stays keeps its number among those of its colour: sums of sweeps go by
+/// it, so that they are the same for any lanes.
+TEST(DirectIsland, that_is_solved_is_left_out_of_the_sweeps) {
+    RandomInput random(10);
+    int cut = 0;
+    // By manifold: the block and lane that are visited, and its number of its colour.
+    using Visits = std::vector<std::vector<std::array<int, 3>>>;
+    const auto visits_of = [](const ingot::SolverView& solver) {
+        Visits visits(static_cast<std::size_t>(solver.manifold_count));
+        for (int visit_i = 0; visit_i < solver.visit_count; ++visit_i) {
+            const ingot::Visit visit = solver.visits[visit_i];
+            int number = visit.first;
+            for (int lane_i = 0; lane_i < ingot::lanes; ++lane_i) {
+                const uint16_t manifold_i = solver.blocks[visit.block].manifold[lane_i];
+                if ((visit.lane_bits >> lane_i & 1u) == 0 || manifold_i == ingot::no_manifold) continue;  // spare lanes join a visit
+                visits[manifold_i].push_back({visit.block, lane_i, number++});
+            }
+        }
+        return visits;
+    };
+    for (int case_i = 0; case_i < 300; ++case_i) {
+        RandomIsland island(random, most_bodies, 1, 3);
+        island.choose();
+        for (int root = 1; root < island.solver.body_count; ++root)
+            island.direct.fate[root] = random.integer(0, 1) == 0 ? ingot::IslandFate::solved : ingot::IslandFate::chosen;
+        const Visits all = visits_of(island.solver), left = visits_of(ingot::left_to_sweeps(island.solver, island.direct));
+        int solved = 0;
+        for (std::size_t manifold_i = 0; manifold_i < all.size(); ++manifold_i) {
+            const uint16_t above = island.solver.local_of[island.solver.pairs[manifold_i].body_B];  // the one that moves
+            const bool is_solved = island.direct.fate[island.direct.root[above]] == ingot::IslandFate::solved;
+            solved += is_solved ? 1 : 0;
+            ASSERT_EQ(all[manifold_i].size(), 1u);
+            if (is_solved)
+                EXPECT_TRUE(left[manifold_i].empty()) << case_i;
+            else
+                EXPECT_EQ(left[manifold_i], all[manifold_i]) << case_i;
+        }
+        cut += solved > 0 && solved < island.solver.manifold_count ? 1 : 0;
+    }
+    EXPECT_GT(cut, 50);
+}
+
+/// With sliding friction there are two factors in place of one, and an entry is made of couplings with two directions: four times the work.
+TEST(DirectIsland, counts_the_work_of_sliding) {
+    RandomInput random(11);
+    int counted = 0;
+    for (int case_i = 0; case_i < 50; ++case_i) {
+        RandomIsland island(random, random.integer(2, 4), 1, 1);
+        island.choose();
+        for (int root = 1; root < island.solver.body_count; ++root) {
+            if (island.direct.fate[root] != ingot::IslandFate::chosen) continue;
+            ingot::load_rows(island.solver, island.storage.bodies(), island.direct, static_cast<uint16_t>(root));
+            int work[2];
+            for (const bool slides : {false, true}) {
+                for (int manifold_i = 0; manifold_i < island.direct.manifold_count; ++manifold_i) {
+                    ingot::DirectManifold& manifold = island.direct.manifolds[manifold_i];
+                    manifold.active = manifold.rows & (1u | 3u << ingot::friction_row);
+                    manifold.sliding = slides ? static_cast<uint8_t>(3u << ingot::friction_row) : uint8_t(0);
+                    for (int row = 0; row < ingot::direct_rows; ++row) island.direct.rows[manifold_i * ingot::direct_rows + row].j = 1;
+                }
+                island.direct.work_left = 1 << 24;
+                island.direct.factored = false;
+                ASSERT_TRUE(ingot::factor_rows(island.direct));
+                work[slides] = (1 << 24) - island.direct.work_left;
+            }
+            EXPECT_GT(work[0], 0);
+            EXPECT_EQ(work[1], 2 * 2 * work[0]) << case_i;
+            ++counted;
+        }
+    }
+    EXPECT_GT(counted, 40);
 }
 
 /// A second attempt, from what the first found, is taken if it is better, and changes nothing else.
