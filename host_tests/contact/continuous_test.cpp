@@ -234,8 +234,8 @@ TEST(BetweenPlates, more_impacts_than_are_followed_are_counted) {
     }
 }
 
-/// A light ball waits at a crate that touches the ground, and a heavy one comes after it as fast: it waits too. Each waits once in a step and is told,
-/// the next step finds all three touching, and none is driven into what it waited at. No momentum is lost to that, and no energy comes of it.
+/// A light ball waits at a crate that touches the ground, and a heavy one comes after it as fast: it waits too. Each waits once in a step and is
+/// told, the next step finds all three touching, and none is driven into what it waited at. No momentum is lost to that, and no energy comes of it.
 TEST(WaitingBall, is_not_driven_through_what_it_waits_at) {
     constexpr scalar speed = 100;
     std::vector<PlacedBody> bodies = {flat_ground(0), solid_box(1000, {scalar(0.5), scalar(0.5), scalar(0.5)}, {0, 0, scalar(0.5)}, 0, 1),
@@ -257,7 +257,7 @@ TEST(WaitingBall, is_not_driven_through_what_it_waits_at) {
         EXPECT_LT(scene.r(3).x(), scene.r(2).x()) << step_i;
         EXPECT_LT(scene.r(2).x(), scene.r(1).x()) << step_i;
     }
-    // In the one step with impacts, sweeps round the speeds of the three: see friction.h of the fuzzers. 1000 roundings of all there is are more.
+    // Three bodies whose speeds are rounded by each sweep and each of the ten steps: fewer than 1000 times, by an epsilon of all there is.
     EXPECT_NEAR(momentum(), before, 1000 * eps * before);
     EXPECT_LE(watch.worst(), 16 * eps);
 }
