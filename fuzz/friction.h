@@ -505,8 +505,10 @@ private:
 
     /// Sums before or after a step, in double.
     struct Balance {
-        double P[3], kinetic, size;  ///< kg m/s, J, and sum of sqrt(2 E M) + (approach_slack + 2 w) M, kg m/s, w of the fastest surface
+        double P[3], kinetic, size;  ///< kg m/s, J, and sum of sqrt(2 E M) + (slack_of_block + 2 w) M, kg m/s, w of the fastest surface
     };
+    /// m/s; four points of one manifold have a compliance of rank 3: of what they push by, rows give each other that much more, and take it back.
+    static constexpr double slack_of_block = static_cast<double>(limits::approach_slack) / static_cast<double>(limits::block_diagonal - 1);
     Balance balance_of(const World<S>& world) const {
         Balance sum{};
         sum.kinetic = static_cast<double>(world.kinetic_energy());
@@ -517,7 +519,7 @@ private:
             sum.P[0] += M * static_cast<double>(s.value.v_CM.x);
             sum.P[1] += M * static_cast<double>(s.value.v_CM.y);
             sum.P[2] += M * static_cast<double>(s.value.v_CM.z);
-            sum.size += __builtin_sqrt(2 * sum.kinetic * M) + (static_cast<double>(limits::approach_slack) + 2 * state_.materials.fastest()) * M;
+            sum.size += __builtin_sqrt(2 * sum.kinetic * M) + (slack_of_block + 2 * state_.materials.fastest()) * M;
         }
         return sum;
     }
@@ -541,7 +543,7 @@ private:
     ///
     /// Each update of v rounds twice, by half an epsilon of the fastest a body of the energy can be; a sweep that has not ended may be twice
     /// that fast.
-    /// Of bodies at rest the rounding of a target makes sweeps that push at up to approach_slack, and take it back.
+    /// Of bodies at rest the rounding of a target makes sweeps that push at up to approach_slack, by rows up to slack_of_block, and take it back.
     /// Two surfaces that move at w draw what they touch by up to 2 w, and a row by the mass of the lighter at most.
     /// Energy: with e = 0 an exact solve gives -j.K j / 2. The sweeps leave rows that are off by what the last one corrected, no more than
     /// settled_speed_of_few and 4 epsilon of the fastest where it was not the last allowed, times the rows beside it: four

@@ -193,8 +193,10 @@ void demand_pair(const PlacedShape& A, const PlacedShape& B, scalar margin, cons
     // Deeper than that n may be far from square to the surfaces, and the ends of a separation beyond their rims.
     const Real of_A = least_extent(A), of_B = B.shape.kind == ShapeKind::half_space ? of_A : least_extent(B);
     const bool shallow = s > -static_cast<Real>(limits::shallow) * (of_A < of_B ? of_A : of_B);
-    // Those points of boxes are in both: along n the boxes may be deeper.
-    const Real along_n = gap_along(A, B, wide(m.n)), deep_enough = boxes ? gap : along_n;
+    // Those points of boxes are in both: along n the boxes may be deeper. So are those of a capsule that lies on a face, up to the root of flatness
+    // aslant: its end beyond the rim may be deeper by as much of its length.
+    const bool in_both = boxes || (A.shape.kind == ShapeKind::capsule && B.shape.kind == ShapeKind::box);
+    const Real along_n = gap_along(A, B, wide(m.n)), deep_enough = in_both ? gap : along_n;
     if (shallow) demand(s >= along_n - slack && (s > 0 || s <= deep_enough + slack), "the deepest point is as deep as the shapes");
     for (int i = 0; i < m.count; ++i) {
         demand(ingot::is_finite(m.points[i].P) && ingot::is_finite(m.points[i].separation), "points are finite");
