@@ -198,10 +198,15 @@ void demand_pair(const PlacedShape& A, const PlacedShape& B, scalar margin, cons
     const bool in_both = boxes || (A.shape.kind == ShapeKind::capsule && B.shape.kind == ShapeKind::box);
     const Real along_n = gap_along(A, B, wide(m.n)), deep_enough = in_both ? gap : along_n;
     if (shallow) demand(s >= along_n - slack && (s > 0 || s <= deep_enough + slack), "the deepest point is as deep as the shapes");
+    // Rods that all but lie along each other have a point at each end of their common stretch, between their axes: aside of them as those part.
+    Real aside = 0;
+    if (A.shape.kind == ShapeKind::capsule && B.shape.kind == ShapeKind::capsule)
+        aside = 2 * static_cast<Real>(A.shape.size.y < B.shape.size.y ? A.shape.size.y : B.shape.size.y) * length(cross(wide(A.A.c2), wide(B.A.c2)));
+    const Real off = slack + aside;
     for (int i = 0; i < m.count; ++i) {
         demand(ingot::is_finite(m.points[i].P) && ingot::is_finite(m.points[i].separation), "points are finite");
         const V half = wide(m.n) * (static_cast<Real>(m.points[i].separation) / 2), P = wide(m.points[i].P);
-        demand(!shallow || (distance(A, P + half) <= slack && distance(B, P - half) <= slack), "a point lies on both shapes");
+        demand(!shallow || (distance(A, P + half) <= off && distance(B, P - half) <= off), "a point lies on both shapes");
     }
 }
 
