@@ -196,7 +196,7 @@ void demand_pair(const PlacedShape& A, const PlacedShape& B, scalar margin, cons
     // Those points of boxes are in both: along n the boxes may be deeper. So are those of a capsule that lies on a face, up to the root of flatness
     // aslant: its end beyond the rim may be deeper by as much of its length.
     const bool in_both = boxes || (A.shape.kind == ShapeKind::capsule && B.shape.kind == ShapeKind::box);
-    const Real along_n = gap_along(A, B, wide(m.n)), deep_enough = in_both ? gap : along_n;
+    const Real along_n = gap_along(A, B, wide(m.n)), deep_enough = in_both ? larger(gap, along_n) : along_n;
     if (shallow) demand(s >= along_n - slack && (s > 0 || s <= deep_enough + slack), "the deepest point is as deep as the shapes");
     // Rods that all but lie along each other have a point at each end of their common stretch, between their axes: aside of them as those part.
     Real aside = 0;
