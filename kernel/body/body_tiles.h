@@ -88,8 +88,9 @@ inline constexpr uint16_t all_lanes = static_cast<uint16_t>((1ul << lanes) - 1ul
 /// True for lanes that are all there is: always, with one lane.
 INGOT_INLINE constexpr bool is_all(uint16_t lane_bits) { return lanes == 1 || lane_bits == all_lanes; }
 
-/// Marks the bodies of a tile that are not good.
+/// Marks one body of a tile.
 inline void mark_lane_bad(uint16_t& bad, int lane_i) { bad = static_cast<uint16_t>(bad | 1u << lane_i); }
+/// Marks the bodies of a tile that are not good.
 INGOT_INLINE void mark_bad(uint16_t& bad, mask good) {
     const mask lost = opposite(good);
     if (any(lost)) bad = static_cast<uint16_t>(bad | bits(lost));
