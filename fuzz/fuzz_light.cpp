@@ -4,22 +4,14 @@
 //
 // Compiled once for each lane count. INGOT_FUZZ_RUN names the function.
 #include "friction.h"
+#include "hulls.h"
 
 namespace {
 
 using fuzz::Bytes;
 using fuzz::Friction;
-using ingot::scalar;
-using ingot::Vector;
-
-/// Hulls whose origin is their centre; the body may have any mass.
-constexpr Vector octahedron_points[6] = {{scalar(0.5), 0, 0},  {scalar(-0.5), 0, 0}, {0, scalar(0.5), 0},
-                                         {0, scalar(-0.5), 0}, {0, 0, scalar(0.5)},  {0, 0, scalar(-0.5)}};
-constexpr Vector sliver_points[5] = {
-    {0, 0, scalar(0.03)}, {scalar(0.75), 0, 0}, {scalar(-0.5), scalar(0.25), 0}, {scalar(-0.5), scalar(-0.25), 0}, {0, 0, scalar(-0.03)}};
-constexpr auto octahedron = ingot::convex_hull(octahedron_points);
-constexpr auto sliver = ingot::convex_hull(sliver_points);
-static_assert(octahedron.ok() && sliver.ok());
+using fuzz::octahedron;
+using fuzz::sliver;
 
 /// Every shape, and what a snapshot can hold; arrays that never fill.
 struct Shelf : ingot::Scene {

@@ -4,18 +4,13 @@
 //
 // Compiled once for each lane count. INGOT_FUZZ_RUN names the function.
 #include "friction.h"
+#include "hulls.h"
 
 namespace {
 
 using fuzz::Bytes;
 using fuzz::Friction;
-using ingot::scalar;
-using ingot::Vector;
-
-constexpr Vector octahedron_points[6] = {{scalar(0.5), 0, 0},  {scalar(-0.5), 0, 0}, {0, scalar(0.5), 0},
-                                         {0, scalar(-0.5), 0}, {0, 0, scalar(0.5)},  {0, 0, scalar(-0.5)}};
-constexpr auto octahedron = ingot::convex_hull(octahedron_points);
-static_assert(octahedron.ok());
+using fuzz::octahedron;
 
 /// Both, and what a snapshot can hold; arrays that never fill.
 struct Mill : ingot::Scene {
