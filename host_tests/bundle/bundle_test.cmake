@@ -39,6 +39,12 @@ list(TRANSFORM options STRIP)
 if(NOT options MATCHES "^-std=c\\+\\+17;-fno-fast-math;-ffp-contract=off;-fno-math-errno(;-Wno-psabi)?$")
   message(FATAL_ERROR "the bundle asks for ${options}")
 endif()
+file(STRINGS ${SCRATCH}/ingot/ingot.h asked_on_x86 REGEX "^// On x86 compile every unit")
+string(REGEX MATCHALL " -m[a-z0-9]+" options_on_x86 "${asked_on_x86}")
+if(X86)
+  list(TRANSFORM options_on_x86 STRIP)
+  list(APPEND options ${options_on_x86})
+endif()
 set(platform ${HOUSE}/platform)
 run(${COMPILER} ${options} -O1 -I${SCRATCH} -I${PLATFORM_INCLUDE} ${sources} ${HOUSE}/host_tests/firmware/scene_main.cpp
   ${platform}/clock_host.cpp ${platform}/console_host.cpp ${platform}/console_format.cpp ${platform}/stack_watermark_host.cpp
