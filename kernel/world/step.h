@@ -5,13 +5,13 @@
 #include "../motion/integrate_L.h"
 #include "../motion/integrate_r.h"
 #include "../motion/integrate_v.h"
-#include "../solve/contact_rows.h"
-#include "../solve/solve_contact_forces.h"
-#include "../contact/update_manifolds.h"
-#include "../fast/fly_fast_bodies.h"
-#include "../solve/solve_impacts.h"
-#include "../blocks/move_bodies.h"
-#include "../points/move_point_bodies.h"
+#include "../impulse/contact_rows.h"
+#include "../impulse/solve_contact_forces.h"
+#include "../narrow_phase/find_manifolds.h"
+#include "../continuous/follow_fast_bodies.h"
+#include "../impulse/solve_impacts.h"
+#include "../solver/sweeps/move_bodies.h"
+#include "../solver/sequential/move_point_bodies.h"
 #include "world.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -25,26 +25,26 @@ void keep_lists(Storage<S>& storage) {
 
 /// Ends, then begins, then hits, each in the order of slots: when the array is full, those that come later in this order are lost.
 template <class S>
-void tell_events(Storage<S>& storage, StepReport& report) {
+void emit_events(Storage<S>& storage, StepReport& report) {
     const EventList events = storage.begin_events(report);
     const uint16_t tag = storage.world_tag;
     const ManifoldView manifolds = storage.manifold_view();
     const PairOfBodiesList before = storage.touching_list_before(), touching = storage.touching_list();
     find_touching(manifolds, storage.notes, storage.generation_of_shapes(storage.generation), before, touching);
 
-    tell_missing(before, touching, EventKind::end, tag, events);
-    if constexpr (has_sensors<S>) tell_missing(storage.overlap_list_before(), storage.overlap_list(), EventKind::leave, tag, events);
-    tell_begins(manifolds, storage.notes, before, touching, tag, events);
-    if constexpr (has_sensors<S>) tell_missing(storage.overlap_list(), storage.overlap_list_before(), EventKind::enter, tag, events);
-    tell_hits(manifolds, storage.notes, S::hit_speed, before, touching, tag, events);
+    emit_missing(before, touching, EventKind::end, tag, events);
+    if constexpr (has_sensors<S>) emit_missing(storage.overlap_list_before(), storage.overlap_list(), EventKind::leave, tag, events);
+    emit_begins(manifolds, storage.notes, before, touching, tag, events);
+    if constexpr (has_sensors<S>) emit_missing(storage.overlap_list(), storage.overlap_list_before(), EventKind::enter, tag, events);
+    emit_hits(manifolds, storage.notes, S::hit_speed, before, touching, tag, events);
     if constexpr (has_compounds<S>) name_bodies<S::max_shapes_of_body>(events);
 }
 
 /// A body that froze cannot move any more: pairs are searched for anew, without those of which neither can. The compliance of such a pair is zero.
 template <class S>
-void forget_frozen_bounds(Storage<S>& storage) {
+void invalidate_frozen_bounds(Storage<S>& storage) {
     for (int slot = 0; slot < storage.slots_used * S::max_shapes_of_body; ++slot)
-        if (is_frozen(storage.bodies(), slot / S::max_shapes_of_body)) forget_bounds(storage.bounds, slot);
+        if (is_frozen(storage.bodies(), slot / S::max_shapes_of_body)) invalidate_bounds(storage.bounds, slot);
 }
 
 /// A step in which nothing moves: it leaves the world as it was.
@@ -61,27 +61,27 @@ StepReport pass_at_rest(Storage<S>& storage, scalar h, StepReport& report) {
 template <class S>
 bool refresh_bounds_of(Storage<S>& storage, const BodyView& bodies, scalar h) {
     if constexpr (S::sleeps)
-        return refresh_stirring_bounds(bodies, storage.surface_view(), h, storage.rest_view(), storage.bounds);
+        return refresh_active_bounds(bodies, storage.surface_view(), h, storage.rest_view(), storage.bounds);
     else
         return refresh_bounds(bodies, storage.surface_view(), h, storage.bounds);
 }
 
 /// Bounds of the step, and the pairs that may touch in it.
 ///
-/// As a rule they are those of the last search, by wide bounds, and some more. Where these have no room, pairs are searched for in every step, by its
-/// bounds alone: so what is lost does not depend on when wide bounds were made, which a snapshot does not hold.
+/// As a rule they are those of the last search, by fat AABBs, and some more. Where these have no room, pairs are searched for in every step, by its
+/// bounds alone: so what is lost does not depend on when fat AABBs were made, which a snapshot does not hold.
 template <class S>
 INGOT_INLINE void find_pairs_of_step(Storage<S>& storage, const BodyView& shapes, const PairList& pairs, const ManifoldView& manifolds, scalar h) {
     const bool left = refresh_bounds_of(storage, shapes, h);
     if (left) storage.find_pairs(shapes, storage.bounds, pairs);
     const bool crowded = *pairs.lost > 0;
     if (crowded) {
-        tighten_bounds(shapes, storage.bounds);
+        shrink_bounds(shapes, storage.bounds);
         storage.find_pairs(shapes, storage.bounds, pairs);
     }
     if (!left && !crowded) return;
     if constexpr (has_compounds<S>) drop_pairs_of_one_body<S::max_shapes_of_body>(pairs);
-    hold_records(manifolds, pairs);
+    match_records(manifolds, pairs);
 }
 
 /// Islands of the step, those awake that can meet what moves, and the pairs that are to be solved.
@@ -89,7 +89,7 @@ template <class S>
 void wake_what_is_met(Storage<S>& storage, const BodyView& bodies, const ManifoldView& manifolds) {
     const RestView rest = storage.rest_view();
     join_islands(bodies, rest, manifolds);
-    for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) rest.due[tile_i] = 0;
+    for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) rest.settling[tile_i] = 0;
     wake_met_islands(bodies, rest, manifolds);
     list_awake_pairs(bodies, rest, manifolds, storage.awake_pairs, storage.awake_pair_count);
 }
@@ -115,8 +115,9 @@ auto fast_pairs_of([[maybe_unused]] Storage<S>& storage, [[maybe_unused]] scalar
 template <class S>
 void follow_fast_bodies(Storage<S>& storage, const SolverView& solver, scalar h, StepReport& report) {
     const auto meets = [&storage](int slot_A, int slot_B) { return storage.can_meet(slot_A, slot_B); };
-    const Flights<decltype(meets)> flights = {storage.bodies(), storage.surface_view(), solver, storage.paths, {storage.gravity, h}, meets};
-    fly_fast_bodies<ShapesOf<S>, typename S::rotation, has_events<S>>(flights, report);
+    const ContinuousCollision<decltype(meets)> flights = {storage.bodies(), storage.surface_view(), solver,
+                                                          storage.paths,    {storage.gravity, h},   meets};
+    follow_fast_bodies<ShapesOf<S>, typename S::rotation, has_events<S>>(flights, report);
 }
 
 /// Advances a world by h seconds.
@@ -143,7 +144,7 @@ StepReport step(World<S>& world, scalar h) {
     }
 
     if constexpr (has_field<S> && !flies_in_field<S>)
-        add_field_forces(bodies, storage.drivers(storage.gravity_or_none()), S::rotation::as_printed ? 0 : h / 2);
+        add_field_forces(bodies, storage.forcing(storage.gravity_or_none()), S::rotation::as_printed ? 0 : h / 2);
 
     if constexpr (S::rotation::as_printed) {                              // Listing 1: every right-hand side is of step n
         if constexpr (S::translates) {
@@ -154,8 +155,8 @@ StepReport step(World<S>& world, scalar h) {
         integrate_L(bodies, h);                                           // Eq. 16
     } else if constexpr (flies_in_field<S>) {                             // kicks and free flights
         const FlightClock clock{storage.steps, storage.h_changes_to(h)};
-        const auto drivers = storage.drivers(storage.gravity_or_none());
-        count(report.spins_clamped, S::flight::template fly<typename S::rotation>(bodies, drivers, h, clock));
+        const auto forcing = storage.forcing(storage.gravity_or_none());
+        count(report.spins_clamped, S::flight::template fly<typename S::rotation>(bodies, forcing, h, clock));
     } else if constexpr (stacks<S>) {
         if constexpr (S::sleeps)
             if (all_at_rest(storage.rest_view(), storage.bounds, bodies.tile_count)) return pass_at_rest(storage, h, report);
@@ -166,7 +167,7 @@ StepReport step(World<S>& world, scalar h) {
         const BodyView shapes = storage.shapes();
         find_pairs_of_step(storage, shapes, pairs, manifolds, h);
         if constexpr (S::continuous) begin_paths(bodies, storage.surface_view(), h, storage.paths);
-        update_manifolds<ShapesOf<S>, S::renews_manifolds>(shapes, storage.surface_view(), storage.bounds, h, storage.pair_rules(report), pairs,
+        update_manifolds<ShapesOf<S>, S::recycles_manifolds>(shapes, storage.surface_view(), storage.bounds, h, storage.pair_rules(report), pairs,
                                                            manifolds, report, fast_pairs_of(storage, h));
         if constexpr (has_compounds<S>) name_bodies<S::max_shapes_of_body>(manifolds, storage.body_pairs);
         if constexpr (S::sleeps) wake_what_is_met(storage, bodies, manifolds);
@@ -182,7 +183,7 @@ StepReport step(World<S>& world, scalar h) {
         if constexpr (S::sleeps)
             if (*moving.count == 0) report.sweeps = 0;  // over none: a world that was loaded asleep tells what the one that was saved tells
         if constexpr (S::sleeps && has_events<S>) spread_notes(manifolds, moving.pairs, *moving.count, storage.notes);
-        if constexpr (has_events<S>) tell_events(storage, report);
+        if constexpr (has_events<S>) emit_events(storage, report);
 
         over_moving(storage, bodies, [&](const BodyView& some) {
             integrate_L(some, h);
@@ -214,7 +215,7 @@ StepReport step(World<S>& world, scalar h) {
         const int frozen = freeze_bad_bodies(bodies);
         count(report.bodies_frozen, frozen);
         if constexpr (stacks<S>)
-            if (frozen > 0) forget_frozen_bounds(storage);
+            if (frozen > 0) invalidate_frozen_bounds(storage);
     }
     if constexpr (has_compounds<S>) storage.place_all_shapes();          // for queries
     if constexpr (has_field<S>) storage.advance_time(h);
