@@ -535,7 +535,7 @@ private:
             return double{limits::substeps} * visit * report.sweeps * report.contacts;
         }
         const int direct = ingot::solves_directly<S> ? limits::substeps * limits::direct_sets_max : 0;
-        const int rounds = report.sweeps + report.impact_waves * limits::sweeps_of_few + direct;
+        const int rounds = report.sweeps + report.impact_waves * limits::sweeps_of_small + direct;
         return 4.0 * rounds * 3 * (N - 1) * S::max_shapes_of_body * S::max_shapes_of_body;
     }
 
@@ -546,9 +546,9 @@ private:
     /// Of bodies at rest the rounding of a target makes sweeps that push at up to approach_slack, by rows up to slack_of_block, and take it back.
     /// Two surfaces that move at w draw what they touch by up to 2 w, and a row by the mass of the lighter at most.
     /// Energy: with e = 0 an exact solve gives -j.K j / 2. The sweeps leave rows that are off by what the last one corrected, no more than
-    /// settled_speed_of_few and 4 epsilon of the fastest where it was not the last allowed, times the rows beside it: four
+    /// settled_speed_of_small and 4 epsilon of the fastest where it was not the last allowed, times the rows beside it: four
     /// normals, twist and friction, and two of rolling resistance, whose turns count by the radius that makes a speed of them. That speed, times all
-    /// impulses there can be, is what they may give. Surfaces that move may give any energy. For PointSweeps see off_by.
+    /// impulses there can be, is what they may give. Surfaces that move may give any energy. For SequentialImpulses see off_by.
     ///
     /// A step begins with the impulses of the one before, which may have changed no speed at all: those that held a load that is gone, or
     /// that the bodies have been stopped since. Sweeps take them back, with the rounding of what they were. So the step before counts too,
@@ -581,7 +581,7 @@ private:
         const double rounding = updates * 2 * static_cast<double>(ingot::epsilon) * size;
         for (int axis = 0; axis < 3; ++axis) demand(!(__builtin_fabs(is.P[axis] - was.P[axis]) > rounding), "contacts keep the momentum");
         if constexpr (ingot::solves_pointwise<S>) demand_moment(size, is.kinetic > was.kinetic ? is.kinetic : was.kinetic, updates);
-        if (!quiet || driven || report.sweeps >= (ingot::solves_pointwise<S> ? limits::sweeps_of_points : limits::sweeps_of_few)) return;
+        if (!quiet || driven || report.sweeps >= (ingot::solves_pointwise<S> ? limits::sweeps_of_points : limits::sweeps_of_small)) return;
         const double fastest = __builtin_sqrt(2 * was.kinetic / lightest);
         const double given = limits::substeps * off_by(report, fastest) * size + updates * 2 * static_cast<double>(ingot::epsilon) * was.kinetic;
         demand(!(is.kinetic - was.kinetic > given), "contacts give no energy");
@@ -622,7 +622,7 @@ private:
 
     /// m/s, that the last sweep leaves rows off by; `fastest`: m/s, what a body can go at.
     ///
-    /// PointSweeps leave alone what is off by ignored_speed, and correct the rows beside it by no more than settled_speed_of_points in the last
+    /// SequentialImpulses leave alone what is off by ignored_speed, and correct the rows beside it by no more than settled_speed_of_points in the last
     /// sweep, each normal once in each of the rounds. To both, what 4 epsilon of the fastest makes.
     static double off_by(const StepReport& report, double fastest) {
         const double rounding = 4 * static_cast<double>(ingot::epsilon) * fastest;
@@ -632,7 +632,7 @@ private:
                    static_cast<double>(limits::ignored_speed) + rounding;
         }
         constexpr int rows = S::rolling_resistance ? 8 : 6;
-        return (static_cast<double>(limits::settled_speed_of_few) + rounding) * rows * (N - 1);
+        return (static_cast<double>(limits::settled_speed_of_small) + rounding) * rows * (N - 1);
     }
 
     // Queries.

@@ -38,12 +38,12 @@ struct Bare : ingot::Scene {
     static constexpr int max_bodies = 5;
     static constexpr bool translates = true;
     static constexpr int max_manifolds = 10;
-    static constexpr bool renews_manifolds = false;
+    static constexpr bool recycles_manifolds = false;
     using shapes = ingot::Shapes<ingot::Sphere, ingot::Box, ingot::HalfSpace>;
 };
 /// The same with another method of rotation.
 struct BareTops : Bare {
-    static constexpr bool renews_manifolds = true;
+    static constexpr bool recycles_manifolds = true;
     using rotation = ingot::SymmetricTopSplitting<6>;
 };
 

@@ -11,7 +11,7 @@
 #include "bytes.h"
 #include "fuzz_world.h"
 
-#include <ingot/collide/hull_of_points.h>
+#include <ingot/shape/hull_of_points.h>
 
 namespace {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Contacts with friction that are solved point by point, by PointSweeps, with what a scene may name beside it. What is demanded: see friction.h. The
+// Contacts with friction that are solved point by point, by SequentialImpulses, with what a scene may name beside it. What is demanded: see friction.h. The
 // first byte chooses the scene.
 //
 // Compiled once for each lane count. INGOT_FUZZ_RUN names the function.
@@ -18,7 +18,7 @@ struct Shelf : ingot::Scene {
     static constexpr int max_bodies = 6;
     static constexpr bool translates = true, bounces = false;
     static constexpr int max_manifolds = 15, max_pairs = 15;
-    using solver = ingot::PointSweeps;
+    using solver = ingot::SequentialImpulses;
     using shapes = ingot::Shapes<ingot::Sphere, ingot::Capsule, ingot::Box, ingot::Cylinder, ingot::Hull, ingot::HalfSpace>;
     static constexpr ingot::ConvexHull hulls[] = {octahedron.value.view(), sliver.value.view()};
 };
@@ -49,9 +49,9 @@ struct Crowd : Shelf {
 /// The least there is, searched for anew in every step, with another method of rotation.
 struct Bare : ingot::Scene {
     static constexpr int max_bodies = 5;
-    static constexpr bool translates = true, bounces = false, renews_manifolds = false;
+    static constexpr bool translates = true, bounces = false, recycles_manifolds = false;
     static constexpr int max_manifolds = 10;
-    using solver = ingot::PointSweeps;
+    using solver = ingot::SequentialImpulses;
     using shapes = ingot::Shapes<ingot::Sphere, ingot::Box, ingot::HalfSpace>;
     using rotation = ingot::SymmetricTopSplitting<6>;
 };

@@ -33,7 +33,7 @@ struct Lawn : Mill {
 };
 /// Belts, searched for anew in every step.
 struct Conveyor : Mill {
-    static constexpr bool rolling_resistance = false, renews_manifolds = false;
+    static constexpr bool rolling_resistance = false, recycles_manifolds = false;
     using shapes = ingot::Shapes<ingot::Box, ingot::Cylinder, ingot::HalfSpace>;
 };
 /// Both, and who is at rest sleeps; saved.

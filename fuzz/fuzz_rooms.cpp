@@ -35,11 +35,11 @@ struct Room : ingot::Scene {
 };
 /// Hulls on each other, solved directly, and saved.
 struct Quarry : Room {
-    using solver = ingot::DirectIslands<12, 18>;
+    using solver = ingot::HybridIslands<12, 18>;
 };
 /// The same with events and sensors, and islands that are too large to be solved.
 struct Hall : Room {
-    using solver = ingot::DirectIslands<3, 6>;
+    using solver = ingot::HybridIslands<3, 6>;
     static constexpr bool filters = true;
     static constexpr int max_overlaps = 21, max_events = 84;
 };
@@ -50,12 +50,12 @@ struct Shed : Room {
     using broad_phase = ingot::SortedTree;
 };
 struct SolvedShed : Shed {
-    using solver = ingot::DirectIslands<12, 18>;
+    using solver = ingot::HybridIslands<12, 18>;
 };
 /// Who is at rest sleeps.
 struct Dormitory : Room {
     static constexpr bool sleeps = true;
-    using solver = ingot::DirectIslands<12, 18>;
+    using solver = ingot::HybridIslands<12, 18>;
 };
 struct SweptDormitory : Room {
     static constexpr bool sleeps = true, filters = true;
@@ -70,7 +70,7 @@ struct Range : ingot::Scene {
     using shapes = ingot::Shapes<ingot::Sphere, ingot::Capsule, ingot::Box, ingot::Cylinder, ingot::HalfSpace>;
 };
 struct SolvedRange : Range {
-    using solver = ingot::DirectIslands<12, 18>;
+    using solver = ingot::HybridIslands<12, 18>;
     static constexpr bool filters = true;
 };
 

@@ -229,7 +229,7 @@ protected:
 
     void demand_report(const StepReport& report) {
         see_all(report.bodies_frozen, report.spins_clamped, report.contacts, report.contacts_lost, report.pairs_untested,
-                report.impact_waves, report.impacts_left, report.sweeps, report.sweeps_unfinished);
+                report.impact_waves, report.impacts_deferred, report.sweeps, report.sweeps_unfinished);
         demand(world_.step_count() == before_.step_count() + 1, "a step counts one");
         demand(world_.body_count() == before_.body_count(), "a step neither adds nor removes");
         int frozen = 0, movable = 0;
@@ -254,20 +254,20 @@ protected:
         demand(report.spins_clamped <= movable, "at most every body is clamped");
         // Of contacts with friction, in every substep; calm steps that are calm no more begin again, with all of theirs, but for those of points.
         // A body that is followed has as many again at each of its impacts.
-        constexpr int begun_again = ingot::solves_pointwise<S> ? 0 : limits::calm_substeps;
+        constexpr int begun_again = ingot::solves_pointwise<S> ? 0 : limits::steady_substeps;
         constexpr int substeps = (begun_again + limits::substeps) * (S::continuous ? limits::impacts_in_step_max + 1 : 1);
         const int waves_of_stacks = ingot::solves_pointwise<S> ? 0 : substeps * limits::impacts_of_contact * report.contacts;
         const int waves_max = ingot::stacks<S> ? waves_of_stacks : limits::impact_waves_max;
         demand(report.impact_waves <= waves_max, "waves are bounded");
-        const int in_a_substep = ingot::solves_pointwise<S> ? limits::sweeps_of_points : limits::sweeps_of_few;
+        const int in_a_substep = ingot::solves_pointwise<S> ? limits::sweeps_of_points : limits::sweeps_of_small;
         const int sweeps_max = ingot::stacks<S> ? substeps * in_a_substep : limits::contact_sweeps_max * (limits::impact_waves_max + 1);
         demand(report.sweeps <= sweeps_max, "sweeps are bounded");
         demand(report.sweeps_unfinished <= report.impact_waves + 1, "at most every solve is unfinished");
         // With friction, a substep that leaves some contacts has had impacts_of_contact waves for each of them; fast bodies wait beside that.
         const int left_max = report.impact_waves / limits::impacts_of_contact + (S::continuous ? movable : 0);
-        const bool ran_out = ingot::stacks<S> ? report.impacts_left <= left_max : report.impact_waves == limits::impact_waves_max;
-        demand(report.impacts_left == 0 || ran_out, "impacts are left when waves run out");
-        demand(ingot::stacks<S> || report.impacts_left <= report.contacts, "at most every contact is left");
+        const bool ran_out = ingot::stacks<S> ? report.impacts_deferred <= left_max : report.impact_waves == limits::impact_waves_max;
+        demand(report.impacts_deferred == 0 || ran_out, "impacts are left when waves run out");
+        demand(ingot::stacks<S> || report.impacts_deferred <= report.contacts, "at most every contact is left");
         demand(report.contacts <= S::max_contacts + S::max_manifolds, "contacts fit");
         demand(ingot::stacks<S> || report.contacts_lost == 0 || report.contacts == S::max_contacts, "contacts are lost when the array is full");
         demand(report.pairs_untested <= S::max_bodies * (S::max_bodies - 1) / 2 * S::max_shapes_of_body * S::max_shapes_of_body,

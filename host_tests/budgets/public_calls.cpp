@@ -78,7 +78,7 @@ struct FollowingDirectly : Following {
 };
 struct Light : Telling {
     static constexpr bool bounces = false, sleeps = true;
-    using solver = PointSweeps;
+    using solver = SequentialImpulses;
 };
 
 }  // namespace

@@ -211,7 +211,7 @@ struct Pile : ingot::Scene {
     static constexpr int max_manifolds = 120;
     static constexpr int max_overlaps = 26;
     static constexpr int max_events = 100;
-    static constexpr bool renews_manifolds = renews;
+    static constexpr bool recycles_manifolds = renews;
     using broad_phase = BroadPhase;
     using shapes = ingot::Shapes<ingot::Sphere, ingot::Capsule, ingot::Box, ingot::Cylinder, ingot::HalfSpace>;
 };

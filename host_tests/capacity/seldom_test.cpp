@@ -7,9 +7,9 @@
 #include <cmath>
 #include <limits>
 
-#include <ingot/collide/collide_shapes.h>
-#include <ingot/collide/hull_of_points.h>
-#include <ingot/pairs/body_bounds.h>
+#include <ingot/impulse/collide_shapes.h>
+#include <ingot/shape/hull_of_points.h>
+#include <ingot/broad_phase/body_bounds.h>
 
 namespace {
 
@@ -248,7 +248,7 @@ TEST(Reports, are_clean_when_no_count_is_raised) {
         EXPECT_TRUE(report.clean());
     }
     for (uint16_t StepReport::*const telling :
-         {&StepReport::bodies_frozen, &StepReport::spins_clamped, &StepReport::contacts_lost, &StepReport::pairs_untested, &StepReport::impacts_left,
+         {&StepReport::bodies_frozen, &StepReport::spins_clamped, &StepReport::contacts_lost, &StepReport::pairs_untested, &StepReport::impacts_deferred,
           &StepReport::sweeps_unfinished, &StepReport::overlaps_lost, &StepReport::events_lost}) {
         report.*telling = 1;
         EXPECT_FALSE(report.clean());
@@ -409,7 +409,7 @@ TEST(Bounds, of_round_shapes_are_theirs) {
             Vector c0 = ingot::cross(other, axis);
             c0 = c0 * (1 / std::sqrt(ingot::length_sq(c0)));
             ingot::set_lane(rotation.A, 0, ingot::Matrix{c0, ingot::cross(axis, c0), axis});
-            ingot::forget_bounds(&bounds, 0);
+            ingot::invalidate_bounds(&bounds, 0);
             (void)ingot::refresh_bounds(bodies, {surfaces, 1}, h, &bounds);
             const scalar along[3] = {std::abs(axis.x), std::abs(axis.y), std::abs(axis.z)};
             for (int k = 0; k < 3; ++k) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The choice of four points, and shapes on the half space.
 #include <gtest/gtest.h>
-#include <ingot/collide/manifold_points.h>
+#include <ingot/narrow_phase/manifold_points.h>
 
 #include <set>
 

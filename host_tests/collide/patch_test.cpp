@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a shape turns towards a contact: the face that faces it, else the flattest edge of the corner that is furthest, else that corner.
 #include <gtest/gtest.h>
-#include <ingot/collide/contact_patch.h>
+#include <ingot/narrow_phase/contact_patch.h>
 
 #include "collide/placed.h"
 

@@ -2,8 +2,8 @@
 // Shapes at random places, for the kernel and for the oracle.
 #pragma once
 
-#include <ingot/collide/hull_of_points.h>
-#include <ingot/collide/narrow_phase.h>
+#include <ingot/shape/hull_of_points.h>
+#include <ingot/narrow_phase/collide_pairs.h>
 
 #include <array>
 #include <deque>

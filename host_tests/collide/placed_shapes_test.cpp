@@ -2,9 +2,9 @@
 // Several shapes on one body: where they are when the body is somewhere, and how they move with it.
 #include <gtest/gtest.h>
 #include <ingot/body/auxiliary.h>
-#include <ingot/collide/compound.h>
-#include <ingot/collide/nearest_points.h>
-#include <ingot/contact/contact_events.h>
+#include <ingot/shape/compound.h>
+#include <ingot/narrow_phase/nearest_points.h>
+#include <ingot/events/contact_events.h>
 
 #include "collide/placed.h"
 #include "stages/tiles.h"

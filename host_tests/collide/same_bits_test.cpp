@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The narrow phase gives the same bits with every compiler and lane count: one hash over the manifolds of all pairs.
 #include <gtest/gtest.h>
-#include <ingot/contact/manifold_anchors.h>
+#include <ingot/narrow_phase/manifold_anchors.h>
 
 #include <cstdio>
 #include <cstring>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Contacts of scenes without friction, against distances computed in doubles.
 #include <gtest/gtest.h>
-#include <ingot/collide/collide_shapes.h>
+#include <ingot/impulse/collide_shapes.h>
 
 #include <vector>
 

@@ -124,27 +124,27 @@ struct Wrong : ingot::Scene {
 #endif
 #ifdef POINT_SWEEPS_WITHOUT_CONTACTS
     static constexpr bool bounces = false;
-    using solver = ingot::PointSweeps;
+    using solver = ingot::SequentialImpulses;
 #endif
 #ifdef POINT_SWEEPS_THAT_BOUNCE
     static constexpr bool translates = true;
     static constexpr int max_manifolds = 4;
-    using solver = ingot::PointSweeps;
+    using solver = ingot::SequentialImpulses;
 #endif
 #ifdef POINT_SWEEPS_OF_FAST_BODIES
     static constexpr bool translates = true, bounces = false, continuous = true;
     static constexpr int max_manifolds = 4;
-    using solver = ingot::PointSweeps;
+    using solver = ingot::SequentialImpulses;
 #endif
 #ifdef POINT_SWEEPS_OF_BELTS
     static constexpr bool translates = true, bounces = false, surface_velocities = true;
     static constexpr int max_manifolds = 4;
-    using solver = ingot::PointSweeps;
+    using solver = ingot::SequentialImpulses;
 #endif
 #ifdef NOTHING_BOUNCES_DIRECTLY
     static constexpr int max_manifolds = 4;
     static constexpr bool bounces = false;
-    using solver = ingot::ChosenSolver;
+    using solver = ingot::HybridIslands<>;
 #endif
 #ifdef FILTERS_WITHOUT_CONTACTS
     static constexpr bool filters = true;
@@ -204,7 +204,7 @@ struct Wrong : ingot::Scene {
 #ifdef ROLLING_SOLVED_DIRECTLY
     static constexpr bool translates = true, rolling_resistance = true;
     static constexpr int max_manifolds = 4;
-    using solver = ingot::ChosenSolver;
+    using solver = ingot::HybridIslands<>;
 #endif
 #ifdef CONTINUOUS_BELTS
     static constexpr bool translates = true, surface_velocities = true, continuous = true;
@@ -240,7 +240,7 @@ struct Wrong : ingot::Scene {
 #ifdef ISLAND_WITHOUT_ROOM
     static constexpr bool translates = true;
     static constexpr int max_manifolds = 4;
-    using solver = ingot::DirectIslands<0>;
+    using solver = ingot::HybridIslands<0>;
 #endif
 #ifdef ORDER_OF_METHOD
     using rotation = ingot::DiscreteMoserVeselov<5>;

@@ -2,7 +2,7 @@
 // The block of four normals against brute force: all 16 sets of rows that may be out, one after another, in double.
 #include <gtest/gtest.h>
 
-#include <ingot/blocks/block_solve.h>
+#include <ingot/constraint/block_solve.h>
 
 #include "contact/play.h"
 #include "reference/random_input.h"

@@ -2,8 +2,8 @@
 // Both broad phases find every pair whose bounds overlap and of which one can move, and no other: against a double loop.
 #include <gtest/gtest.h>
 
-#include <ingot/pairs/all_pairs.h>
-#include <ingot/pairs/sorted_tree.h>
+#include <ingot/broad_phase/all_pairs.h>
+#include <ingot/broad_phase/sorted_tree.h>
 
 #include "contact/play.h"
 #include "reference/random_input.h"
@@ -34,8 +34,8 @@ struct Bodies {
     void put(int slot, const Vector3d& low, const Vector3d& high, bool moves) {
         const ingot::Place at = ingot::place_of(slot);
         for (int axis = 0; axis < 3; ++axis) {
-            bounds[static_cast<std::size_t>(at.tile)].wide_low[axis][at.lane] = static_cast<scalar>(low(axis));
-            bounds[static_cast<std::size_t>(at.tile)].wide_high[axis][at.lane] = static_cast<scalar>(high(axis));
+            bounds[static_cast<std::size_t>(at.tile)].fat_low[axis][at.lane] = static_cast<scalar>(low(axis));
+            bounds[static_cast<std::size_t>(at.tile)].fat_high[axis][at.lane] = static_cast<scalar>(high(axis));
         }
         translation[static_cast<std::size_t>(at.tile)].inv_M[at.lane] = moves ? scalar(1) : scalar(0);
     }
@@ -51,7 +51,7 @@ struct Bodies {
         const ingot::Place A = ingot::place_of(a), B = ingot::place_of(b);
         const ingot::BoundsTile &of_A = bounds[static_cast<std::size_t>(A.tile)], &of_B = bounds[static_cast<std::size_t>(B.tile)];
         for (int axis = 0; axis < 3; ++axis)
-            if (!(of_A.wide_low[axis][A.lane] <= of_B.wide_high[axis][B.lane] && of_B.wide_low[axis][B.lane] <= of_A.wide_high[axis][A.lane]))
+            if (!(of_A.fat_low[axis][A.lane] <= of_B.fat_high[axis][B.lane] && of_B.fat_low[axis][B.lane] <= of_A.fat_high[axis][A.lane]))
                 return false;
         return true;
     }

@@ -140,7 +140,7 @@ TEST(Grazing, leaves_a_ball_as_it_is) {
                 ASSERT_TRUE(scene.sound());
                 const Vector3d v = scene.v(1);
                 const double y = scene.r(1).y();
-                for (int step_i = 0; step_i < 4; ++step_i) ASSERT_EQ(scene.step(scenes::Grazing::h).impacts_left, 0);
+                for (int step_i = 0; step_i < 4; ++step_i) ASSERT_EQ(scene.step(scenes::Grazing::h).impacts_deferred, 0);
                 const bool same = scene.v(1) == v && scene.r(1).y() == y && scene.omega(1).norm() == 0;
                 EXPECT_EQ(same, away > 0) << "away " << away << ", phase " << phase << ", oblique " << oblique;
             }
@@ -168,7 +168,7 @@ void expect_not_met(bool slides, bool post_flies, bool crossing_first, int phase
     ASSERT_TRUE(scene.sound());
     const StepReport report = scene.step(h);
     EXPECT_TRUE(report.clean());
-    EXPECT_EQ(report.impacts_left, 0);
+    EXPECT_EQ(report.impacts_deferred, 0);
     EXPECT_EQ(scene.v(slot), Vector3d(static_cast<double>(speed), 0, 0));
     EXPECT_NEAR(scene.r(slot).x(), 1, 8 * eps);
     EXPECT_LT(scene.v(other).y(), 0) << "and the other was";
@@ -227,7 +227,7 @@ TEST(BetweenPlates, more_impacts_than_are_followed_are_counted) {
     ASSERT_TRUE(scene.sound());
     for (int step_i = 0; step_i < 20; ++step_i) {
         const StepReport report = scene.step(BetweenPlates::h);
-        EXPECT_EQ(report.impacts_left, 1);
+        EXPECT_EQ(report.impacts_deferred, 1);
         EXPECT_FALSE(report.clean());
         EXPECT_LE(std::abs(scene.r(2).x()), 0.4751);
         EXPECT_NEAR(scene.v(2).norm(), 10000, 8 * eps * 10000);
@@ -249,8 +249,8 @@ TEST(WaitingBall, is_not_driven_through_what_it_waits_at) {
     EnergyWatch watch(scene);
     for (int step_i = 0; step_i < 10; ++step_i) {
         const StepReport report = scene.step(display_rate_h);
-        EXPECT_LE(report.impacts_left, step_i == 0 ? 2 : 1);
-        EXPECT_EQ(report.impacts_left == 2, step_i == 0);
+        EXPECT_LE(report.impacts_deferred, step_i == 0 ? 2 : 1);
+        EXPECT_EQ(report.impacts_deferred == 2, step_i == 0);
         watch.look();
         EXPECT_LE(scene.overlap(2, 1), 0.001) << step_i;
         EXPECT_LE(scene.overlap(3, 2), 0.001) << step_i;
@@ -297,7 +297,7 @@ TEST(BulletIntoStack, stays_before_the_cube_it_hits) {
         EnergyWatch watch(scene);
         int cut = 0;
         for (int step_i = 0; step_i < 40; ++step_i) {
-            cut += scene.step(BulletIntoStack::h).impacts_left;
+            cut += scene.step(BulletIntoStack::h).impacts_deferred;
             watch.look();
             if (step_i < 12) {  // then it flies by what it has thrown over
                 ASSERT_LT(scene.r(6).x(), scene.r(3).x()) << phase_i << ", step " << step_i;
@@ -384,7 +384,7 @@ void expect_none_escapes(scalar spin) {
             ASSERT_TRUE(scene.sound());
             const double start = scene.energy();
             for (int step_i = 0; step_i < rate; ++step_i) {
-                cut += scene.step(step_of(rate)).impacts_left;
+                cut += scene.step(step_of(rate)).impacts_deferred;
                 most = std::max(most, scene.energy() / start);
                 for (int i = 6; i < 18; ++i) escaped += !(scene.r(i).cwiseAbs().maxCoeff() < 1);
             }
@@ -410,7 +410,7 @@ TEST(SlowScenes, are_what_they_were) {
     Play<Follows> follows(bodies_of<Tower<10>>(), Tower<10>::gravity);
     for (int step_i = 0; step_i < 60; ++step_i) {
         (void)plain.step(OnEarth::h);
-        EXPECT_EQ(follows.step(OnEarth::h).impacts_left, 0);
+        EXPECT_EQ(follows.step(OnEarth::h).impacts_deferred, 0);
         ASSERT_EQ(plain.world().state_hash(), follows.world().state_hash()) << step_i;
     }
 }

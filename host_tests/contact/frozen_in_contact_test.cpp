@@ -15,7 +15,7 @@ using ingot::BodyId;
 using ingot::scalar;
 using ingot::Status;
 
-template <class BroadPhase, class Solver = ingot::Sweeps>
+template <class BroadPhase, class Solver = ingot::BlockSweeps>
 struct Ground : ingot::Scene {
     static constexpr int max_bodies = 6;
     static constexpr bool translates = true;
@@ -68,7 +68,7 @@ protected:
     }
 };
 
-using Grounds = ::testing::Types<Ground<ingot::AllPairs>, Ground<ingot::SortedTree>, Ground<ingot::AllPairs, ingot::DirectIslands<4>>>;
+using Grounds = ::testing::Types<Ground<ingot::AllPairs>, Ground<ingot::SortedTree>, Ground<ingot::AllPairs, ingot::HybridIslands<4>>>;
 TYPED_TEST_SUITE(FrozenInContact, Grounds);
 
 TYPED_TEST(FrozenInContact, leaves_others_on_the_ground_as_they_are) {
@@ -77,7 +77,7 @@ TYPED_TEST(FrozenInContact, leaves_others_on_the_ground_as_they_are) {
         const auto beside = this->stood(shape, true);
         for (std::size_t body_i = 0; body_i < 2; ++body_i) {
             // Sweeps end for all contacts at once, so that others round otherwise: at rest, by what a sweep may leave.
-            const scalar slack = 100 * ingot::limits::settled_speed_of_few;
+            const scalar slack = 100 * ingot::limits::settled_speed_of_small;
             EXPECT_LE(ingot::length_sq(beside[body_i].r_CM - alone[body_i].r_CM), slack * slack) << "body " << body_i;
             EXPECT_LE(ingot::length_sq(beside[body_i].v_CM - alone[body_i].v_CM), slack * slack) << "body " << body_i;
         }

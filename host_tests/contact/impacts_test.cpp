@@ -91,10 +91,10 @@ TEST(BoxDroppedFlat, with_e_0_lands_without_turning) { expect_flat_landing<0>();
 TEST(BoxDroppedFlat, with_e_05_lands_without_turning) { expect_flat_landing<50>(); }
 TEST(BoxDroppedFlat, with_e_1_lands_without_turning) { expect_flat_landing<100>(); }
 
-/// Of the energy, in float, when sweeps stop: one has changed no speed by more than settled_speed_of_few and 4 epsilon of 1 m/s, and those
+/// Of the energy, in float, when sweeps stop: one has changed no speed by more than settled_speed_of_small and 4 epsilon of 1 m/s, and those
 /// to come would change 1 / (1 - q) times that; in a chain of five equal balls sweeps shrink errors by q = cos^2(pi / 5) = 0.654.
 double left_by_sweeps(double speeds) {
-    const double stop = static_cast<double>(ingot::limits::settled_speed_of_few) + 4 * static_cast<double>(ingot::epsilon);
+    const double stop = static_cast<double>(ingot::limits::settled_speed_of_small) + 4 * static_cast<double>(ingot::epsilon);
     return 2 * speeds * stop / (1 - 0.6545);
 }
 
@@ -146,7 +146,7 @@ TEST(ImpactsOfOneTime, are_solved_together) {
     Play<Room<3>> scene(bodies, {0, 0, 0});
     ASSERT_TRUE(scene.sound());
     scene.run(OnEarth::h, 0.1);
-    const double j = 4 / 1.72, near = 4 * (1e-6 + static_cast<double>(ingot::limits::settled_speed_of_few));
+    const double j = 4 / 1.72, near = 4 * (1e-6 + static_cast<double>(ingot::limits::settled_speed_of_small));
     EXPECT_NEAR(scene.v(0).x(), 1.2 * j, near);
     EXPECT_NEAR(scene.v(0).y(), 0, near);
     EXPECT_NEAR(scene.v(1).y(), 1.6 - 0.8 * j, near);
@@ -165,7 +165,7 @@ TEST(ImpactsBeyondTheBound, are_told) {
         ASSERT_TRUE(scene.sound());
         const double energy = scene.kinetic();
         const StepReport report = scene.step(OnEarth::h);
-        EXPECT_EQ(report.impacts_left > 0, speed == 10) << report.impacts_left;
+        EXPECT_EQ(report.impacts_deferred > 0, speed == 10) << report.impacts_deferred;
         EXPECT_EQ(report.clean(), speed == 1);
         EXPECT_LE(scene.kinetic(), energy * (1 + 64 * static_cast<double>(ingot::epsilon)));
         EXPECT_LE(std::abs(scene.r(0).z()), 0.001 + static_cast<double>(ingot::limits::touching_gap)) << speed;

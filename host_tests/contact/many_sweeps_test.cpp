@@ -3,15 +3,15 @@
 // substep, from rest and from impulses of a step before.
 #include <gtest/gtest.h>
 
-#include <ingot/blocks/conjugate_gradients.h>
-#include <ingot/blocks/order_manifolds.h>
-#include <ingot/blocks/predict_contacts.h>
-#include <ingot/blocks/prepare_blocks.h>
-#include <ingot/blocks/sweep_velocities.h>
-#include <ingot/blocks/warm_start.h>
+#include <ingot/solver/sweeps/conjugate_gradients.h>
+#include <ingot/solver/sweeps/order_manifolds.h>
+#include <ingot/solver/sweeps/predict_contacts.h>
+#include <ingot/constraint/prepare_blocks.h>
+#include <ingot/solver/sweeps/sweep_velocities.h>
+#include <ingot/solver/sweeps/warm_start.h>
 #include <ingot/body/auxiliary.h>
-#include <ingot/points/move_point_bodies.h>
-#include <ingot/points/sweep_points.h>
+#include <ingot/solver/sequential/move_point_bodies.h>
+#include <ingot/solver/sequential/sweep_points.h>
 
 #include "contact/play.h"
 #include "reference/contact_reference.h"

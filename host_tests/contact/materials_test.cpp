@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Rolling resistance and surfaces that move, against closed forms.
 //
-// Errors: a solve of a substep leaves limits::settled_speed_of_few, and each of its additions rounds v by epsilon / 2; both add up over the
+// Errors: a solve of a substep leaves limits::settled_speed_of_small, and each of its additions rounds v by epsilon / 2; both add up over the
 // substeps, of which a step has limits::substeps. Ways are their sum over time.
 #include <gtest/gtest.h>
 
@@ -57,7 +57,7 @@ struct Allowed {
 };
 Allowed allowed(double seconds, double v) {
     const double substeps = seconds / static_cast<double>(OnEarth::h) * ingot::limits::substeps;
-    const double speed = substeps * (static_cast<double>(ingot::limits::settled_speed_of_few) + 2 * static_cast<double>(ingot::epsilon) * v);
+    const double speed = substeps * (static_cast<double>(ingot::limits::settled_speed_of_small) + 2 * static_cast<double>(ingot::epsilon) * v);
     return {speed, speed * seconds};
 }
 
@@ -88,7 +88,7 @@ TEST(RollingResistance, slows_a_ball_by_its_law_and_stops_it) {
         EXPECT_LE(worst, most.speed);
         EXPECT_NEAR(stopped_at, t_stop, h);
         EXPECT_NEAR(scene.drift(1), v_0 * v_0 / (2 * a), most.way + a * h * h);  // where within the step it stops
-        EXPECT_LE(scene.v(1).norm(), static_cast<double>(ingot::limits::settled_speed_of_few));
+        EXPECT_LE(scene.v(1).norm(), static_cast<double>(ingot::limits::settled_speed_of_small));
     }
 }
 
@@ -248,13 +248,13 @@ TEST(Belt, of_a_body_that_moves_pushes_back) {
 TEST(Belt, counts_along_the_surface_only_and_may_be_switched) {
     auto scene = play_materials<2>({{flat_ground(scalar(0.5)), 0, {0, 0, 5}}, {parcel(flat, scalar(0.5)), 0, {}}}, OnEarth::gravity);
     scene.run(OnEarth::h, 1);
-    EXPECT_LE(scene.v(1).norm(), static_cast<double>(ingot::limits::settled_speed_of_few));
+    EXPECT_LE(scene.v(1).norm(), static_cast<double>(ingot::limits::settled_speed_of_small));
     EXPECT_EQ(scene.world().set_surface_velocity(scene.id(0), {1, 0, 0}), Status::ok);
     scene.run(OnEarth::h, 1);
     EXPECT_NEAR(scene.v(1).x(), 1, allowed(1, 1).speed);
     EXPECT_EQ(scene.world().set_surface_velocity(scene.id(0), {}), Status::ok);
     scene.run(OnEarth::h, 1);
-    EXPECT_LE(scene.v(1).norm(), static_cast<double>(ingot::limits::settled_speed_of_few));
+    EXPECT_LE(scene.v(1).norm(), static_cast<double>(ingot::limits::settled_speed_of_small));
 }
 
 /// What sleeps on a belt wakes when it starts.

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 #include <ingot/base/limits.h>
 #include <ingot/body/auxiliary.h>
-#include <ingot/fast/time_of_impact.h>
-#include <ingot/fast/two_bodies.h>
+#include <ingot/continuous/time_of_impact.h>
+#include <ingot/continuous/pair_sub_world.h>
 
 #include <cstring>
 #include <limits>
@@ -386,7 +386,7 @@ TEST(Path, turns_by_no_more_than_it_can) {
 }
 
 /// A state that is no number is not put: the body keeps the one it has, and is marked.
-TEST(TwoBodies, refuse_a_state_that_is_no_number) {
+TEST(PairSubWorld, refuse_a_state_that_is_no_number) {
     constexpr scalar nan = std::numeric_limits<scalar>::quiet_NaN();
     RandomInput random(1463);
     for (int bad = 0; bad < 5; ++bad) {
@@ -419,8 +419,8 @@ TEST(TwoBodies, refuse_a_state_that_is_no_number) {
 }
 
 /// They press on each other where any of the points of their manifold has an impulse; what is left of points before does not count.
-TEST(TwoBodies, press_on_each_other_where_a_point_carries) {
-    static ingot::TwoBodies room;
+TEST(PairSubWorld, press_on_each_other_where_a_point_carries) {
+    static ingot::PairSubWorld room;
     for (int count = 0; count <= 4; ++count) {
         for (unsigned carrying = 0; carrying < 16; ++carrying) {
             ingot::Manifold manifold{};
@@ -434,7 +434,7 @@ TEST(TwoBodies, press_on_each_other_where_a_point_carries) {
 }
 
 /// How long two bodies move little against each other, whether one gets past its size, and how far apart they may be to touch: closed forms.
-TEST(TwoBodies, know_how_far_they_move_in_a_while) {
+TEST(PairSubWorld, know_how_far_they_move_in_a_while) {
     const double h = 1.0 / 64;
     for (int case_i = 0; case_i < 5; ++case_i) {
         ingot_stages::Tiles tiles(2);
@@ -453,7 +453,7 @@ TEST(TwoBodies, know_how_far_they_move_in_a_while) {
             surfaces[which].shape = ingot::Sphere{static_cast<scalar>(size[which])};
             surfaces[which].bounding_radius = static_cast<scalar>(radius[which]);
         }
-        static ingot::TwoBodies room;
+        static ingot::PairSubWorld room;
         room.clear();
         for (int which = 0; which < 2; ++which) room.take(which, tiles.view(), {surfaces, 2}, which);
         const double near = 32 * eps;

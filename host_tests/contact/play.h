@@ -34,13 +34,13 @@ constexpr bool is_double = sizeof(scalar) == 8;
 
 /// Room for any scene of so many bodies: in a pile of boxes a body has about twelve neighbours, and half of each pair is its own.
 template <int bodies, class BroadPhase = ingot::AllPairs, bool renews = true, int manifolds = 8 * bodies, int pairs = 2 * manifolds,
-          class Solver = ingot::Sweeps>
+          class Solver = ingot::BlockSweeps>
 struct Room : ingot::Scene {
     static constexpr int max_bodies = bodies;
     static constexpr bool translates = true;
     static constexpr int max_manifolds = manifolds;
     static constexpr int max_pairs = pairs;
-    static constexpr bool renews_manifolds = renews;
+    static constexpr bool recycles_manifolds = renews;
     using broad_phase = BroadPhase;
     using solver = Solver;
     using shapes = ingot::Shapes<ingot::Sphere, ingot::Box, ingot::HalfSpace>;

@@ -2,8 +2,8 @@
 // What the light solver takes in and gives back: motion that is finite, or none.
 #include <gtest/gtest.h>
 #include <ingot/body/auxiliary.h>
-#include <ingot/points/move_point_bodies.h>
-#include <ingot/points/sweep_points.h>
+#include <ingot/solver/sequential/move_point_bodies.h>
+#include <ingot/solver/sequential/sweep_points.h>
 
 #include <limits>
 

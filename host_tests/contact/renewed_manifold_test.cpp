@@ -2,7 +2,7 @@
 // A manifold that is moved along with its bodies against one found anew.
 #include <gtest/gtest.h>
 
-#include <ingot/contact/manifold_anchors.h>
+#include <ingot/narrow_phase/manifold_anchors.h>
 
 #include "collide/placed.h"
 #include "contact/play.h"

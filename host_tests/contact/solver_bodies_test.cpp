@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the solver gives back to the bodies: motion that is finite, or none.
 #include <gtest/gtest.h>
-#include <ingot/blocks/move_bodies.h>
+#include <ingot/solver/sweeps/move_bodies.h>
 #include <ingot/body/auxiliary.h>
 
 #include <limits>

@@ -10,9 +10,9 @@ namespace {
 
 using namespace ingot_contact;
 using namespace scenes;
-using ingot::ChosenSolver;
-using ingot::DirectIslands;
-using ingot::Sweeps;
+using ChosenSolver = ingot::HybridIslands<>;
+using ingot::HybridIslands;
+using ingot::BlockSweeps;
 
 constexpr scalar h = OnEarth::h;
 
@@ -53,7 +53,7 @@ TEST(ChosenSolver, keeps_a_tower_of_40_for_a_minute) { expect_stands_still<Tower
 /// What sweeps serve well is theirs, to the bit.
 TEST(ChosenSolver, leaves_a_pyramid_to_the_sweeps) {
     auto chosen = play_by<Pyramid<6>, ChosenSolver>();
-    auto swept = play_by<Pyramid<6>, Sweeps>();
+    auto swept = play_by<Pyramid<6>, BlockSweeps>();
     chosen.run(h, 2);
     swept.run(h, 2);
     EXPECT_EQ(chosen.reports().solved_directly, 0);
@@ -62,16 +62,16 @@ TEST(ChosenSolver, leaves_a_pyramid_to_the_sweeps) {
 
 /// Sweeps crush the light cube, and say so: what they leave uncorrected.
 TEST(Sweeps, report_that_1e6_kg_on_1_kg_is_not_settled) {
-    auto scene = play_by<MassRatio<1, 1000000>, Sweeps>();
+    auto scene = play_by<MassRatio<1, 1000000>, BlockSweeps>();
     scene.run(h, 1);
     figure("residual, m/s", scene.reports().residual);
     EXPECT_GT(scene.reports().residual, 100 * static_cast<double>(ingot::limits::settled_speed));
 }
 
 /// An island with more manifolds than there is room for is swept, and the report says so.
-TEST(DirectIslands, report_an_island_that_is_too_large) {
-    auto small = play_by<MassRatio<3, 1000>, DirectIslands<3>>();
-    auto swept = play_by<MassRatio<3, 1000>, Sweeps>();
+TEST(HybridIslands, report_an_island_that_is_too_large) {
+    auto small = play_by<MassRatio<3, 1000>, HybridIslands<3>>();
+    auto swept = play_by<MassRatio<3, 1000>, BlockSweeps>();
     small.run(h, 0.5);
     swept.run(h, 0.5);
     EXPECT_EQ(small.reports().refused_directly, 30);
@@ -83,8 +83,8 @@ TEST(DirectIslands, report_an_island_that_is_too_large) {
 }
 
 /// So is one whose matrix has no room: two entries a row are less than a column of four needs.
-TEST(DirectIslands, report_a_matrix_that_is_too_large) {
-    auto small = play_by<MassRatio<3, 1000>, DirectIslands<4, 2>>();
+TEST(HybridIslands, report_a_matrix_that_is_too_large) {
+    auto small = play_by<MassRatio<3, 1000>, HybridIslands<4, 2>>();
     small.run(h, 0.5);
     EXPECT_EQ(small.reports().unfinished_directly, 30);
     EXPECT_EQ(small.reports().solved_directly, 0);
@@ -130,7 +130,7 @@ struct SlidingColumn : MassRatio<1, 1000> {
         return placed;
     }
 };
-TEST(DirectIslands, slide_as_coulomb_says) {
+TEST(HybridIslands, slide_as_coulomb_says) {
     auto scene = play_by<SlidingColumn, ChosenSolver>();
     const double t = 2, mu = static_cast<double>(SlidingColumn::mu), g_x = static_cast<double>(SlidingColumn::gravity.x),
                  g_z = -static_cast<double>(SlidingColumn::gravity.z), expected = 0.5 * (g_x - mu * g_z) * t * t;
@@ -162,7 +162,7 @@ Gains gains_of(Play<S>& scene, double seconds) {
 /// of such a column unsettled; it slides down, not faster than without friction, and energy does not grow.
 template <int entries_of_row>
 void expect_slides_without_a_matrix() {
-    auto small = play_by<SlidingColumn, DirectIslands<4, entries_of_row>>();
+    auto small = play_by<SlidingColumn, HybridIslands<4, entries_of_row>>();
     const double t = 0.5, free = static_cast<double>(SlidingColumn::gravity.x) * t;
     EXPECT_EQ(gains_of(small, t).count, 0);
     EXPECT_TRUE(small.reports().clean());
@@ -170,8 +170,8 @@ void expect_slides_without_a_matrix() {
     for (const int body_i : {1, 2}) EXPECT_TRUE(small.v(body_i).x() > 0 && small.v(body_i).x() < free) << body_i;
 }
 
-TEST(DirectIslands, slide_by_sweeps_without_room_for_a_matrix) { expect_slides_without_a_matrix<2>(); }
-TEST(DirectIslands, slide_by_sweeps_without_room_for_its_other_half) { expect_slides_without_a_matrix<4>(); }
+TEST(HybridIslands, slide_by_sweeps_without_room_for_a_matrix) { expect_slides_without_a_matrix<2>(); }
+TEST(HybridIslands, slide_by_sweeps_without_room_for_its_other_half) { expect_slides_without_a_matrix<4>(); }
 
 /// A heavy plate on a hundred light cubes: a matrix that has room, and takes more work than a step is given.
 struct Table : OnEarth {
@@ -184,9 +184,9 @@ struct Table : OnEarth {
         return unit_cube({static_cast<scalar>(2 * ((body_i - 1) % 10)), static_cast<scalar>(2 * ((body_i - 1) / 10)), half}, mu);
     }
 };
-TEST(DirectIslands, leave_what_takes_too_much_work_to_the_sweeps) {
-    auto scene = play_by<Table, DirectIslands<2 * Table::legs, 6 * Table::legs>>();
-    auto swept = play_by<Table, Sweeps>();
+TEST(HybridIslands, leave_what_takes_too_much_work_to_the_sweeps) {
+    auto scene = play_by<Table, HybridIslands<2 * Table::legs, 6 * Table::legs>>();
+    auto swept = play_by<Table, BlockSweeps>();
     const Gains by_choice = gains_of(scene, 0.5), by_sweeps = gains_of(swept, 0.5);
     figure("largest gain by choice, lifting out what sank in", by_choice.most);
     figure("largest gain by sweeps", by_sweeps.most);
@@ -206,7 +206,7 @@ struct Landing : MassRatio<1, 1000> {
         return placed;
     }
 };
-TEST(DirectIslands, land_without_sinking_in) {
+TEST(HybridIslands, land_without_sinking_in) {
     auto scene = play_by<Landing, ChosenSolver>();
     double deepest = 0, before = scene.energy(), gain = 0;
     scene.run(h, 2, [&](int) {
@@ -242,7 +242,7 @@ TEST(UnevenBoxes, of_12_with_100_to_1_gains_nothing) { expect_tumbles_to_rest<Un
 /// lifting out what sank in, is contact_test's FallingPlanks.)
 TEST(FallingPlanks, gain_no_more_than_by_sweeps) {
     auto chosen = play_by<FallingPlanks, ChosenSolver>();
-    auto swept = play_by<FallingPlanks, Sweeps>();
+    auto swept = play_by<FallingPlanks, BlockSweeps>();
     const Gains by_choice = gains_of(chosen, 5), by_sweeps = gains_of(swept, 5);
     figure("largest gain by choice", by_choice.most);
     figure("largest gain by sweeps", by_sweeps.most);
@@ -273,9 +273,9 @@ TEST(ChosenSolver, is_the_same_in_a_room_that_is_just_large_enough) {
 }
 
 /// A tower is chosen for its height where there is room for it, and is no refusal where there is none.
-TEST(DirectIslands, leave_a_tower_that_is_too_large_to_the_sweeps) {
-    auto small = play_by<Tower<20>, DirectIslands<4>>();
-    auto swept = play_by<Tower<20>, Sweeps>();
+TEST(HybridIslands, leave_a_tower_that_is_too_large_to_the_sweeps) {
+    auto small = play_by<Tower<20>, HybridIslands<4>>();
+    auto swept = play_by<Tower<20>, BlockSweeps>();
     small.run(h, 1);
     swept.run(h, 1);
     EXPECT_EQ(small.world().state_hash(), swept.world().state_hash());
@@ -292,7 +292,7 @@ struct SmoothColumn : MassRatio<1, 1000> {
         return placed;
     }
 };
-TEST(DirectIslands, are_woken_by_a_push) {
+TEST(HybridIslands, are_woken_by_a_push) {
     using Column = SmoothColumn;
     auto scene = play_by<Column, ChosenSolver>();
     scene.run(h, 1);
@@ -318,7 +318,7 @@ struct BallOnCube : MassRatio<1, 1000> {
         return ball;
     }
 };
-TEST(DirectIslands, bounce_on_what_rests) {
+TEST(HybridIslands, bounce_on_what_rests) {
     auto scene = play_by<BallOnCube, ChosenSolver>();
     const double drop = static_cast<double>(BallOnCube::drop), g = -static_cast<double>(BallOnCube::gravity.z), begin = scene.energy();
     double top = 0, highest = 0, sink = 0;

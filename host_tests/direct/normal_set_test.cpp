@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How four normals of one manifold share a load that three could carry.
 #include <gtest/gtest.h>
-#include <ingot/direct/normal_set.h>
+#include <ingot/solver/direct/normal_set.h>
 
 #include <Eigen/Dense>
 

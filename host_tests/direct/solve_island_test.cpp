@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 // One island, made up at random, solved by the kernel and by the reference.
 #include <gtest/gtest.h>
-#include <ingot/blocks/move_bodies.h>
-#include <ingot/blocks/order_manifolds.h>
-#include <ingot/blocks/predict_contacts.h>
-#include <ingot/blocks/prepare_blocks.h>
-#include <ingot/direct/factor_rows.h>
-#include <ingot/direct/hold_energy.h>
-#include <ingot/direct/island_rows.h>
-#include <ingot/direct/islands.h>
-#include <ingot/direct/solve_directly.h>
-#include <ingot/direct/solve_island.h>
+#include <ingot/solver/sweeps/move_bodies.h>
+#include <ingot/solver/sweeps/order_manifolds.h>
+#include <ingot/solver/sweeps/predict_contacts.h>
+#include <ingot/constraint/prepare_blocks.h>
+#include <ingot/solver/direct/factor_rows.h>
+#include <ingot/solver/direct/hold_energy.h>
+#include <ingot/solver/direct/island_rows.h>
+#include <ingot/solver/direct/choose_islands.h>
+#include <ingot/solver/direct/solve_directly.h>
+#include <ingot/solver/direct/solve_island.h>
 #include <ingot/ingot.h>
 
 #include <array>
@@ -32,7 +32,7 @@ struct Yard : ingot::Scene {
     static constexpr bool translates = true;
     static constexpr int max_manifolds = most_manifolds;
     using shapes = ingot::Shapes<ingot::Box, ingot::HalfSpace>;
-    using solver = ingot::DirectIslands<most_manifolds, 12 * most_manifolds>;
+    using solver = ingot::HybridIslands<most_manifolds, 12 * most_manifolds>;
 };
 
 Vector3d to_double(const ingot::Vector& v) {
@@ -56,7 +56,7 @@ struct RandomIsland {
     double fastest = 0;  ///< m/s, that a body or a point of it has
 
     Touch touch;
-    std::vector<ingot::IslandFate> fates;  ///< of the islands that solve() has tried
+    std::vector<ingot::IslandState> fates;  ///< of the islands that solve() has tried
     std::vector<bool> carried;             ///< of each, whether it found an impulse
 
     RandomIsland(RandomInput& random, int body_count, double mu_most, double mass_binades, Touch touch_ = Touch::rectangle) : touch(touch_) {
@@ -177,12 +177,12 @@ struct RandomIsland {
         }
         bool solved = true;
         for (int root = 1; root < solver.body_count; ++root) {
-            if (direct.fate[root] != ingot::IslandFate::chosen) continue;
+            if (direct.state[root] != ingot::IslandState::chosen) continue;
             ingot::load_rows(solver, storage.bodies(), direct, static_cast<uint16_t>(root));
             direct.work_left = work;
             direct.uneven = true;  // impacts too
             fates.push_back(ingot::solve_island(solver, direct, static_cast<scalar>(h), after_sweeps));
-            solved = fates.back() == ingot::IslandFate::solved && solved;
+            solved = fates.back() == ingot::IslandState::solved && solved;
             bool pushed = false;
             for (int row_i = 0; row_i < direct.manifold_count * ingot::direct_rows; ++row_i) {
                 const bool exists = (direct.manifolds[row_i / ingot::direct_rows].rows >> row_i % ingot::direct_rows & 1u) != 0;
@@ -233,7 +233,7 @@ struct RandomIsland {
             }
             problem.patches.push_back(patch);
             found.patch_impulse.push_back(t);
-            found.patch_twist.push_back((manifold.rows >> ingot::twist_row & 1u) != 0 ? rows[ingot::twist_row].j : 0);
+            found.patch_twist.push_back((manifold.rows >> ingot::torsion_row & 1u) != 0 ? rows[ingot::torsion_row].j : 0);
         }
     }
 };
@@ -303,9 +303,9 @@ TEST(DirectIsland, is_solved_after_sweeps_where_something_is_gained) {
         before.solve(found_before);
         const bool all = after.solve(found_after, 1 << 24, true);
         for (std::size_t i = 0; i < before.fates.size(); ++i) {
-            if (before.fates[i] != ingot::IslandFate::solved) continue;
+            if (before.fates[i] != ingot::IslandState::solved) continue;
             const bool gains = before.carried[i];
-            EXPECT_EQ(after.fates[i], gains ? ingot::IslandFate::solved : ingot::IslandFate::chosen) << case_i;
+            EXPECT_EQ(after.fates[i], gains ? ingot::IslandState::solved : ingot::IslandState::chosen) << case_i;
             ++(gains ? gained : nothing);
         }
         if (!all) continue;
@@ -324,7 +324,7 @@ TEST(DirectIsland, touches_nothing_beyond_its_end) {
         island.choose();
         const ingot::DirectView& direct = island.direct;
         for (int root = 1; root < island.solver.body_count; ++root) {
-            if (direct.fate[root] != ingot::IslandFate::chosen) continue;
+            if (direct.state[root] != ingot::IslandState::chosen) continue;
             ingot::load_rows(island.solver, island.storage.bodies(), island.direct, static_cast<uint16_t>(root));
             const int count = direct.manifold_count;
             // Left over from another: four points on the island's own bodies, that carry and slide.
@@ -360,16 +360,16 @@ TEST(DirectIsland, touches_nothing_beyond_its_end) {
         const auto body_count = static_cast<std::size_t>(island.solver.body_count);
         const ingot::FreeMotion motion = {{1, 2, 3}, {4, 5, 6}};
         std::vector<ingot::FreeMotion> free_motion(body_count + 4, motion);
-        std::vector<ingot::IslandFate> fate(body_count + 4, ingot::IslandFate::struck);
+        std::vector<ingot::IslandState> fate(body_count + 4, ingot::IslandState::left_to_sweeps);
         island.direct.free_motion = free_motion.data();
-        island.direct.fate = fate.data();
+        island.direct.state = fate.data();
         ingot::StepReport report{};
         const auto h = static_cast<scalar>(ingot::limits::substeps * RandomIsland::h);
         ingot::solve_directly<false>(island.solver, island.direct, island.storage.bodies(), {}, h, nullptr, report);
         ASSERT_EQ(static_cast<std::size_t>(island.solver.body_count), body_count);
         EXPECT_NE(free_motion[1].v_CM[2], motion.v_CM[2]) << "an island was chosen";
         for (std::size_t body_i = body_count; body_i < fate.size(); ++body_i) {
-            EXPECT_EQ(fate[body_i], ingot::IslandFate::struck) << case_i;
+            EXPECT_EQ(fate[body_i], ingot::IslandState::left_to_sweeps) << case_i;
             for (int axis = 0; axis < 3; ++axis) {
                 EXPECT_EQ(free_motion[body_i].v_CM[axis], motion.v_CM[axis]) << case_i;
                 EXPECT_EQ(free_motion[body_i].L[axis], motion.L[axis]) << case_i;
@@ -402,12 +402,12 @@ TEST(DirectIsland, that_is_solved_is_left_out_of_the_sweeps) {
         RandomIsland island(random, most_bodies, 1, 3);
         island.choose();
         for (int root = 1; root < island.solver.body_count; ++root)
-            island.direct.fate[root] = random.integer(0, 1) == 0 ? ingot::IslandFate::solved : ingot::IslandFate::chosen;
+            island.direct.state[root] = random.integer(0, 1) == 0 ? ingot::IslandState::solved : ingot::IslandState::chosen;
         const Visits all = visits_of(island.solver), left = visits_of(ingot::left_to_sweeps(island.solver, island.direct));
         int solved = 0;
         for (std::size_t manifold_i = 0; manifold_i < all.size(); ++manifold_i) {
             const uint16_t above = island.solver.local_of[island.solver.pairs[manifold_i].body_B];  // the one that moves
-            const bool is_solved = island.direct.fate[island.direct.root[above]] == ingot::IslandFate::solved;
+            const bool is_solved = island.direct.state[island.direct.root[above]] == ingot::IslandState::solved;
             solved += is_solved ? 1 : 0;
             ASSERT_EQ(all[manifold_i].size(), 1u);
             if (is_solved)
@@ -428,7 +428,7 @@ TEST(DirectIsland, counts_the_work_of_sliding) {
         RandomIsland island(random, random.integer(2, 4), 1, 1);
         island.choose();
         for (int root = 1; root < island.solver.body_count; ++root) {
-            if (island.direct.fate[root] != ingot::IslandFate::chosen) continue;
+            if (island.direct.state[root] != ingot::IslandState::chosen) continue;
             ingot::load_rows(island.solver, island.storage.bodies(), island.direct, static_cast<uint16_t>(root));
             int work[2];
             for (const bool slides : {false, true}) {
@@ -460,14 +460,14 @@ TEST(DirectIsland, is_left_as_it_is_where_another_attempt_gains_nothing) {
         ContactSolution found;
         if (!island.solve(found)) continue;
         for (int root = 1; root < island.solver.body_count; ++root) {
-            if (island.direct.fate[root] != ingot::IslandFate::chosen) continue;
+            if (island.direct.state[root] != ingot::IslandState::chosen) continue;
             ingot::load_rows(island.solver, island.storage.bodies(), island.direct, static_cast<uint16_t>(root));
             island.direct.work_left = 1 << 24;
             island.direct.uneven = true;
             const std::vector<ingot::SolverBody> before(island.solver.bodies, island.solver.bodies + island.solver.body_count);
-            const ingot::IslandFate fate = ingot::solve_island(island.solver, island.direct, static_cast<scalar>(RandomIsland::h), true);
-            ++(fate == ingot::IslandFate::solved ? taken : left);
-            for (std::size_t i = 1; i < before.size() && fate != ingot::IslandFate::solved; ++i)
+            const ingot::IslandState fate = ingot::solve_island(island.solver, island.direct, static_cast<scalar>(RandomIsland::h), true);
+            ++(fate == ingot::IslandState::solved ? taken : left);
+            for (std::size_t i = 1; i < before.size() && fate != ingot::IslandState::solved; ++i)
                 EXPECT_EQ(std::memcmp(&before[i], &island.solver.bodies[i], sizeof before[i]), 0) << case_i;
             ContactSolution again = found;
             for (int body_i = 1; body_i < island.direct.body_count; ++body_i) {
@@ -561,7 +561,7 @@ TEST(DirectIsland, holds_its_energy) {
         for (auto& record : island.storage.records) record.substeps = 1;
         if (choose_islands(island.solver, island.direct, report) == 0) continue;
         int root = 1;
-        while (island.direct.fate[root] != ingot::IslandFate::chosen) ++root;
+        while (island.direct.state[root] != ingot::IslandState::chosen) ++root;
         ingot::load_rows(island.solver, island.storage.bodies(), island.direct, static_cast<uint16_t>(root));
         ingot::SolverBody& body = island.solver.bodies[island.direct.bodies[1].body_i];
         const double M = 1 / static_cast<double>(body.v_CM[3]), share = random.real(-3, 3);

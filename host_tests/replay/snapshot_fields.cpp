@@ -97,7 +97,7 @@ void read_body(Reader& in, unsigned parts) {
     if ((parts & Part::sensors) != 0 && !several) (void)in.integer("sensor", 1);
     if ((parts & Part::sleep) != 0) {
         (void)in.integer("awake", 1);
-        in.real("slow_for");
+        in.real("rest_time");
     }
 }
 
@@ -128,7 +128,7 @@ void read_manifold(Reader& in, uint16_t parts) {
     in.real("e");
     in.vector("j_friction");
     in.vector("j_reference");
-    in.real("j_twist");
+    in.real("j_torsion");
     (void)in.integer("substeps", 2);
     if ((parts & Part::anchors) != 0) read_anchors(in);
     if ((parts & Part::unsettled) != 0) (void)in.integer("unsettled", 1);

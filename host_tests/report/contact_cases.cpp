@@ -22,13 +22,13 @@ using Boxes = ingot::Shapes<ingot::Box, ingot::HalfSpace>;
 using Balls = ingot::Shapes<ingot::Sphere, ingot::HalfSpace>;
 
 /// A world for one of the scenes: room for so many pairs that touch, and four times as many that may.
-template <class Placed, class Shapes_, int manifolds, bool renews = true, class Solver = ingot::Sweeps>
+template <class Placed, class Shapes_, int manifolds, bool renews = true, class Solver = ingot::BlockSweeps>
 struct SceneFor : ingot::Scene {
     static constexpr int max_bodies = Placed::body_count;
     static constexpr bool translates = true;
     static constexpr int max_manifolds = manifolds;
     static constexpr int max_pairs = manifolds > 16000 ? 65535 : 4 * manifolds;
-    static constexpr bool renews_manifolds = renews;
+    static constexpr bool recycles_manifolds = renews;
     using shapes = Shapes_;
     using solver = Solver;
     using broad_phase = std::conditional_t<(max_bodies > 100), ingot::SortedTree, ingot::AllPairs>;
@@ -129,7 +129,7 @@ template <class Placed, int manifolds>
 ContactCase case_of_both(const char* name) {
     ContactCase one = contact_case<Placed, Boxes, manifolds>(name);
     one.begin_chosen = [] {
-        return std::make_unique<KernelRun<Placed, SceneFor<Placed, Boxes, manifolds, true, ingot::ChosenSolver>>>();
+        return std::make_unique<KernelRun<Placed, SceneFor<Placed, Boxes, manifolds, true, ingot::HybridIslands<>>>>();
     };
     return one;
 }

@@ -31,8 +31,8 @@ struct Tower10 : Stacked<11, 10> {
 /// The budget of a Cortex-M4F, see TenBoxes: ten cubes side by side, and in one column, in what memory they need.
 struct TenBoxesBudget : Stacked<11, 10> {
     static constexpr bool bounces = false;
-    static constexpr bool renews_manifolds = false;
-    using solver = ingot::PointSweeps;
+    static constexpr bool recycles_manifolds = false;
+    using solver = ingot::SequentialImpulses;
     using rotation = ingot::LieMidpoint;
 };
 struct TenBoxesRow : TenBoxesBudget {
@@ -51,7 +51,7 @@ struct TenBoxesColumn : TenBoxesBudget {
 /// Boxes and balls fall into a pit, solved point by point: impacts, what slides and spins, manifolds that come and go, rest.
 struct LightPile : Stacked<13, 48> {
     using shapes = ingot::Shapes<ingot::Sphere, ingot::Box, ingot::HalfSpace>;
-    using solver = ingot::PointSweeps;
+    using solver = ingot::SequentialImpulses;
     static constexpr bool bounces = false;
     static constexpr const char* name = "light_pile";
     static constexpr const char* title = "boxes and balls fall into a pit, solved point by point";
@@ -81,7 +81,7 @@ struct Pyramid55 : Stacked<56, 110> {
 
 /// 1000 t on 1 kg, which no sweeps carry: solved directly.
 struct MassRatio1e6 : Stacked<3, 2> {
-    using solver = ingot::DirectIslands<2, 6>;
+    using solver = ingot::HybridIslands<2, 6>;
     static constexpr const char* name = "mass_ratio_1e6";
     static constexpr const char* title = "a cube of 1000 t on one of 1 kg";
     static constexpr int golden_steps = 120;
@@ -90,7 +90,7 @@ struct MassRatio1e6 : Stacked<3, 2> {
 
 /// Twenty cubes in one column, solved directly.
 struct Tower20 : Stacked<21, 20> {
-    using solver = ingot::DirectIslands<20, 10>;
+    using solver = ingot::HybridIslands<20, 10>;
     static constexpr const char* name = "tower_20";
     static constexpr const char* title = "twenty cubes in one column, solved directly";
     static constexpr int golden_steps = 120;
@@ -99,7 +99,7 @@ struct Tower20 : Stacked<21, 20> {
 
 /// Boxes of 1 and 100 kg fall on each other: a solver that picks itself, with solves that settle and solves that do not.
 struct ChosenBoxes : Stacked<13, 78> {
-    using solver = ingot::ChosenSolver;
+    using solver = ingot::HybridIslands<>;
     static constexpr const char* name = "uneven_boxes";
     static constexpr const char* title = "boxes of 1 and 100 kg fall on each other, solved by what suits";
     static constexpr int golden_steps = 180;
@@ -185,7 +185,7 @@ struct BulletRange : Stacked<BulletWalls::body_count, 40> {
     static constexpr PlacedBody body(int body_i) { return BulletWalls::body(body_i); }
     /// In a crowd some wait for others, and bullets that scrape along a wall spin beyond the limit: that is what reports are for.
     static bool went_well(ingot::StepReport report) {
-        report.impacts_left = report.spins_clamped = 0;
+        report.impacts_deferred = report.spins_clamped = 0;
         return report.clean();
     }
 };

@@ -211,22 +211,22 @@ TEST(Kept, a_snapshot_of_a_sleeper_that_moves_is_refused) {
     std::vector<uint8_t> bytes = saved(world);
     ASSERT_EQ(ingot::load_snapshot(other, bytes.data(), bytes.size()), Status::ok);
 
-    // The same world awake and moving, with the mark of sleep of the first: only `awake` and `slow_for` differ in their places.
+    // The same world awake and moving, with the mark of sleep of the first: only `awake` and `rest_time` differ in their places.
     ingot::SavedBody body{};
     body.v_CM = {0, 0, 1};
-    EXPECT_FALSE(ingot::is_sound(ingot::SavedRest{0, 0}, body, 1));
-    EXPECT_TRUE(ingot::is_sound(ingot::SavedRest{1, 0}, body, 1));
-    EXPECT_FALSE(ingot::is_sound(ingot::SavedRest{2, 0}, body, 1)) << "due, and moving";
-    EXPECT_TRUE(ingot::is_sound(ingot::SavedRest{2, 0}, {}, 1));
-    EXPECT_FALSE(ingot::is_sound(ingot::SavedRest{3, 0}, {}, 1));
-    EXPECT_FALSE(ingot::is_sound(ingot::SavedRest{1, scalar(1.5)}, {}, 1));
-    EXPECT_FALSE(ingot::is_sound(ingot::SavedRest{1, scalar(-0.5)}, {}, 1));
-    EXPECT_FALSE(ingot::is_sound(ingot::SavedRest{1, std::numeric_limits<scalar>::quiet_NaN()}, {}, 1));
-    EXPECT_TRUE(ingot::is_sound(ingot::SavedRest{0, 1}, {}, 1));
+    EXPECT_FALSE(ingot::is_valid(ingot::SavedRest{0, 0}, body, 1));
+    EXPECT_TRUE(ingot::is_valid(ingot::SavedRest{1, 0}, body, 1));
+    EXPECT_FALSE(ingot::is_valid(ingot::SavedRest{2, 0}, body, 1)) << "due, and moving";
+    EXPECT_TRUE(ingot::is_valid(ingot::SavedRest{2, 0}, {}, 1));
+    EXPECT_FALSE(ingot::is_valid(ingot::SavedRest{3, 0}, {}, 1));
+    EXPECT_FALSE(ingot::is_valid(ingot::SavedRest{1, scalar(1.5)}, {}, 1));
+    EXPECT_FALSE(ingot::is_valid(ingot::SavedRest{1, scalar(-0.5)}, {}, 1));
+    EXPECT_FALSE(ingot::is_valid(ingot::SavedRest{1, std::numeric_limits<scalar>::quiet_NaN()}, {}, 1));
+    EXPECT_TRUE(ingot::is_valid(ingot::SavedRest{0, 1}, {}, 1));
     for (ingot::Vector ingot::SavedBody::*part : {&ingot::SavedBody::L, &ingot::SavedBody::tau_T, &ingot::SavedBody::F_T}) {
         ingot::SavedBody pushed{};
         (pushed.*part).y = 1;
-        EXPECT_FALSE(ingot::is_sound(ingot::SavedRest{0, 0}, pushed, 1));
+        EXPECT_FALSE(ingot::is_valid(ingot::SavedRest{0, 0}, pushed, 1));
     }
 }
 

@@ -19,7 +19,7 @@ struct Pile : ingot::Scene {
     using shapes = ingot::Shapes<ingot::Sphere, ingot::Box, ingot::HalfSpace>;
 };
 struct SearchedPile : Pile {
-    static constexpr bool renews_manifolds = false;
+    static constexpr bool recycles_manifolds = false;
 };
 struct StillPile : Pile {
     static constexpr bool bounces = false;

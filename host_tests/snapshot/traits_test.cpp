@@ -38,7 +38,7 @@ struct Chosen : ingot::Scene {
     static constexpr int max_bodies = 4, max_manifolds = 8;
     static constexpr bool translates = true;
     using shapes = ingot::Shapes<ingot::Box, ingot::HalfSpace>;
-    using solver = ingot::DirectIslands<4>;
+    using solver = ingot::HybridIslands<4>;
 };
 
 /// Slots of the bodies below.
@@ -231,14 +231,14 @@ TEST(DamagedTraits, of_two_shapes_of_a_body_that_touch) {
 
 TEST(DamagedTraits, of_sleep) {
     const Sound<Sleepy> sound = after<Sleepy>(30);
-    const auto &awake = sound.field(rock_slot, "awake"), &slow_for = sound.field(rock_slot, "slow_for");
+    const auto &awake = sound.field(rock_slot, "awake"), &rest_time = sound.field(rock_slot, "rest_time");
     ASSERT_EQ(awake.bits, 1u);
     sound.refuses(sound.with(awake, 3), "neither awake nor asleep");
     sound.refuses(sound.with(sound.field(ball_slot, "awake"), 0), "a sleeper that moves");
     sound.refuses(sound.with(sound.field(ball_slot, "awake"), 2), "one that is due and moves");
-    sound.refuses(sound.with_real(slow_for, scalar(-0.25)), "slow for less than nothing");
-    sound.refuses(sound.with_real(slow_for, Sleepy::sleep_time * 2), "slow for longer than one stays awake");
-    sound.accepts(sound.with_real(slow_for, Sleepy::sleep_time), "about to fall asleep");
+    sound.refuses(sound.with_real(rest_time, scalar(-0.25)), "slow for less than nothing");
+    sound.refuses(sound.with_real(rest_time, Sleepy::sleep_time * 2), "slow for longer than one stays awake");
+    sound.accepts(sound.with_real(rest_time, Sleepy::sleep_time), "about to fall asleep");
 }
 
 /// A heavy box on a light one, for the direct solver: what it counts of each contact.

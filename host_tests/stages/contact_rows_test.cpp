@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 #include <ingot/base/limits.h>
 #include <ingot/body/auxiliary.h>
-#include <ingot/solve/contact_rows.h>
-#include <ingot/solve/solve_contact_forces.h>
-#include <ingot/solve/solve_impacts.h>
+#include <ingot/impulse/contact_rows.h>
+#include <ingot/impulse/solve_contact_forces.h>
+#include <ingot/impulse/solve_impacts.h>
 
 #include <cstdio>
 #include <limits>
@@ -319,7 +319,7 @@ TEST(ContactRows, of_one_contact_are_figure_4) {
         const double rounding = 64 * eps * static_cast<double>(before.magnitude * c.inv_K);
         EXPECT_NEAR(static_cast<double>(rows.contacts[0].j_total), static_cast<double>(j), rounding) << case_i;
         EXPECT_EQ(report.impact_waves, j > 0 ? 1u : 0u);
-        EXPECT_EQ(report.impacts_left, 0u);
+        EXPECT_EQ(report.impacts_deferred, 0u);
         EXPECT_EQ(report.sweeps_unfinished, 0u);
         if (j > 0) {
             EXPECT_EQ(report.sweeps, 2u);
@@ -368,7 +368,7 @@ TEST(ContactRows, pass_impacts_on_wave_by_wave) {
     for (int slot = 0; slot < balls; ++slot) EXPECT_EQ(rows.v(slot).x(), slot == balls - 1 ? 1 : 0);
     EXPECT_EQ(report.impact_waves, static_cast<std::uint32_t>(balls - 1));
     EXPECT_EQ(report.sweeps, 2u * (balls - 1));
-    EXPECT_EQ(report.impacts_left, 0u);
+    EXPECT_EQ(report.impacts_deferred, 0u);
     for (const Contact& c : rows.contacts) EXPECT_EQ(c.j_total, 1);
 }
 
@@ -387,7 +387,7 @@ TEST(ContactRows, bounce_to_and_fro_for_half_of_the_waves) {
     ingot::solve_impacts(rows.view(), rows.tiles.view(), 0, report);
     // Waves 0 .. half are begun with a bounce each; the next one stops it.
     EXPECT_EQ(report.impact_waves, ingot::limits::impact_waves_max / 2 + 2u);
-    EXPECT_EQ(report.impacts_left, 0u);
+    EXPECT_EQ(report.impacts_deferred, 0u);
     EXPECT_EQ(rows.v(0).x(), 0);
     // It came to each wall every other wave and gave 2 N s, but the last.
     EXPECT_EQ(rows.contacts[0].j_total + rows.contacts[1].j_total, 2 * (ingot::limits::impact_waves_max / 2 + 1) + 1);

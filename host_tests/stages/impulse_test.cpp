@@ -2,7 +2,7 @@
 // Figure 4: collision_impulse and World::collide against the table of exact collisions, and the laws of an impact.
 #include <gtest/gtest.h>
 #include <ingot/ingot.h>
-#include <ingot/solve/impulse.h>
+#include <ingot/impulse/impulse.h>
 
 #include <cstdio>
 

@@ -66,23 +66,23 @@ inline constexpr int sweeps = 3;                  ///< over all contacts in a su
 /// In a heap of balls: where more than three quarters of the normals go through both centres. They hold up no tilt, so that nothing leans while
 /// loads find their way. A stack of boxes would shift twice as far.
 inline constexpr int sweeps_of_balls = 2;
-inline constexpr int sweeps_of_young = 12;        ///< while more than a quarter of the contacts are younger than four steps
-inline constexpr int few_manifolds = 64;          ///< a world with no more of them is swept by the two that follow
-inline constexpr int sweeps_of_few = 64;          ///< the most sweeps of a substep there
-inline constexpr scalar settled_speed_of_few = scalar(2e-7);  ///< m/s; settled_speed there
+inline constexpr int sweeps_of_new = 12;        ///< while more than a quarter of the contacts are younger than four steps
+inline constexpr int small_island = 64;          ///< a world with no more of them is swept by the two that follow
+inline constexpr int sweeps_of_small = 64;          ///< the most sweeps of a substep there
+inline constexpr scalar settled_speed_of_small = scalar(2e-7);  ///< m/s; settled_speed there
 /// m/s; a sweep that corrects no speed by more than this is the last of its substep. Contacts at rest then cost one sweep. What is left adds up to
 /// less than 0.1 mm in a minute. In a longer substep so much more: it is an acceleration.
 inline constexpr scalar settled_speed = scalar(1.5e-6);
 /// m/s; what fast bodies round a solve is not waited for, but no more than at this speed: in float 4 epsilon of it are half of sleep_speed, and what
 /// is at rest elsewhere in the same world must stay so.
 inline constexpr scalar rounding_speed_max = 1000;
-inline constexpr scalar stirring_share = scalar(0.5);     ///< of settled_speed: contacts of bodies that a sweep stirs by more are visited by the next
+inline constexpr scalar active_share = scalar(0.5);     ///< of settled_speed: contacts of bodies that a sweep stirs by more are visited by the next
 /// Where nothing that touches accelerates by more than this share of what gravity and forces give it, a step is cut into fewer
 /// substeps: those are there for what changes.
-inline constexpr scalar calm_acceleration = scalar(1e-4);
-inline constexpr int calm_levels = 12;            ///< where few touch: no chain of contacts up from the ground is longer
-inline constexpr int calm_substeps = 2;
-inline constexpr int calm_sweeps = sweeps * substeps / calm_substeps;  ///< at most, in each
+inline constexpr scalar steady_acceleration = scalar(1e-4);
+inline constexpr int steady_levels = 12;            ///< where few touch: no chain of contacts up from the ground is longer
+inline constexpr int steady_substeps = 2;
+inline constexpr int steady_sweeps = sweeps * substeps / steady_substeps;  ///< at most, in each
 inline constexpr scalar settled_gap = scalar(2e-8);      ///< m; a contact with no more than this to be taken back is not displaced
 inline constexpr scalar settled_turn = 2 * epsilon;       ///< rad; corrections that round to nothing
 inline constexpr scalar friction_max = 1000;             ///< coefficient mu of a body

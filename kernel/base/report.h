@@ -17,7 +17,7 @@ struct DirectBits {
     static constexpr uint8_t solved = 1;      ///< an island
     /// what it found for an island did not settle, or would have taken too much room or work: the sweeps stand
     static constexpr uint8_t unfinished = 2;
-    /// an island has more contacts than there is room for: raise max_island of DirectIslands. Sweeps solve it
+    /// an island has more contacts than there is room for: raise max_island of HybridIslands. Sweeps solve it
     static constexpr uint8_t refused = 4;
 };
 
@@ -35,7 +35,7 @@ struct [[nodiscard]] StepReport {
     uint16_t impact_waves;       ///< rounds of simultaneous impacts that were resolved
     /// contacts still approaching after limits::impact_waves_max or impacts_of_contact, fast bodies that wait for the next step where they met
     /// something
-    uint16_t impacts_left;
+    uint16_t impacts_deferred;
     uint16_t sweeps;             ///< sweeps over contacts, in all
     uint16_t overlaps_lost;      ///< bodies in a sensor, and no room: raise Scene::max_overlaps
     scalar residual;             ///< m/s; the largest speed that the last sweep over manifolds still corrected
@@ -45,7 +45,7 @@ struct [[nodiscard]] StepReport {
     /// True when the step did all it was asked for, in full.
     constexpr bool clean() const {
         return status == Status::ok && bodies_frozen == 0 && spins_clamped == 0 && contacts_lost == 0 &&
-               pairs_untested == 0 && impacts_left == 0 && sweeps_unfinished == 0 &&
+               pairs_untested == 0 && impacts_deferred == 0 && sweeps_unfinished == 0 &&
                overlaps_lost == 0 && events_lost == 0 && (direct & DirectBits::refused) == 0;
     }
 };

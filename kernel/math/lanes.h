@@ -152,11 +152,14 @@ INGOT_INLINE constexpr scalar abs(scalar x) { return __builtin_fabs(x); }
 #else
 INGOT_INLINE constexpr scalar abs(scalar x) { return __builtin_fabsf(x); }
 #endif
-INGOT_INLINE constexpr scalar least(scalar a, scalar b) { return a < b ? a : b; }
-INGOT_INLINE constexpr scalar greatest(scalar a, scalar b) { return a > b ? a : b; }
+INGOT_INLINE constexpr scalar min(scalar a, scalar b) { return a < b ? a : b; }
+INGOT_INLINE constexpr scalar max(scalar a, scalar b) { return a > b ? a : b; }
+/// To -limit .. limit.
+INGOT_INLINE constexpr scalar clamp(scalar x, scalar limit) { return min(max(x, -limit), limit); }
 #if INGOT_LANES > 1
-INGOT_INLINE lane least(lane a, lane b) { return select(a < b, a, b); }
-INGOT_INLINE lane greatest(lane a, lane b) { return select(a > b, a, b); }
+INGOT_INLINE lane min(lane a, lane b) { return select(a < b, a, b); }
+INGOT_INLINE lane max(lane a, lane b) { return select(a > b, a, b); }
+INGOT_INLINE lane clamp(lane x, lane limit) { return min(max(x, -limit), limit); }
 #endif
 
 /// True where x is neither NaN nor infinite. Comparisons only: no unit raises a flag, and without a unit they are cheap.

@@ -41,6 +41,16 @@ INGOT_INLINE constexpr Vec3<T> scaled(const Vec3<T>& diagonal, const Vec3<T>& b)
     return {diagonal.x * b.x, diagonal.y * b.y, diagonal.z * b.z};
 }
 
+/// Component by component.
+template <class T>
+INGOT_INLINE constexpr Vec3<T> min(const Vec3<T>& a, const Vec3<T>& b) {
+    return {min(a.x, b.x), min(a.y, b.y), min(a.z, b.z)};
+}
+template <class T>
+INGOT_INLINE constexpr Vec3<T> max(const Vec3<T>& a, const Vec3<T>& b) {
+    return {max(a.x, b.x), max(a.y, b.y), max(a.z, b.z)};
+}
+
 template <class T>
 INGOT_INLINE constexpr T length_sq(const Vec3<T>& a) {
     return dot(a, a);

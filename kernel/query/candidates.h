@@ -4,7 +4,7 @@
 
 #include "../base/limits.h"
 #include "../body/body_tiles.h"
-#include "../collide/placed_body.h"
+#include "../shape/placed_body.h"
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpsabi"  // see lanes.h
@@ -56,7 +56,7 @@ INGOT_INLINE void look_along(const BodyView& bodies, const SurfaceView& surfaces
         if ((balls.there | balls.everywhere) == 0) continue;
         const auto all = [](const Vector& v) { return Vec3<lane>{splat<lane>(v.x), splat<lane>(v.y), splat<lane>(v.z)}; };
         const Vec3<lane> way = all(ball.way), c = load(bodies.translation[tile_i].r_CM) - all(ball.from);
-        const lane t = least(greatest(dot(c, way) * splat<lane>(inv_way_sq), lane{}), splat<lane>(ball.fraction));
+        const lane t = min(max(dot(c, way) * splat<lane>(inv_way_sq), lane{}), splat<lane>(ball.fraction));
         const lane away_sq = length_sq(c - way * t);
         const lane slack = (abs(c.x) + abs(c.y) + abs(c.z)) * splat<lane>(8 * epsilon) + splat<lane>(roundings);
         const lane reach = (balls.radius + splat<lane>(ball.radius)) * splat<lane>(1 + limits::flatness) + slack;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cast_shape.h"
 
-#include "../collide/plane_between.h"
+#include "../narrow_phase/plane_between.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 

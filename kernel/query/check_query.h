@@ -3,7 +3,7 @@
 #pragma once
 
 #include "../base/status.h"
-#include "../collide/placed_shape.h"
+#include "../shape/placed_shape.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../collide/narrow_phase.h"
+#include "../narrow_phase/collide_pairs.h"
 #include "candidates.h"
 #include "query_filter.h"
 

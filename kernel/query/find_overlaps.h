@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../collide/nearest_points.h"
+#include "../narrow_phase/nearest_points.h"
 #include "candidates.h"
 
 namespace ingot { inline namespace INGOT_ABI {

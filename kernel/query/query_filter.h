@@ -2,7 +2,7 @@
 #pragma once
 
 #include "../base/ids.h"
-#include "../collide/body_filter.h"
+#include "../broad_phase/body_filter.h"
 #include "../math/vec3.h"
 
 namespace ingot { inline namespace INGOT_ABI {

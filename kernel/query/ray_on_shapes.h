@@ -2,7 +2,7 @@
 // A ray against one shape: a closed form each. A new kind of shape is one more function, and one more line in cast_ray.h.
 #pragma once
 
-#include "../collide/placed_shape.h"
+#include "../shape/placed_shape.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 

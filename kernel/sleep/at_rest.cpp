@@ -4,17 +4,17 @@
 namespace ingot { inline namespace INGOT_ABI {
 
 bool all_at_rest(const RestView& rest, const BoundsTile* bounds, int tile_count) {
-    bool stirs = false;
-    for (int tile_i = 0; tile_i < tile_count; ++tile_i) stirs = stirs || rest.tile_stirs(tile_i) || is_blank(bounds[tile_i]);
-    return !stirs;
+    bool some_active = false;
+    for (int tile_i = 0; tile_i < tile_count; ++tile_i) some_active = some_active || rest.tile_is_active(tile_i) || is_blank(bounds[tile_i]);
+    return !some_active;
 }
 
-bool refresh_stirring_bounds(const BodyView& bodies, const SurfaceView& surfaces, scalar h, const RestView& rest, BoundsTile* bounds) {
+bool refresh_active_bounds(const BodyView& bodies, const SurfaceView& surfaces, scalar h, const RestView& rest, BoundsTile* bounds) {
     bool left = false;
-    over_runs(bodies, [&](int tile_i) { return rest.tile_stirs(tile_i) || is_blank(bounds[tile_i]); }, [&](int first, const BodyView& run) {
+    over_runs(bodies, [&](int tile_i) { return rest.tile_is_active(tile_i) || is_blank(bounds[tile_i]); }, [&](int first, const BodyView& run) {
         left = refresh_bounds(run, {surfaces.surfaces + first * lanes, surfaces.slot_count - first * lanes}, h, bounds + first) || left;
     });
-    if (left) widen_bounds(bodies, bounds);  // of all, whichever tiles were in a run: the pairs of a search are the same for every lane count
+    if (left) fatten_bounds(bodies, bounds);  // of all, whichever tiles were in a run: the pairs of a search are the same for every lane count
     return left;
 }
 

@@ -2,9 +2,10 @@
 // What a step leaves out where bodies are at rest.
 #pragma once
 
-#include "../contact/contact_events.h"
-#include "../pairs/body_bounds.h"
-#include "awake_tiles.h"
+#include "../constraint/impact_note.h"
+#include "../narrow_phase/manifold_record.h"
+#include "../broad_phase/body_bounds.h"
+#include "../island/awake_tiles.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -16,11 +17,11 @@ template <class Rules>
 struct RulesOfRest : Rules {
     RestView rest;
 
-    bool keeps(const BodyPair& pair) const { return !rest.stirs(pair.body_A) && !rest.stirs(pair.body_B); }
+    bool keeps(const BodyPair& pair) const { return !rest.is_active(pair.body_A) && !rest.is_active(pair.body_B); }
 };
 
 /// refresh_bounds for bodies that stir, and after a snapshot for all; the others have theirs.
-bool refresh_stirring_bounds(const BodyView& bodies, const SurfaceView& surfaces, scalar h, const RestView& rest, BoundsTile* bounds);
+bool refresh_active_bounds(const BodyView& bodies, const SurfaceView& surfaces, scalar h, const RestView& rest, BoundsTile* bounds);
 
 /// Notes of the pairs that a step has solved, from the order of those to that of all manifolds, in place. The others have nothing to tell.
 void spread_notes(const ManifoldView& manifolds, const BodyPair* awake_pairs, int awake_count, ImpactNote* notes);

@@ -26,10 +26,10 @@ bool is_at_rest(const BodyView& bodies, const SurfaceView& surfaces, const Vecto
 }
 
 /// Immovable bodies have no motion to lose.
-void lie_down(const BodyView& bodies, const RestView& rest, int slot) {
+void put_to_sleep(const BodyView& bodies, const RestView& rest, int slot) {
     const Place at = place_of(slot);
     RestView::clear(rest.awake, slot);
-    RestView::set(rest.due, slot);
+    RestView::set(rest.settling, slot);
     set_lane(bodies.rotation[at.tile].L, at.lane, Vector{});
     set_lane(bodies.translation[at.tile].v_CM, at.lane, Vector{});
     if (bodies.energy != nullptr) bodies.energy[at.tile].E_0[at.lane] = 0;
@@ -44,14 +44,14 @@ void fall_asleep(const BodyView& bodies, const SurfaceView& surfaces, const Vect
     for_slots(rest.awake, bodies.tile_count, [&](int slot) { rest.marks[slot] = 0; });
     // A root whose island is not ready is marked.
     for_slots(rest.awake, bodies.tile_count, [&](int slot) {
-        if (!is_free(bodies, slot)) return;
-        scalar& slow_for = rest.slow_for[slot];
-        const scalar longer = slow_for + h;
-        slow_for = !is_at_rest(bodies, surfaces, gravity, limits.speed, slot) ? 0 : longer < limits.time ? longer : limits.time;
-        if (slow_for < limits.time) rest.marks[rest.root(slot)] = 1;
+        if (!is_dynamic(bodies, slot)) return;
+        scalar& rest_time = rest.rest_time[slot];
+        const scalar longer = rest_time + h;
+        rest_time = !is_at_rest(bodies, surfaces, gravity, limits.speed, slot) ? 0 : longer < limits.time ? longer : limits.time;
+        if (rest_time < limits.time) rest.marks[rest.root(slot)] = 1;
     });
     for_slots(rest.awake, bodies.tile_count, [&](int slot) {
-        if (!is_free(bodies, slot) || rest.marks[rest.root(slot)] == 0) lie_down(bodies, rest, slot);
+        if (!is_dynamic(bodies, slot) || rest.marks[rest.root(slot)] == 0) put_to_sleep(bodies, rest, slot);
     });
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../collide/bounds.h"
-#include "rest_view.h"
+#include "../shape/surface.h"
+#include "../island/rest_view.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 

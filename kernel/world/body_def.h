@@ -2,8 +2,8 @@
 #pragma once
 
 #include "../body/check_body.h"
-#include "../collide/body_filter.h"
-#include "../collide/shapes.h"
+#include "../broad_phase/body_filter.h"
+#include "../shape/shapes.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 

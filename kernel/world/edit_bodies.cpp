@@ -6,18 +6,13 @@
 #include "../body/auxiliary.h"
 #include "../body/freeze_bad_bodies.h"
 #include "../body/kinematics.h"
-#include "../solve/impulse.h"
+#include "../impulse/impulse.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
 bool is_zero(const Vector& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
-
-bool is_movable(const BodyView& bodies, int slot) {
-    const Place at = place_of(slot);
-    return bodies.rotation[at.tile].inv_I_scale[at.lane] > 0;
-}
 
 Vector inv_I_body_of(const BodyView& bodies, int slot) {
     const Place at = place_of(slot);
@@ -57,7 +52,7 @@ struct NextMotion {
 /// What an impulse j and an angular impulse k make of a body's motion, checked and not yet written.
 Result<NextMotion> motion_after(const BodyView& bodies, int slot, const Vector& j, const Vector& k) {
     if (is_frozen(bodies, slot)) return {Status::frozen, {}};
-    if (!is_movable(bodies, slot)) return {Status::immovable, {}};
+    if (!is_dynamic(bodies, slot)) return {Status::immovable, {}};
     Status status = check_vector(j, limits::force_max);
     if (status == Status::ok) status = check_vector(k, limits::torque_max);
     if (status != Status::ok) return {status, {}};
@@ -174,14 +169,14 @@ Status write_state(const BodyView& bodies, int slot, const BodyState& state) {
     const Status status = check_state(state, inv_I_body_of(bodies, slot));
     if (status != Status::ok) return status;
     if (bodies.translation == nullptr && !(is_zero(state.r_CM) && is_zero(state.v_CM))) return Status::not_in_scene;
-    if (!is_movable(bodies, slot) && !(is_zero(state.v_CM) && is_zero(state.L))) return Status::immovable;
+    if (!is_dynamic(bodies, slot) && !(is_zero(state.v_CM) && is_zero(state.L))) return Status::immovable;
     write_checked_state(bodies, slot, state);
     return Status::ok;
 }
 
 Status accumulate_force(const BodyView& bodies, int slot, const Vector& F, const Vector& tau) {
     if (is_frozen(bodies, slot)) return Status::frozen;
-    if (!is_movable(bodies, slot)) return Status::immovable;
+    if (!is_dynamic(bodies, slot)) return Status::immovable;
     Status status = check_vector(F, limits::force_max);
     if (status == Status::ok) status = check_vector(tau, limits::torque_max);
     if (status != Status::ok) return status;
@@ -217,7 +212,7 @@ Result<scalar> collide_bodies(const BodyView& bodies, int slot_A, int slot_B, co
     if (status == Status::ok) status = check_restitution(e);
     if (status == Status::ok && is_frozen(bodies, slot_A)) status = Status::frozen;
     if (status == Status::ok && is_frozen(bodies, slot_B)) status = Status::frozen;
-    if (status == Status::ok && !is_movable(bodies, slot_A) && !is_movable(bodies, slot_B)) status = Status::immovable;
+    if (status == Status::ok && !is_dynamic(bodies, slot_A) && !is_dynamic(bodies, slot_B)) status = Status::immovable;
     if (status != Status::ok) return {status, 0};
 
     const auto colliding = [&](int slot) {
@@ -232,7 +227,7 @@ Result<scalar> collide_bodies(const BodyView& bodies, int slot_A, int slot_B, co
     if (j == 0) return {Status::ok, 0};
 
     // Both sides are checked before either is written.
-    const bool move_A = is_movable(bodies, slot_A), move_B = is_movable(bodies, slot_B);
+    const bool move_A = is_dynamic(bodies, slot_A), move_B = is_dynamic(bodies, slot_B);
     const Result<NextMotion> none{Status::ok, {}};
     const Result<NextMotion> after_A = move_A ? motion_after(bodies, slot_A, n * j, cross(A.r_P, n * j)) : none;
     const Result<NextMotion> after_B = move_B ? motion_after(bodies, slot_B, n * -j, cross(B.r_P, n * -j)) : none;

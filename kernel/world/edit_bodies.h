@@ -4,8 +4,8 @@
 
 #include "../body/check_body.h"
 #include "../body/body_tiles.h"
-#include "../collide/bounds.h"
-#include "../collide/compound.h"
+#include "../shape/surface.h"
+#include "../shape/compound.h"
 #include "body_def.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -15,7 +15,7 @@ Status check_definition(const BodyDef& def, bool scene_translates, bool scene_ha
 /// Shape and restitution, for scenes that have surfaces.
 Status check_surface(const BodyDef& def);
 
-// Bodies of several shapes: see collide/compound.h.
+// Bodies of several shapes: see shape/compound.h.
 
 /// Where the user's frame lies in the body's. Errors: not_finite, out_of_range, not_a_rotation.
 Status check_mass_frame(const MassProperties& mass);

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../pairs/all_pairs.h"
-#include "../pairs/sorted_tree.h"
-#include "../collide/compound.h"
-#include "../direct/direct_islands.h"
-#include "../motion/driven_flight.h"
+#include "../broad_phase/all_pairs.h"
+#include "../broad_phase/sorted_tree.h"
+#include "../shape/compound.h"
+#include "../solver/direct/hybrid_islands.h"
+#include "../motion/forced_flight.h"
 #include "../motion/exact_elliptic.h"
 #include "../motion/lie_midpoint.h"
 #include "../motion/listing1_euler.h"
 #include "../motion/moser_veselov.h"
 #include "../motion/rk4_polar.h"
 #include "../motion/symmetric_top.h"
-#include "../points/point_sweeps.h"
+#include "../solver/sequential/sequential_impulses.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -34,9 +34,9 @@ struct Scene {
     static constexpr int  max_pairs    = 0;      ///< pairs of bodies whose bounds overlap in one step; 0: twice max_manifolds
     static constexpr bool filters      = false;  ///< bodies have a BodyFilter that says whom they meet
     static constexpr int  max_overlaps = 0;      ///< pairs of a sensor and a body in it, in one step, 0 .. 65535
-    static constexpr int  max_events   = 0;      ///< of contacts and sensors in one step, 0 .. 65535: see contact/contact_events.h
+    static constexpr int  max_events   = 0;      ///< of contacts and sensors in one step, 0 .. 65535: see events/contact_events.h
     static constexpr scalar hit_speed  = 1;      ///< m/s; contacts that meet faster are told as hits
-    static constexpr bool renews_manifolds = true;   ///< where bodies hardly move, manifolds are moved along with them and not searched anew
+    static constexpr bool recycles_manifolds = true;   ///< where bodies hardly move, manifolds are moved along with them and not searched anew
     static constexpr bool bounces      = true;   ///< bodies may have a restitution; false: none bounces, for 5 KB less flash
     static constexpr bool sleeps       = false;  ///< islands of bodies at rest are left out of the step until something wakes them
     static constexpr scalar sleep_speed = limits::sleep_speed;  ///< m/s; no point of a body at rest moves faster
@@ -47,16 +47,19 @@ struct Scene {
     using broad_phase = AllPairs;                ///< or SortedTree, for many bodies
     /// Of contacts with friction. Sweeps carry piles, towers of 20, and up to 100 kg on 1 kg, with no memory of their own: what a small target
     /// wants. ChosenSolver picks for each island: sweeps, or for mass ratios from 50 on, towers of 15 and more, and what sweeps do not settle
-    /// a direct solve in double; it takes 121 KB of RAM (DirectIslands<20, 10>, for smaller islands, 38), so a scene has to name it.
-    /// PointSweeps is for a few bodies on a small target, of which none bounces: a third less flash than Sweeps, and half of the RAM.
-    using solver = Sweeps;
+    /// a direct solve in double; it takes 121 KB of RAM (HybridIslands<20, 10>, for smaller islands, 38), so a scene has to name it.
+    /// SequentialImpulses is for a few bodies on a small target, of which none bounces: a third less flash than BlockSweeps, and half of the RAM.
+    using solver = BlockSweeps;
     using shapes   = Shapes<>;
     static constexpr NoHulls hulls = {};         ///< or `static constexpr ConvexHull hulls[]`, in flash: the forms of its Hull shapes, in body frames
-    static constexpr int max_shapes_of_body = 1; ///< 1 .. 255; more: World::add takes several shapes for one body, see collide/compound.h
+    static constexpr int max_shapes_of_body = 1; ///< 1 .. 255; more: World::add takes several shapes for one body, see shape/compound.h
     using rotation = MoserVeselov;               ///< or another method of motion/
     using force_field = NoForceField;            ///< or one of motion/force_fields.h, or your own
-    using flight   = KickDriftKick;              ///< or another scheme of motion/driven_flight.h, for scenes with a field
+    using flight   = KickDriftKick;              ///< or another scheme of motion/forced_flight.h, for scenes with a field
 };
+
+template <class T>
+T& any_of();  // in types only: std::declval, which freestanding code has not
 
 template <class S>
 inline constexpr bool collides = S::max_contacts > 0;
@@ -171,12 +174,12 @@ constexpr bool check_scene() {
     static_assert(!has_compounds<S> || pairs_with_own<S> <= 65535,
                   "a scene holds up to 65535 pairs of shapes, those within each body among them: lower max_pairs, max_bodies or max_shapes_of_body");
     static_assert(S::bounces || stacks<S>, "impacts without friction bounce: set max_manifolds, or bounces = true");
-    static_assert(S::bounces || !solves_directly<S>, "a solver that picks itself lets bodies bounce: name Sweeps, or set bounces = true");
-    static_assert(!solves_pointwise<S> || stacks<S>, "PointSweeps is for contacts with friction: set max_manifolds, or name no solver");
-    static_assert(!solves_pointwise<S> || !S::bounces, "PointSweeps lets nothing bounce: set bounces = false, or name Sweeps");
-    static_assert(!solves_pointwise<S> || !S::continuous, "PointSweeps follows no fast bodies: name Sweeps, or set continuous = false");
+    static_assert(S::bounces || !solves_directly<S>, "a solver that picks itself lets bodies bounce: name BlockSweeps, or set bounces = true");
+    static_assert(!solves_pointwise<S> || stacks<S>, "SequentialImpulses is for contacts with friction: set max_manifolds, or name no solver");
+    static_assert(!solves_pointwise<S> || !S::bounces, "SequentialImpulses lets nothing bounce: set bounces = false, or name BlockSweeps");
+    static_assert(!solves_pointwise<S> || !S::continuous, "SequentialImpulses follows no fast bodies: name BlockSweeps, or set continuous = false");
     static_assert(!solves_pointwise<S> || !has_materials<S>,
-                  "PointSweeps solves plain friction: name Sweeps, or leave rolling_resistance and surface_velocities out");
+                  "SequentialImpulses solves plain friction: name BlockSweeps, or leave rolling_resistance and surface_velocities out");
     static_assert(!S::filters || stacks<S>, "filters are for contacts with friction: set max_manifolds, or filters = false");
     static_assert(!S::continuous || stacks<S>,
                   "fast bodies are followed in scenes of contacts with friction: set max_manifolds, or continuous = false");

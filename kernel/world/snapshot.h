@@ -15,9 +15,6 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-template <class T>
-T& any_of();  // in types only: std::declval, which freestanding code has not
-
 /// True for fields that name their numbers: see motion/force_field.h.
 template <class Field, class = void>
 inline constexpr bool names_its_numbers = false;
@@ -143,7 +140,7 @@ template <class S>
 constexpr size_t saved_manifold_size() {
     ByteCounter counter;
     SavedManifold manifold{};
-    manifold.numbers(counter, S::renews_manifolds);
+    manifold.numbers(counter, S::recycles_manifolds);
     uint8_t unsettled = 0;
     if (solves_directly<S>) counter(unsettled);
     Vector j_rolling{};
@@ -178,7 +175,7 @@ constexpr uint16_t snapshot_parts() {
     if (S::filters) parts |= SnapshotPart::filters;
     if (has_sensors<S>) parts |= SnapshotPart::sensors;
     if (stacks<S>) parts |= SnapshotPart::manifolds;
-    if (stacks<S> && S::renews_manifolds) parts |= SnapshotPart::anchors;
+    if (stacks<S> && S::recycles_manifolds) parts |= SnapshotPart::anchors;
     if (has_compounds<S>) parts |= SnapshotPart::compounds;
     if (stacks<S> && solves_directly<S>) parts |= SnapshotPart::unsettled;
     if (S::sleeps) parts |= SnapshotPart::sleep;
@@ -254,9 +251,9 @@ void write_manifolds(ByteWriter& writer, const Storage<S>& storage) {
     for (int pair_i = 0; pair_i < count; ++pair_i) {
         const BodyPair& pair = storage.pairs[pair_i];
         SavedManifold saved{pair.body_A, pair.body_B, storage.records[pair.record], {}};
-        if constexpr (S::renews_manifolds)  // what is not known is what the record had before
+        if constexpr (S::recycles_manifolds)  // what is not known is what the record had before
             if (storage.anchors[pair.record].margin > 0) saved.anchors = storage.anchors[pair.record];
-        saved.numbers(writer, S::renews_manifolds);
+        saved.numbers(writer, S::recycles_manifolds);
         if constexpr (solves_directly<S>) {
             uint8_t unsettled = storage.unsettled[pair.record];
             writer(unsettled);
@@ -277,7 +274,7 @@ Status read_manifolds(ByteReader& reader, uint32_t slots_used, Storage<S>* to) {
     uint32_t key_before = 0;
     for (uint16_t record = 0; record < count; ++record) {
         SavedManifold saved{};
-        saved.numbers(reader, S::renews_manifolds);
+        saved.numbers(reader, S::recycles_manifolds);
         uint8_t unsettled = 0;
         if constexpr (solves_directly<S>) reader(unsettled);
         Vector j_rolling{};
@@ -285,14 +282,14 @@ Status read_manifolds(ByteReader& reader, uint32_t slots_used, Storage<S>* to) {
         if (!is_finite(j_rolling)) return Status::bad_snapshot;
         if (unsettled > limits::unsettled_steps) return Status::bad_snapshot;
         const BodyPair pair{saved.body_A, saved.body_B, record};
-        if (!is_sound(saved) || pair.body_A >= pair.body_B || pair.body_B >= slots_used * S::max_shapes_of_body || pair.key() <= key_before)
+        if (!is_valid(saved) || pair.body_A >= pair.body_B || pair.body_B >= slots_used * S::max_shapes_of_body || pair.key() <= key_before)
             return Status::bad_snapshot;
         if (has_compounds<S> && pair.body_A / S::max_shapes_of_body == pair.body_B / S::max_shapes_of_body) return Status::bad_snapshot;
         key_before = pair.key();
         if (to == nullptr) continue;
         to->pairs[record] = pair;
         to->records[record] = saved.record;
-        if constexpr (S::renews_manifolds) to->anchors[record] = saved.anchors;
+        if constexpr (S::recycles_manifolds) to->anchors[record] = saved.anchors;
         if constexpr (solves_directly<S>) to->unsettled[record] = unsettled;
         if constexpr (S::rolling_resistance) to->rolling_records[record].j = j_rolling;
         to->records_used = to->manifold_count = static_cast<uint16_t>(record + 1);
@@ -329,7 +326,7 @@ void write_shapes(ByteWriter& writer, const Storage<S>& storage, int slot) {
 
 template <class S>
 bool is_surface_of(const SavedSurface& surface, const Shape& shape, bool can_move) {
-    return ShapesOf<S>::names_its_hull(shape) && is_sound(surface, can_move) && (S::bounces || surface.e == 0);
+    return ShapesOf<S>::names_its_hull(shape) && is_valid(surface, can_move) && (S::bounces || surface.e == 0);
 }
 
 /// Without storage it only checks.
@@ -416,8 +413,8 @@ Result<size_t> save_snapshot(const World<S>& world, uint8_t* bytes, size_t room)
             writer(sensor);
         }
         if constexpr (S::sleeps) {
-            const uint8_t awake = storage.is_awake(slot) ? 1 : RestView::has(storage.due, slot) ? 2 : 0;
-            SavedRest rest{awake, storage.slow_for[slot]};
+            const uint8_t awake = storage.is_awake(slot) ? 1 : RestView::has(storage.settling, slot) ? 2 : 0;
+            SavedRest rest{awake, storage.rest_time[slot]};
             rest.numbers(writer);
         }
     }
@@ -429,7 +426,7 @@ Result<size_t> save_snapshot(const World<S>& world, uint8_t* bytes, size_t room)
 
 /// True for what a world of the scene can have become.
 template <class S>
-bool is_sound(const SavedWorld<S>& world) {
+bool is_valid(const SavedWorld<S>& world) {
     if (world.slots_used > static_cast<uint32_t>(S::max_bodies) || world.free_hint > world.slots_used) return false;
     if (S::translates && check_vector(world.gravity, limits::gravity_max) != Status::ok) return false;
     if (world.h_before != 0 && check_step(world.h_before) != Status::ok) return false;
@@ -440,7 +437,7 @@ bool is_sound(const SavedWorld<S>& world) {
 template <class S>
 Status read_whole(ByteReader& reader, SavedWorld<S>& whole, Storage<S>* to) {
     whole.numbers(reader);
-    if (!is_sound(whole)) return Status::bad_snapshot;
+    if (!is_valid(whole)) return Status::bad_snapshot;
     if (to == nullptr) {
         reader.skip(saved_field_size<S>());
         return Status::ok;
@@ -468,7 +465,7 @@ template <class S>
 Status read_body(ByteReader& reader, int slot, Storage<S>* to) {
     SavedBody body{};
     body.numbers(reader, S::translates, S::rotation::compensates, S::rotation::returns_energy);
-    if (!is_sound(body, S::translates)) return Status::bad_snapshot;
+    if (!is_valid(body, S::translates)) return Status::bad_snapshot;
     if (to != nullptr) write_saved_body(to->bodies(), slot, body);
     if constexpr (has_compounds<S>) {
         const Status status = read_shapes<S>(reader, slot, body.inv_I_scale > 0, to);
@@ -496,10 +493,10 @@ Status read_body(ByteReader& reader, int slot, Storage<S>* to) {
     if constexpr (S::sleeps) {
         SavedRest rest{};
         rest.numbers(reader);
-        if (!is_sound(rest, body, S::sleep_time)) return Status::bad_snapshot;
+        if (!is_valid(rest, body, S::sleep_time)) return Status::bad_snapshot;
         if (to != nullptr && rest.awake == 1) RestView::set(to->awake, slot);
-        if (to != nullptr && rest.awake == 2) RestView::set(to->due, slot);
-        if (to != nullptr) to->slow_for[slot] = rest.slow_for;
+        if (to != nullptr && rest.awake == 2) RestView::set(to->settling, slot);
+        if (to != nullptr) to->rest_time[slot] = rest.rest_time;
     }
     return Status::ok;
 }

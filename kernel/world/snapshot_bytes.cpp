@@ -72,7 +72,7 @@ bool are_moments_of_a_solid(const Vector& ratio, scalar scale) {
 /// which L means more spin; it freezes such a body the next time. NaN is not in range, so an L that is not finite is not sound.
 bool turns_within_range(const SavedBody& body) {
     const Vector ratio = body.inv_I_ratio;
-    const scalar least_ratio = least(ratio.x, least(ratio.y, ratio.z)), most = 3 * limits::spin_runaway * (1 + 8 * epsilon);
+    const scalar least_ratio = min(ratio.x, min(ratio.y, ratio.z)), most = 3 * limits::spin_runaway * (1 + 8 * epsilon);
     return length_sq(body.L * (least_ratio * body.inv_I_scale)) <= most * most;
 }
 
@@ -154,7 +154,7 @@ void write_saved_body(const BodyView& bodies, int slot, const SavedBody& body) {
     }
 }
 
-bool is_sound(const SavedBody& body, bool translates) {
+bool is_valid(const SavedBody& body, bool translates) {
     if (body.flags > (SavedBody::kicked | SavedBody::frozen)) return false;
     if (check_rotation(body.A) != Status::ok || !is_within(body.A_low, limits::orthogonality)) return false;
     if (!is_within(body.tau_T, limits::torque_max)) return false;
@@ -169,25 +169,25 @@ bool is_sound(const SavedBody& body, bool translates) {
     return are_moments_of_a_solid(body.inv_I_ratio, body.inv_I_scale) && turns_within_range(body);
 }
 
-bool is_sound(const SavedRest& saved, const SavedBody& body, scalar sleep_time) {
-    if (saved.awake > 2 || !(saved.slow_for >= 0 && saved.slow_for <= sleep_time)) return false;
+bool is_valid(const SavedRest& saved, const SavedBody& body, scalar sleep_time) {
+    if (saved.awake > 2 || !(saved.rest_time >= 0 && saved.rest_time <= sleep_time)) return false;
     if (saved.awake == 1) return true;
     return is_zero_vector(body.L) && is_zero_vector(body.tau_T) && is_zero_vector(body.v_CM) && is_zero_vector(body.F_T);
 }
 
-bool is_sound(const SavedSurface& surface, bool can_move) {
+bool is_valid(const SavedSurface& surface, bool can_move) {
     const Shape shape{static_cast<ShapeKind>(surface.kind), surface.size, surface.offset};
     if (shape.kind == ShapeKind::half_space && can_move) return false;
     return check_shape(shape) == Status::ok && surface.e >= 0 && surface.e <= 1 && surface.mu >= 0 && surface.mu <= limits::friction_max;
 }
 
-bool is_sound(const SavedManifold& saved) {
+bool is_valid(const SavedManifold& saved) {
     const ManifoldRecord& record = saved.record;
     const Manifold& manifold = record.manifold;
     if (manifold.count < 1 || manifold.count > Manifold::points_max || age_of(record) > limits::substeps_kept) return false;
     if (!(abs(length_sq(manifold.n) - 1) <= limits::flatness)) return false;
     if (!(record.mu >= 0 && record.mu <= limits::friction_max && record.e >= 0 && record.e <= 1)) return false;
-    bool sound = is_finite(record.j_friction) && is_finite(record.j_reference) && is_finite(record.j_twist);
+    bool sound = is_finite(record.j_friction) && is_finite(record.j_reference) && is_finite(record.j_torsion);
     for (int point_i = 0; point_i < Manifold::points_max; ++point_i) {
         const ManifoldPoint& point = manifold.points[point_i];
         sound = sound && is_finite(point.P) && is_finite(point.separation) && is_finite(record.j[point_i]) && is_finite(record.j_before[point_i]) &&

@@ -7,8 +7,8 @@
 
 #include "../body/check_body.h"
 #include "../body/body_tiles.h"
-#include "../collide/bounds.h"
-#include "../contact/manifold_record.h"
+#include "../shape/surface.h"
+#include "../narrow_phase/manifold_record.h"
 
 #include <stddef.h>
 
@@ -198,12 +198,12 @@ struct SavedSurface {
 /// manifold that was found at rest and is then renewed from its anchors is the same but for rounding, and not to the bit.
 struct SavedRest {
     uint8_t awake;  ///< 0: at rest, and its manifolds are kept; 1: awake; 2: at rest and due, see sleep/rest_view.h
-    scalar slow_for;
+    scalar rest_time;
 
     template <class Stream>
     constexpr void numbers(Stream& each) {
         each(awake);
-        each(slow_for);
+        each(rest_time);
     }
 };
 
@@ -233,7 +233,7 @@ struct SavedManifold {
         each(record.e);
         each(record.j_friction);
         each(record.j_reference);
-        each(record.j_twist);
+        each(record.j_torsion);
         each(record.substeps);
         if (!has_anchors) return;
         for (int axis = 0; axis < 3; ++axis) {
@@ -260,12 +260,12 @@ void write_saved_body(const BodyView& bodies, int slot, const SavedBody& body);
 
 /// True for what the body of a world can have become: numbers finite and within their ranges, A a rotation, the moments those
 /// of a solid; an immovable or frozen body without motion and forces.
-bool is_sound(const SavedBody& body, bool translates);
+bool is_valid(const SavedBody& body, bool translates);
 /// True for what a body can have become whose scene falls asleep after sleep_time, s: one at rest has no motion and no forces.
-bool is_sound(const SavedRest& saved, const SavedBody& body, scalar sleep_time);
+bool is_valid(const SavedRest& saved, const SavedBody& body, scalar sleep_time);
 /// True for what World::add takes. can_move: a half space cannot.
-bool is_sound(const SavedSurface& surface, bool can_move);
+bool is_valid(const SavedSurface& surface, bool can_move);
 /// True for what two bodies of those slots can have become. Slots are looked at by the caller.
-bool is_sound(const SavedManifold& saved);
+bool is_valid(const SavedManifold& saved);
 
 } }  // namespace ingot

@@ -45,6 +45,6 @@ uint64_t hash_body(const BodyView& bodies, int slot, uint64_t hash) {
     return hash_lane(hash, bodies.translation[at.tile].v_CM, at.lane);
 }
 
-uint64_t hash_rest(bool awake, scalar slow_for, uint64_t hash) { return hash_number((hash ^ (awake ? 1u : 0u)) * 0x100000001b3u, slow_for); }
+uint64_t hash_rest(bool awake, scalar rest_time, uint64_t hash) { return hash_number((hash ^ (awake ? 1u : 0u)) * 0x100000001b3u, rest_time); }
 
 } }  // namespace ingot

@@ -12,6 +12,6 @@ inline constexpr uint64_t state_hash_seed = 0xcbf29ce484222325u;
 uint64_t hash_body(const BodyView& bodies, int slot, uint64_t hash);
 
 /// Adds what a body's sleep depends on: see RestView.
-uint64_t hash_rest(bool awake, scalar slow_for, uint64_t hash);
+uint64_t hash_rest(bool awake, scalar rest_time, uint64_t hash);
 
 } }  // namespace ingot

@@ -6,14 +6,14 @@
 #pragma once
 
 #include "../body/body_tiles.h"
-#include "../collide/find_contacts.h"
-#include "../blocks/material_view.h"
-#include "../contact/contact_events.h"
+#include "../impulse/find_contacts.h"
+#include "../constraint/material_view.h"
+#include "../events/contact_events.h"
 #include "../sleep/at_rest.h"
 #include "../sleep/fall_asleep.h"
-#include "../sleep/islands.h"
+#include "../island/islands.h"
 #include "../sleep/wake.h"
-#include "../fast/body_path.h"
+#include "../continuous/body_path.h"
 #include "scene.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -72,7 +72,7 @@ struct FieldPart {
     typename S::force_field field = {};
     scalar t = 0, t_low = 0;  ///< s; t + t_low is the time
 
-    Drivers<typename S::force_field> drivers(const Vector& gravity) const { return {field, gravity, t}; }
+    Forcing<typename S::force_field> forcing(const Vector& gravity) const { return {field, gravity, t}; }
     void advance_time(scalar h) {  // Kahan: rounding does not add up over the steps
         const scalar due = h + t_low, t_next = t + due;
         t_low = due - (t_next - t);
@@ -151,13 +151,13 @@ struct RollingPart {
     RollingRecord rolling_records[static_cast<unsigned>(S::max_manifolds)] = {};
     RollingRows rolling_rows[block_capacity_of<S>] = {};
 
-    void forget_rolling(int shape_slot) { rolling_levers[shape_slot] = 0; }
+    void reset_rolling(int shape_slot) { rolling_levers[shape_slot] = 0; }
     void mix_rolling(const ManifoldView& manifolds) { mix_rolling_levers(manifolds, rolling_levers, rolling_records); }
     void show_rolling(RollingRows*& rows, RollingRecord*& records) { rows = rolling_rows, records = rolling_records; }
 };
 template <class S>
 struct RollingPart<S, false> {
-    static void forget_rolling(int) {}
+    static void reset_rolling(int) {}
     static void mix_rolling(const ManifoldView&) {}
     static void show_rolling(RollingRows*&, RollingRecord*&) {}
 };
@@ -168,7 +168,7 @@ struct BeltPart {
     Vector belt_velocities[static_cast<unsigned>(S::max_manifolds)] = {};      ///< m/s, world, by record
     BeltRows belt_rows[block_capacity_of<S>] = {};
 
-    void forget_belt(int shape_slot) { surface_velocities[shape_slot] = {}; }
+    void reset_belt(int shape_slot) { surface_velocities[shape_slot] = {}; }
     void turn_belts(const BodyView& shapes, const ManifoldView& manifolds) {
         turn_surface_velocities(shapes, manifolds, surface_velocities, belt_velocities);
     }
@@ -176,14 +176,14 @@ struct BeltPart {
 };
 template <class S>
 struct BeltPart<S, false> {
-    static void forget_belt(int) {}
+    static void reset_belt(int) {}
     static void turn_belts(const BodyView&, const ManifoldView&) {}
     static void show_belts(BeltRows*&, const Vector*&) {}
 };
 
 /// What other traits add to contacts.
 template <class S>
-struct ManifoldTraitsPart : AnchorPart<S, S::renews_manifolds>, BodyPairPart<S, has_compounds<S>>,
+struct ManifoldTraitsPart : AnchorPart<S, S::recycles_manifolds>, BodyPairPart<S, has_compounds<S>>,
                             S::broad_phase::template Memory<shape_capacity<S>, pair_capacity<S>>,
                             S::solver::template Memory<S::max_bodies, S::max_manifolds> {};
 
@@ -318,14 +318,14 @@ struct EventPart<S, false> {
 template <class S, bool present>
 struct SleepPart {
     static constexpr unsigned tiles = static_cast<unsigned>(tile_capacity<S>);
-    uint16_t awake[tiles] = {}, due[tiles] = {};
-    scalar slow_for[static_cast<unsigned>(S::max_bodies)] = {};
+    uint16_t awake[tiles] = {}, settling[tiles] = {};
+    scalar rest_time[static_cast<unsigned>(S::max_bodies)] = {};
     uint16_t parent[tiles * lanes] = {};
     uint8_t marks[tiles * lanes] = {};
     BodyPair awake_pairs[static_cast<unsigned>(S::max_manifolds)] = {};
     uint16_t awake_pair_count = 0;
 
-    RestView rest_view() { return {awake, due, slow_for, parent, marks}; }
+    RestView rest_view() { return {awake, settling, rest_time, parent, marks}; }
     bool is_awake(int slot) const { return RestView::has(awake, slot); }
 };
 template <class S>
@@ -407,9 +407,9 @@ struct Storage : TranslationPart<S, S::translates>,
             return this->solver();
         }
     }
-    void forget_materials(int shape_slot) {
-        this->forget_rolling(shape_slot);
-        this->forget_belt(shape_slot);
+    void reset_materials(int shape_slot) {
+        this->reset_rolling(shape_slot);
+        this->reset_belt(shape_slot);
     }
     /// Bodies whose surfaces are solid to each other.
     bool can_meet(int slot_A, int slot_B) const {

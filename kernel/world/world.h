@@ -75,7 +75,7 @@ public:
         return {Status::ok, id_of(slot)};
     }
 
-    /// Adds a body of several shapes: see collide/compound.h. The definition has no shape of its own; its restitution, friction and sensor are
+    /// Adds a body of several shapes: see shape/compound.h. The definition has no shape of its own; its restitution, friction and sensor are
     /// not looked at.
     /// Errors: those of add, for the definition and each shape; out_of_range (fewer than one; a place beyond limits::position_max), no_room (more
     ///         than max_shapes_of_body), bad_shape (one that is none; a definition with a shape), not_a_rotation (an A, or mass.A_principal).
@@ -110,7 +110,7 @@ public:
     Status remove(BodyId id) {
         const Result<int> slot = find(id);
         if (!slot.ok()) return slot.status;
-        if constexpr (S::sleeps) stir_and_leave(storage_.bodies(), storage_.rest_view(), storage_.manifold_view(), slot.value);
+        if constexpr (S::sleeps) wake_touching_and_leave(storage_.bodies(), storage_.rest_view(), storage_.manifold_view(), slot.value);
         ++storage_.generation[slot.value];
         if (slot.value < storage_.free_hint) storage_.free_hint = slot.value;
         set_identity_body(storage_.bodies(), slot.value);
@@ -120,9 +120,9 @@ public:
             return Status::ok;
         }
         if constexpr (has_shapes<S>) storage_.surfaces[slot.value] = {};
-        storage_.forget_materials(slot.value);
+        storage_.reset_materials(slot.value);
         if constexpr (collides<S>) storage_.contact_count = 0;
-        if constexpr (stacks<S>) forget_contacts(storage_.manifold_view(), storage_.pair_list(), storage_.bounds, slot.value);
+        if constexpr (stacks<S>) invalidate_contacts(storage_.manifold_view(), storage_.pair_list(), storage_.bounds, slot.value);
         return Status::ok;
     }
 
@@ -160,7 +160,7 @@ public:
             if (status == Status::ok) place_shapes(storage_.bodies(), storage_.compound_view(), slot.value);
             return status;
         }
-        return slot.ok() ? stirred(slot.value, write_state(storage_.bodies(), slot.value, state)) : slot.status;
+        return slot.ok() ? touched(slot.value, write_state(storage_.bodies(), slot.value, state)) : slot.status;
     }
 
     /// Mass, kg, to the rounding of two divisions; 0 for an immovable body.
@@ -190,20 +190,20 @@ public:
         if (!slot.ok()) return slot.status;
         const Status status = check_vector(P, limits::position_max);
         if (status != Status::ok) return status;
-        return stirred(slot.value, accumulate_force(storage_.bodies(), slot.value, F, moment_about_centre(storage_.bodies(), slot.value, F, P)));
+        return touched(slot.value, accumulate_force(storage_.bodies(), slot.value, F, moment_about_centre(storage_.bodies(), slot.value, F, P)));
     }
 
     /// A force at the centre of mass, N: it does not turn the body.
     Status add_central_force(BodyId id, const Vector& F) {
         translation_only();
         const Result<int> slot = find(id);
-        return slot.ok() ? stirred(slot.value, accumulate_force(storage_.bodies(), slot.value, F, {})) : slot.status;
+        return slot.ok() ? touched(slot.value, accumulate_force(storage_.bodies(), slot.value, F, {})) : slot.status;
     }
 
     /// A torque, N m.
     Status add_torque(BodyId id, const Vector& tau) {
         const Result<int> slot = find(id);
-        return slot.ok() ? stirred(slot.value, accumulate_force(storage_.bodies(), slot.value, {}, tau)) : slot.status;
+        return slot.ok() ? touched(slot.value, accumulate_force(storage_.bodies(), slot.value, {}, tau)) : slot.status;
     }
 
     // Impulses, which act at once.
@@ -216,20 +216,20 @@ public:
         if (!slot.ok()) return slot.status;
         const Status status = check_vector(P, limits::position_max);
         if (status != Status::ok) return status;
-        return stirred(slot.value, accumulate_impulse(storage_.bodies(), slot.value, j, moment_about_centre(storage_.bodies(), slot.value, j, P)));
+        return touched(slot.value, accumulate_impulse(storage_.bodies(), slot.value, j, moment_about_centre(storage_.bodies(), slot.value, j, P)));
     }
 
     /// An impulse through the centre of mass, N s.
     Status apply_central_impulse(BodyId id, const Vector& j) {
         translation_only();
         const Result<int> slot = find(id);
-        return slot.ok() ? stirred(slot.value, accumulate_impulse(storage_.bodies(), slot.value, j, {})) : slot.status;
+        return slot.ok() ? touched(slot.value, accumulate_impulse(storage_.bodies(), slot.value, j, {})) : slot.status;
     }
 
     /// An angular impulse, N m s: L += k.
     Status apply_angular_impulse(BodyId id, const Vector& k) {
         const Result<int> slot = find(id);
-        return slot.ok() ? stirred(slot.value, accumulate_impulse(storage_.bodies(), slot.value, {}, k)) : slot.status;
+        return slot.ok() ? touched(slot.value, accumulate_impulse(storage_.bodies(), slot.value, {}, k)) : slot.status;
     }
 
     /// Lets two bodies collide at the world point P with unit normal n from B to A and restitution e (Fig. 4).
@@ -242,7 +242,7 @@ public:
         if (slot_A.value == slot_B.value) return {Status::bad_shape, 0};
         const Result<scalar> j = collide_bodies(storage_.bodies(), slot_A.value, slot_B.value, P, n, e);
         if constexpr (S::sleeps)
-            if (j.ok() && j.value != 0) (void)stirred(slot_A.value, stirred(slot_B.value, j.status));
+            if (j.ok() && j.value != 0) (void)touched(slot_A.value, touched(slot_B.value, j.status));
         return j;
     }
 
@@ -325,7 +325,7 @@ public:
         filters_only();
         const Result<int> slot = find(id);
         if (slot.ok()) storage_.filters[slot.value] = filter;
-        return slot.ok() ? stirred(slot.value, Status::ok) : slot.status;
+        return slot.ok() ? touched(slot.value, Status::ok) : slot.status;
     }
 
     // What surfaces may have beside friction and restitution, in scenes with rolling_resistance or surface_velocities: of a body, or of one of its
@@ -342,7 +342,7 @@ public:
         if (!is_finite(lever)) return Status::not_finite;
         if (!(lever >= 0 && lever <= limits::size_max)) return Status::out_of_range;
         storage_.rolling_levers[shape_slot.value] = lever + scalar(0);  // -0 becomes +0: one value, one set of bits
-        return stirred(shape_slot.value / S::max_shapes_of_body, Status::ok);
+        return touched(shape_slot.value / S::max_shapes_of_body, Status::ok);
     }
     Result<scalar> rolling_resistance(BodyId id, int shape_i = 0) const {
         rolling_only();
@@ -361,7 +361,7 @@ public:
         const Status status = check_vector(velocity, limits::speed_max);
         if (status != Status::ok) return status;
         storage_.surface_velocities[shape_slot.value] = velocity + Vector{};
-        return stirred(shape_slot.value / S::max_shapes_of_body, Status::ok);
+        return touched(shape_slot.value / S::max_shapes_of_body, Status::ok);
     }
     Result<Vector> surface_velocity(BodyId id, int shape_i = 0) const {
         belts_only();
@@ -418,7 +418,7 @@ public:
     Status sleep(BodyId id) {
         sleep_only();
         const Result<int> slot = find_movable(id);
-        if (slot.ok()) storage_.slow_for[slot.value] = S::sleep_time;
+        if (slot.ok()) storage_.rest_time[slot.value] = S::sleep_time;
         return slot.status;
     }
     /// Bodies that sleep. Cost: O(max_bodies).
@@ -603,27 +603,27 @@ private:
         for (int shape_slot = slot * S::max_shapes_of_body; shape_slot < (slot + 1) * S::max_shapes_of_body; ++shape_slot) {
             storage_.surfaces[shape_slot] = {};
             storage_.shape_places[shape_slot] = {};
-            storage_.forget_materials(shape_slot);
+            storage_.reset_materials(shape_slot);
             if constexpr (has_sensors<S>) storage_.is_sensor[shape_slot] = 0;
             set_identity_body(storage_.shapes(), shape_slot);
-            forget_contacts(storage_.manifold_view(), storage_.pair_list(), storage_.bounds, shape_slot);
+            invalidate_contacts(storage_.manifold_view(), storage_.pair_list(), storage_.bounds, shape_slot);
         }
     }
     /// Passes on the answer of a call, which wakes what sleeps where it did something.
-    Status stirred([[maybe_unused]] int slot, Status status) {
+    Status touched([[maybe_unused]] int slot, Status status) {
         if constexpr (S::sleeps)
-            if (status == Status::ok) stir(storage_.bodies(), storage_.rest_view(), storage_.manifold_view(), slot);
+            if (status == Status::ok) wake_touching(storage_.bodies(), storage_.rest_view(), storage_.manifold_view(), slot);
         return status;
     }
     uint64_t hash_of(int slot, uint64_t hash) const {
         hash = hash_body(storage_.bodies(), slot, hash);
-        if constexpr (S::sleeps) hash = hash_rest(storage_.is_awake(slot), storage_.slow_for[slot], hash);
+        if constexpr (S::sleeps) hash = hash_rest(storage_.is_awake(slot), storage_.rest_time[slot], hash);
         return hash;
     }
-    bool sleeps_in(int slot) const { return is_free(storage_.bodies(), slot) && !storage_.is_awake(slot); }
+    bool sleeps_in(int slot) const { return is_dynamic(storage_.bodies(), slot) && !storage_.is_awake(slot); }
     Result<int> find_movable(BodyId id) const {
         const Result<int> slot = find(id);
-        if (!slot.ok() || is_free(storage_.bodies(), slot.value)) return slot;
+        if (!slot.ok() || is_dynamic(storage_.bodies(), slot.value)) return slot;
         return {ingot::is_frozen(storage_.bodies(), slot.value) ? Status::frozen : Status::immovable, 0};
     }
     static bool same(const Vector& a, const Vector& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }

@@ -54,7 +54,7 @@ software.
 MACHINES = {"world": "impacts without friction, and free bodies", "numbers": "two bodies in states at the edges of what is taken",
             "snapshot": "forged snapshots, a step each", "friction": "contacts with friction",
             "rooms": "hulls, bodies of several shapes, direct solves, sleep, fast bodies", "materials": "rolling resistance, surfaces that move",
-            "light": "`PointSweeps`", "drift": "free bodies, and nothing else"}
+            "light": "`SequentialImpulses`", "drift": "free bodies, and nothing else"}
 WORST_HEAD = """
 ## Slowest steps
 

@@ -60,10 +60,10 @@ struct NothingBounces : TenBoxesOnPlane {
     static constexpr bool bounces = false;
 };
 struct NothingRenewed : TenBoxesOnPlane {
-    static constexpr bool renews_manifolds = false;
+    static constexpr bool recycles_manifolds = false;
 };
 struct ByPointSweeps : NothingBounces {
-    using solver = ingot::PointSweeps;
+    using solver = ingot::SequentialImpulses;
 };
 struct BySortedTree : TenBoxesOnPlane {
     using broad_phase = ingot::SortedTree;
@@ -99,10 +99,10 @@ struct Compounds : TenBoxesOnPlane {
     }
 };
 struct SmallDirect : TenBoxesOnPlane {
-    using solver = ingot::DirectIslands<4>;
+    using solver = ingot::HybridIslands<4>;
 };
 struct ColumnDirect : TenBoxesOnPlane {
-    using solver = ingot::DirectIslands<10, 10>;
+    using solver = ingot::HybridIslands<10, 10>;
 };
 struct Rays : TenBoxesOnPlane {
     template <class World>

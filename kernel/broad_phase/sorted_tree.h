@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "body_pairs.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// Bodies of a leaf: so many that one vector instruction tests them all, and the same number for every `lanes` up to 8.
+inline constexpr int leaf_bodies = lanes > 8 ? lanes : 8;
+
+struct TreeBox {
+    Vector low, high;  ///< m
+};
+struct alignas(tile_alignment) TreeLeaf {
+    scalar low[3][leaf_bodies], high[3][leaf_bodies];  ///< m; empty boxes where it has fewer bodies
+    uint16_t slot[leaf_bodies];
+    uint8_t moves[leaf_bodies];
+};
+/// A body on its way along the Morton curve.
+struct TreeKey {
+    uint32_t code;
+    uint16_t slot;
+};
+
+/// What the tree works on, without its capacities.
+struct SortedTreeView {
+    TreeLeaf* leaves;
+    TreeBox* boxes;              ///< 2 leaf_places; box 1 holds all, box i holds 2 i and 2 i + 1, box leaf_places + k is that of leaf k
+    int leaf_places;             ///< a power of two
+    TreeKey *keys, *other_keys;
+    BodyPair* other_pairs;       ///< as many as pairs
+    uint32_t* counters;          ///< as many as bodies and spare lanes, and 1024 at least
+};
+
+/// Every pair whose fat AABBs overlap and of which one can move, sorted by slots: what find_all_pairs finds.
+///
+/// Bodies are sorted along a Morton curve through their centres and packed in this order into leaves, over which a complete binary tree of boxes
+/// stands: no pointers, no insertion, no balance to keep; sizes may be mixed. Each leaf looks for the leaves after it that it overlaps.
+/// Cost: near-linear in bodies. Full: which pairs are kept is the same on every target, but not one of the slots; lost counts the others.
+/// Source: Morton order as in Lauterbach et al. 2009 (LBVH); the implicit tree over leaves is ours.
+void find_pairs_by_tree(const BodyView& bodies, const BoundsTile* bounds, const SortedTreeView& tree, const PairList& pairs);
+
+/// `using broad_phase = ingot::SortedTree;`, for hundreds to tens of thousands of bodies.
+struct SortedTree {
+    template <int max_bodies, int max_pairs>
+    struct Memory {
+        static constexpr int leaf_count = (max_bodies + leaf_bodies - 1) / leaf_bodies;
+        static constexpr int places() {
+            int n = 1;
+            while (n < leaf_count) n *= 2;
+            return n;
+        }
+        static constexpr int counter_count = max_bodies + lanes > 1024 ? max_bodies + lanes : 1024;
+
+        TreeLeaf leaves[static_cast<unsigned>(leaf_count)] = {};
+        TreeBox boxes[2u * static_cast<unsigned>(places())] = {};
+        TreeKey keys[static_cast<unsigned>(max_bodies)] = {}, other_keys[static_cast<unsigned>(max_bodies)] = {};
+        BodyPair other_pairs[static_cast<unsigned>(max_pairs)] = {};
+        uint32_t counters[static_cast<unsigned>(counter_count)] = {};
+
+        void find_pairs(const BodyView& bodies, const BoundsTile* bounds, const PairList& pairs) {
+            find_pairs_by_tree(bodies, bounds, {leaves, boxes, places(), keys, other_keys, other_pairs, counters}, pairs);
+        }
+    };
+};
+
+} }  // namespace ingot

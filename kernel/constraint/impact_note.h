@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "../base/config.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// What is noted of a manifold during a step.
+struct ImpactNote {
+    scalar speed;   ///< m/s, of the fastest point when it meets the other body, if it does; 0: none approaches
+    uint8_t point;  ///< of the manifold
+    bool carried;   ///< a point gave an impulse in some substep
+};
+
+/// By members, as write_pair: a note has a gap.
+INGOT_INLINE void write_note(ImpactNote& to, const ImpactNote& note) {
+    to.speed = note.speed;
+    to.point = note.point;
+    to.carried = note.carried;
+}
+
+} }  // namespace ingot

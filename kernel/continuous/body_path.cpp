@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "fast_pairs.h"
+
+#include "../base/limits.h"
+#include "../body/auxiliary.h"
+#include "../math/rotation.h"
+#include "../math/sqrt.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+namespace {
+
+constexpr scalar turn_max = 500;  ///< rad in a step, of a path; no method follows a body that far
+
+Vector turn_in_range(const Vector& turn) {
+    const scalar angle_sq = length_sq(turn);
+    return angle_sq > turn_max * turn_max ? turn * (turn_max / sqrt(angle_sq)) : turn;
+}
+
+Matrix turned_by(const Matrix& A, const Vector& turn) {
+    const scalar angle = sqrt(length_sq(turn));
+    return angle > 0 ? axis_angle(turn * (1 / angle), angle) * A : A;
+}
+
+/// The small turn that takes A to B: a_i x b_i of their columns add up to twice it.
+Vector turn_between(const Matrix& A, const Matrix& B) { return (cross(A.c0, B.c0) + cross(A.c1, B.c1) + cross(A.c2, B.c2)) * scalar(0.5); }
+
+bool is_fast(const Surface& surface, scalar travel, scalar angle) {
+    const scalar spin = (angle < 2 ? angle : scalar(2)) * surface.bounding_radius;  // no point gets further from where it was than the diameter
+    return travel + spin > limits::fast_share * least_half_extent(surface.shape);
+}
+
+}  // namespace
+
+scalar least_half_extent(const Shape& shape) {
+    const Vector& size = shape.size;
+    const auto lesser = [](scalar a, scalar b) { return a < b ? a : b; };
+    switch (shape.kind) {
+        case ShapeKind::sphere:
+        case ShapeKind::capsule: return size.x;
+        case ShapeKind::cylinder: return lesser(size.x, size.y);
+        case ShapeKind::box: return lesser(size.x, lesser(size.y, size.z));
+        case ShapeKind::hull: return size.x * scalar(0.1);  // its form is not known here
+        default: return limits::unbounded;
+    }
+}
+
+PlacedShape place_on_path(const BodyPath& path, const Shape& shape, scalar t) {
+    const scalar u = t - path.from;
+    return {shape, path.r_CM + (path.way + path.fall * u) * u, turned_by(path.A, path.turn * u), nullptr};
+}
+
+void begin_paths(const BodyView& bodies, const SurfaceView& surfaces, scalar h, BodyPath* paths) {
+    for (int slot = 0; slot < surfaces.slot_count; ++slot) {
+        const Place at = place_of(slot);
+        const Vector way = lane_of(bodies.translation[at.tile].v_CM, at.lane) * h, turn = omega_of(bodies, slot) * h;
+        BodyPath& path = paths[slot];
+        path = {};
+        path.way = way;
+        path.turn = turn;
+        path.r_CM = lane_of(bodies.translation[at.tile].r_CM, at.lane);
+        path.A = lane_of(bodies.rotation[at.tile].A, at.lane);
+        path.v_CM = lane_of(bodies.translation[at.tile].v_CM, at.lane);
+        path.L = lane_of(bodies.rotation[at.tile].L, at.lane);
+        path.until = 1;
+        path.next = never;
+        path.fast = is_dynamic(bodies, slot) && is_fast(surfaces.surfaces[slot], sqrt(length_sq(way)), sqrt(length_sq(turn)));
+    }
+}
+
+scalar end_of_path(const Vector& turn, scalar from) {
+    const scalar angle = sqrt(length_sq(turn_in_range(turn)));
+    const scalar of_part = max(limits::angle_per_path, angle / limits::path_parts_max);
+    return angle * (1 - from) > of_part ? from + of_part / angle : scalar(1);
+}
+
+void lay_path(const PathPoint& begin, scalar from, const PathPoint& end, scalar until, const Vector& fall, BodyPath& path) {
+    const scalar time = until - from;
+    path.r_CM = begin.r_CM;
+    path.A = begin.A;
+    path.fall = fall;
+    path.way = (end.r_CM - begin.r_CM) * (1 / time) - fall * time;
+    path.turn = turn_in_range((begin.turn + end.turn) * scalar(0.5));
+    path.turn += turn_between(turned_by(path.A, path.turn * time), end.A) * (1 / time);
+    path.from = from;
+    path.until = until;
+    path.next = never;
+}
+
+bool is_fast_path(const BodyPath& path, const Surface& surface) {
+    const scalar left = 1 - path.from;
+    return is_finite(path.way) && is_finite(path.turn) &&
+           is_fast(surface, sqrt(length_sq(path.way + path.fall * left)) * left, sqrt(length_sq(path.turn)) * left);
+}
+
+bool FastPairs::meets_hard(const BodyPair& pair, const Manifold& manifold) const {
+    const int slots[2] = {pair.body_A, pair.body_B};
+    Vector r[2], v[2], omega[2];
+    scalar least_extent = limits::unbounded, least_fast = limits::unbounded, closing = 0;
+    for (int which = 0; which < 2; ++which) {
+        const int slot = slots[which];
+        const Place at = place_of(slot);
+        if (!paths[slot].fast && is_dynamic(bodies, slot)) return false;
+        r[which] = lane_of(bodies.translation[at.tile].r_CM, at.lane);
+        v[which] = lane_of(bodies.translation[at.tile].v_CM, at.lane);
+        omega[which] = omega_of(bodies, slot);
+        const scalar extent = least_half_extent(surfaces.surfaces[slot].shape);
+        least_extent = min(least_extent, extent);
+        if (paths[slot].fast) least_fast = min(least_fast, extent);
+    }
+    const scalar deep = limits::skin_share * least_fast;
+    for (int point_i = 0; point_i < manifold.count; ++point_i) {
+        if (manifold.points[point_i].separation < -deep) return false;
+        const Vector& P = manifold.points[point_i].P;
+        closing = max(closing, -dot(manifold.n, v[0] + cross(omega[0], P - r[0]) - v[1] - cross(omega[1], P - r[1])));
+    }
+    bool tilts = false;
+    for (const Vector& one : omega) tilts = tilts || length_sq(cross(one, manifold.n)) * h * h > limits::angle_per_path * limits::angle_per_path / 4;
+    return tilts || closing * h > limits::skin_share * least_extent;
+}
+
+void end_path(BodyPath& path, const Vector& r_CM, const Matrix& A, scalar t) {
+    path.r_CM = r_CM;
+    path.A = A;
+    path.way = path.fall = path.turn = {};
+    path.from = t;
+    path.until = 1;
+    path.next = never;
+    path.fast = path.falls_free = false;
+}
+
+} }  // namespace ingot

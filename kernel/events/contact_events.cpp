@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "contact_events.h"
+
+#include "../base/limits.h"
+#include "../body/auxiliary.h"
+#include "../math/sqrt.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+namespace {
+
+struct Mover {
+    Vector r_CM, v_CM, omega, a;
+};
+
+Mover mover(const BodyView& bodies, const Vector& gravity, int slot) {
+    const Place at = place_of(slot);
+    const TranslationTile& tile = bodies.translation[at.tile];
+    const scalar inv_M = tile.inv_M[at.lane];
+    const Vector a = inv_M > 0 ? lane_of(tile.F_T, at.lane) * inv_M + gravity : Vector{};
+    return {lane_of(tile.r_CM, at.lane), lane_of(tile.v_CM, at.lane), omega_of(bodies, slot), a};
+}
+
+/// Speed at which a gap of s closes that shrinks at `speed`, growing by `a`; 0 if it does not within h.
+scalar closing_speed(scalar speed, scalar a, scalar s, scalar h) {
+    const scalar v_sq = speed * speed + 2 * a * s, at_end = speed + a * h;
+    const scalar most = at_end > speed ? at_end : speed;  // a body on its way out comes back no faster than this
+    if (!(most > 0 && v_sq > 0)) return 0;
+    const scalar v = sqrt(v_sq);
+    return v < most ? v : most;
+}
+
+ImpactNote note_of(const Mover& A, const Mover& B, scalar h, const Manifold& manifold) {
+    ImpactNote note{};
+    const Vector& n = manifold.n;
+    const scalar a = dot(n, B.a - A.a);
+    for (int point_i = 0; point_i < manifold.count; ++point_i) {
+        const ManifoldPoint& point = manifold.points[point_i];
+        const Vector v_A = A.v_CM + cross(A.omega, point.P - A.r_CM), v_B = B.v_CM + cross(B.omega, point.P - B.r_CM);
+        const scalar v = closing_speed(dot(n, v_B - v_A), a, point.separation > 0 ? point.separation : 0, h);
+        if (!(v > note.speed)) continue;
+        note.speed = v;
+        note.point = static_cast<uint8_t>(point_i);
+    }
+    return note;
+}
+
+const Manifold& manifold_of(const ManifoldView& manifolds, int manifold_i) {
+    return manifolds.records[manifolds.pairs[manifold_i].record].manifold;
+}
+
+scalar least_separation(const Manifold& manifold) {
+    scalar least = limits::unbounded;
+    for (int point_i = 0; point_i < manifold.count; ++point_i)
+        least = manifold.points[point_i].separation < least ? manifold.points[point_i].separation : least;
+    return least;
+}
+
+/// Walks along a sorted list, ahead of a walk along another.
+struct Finger {
+    const PairOfBodiesList& list;
+    int at = 0;
+
+    bool finds(const PairOfBodies& pair) {
+        while (at < *list.count && list.pairs[at].key() < pair.key()) ++at;
+        return at < *list.count && list.pairs[at].same_bodies(pair);
+    }
+};
+
+BodyId name_A(const PairOfBodies& pair, uint16_t world_tag) { return {pair.body_A, world_tag, pair.generation_A}; }
+BodyId name_B(const PairOfBodies& pair, uint16_t world_tag) { return {pair.body_B, world_tag, pair.generation_B}; }
+
+Event event_of(EventKind kind, const PairOfBodies& pair, uint16_t world_tag, const Manifold& manifold, const ImpactNote& note) {
+    return {kind, 0, 0, name_A(pair, world_tag), name_B(pair, world_tag), manifold.points[note.point].P, manifold.n, note.speed};
+}
+
+}  // namespace
+
+void note_approaches(const BodyView& bodies, const Vector& gravity, scalar h, const ManifoldView& manifolds, ImpactNote* notes) {
+    for (int manifold_i = 0; manifold_i < *manifolds.count; ++manifold_i) {
+        const BodyPair& pair = manifolds.pairs[manifold_i];
+        const Mover A = mover(bodies, gravity, pair.body_A), B = mover(bodies, gravity, pair.body_B);
+        write_note(notes[manifold_i], note_of(A, B, h, manifold_of(manifolds, manifold_i)));
+    }
+}
+
+void find_touching(const ManifoldView& manifolds, const ImpactNote* notes, const uint32_t* generation, const PairOfBodiesList& before,
+                   const PairOfBodiesList& touching) {
+    Finger finger{before};
+    *touching.count = 0;
+    for (int manifold_i = 0; manifold_i < *manifolds.count; ++manifold_i) {
+        const BodyPair& pair = manifolds.pairs[manifold_i];
+        const PairOfBodies bodies = {pair.body_A, pair.body_B, generation[pair.body_A], generation[pair.body_B], false};
+        const scalar gap = least_separation(manifold_of(manifolds, manifold_i));
+        const scalar allowed = finger.finds(bodies) ? limits::touching_gap : scalar(0);
+        if (notes[manifold_i].carried || gap <= allowed) write_pair(touching.pairs[(*touching.count)++], bodies);
+    }
+}
+
+void emit_missing(const PairOfBodiesList& before, const PairOfBodiesList& now, EventKind kind, uint16_t world_tag, const EventList& events) {
+    Finger finger{now};
+    for (int pair_i = 0; pair_i < *before.count; ++pair_i) {
+        const PairOfBodies& pair = before.pairs[pair_i];
+        if (!finger.finds(pair)) events.add({kind, 0, 0, name_A(pair, world_tag), name_B(pair, world_tag), {}, {}, 0});
+    }
+}
+
+void emit_begins(const ManifoldView& manifolds, const ImpactNote* notes, const PairOfBodiesList& before, const PairOfBodiesList& touching,
+                 uint16_t world_tag, const EventList& events) {
+    Finger finger{before};
+    int manifold_i = 0;
+    for (int pair_i = 0; pair_i < *touching.count; ++pair_i) {
+        const PairOfBodies& pair = touching.pairs[pair_i];
+        if (finger.finds(pair)) continue;
+        while (manifolds.pairs[manifold_i].key() < pair.key()) ++manifold_i;  // it is there
+        events.add(event_of(EventKind::begin, pair, world_tag, manifold_of(manifolds, manifold_i), notes[manifold_i]));
+    }
+}
+
+void emit_hits(const ManifoldView& manifolds, const ImpactNote* notes, scalar hit_speed, const PairOfBodiesList& before,
+               const PairOfBodiesList& touching, uint16_t world_tag, const EventList& events) {
+    Finger finger{before};
+    int manifold_i = 0;
+    for (int pair_i = 0; pair_i < *touching.count; ++pair_i) {
+        PairOfBodies& pair = touching.pairs[pair_i];
+        while (manifolds.pairs[manifold_i].key() < pair.key()) ++manifold_i;
+        const ImpactNote& note = notes[manifold_i];
+        pair.hit = note.carried && note.speed > hit_speed;
+        if (pair.hit && !(finger.finds(pair) && before.pairs[finger.at].hit))
+            events.add(event_of(EventKind::hit, pair, world_tag, manifold_of(manifolds, manifold_i), note));
+    }
+}
+
+} }  // namespace ingot

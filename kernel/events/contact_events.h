@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// What a step tells of contacts: who began to touch, who ended, who was hit.
+#pragma once
+
+#include "../base/ids.h"
+#include "../constraint/impact_note.h"
+#include "../narrow_phase/manifold_record.h"
+#include "pair_rules.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// Of bodies of several shapes each pair of shapes begins, ends and hits by itself.
+enum class EventKind : uint8_t {
+    begin,  ///< A and B touch, and did not in the step before
+    end,    ///< they touch no more, or one of them is removed: its id is stale then
+    hit,    ///< they met faster than Scene::hit_speed
+    enter,  ///< B is in the sensor A, and was not in the step before
+    leave,  ///< it is no more, or one of them is removed
+};
+
+struct Event {
+    EventKind kind;
+    uint8_t shape_A, shape_B;  ///< which of their shapes, where a body has several; else 0
+    BodyId A, B;
+    Vector P;      ///< m, world, of the point that met fastest, at the begin of the step; begin and hit
+    Vector n;      ///< unit, from B to A; begin and hit
+    scalar speed;  ///< m/s, at which A and B approached each other along n at P, just before they met; begin and hit
+};
+
+/// By members, as write_pair: an event has gaps.
+INGOT_INLINE void write_event(Event& to, const Event& event) {
+    to.kind = event.kind;
+    to.shape_A = event.shape_A;
+    to.shape_B = event.shape_B;
+    to.A = event.A;
+    to.B = event.B;
+    to.P = event.P;
+    to.n = event.n;
+    to.speed = event.speed;
+}
+
+/// The events of a step, for reading: valid until the next step. `for (const ingot::Event& event : world.events())`.
+struct EventView {
+    const Event* first;
+    int count;
+
+    const Event* begin() const { return first; }
+    const Event* end() const { return first + count; }
+    const Event& operator[](int index) const { return first[index]; }
+};
+
+/// Where events are put, without its capacity.
+struct EventList {
+    Event* events;
+    uint16_t* count;
+    int capacity;
+    uint16_t* lost;
+
+    void add(const Event& event) const {
+        if (*count < capacity)
+            write_event(events[(*count)++], event);
+        else
+            ingot::count(*lost);
+    }
+};
+
+/// Events of shape slots become events of bodies and the numbers of their shapes.
+template <int shapes_of_body>
+void name_bodies(const EventList& events) {
+    for (int event_i = 0; event_i < *events.count; ++event_i) {
+        Event& event = events.events[event_i];
+        event.shape_A = static_cast<uint8_t>(event.A.slot % shapes_of_body);
+        event.shape_B = static_cast<uint8_t>(event.B.slot % shapes_of_body);
+        event.A.slot = static_cast<uint16_t>(event.A.slot / shapes_of_body);
+        event.B.slot = static_cast<uint16_t>(event.B.slot / shapes_of_body);
+    }
+}
+
+/// Before the solve: how fast points approach, v^2 = v_0^2 + 2 a s at the end of the gap s, under gravity and forces.
+///
+/// A meeting that other contacts of the same step cause is not foreseen: its hit is told with the speed it had before.
+/// Frames: world. Units: m/s. Cost: about 80 flops a point.
+void note_approaches(const BodyView& bodies, const Vector& gravity, scalar h, const ManifoldView& manifolds, ImpactNote* notes);
+
+/// After the solve: the pairs that touch, in the order of manifolds.pairs.
+///
+/// Two bodies begin to touch when they push each other, or overlap at the begin of a step; they touch until they do neither and
+/// are further apart than limits::touching_gap. So a body at rest does not flicker.
+void find_touching(const ManifoldView& manifolds, const ImpactNote* notes, const uint32_t* generation, const PairOfBodiesList& before,
+                   const PairOfBodiesList& touching);
+
+INGOT_INLINE void copy_list(const PairOfBodiesList& from, const PairOfBodiesList& to) {
+    for (int pair_i = 0; pair_i < *from.count; ++pair_i) to.pairs[pair_i] = from.pairs[pair_i];
+    *to.count = *from.count;
+}
+
+/// Pairs of `before` that are not in `now`, as events of the kind.
+void emit_missing(const PairOfBodiesList& before, const PairOfBodiesList& now, EventKind kind, uint16_t world_tag, const EventList& events);
+/// Pairs that touch now and did not before.
+void emit_begins(const ManifoldView& manifolds, const ImpactNote* notes, const PairOfBodiesList& before, const PairOfBodiesList& touching,
+                 uint16_t world_tag, const EventList& events);
+/// Pairs whose points met faster than hit_speed, m/s, and did not in the step before: the solver may need two steps to stop a body.
+void emit_hits(const ManifoldView& manifolds, const ImpactNote* notes, scalar hit_speed, const PairOfBodiesList& before,
+               const PairOfBodiesList& touching, uint16_t world_tag, const EventList& events);
+
+} }  // namespace ingot

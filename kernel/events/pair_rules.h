@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+// Pairs that may not touch: those that the filters keep apart, and those of a sensor, which only notes who is in it.
+#pragma once
+
+#include "../base/report.h"
+#include "../broad_phase/body_filter.h"
+#include "../broad_phase/body_pairs.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// Two bodies by their slots and generations: a body that comes later into the slot of one of them is another one.
+struct PairOfBodies {
+    uint16_t body_A, body_B;
+    uint32_t generation_A, generation_B;
+    bool hit;  ///< they met fast in this step: see emit_hits
+
+    /// The order of lists: by the lower slot, then by the higher.
+    uint32_t key() const {
+        return body_A < body_B ? static_cast<uint32_t>(body_A) << 16 | body_B : static_cast<uint32_t>(body_B) << 16 | body_A;
+    }
+    bool same_bodies(const PairOfBodies& other) const {
+        return body_A == other.body_A && body_B == other.body_B && generation_A == other.generation_A && generation_B == other.generation_B;
+    }
+};
+
+/// By members: a pair has a gap, which would take bytes of the stack along, and make equal worlds differ.
+INGOT_INLINE void write_pair(PairOfBodies& to, const PairOfBodies& pair) {
+    to.body_A = pair.body_A;
+    to.body_B = pair.body_B;
+    to.generation_A = pair.generation_A;
+    to.generation_B = pair.generation_B;
+    to.hit = pair.hit;
+}
+
+/// A list of such pairs, sorted by key, without its capacity.
+struct PairOfBodiesList {
+    PairOfBodies* pairs;
+    uint16_t* count;
+    int capacity;
+};
+
+/// The sensors of a scene that names some, and who is in them.
+struct SensorView {
+    const uint8_t* is_sensor;    ///< by slot
+    const uint32_t* generation;  ///< by slot
+    PairOfBodiesList overlaps;   ///< of this step; A is the sensor
+    uint16_t* lost;              ///< no room
+
+    /// True for a pair with a sensor. `overlap()` says whether the shapes do; it is noted then. Sensors do not note each other.
+    template <class Overlap>
+    bool take(const BodyPair& pair, const Overlap& overlap) const {
+        const bool A = is_sensor[pair.body_A] != 0, B = is_sensor[pair.body_B] != 0;
+        if (!A && !B) return false;
+        if (A != B && overlap()) note(A ? pair.body_A : pair.body_B, A ? pair.body_B : pair.body_A);
+        return true;
+    }
+    void note(uint16_t sensor, uint16_t visitor) const {
+        if (*overlaps.count < overlaps.capacity)
+            write_pair(overlaps.pairs[(*overlaps.count)++], {sensor, visitor, generation[sensor], generation[visitor], false});
+        else
+            count(*lost);
+    }
+};
+
+struct NoSensors {
+    template <class Overlap>
+    static constexpr bool take(const BodyPair&, const Overlap&) {
+        return false;
+    }
+};
+
+/// What a scene asks of a pair before it may touch.
+template <class Filters, class Sensors>
+struct PairRules {
+    Filters filters;
+    Sensors sensors;
+
+    template <class Overlap>
+    bool may_touch(const BodyPair& pair, const Overlap& overlap) const {
+        return filters.let_meet(pair.body_A, pair.body_B) && !sensors.take(pair, overlap);
+    }
+    /// True where nothing can have changed since the step before: in scenes whose bodies sleep.
+    static constexpr bool keeps(const BodyPair&) { return false; }
+};
+
+} }  // namespace ingot

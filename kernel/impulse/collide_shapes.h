@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Tests of pairs of shapes. Each adds the points where A and B overlap or touch, with n from B to A.
+#pragma once
+
+#include "contact.h"
+#include "../shape/shapes.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// A shape and where it is.
+struct Placed {
+    Shape shape;
+    Vector r_CM;
+    Matrix A;
+};
+
+/// Where the routines put what they find; keeps the deepest contacts when the array is full.
+struct ContactSink {
+    ContactView contacts;
+    int slot_A, slot_B;
+    scalar e;
+    uint16_t* lost;
+
+    void add(const Vector& n, const Vector& lever_A, const Vector& lever_B, scalar separation);
+};
+
+/// Centres at one place, to the rounding of the radii, have no normal: the x axis of the world is taken.
+void collide_sphere_sphere(const Placed& A, const Placed& B, ContactSink& sink);
+void collide_sphere_half_space(const Placed& A, const Placed& B, ContactSink& sink);
+/// Up to eight points: the corners of A that are not above the face of B by more than limits::flatness.
+void collide_box_half_space(const Placed& A, const Placed& B, ContactSink& sink);
+
+} }  // namespace ingot

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// A contact as a row on v_CM and L, and the sweep over rows that both solves share.
+#pragma once
+
+#include "../body/body_tiles.h"
+#include "contact.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// n.(v_AP - v_BP), m/s, and the sum of the magnitudes it is made of, which its rounding is relative to.
+struct NormalSpeed {
+    scalar u;
+    scalar magnitude;
+};
+
+/// Fills k_A, k_B and inv_K = 1 / (n.n (inv_M_A + inv_M_B) + k_A.lever_A + k_B.lever_B) (Hecker 1997, Fig. 4) of all contacts.
+/// n.n stands for the rounding of n: with it an elastic impact keeps the energy whatever the last bit of n.
+void prepare_contact_rows(const ContactView& contacts, const BodyView& bodies);
+
+/// Index after the last contact of the pair of bodies that the contact `first` belongs to: a pair's contacts stand together.
+int manifold_end(const ContactView& contacts, int first);
+
+/// The rounding of the row's speed, at the largest it was in this step: a ball that an impact has stopped keeps the rounding of
+/// the speed it had.
+scalar tolerance_of(const Contact& contact, const NormalSpeed& speed);
+
+NormalSpeed normal_speed(const Contact& contact, const BodyView& bodies);
+
+/// A receives +j n, B receives -j n. Where that would not be finite nothing changes, the body
+/// is marked bad, and the answer is false.
+bool apply_impulse(const Contact& contact, scalar j, const BodyView& bodies);
+
+struct SweepOutcome {
+    int sweeps;
+    bool finished;
+};
+
+/// Finds j >= 0 for the active contacts together so that n.(v_AP - v_BP) >= target, with j = 0 where it is greater.
+///
+/// Gauss-Seidel over pairs of bodies, begun at j = 0, until no row is off by more than its tolerance. The contacts of a pair are
+/// settled together, by sweeps that nonlinear conjugate gradients join (Silcowitz-Hansen, Niebe and Erleben 2010): a tall box on
+/// its corners takes a tenth of the sweeps it takes without. Bodies that no contact connects do not change each other's bits.
+/// Bound: limits::contact_sweeps_max sweeps over the pairs, and over the contacts of each.
+SweepOutcome solve_active_contacts(const ContactView& contacts, const BodyView& bodies);
+
+} }  // namespace ingot

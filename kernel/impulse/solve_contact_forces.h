@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "../base/report.h"
+#include "../body/body_tiles.h"
+#include "contact.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// Adds the forces with which touching bodies hold each other up during the step: after them no contact approaches.
+///
+/// Comes after integrate_v and integrate_L. The impulses found change v_CM and L, and enter F_T and tau_T divided by h, so
+/// that integrate_r and the rotation take them for what they are: forces that acted all step long.
+/// Units: h in s. Bound: limits::contact_sweeps_max sweeps; a solve that stops there counts in sweeps_unfinished.
+void solve_contact_forces(const ContactView& contacts, const BodyView& bodies, scalar h, StepReport& report);
+
+} }  // namespace ingot

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "../base/report.h"
+#include "../body/body_tiles.h"
+#include "contact.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// Resolves the impacts at the begin of a step: every contact that approaches leaves with -e times its speed.
+///
+/// Contacts that approach at the same time are solved together (Hecker 1997, Fig. 4, as one complementarity problem), so a
+/// box dropped flat does not begin to turn. What those impulses make approach is the next wave: a row of touching balls
+/// passes the impact on, ball by ball. Without friction, j > 0 only where the speed is reversed to -e times itself, so the
+/// energy of a wave changes by -(1 - e) j |u| / 2 summed: it never grows, and stays for e = 1.
+///
+/// Contacts slower than rest_speed are at rest: they take e = 0; so do all in the second half of the waves.
+/// Bound: limits::impact_waves_max waves; contacts that then still approach count in impacts_deferred.
+void solve_impacts(const ContactView& contacts, const BodyView& bodies, scalar rest_speed, StepReport& report);
+
+} }  // namespace ingot

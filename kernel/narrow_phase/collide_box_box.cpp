@@ -1,0 +1,362 @@
+// SPDX-License-Identifier: MIT
+// Two boxes by their 15 separating axes; see Gottschalk, Lin, Manocha, "OBBTree", 1996, for the axes, and Sutherland, Hodgman,
+// "Reentrant polygon clipping", 1974, for the points.
+#include "contact_geometry.h"
+#include "collide_pairs.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+namespace {
+
+constexpr uint8_t axis_after[5] = {0, 1, 2, 0, 1};  // axis_after[i + 1] and axis_after[i + 2] are the other two axes
+
+// Axes by number: 0 .. 2 the faces of A, 3 .. 5 those of B, 6 + 3 i + j the edges i of A and j of B.
+constexpr int first_edge_axis = 6;
+constexpr int no_axis = -1;
+
+constexpr uint32_t feature_of(int axis, bool negative, uint32_t rest) {
+    return static_cast<uint32_t>(axis) << 24 | (negative ? 1u << 23 : 0u) | rest;
+}
+
+/// The gap between the shadows of the boxes on a unit vector n that points from B to A.
+INGOT_INLINE scalar gap_along(const PlacedShape& A, const PlacedShape& B, const Vector& n) {
+    const Vector &a = A.shape.size, &b = B.shape.size;
+    const scalar reach_A = a.x * abs(dot(n, A.A.c0)) + a.y * abs(dot(n, A.A.c1)) + a.z * abs(dot(n, A.A.c2));
+    const scalar reach_B = b.x * abs(dot(n, B.A.c0)) + b.y * abs(dot(n, B.A.c1)) + b.z * abs(dot(n, B.A.c2));
+    return dot(n, A.r - B.r) - (reach_A + reach_B);
+}
+
+/// The polygon while it is clipped: its corners, and the edges before and after each, 0 .. 3 of the incident face and 4 .. 7
+/// the sides of the reference face.
+struct Polygon {
+    scalar x[8], y[8], z[8];
+    uint8_t in[8], out[8];
+    int count;
+};
+
+/// Keeps the part of `from` with sign * (y or x) <= limit. A convex polygon gains at most one corner.
+void clip(const Polygon& from, bool along_y, scalar sign, scalar limit, uint8_t side, Polygon& to) {
+    const scalar* along = along_y ? from.y : from.x;
+    to.count = 0;
+    int last = from.count - 1;
+    scalar last_over = last >= 0 ? sign * along[last] - limit : 0;
+    for (int i = 0; i < from.count; ++i) {
+        const scalar over = sign * along[i] - limit;
+        const bool inside = over <= 0, last_inside = last_over <= 0;
+        if (inside != last_inside && to.count < 8) {
+            const scalar t = last_over / (last_over - over);
+            const int k = to.count++;
+            to.x[k] = from.x[last] + t * (from.x[i] - from.x[last]);
+            to.y[k] = from.y[last] + t * (from.y[i] - from.y[last]);
+            to.z[k] = from.z[last] + t * (from.z[i] - from.z[last]);
+            to.in[k] = inside ? side : from.in[i];
+            to.out[k] = inside ? from.in[i] : side;
+        }
+        if (inside && to.count < 8) {
+            const int k = to.count++;
+            to.x[k] = from.x[i], to.y[k] = from.y[i], to.z[k] = from.z[i];
+            to.in[k] = from.in[i], to.out[k] = from.out[i];
+        }
+        last = i;
+        last_over = over;
+    }
+}
+
+
+INGOT_INLINE const Vector& column(const Matrix& A, int i) { return i == 0 ? A.c0 : i == 1 ? A.c1 : A.c2; }
+
+/// Which axis separates the boxes best, where that is by no more than the margin.
+struct BestAxis {
+    int face;            ///< 0 .. 5
+    int edge;            ///< 6 .. 14 where two edges separate clearly better than any face, else no_axis
+    scalar separation;   ///< m, of the better of the two
+    scalar smallest;     ///< m, half extent
+};
+
+/// False where an axis separates the boxes by more than the margin: the manifold has its direction.
+bool find_axis(const PlacedShape& A, const PlacedShape& B, scalar margin, int axis_before, BestAxis& best, Manifold& manifold) {
+    const scalar a[3] = {A.shape.size.x, A.shape.size.y, A.shape.size.z}, b[3] = {B.shape.size.x, B.shape.size.y, B.shape.size.z};
+    const Vector d = A.r - B.r, d_A = transpose_times(A.A, d);
+    const scalar d_of_A[3] = {d_A.x, d_A.y, d_A.z};
+    scalar R[3][3];  // R[j][i] = A_i . B_j
+    scalar reach_A[3] = {a[0], a[1], a[2]};
+    const scalar smallest_a = smallest_of(A.shape.size), smallest_b = smallest_of(B.shape.size);
+    best.smallest = smallest_a < smallest_b ? smallest_a : smallest_b;
+    const scalar hysteresis = limits::axis_hysteresis * best.smallest;
+    best.separation = -scalar_max;
+    best.face = 0;
+    best.edge = no_axis;
+    scalar kept = -scalar_max;
+    const auto look_at_face = [&](int axis, scalar s) {
+        if (axis == axis_before) kept = s;
+        if (!(s > best.separation)) return;
+        best.separation = s;
+        best.face = axis;
+    };
+
+    for (int j = 0; j < 3; ++j) {
+        const Vector& B_j = column(B.A, j);
+        const Vector r = transpose_times(A.A, B_j);
+        R[j][0] = r.x, R[j][1] = r.y, R[j][2] = r.z;
+        for (int i = 0; i < 3; ++i) reach_A[i] += b[j] * abs(R[j][i]);
+        const scalar along = dot(B_j, d), s = abs(along) - (b[j] + (a[0] * abs(r.x) + a[1] * abs(r.y) + a[2] * abs(r.z)));
+        if (s > margin) return no_points(along < 0 ? -B_j : B_j, manifold), false;
+        look_at_face(3 + j, s);
+    }
+    for (int i = 0; i < 3; ++i) {
+        const scalar s = abs(d_of_A[i]) - reach_A[i];
+        if (s > margin) return no_points(d_of_A[i] < 0 ? -column(A.A, i) : column(A.A, i), manifold), false;
+        look_at_face(i, s);
+    }
+    if (axis_before >= 0 && axis_before < first_edge_axis && kept + hysteresis >= best.separation) {
+        best.separation = kept;
+        best.face = axis_before;
+    }
+
+    // Edges: what is compared is less by the rounding of a product that nearly cancels.
+    scalar least = best.separation + limits::edge_preference * best.smallest;
+    for (int j = 0; j < 3; ++j) {
+        const int j1 = axis_after[j + 1], j2 = axis_after[j + 2];
+        for (int i = 0; i < 3; ++i) {
+            const int i1 = axis_after[i + 1], i2 = axis_after[i + 2];
+            const scalar length_sq_of_axis = R[j][i1] * R[j][i1] + R[j][i2] * R[j][i2];
+            if (!(length_sq_of_axis > limits::parallel_sin_sq)) continue;
+            const scalar along = d_of_A[i2] * R[j][i1] - d_of_A[i1] * R[j][i2];
+            const scalar reach =
+                (a[i1] * abs(R[j][i2]) + a[i2] * abs(R[j][i1])) + (b[j1] * abs(R[j2][i]) + b[j2] * abs(R[j1][i]));
+            const scalar inv_length = 1 / sqrt(length_sq_of_axis);
+            scalar s = (abs(along) - reach - 8 * epsilon * (abs(along) + reach)) * inv_length;
+            if (s > margin) {
+                const Vector n = cross(column(A.A, i), column(B.A, j)) * (along < 0 ? -inv_length : inv_length);
+                return no_points(n, manifold), false;
+            }
+            const int axis = first_edge_axis + 3 * i + j;
+            if (axis == axis_before) s += hysteresis;
+            if (!(s > least)) continue;
+            least = s;
+            best.separation = s;
+            best.edge = axis;
+        }
+    }
+    return true;
+}
+
+/// A box seen along one of its edges: the edge nearest to the other box, and the sum of the outward normals of the two faces that make it.
+struct EdgeOfBox {
+    Vector middle, out;
+    uint32_t signs;
+};
+
+/// `towards` is normal to one of the faces, or the box turns this edge towards it; where it is level with `towards` a face looks for the point.
+EdgeOfBox edge_of(const PlacedShape& box, int along, const Vector& towards, const Vector& point) {
+    EdgeOfBox edge{box.r, {}, 0};
+    for (int k = 0; k < 3; ++k) {
+        if (k == along) continue;
+        const Vector& A_k = column(box.A, k);
+        const scalar rise = dot(A_k, towards);
+        const bool ahead = (abs(rise) > limits::facing_sin ? rise : dot(point - box.r, A_k)) > 0;
+        edge.middle += A_k * (ahead ? component(box.shape.size, k) : -component(box.shape.size, k));
+        edge.out += ahead ? A_k : -A_k;
+        edge.signs |= ahead ? 1u << k : 0u;
+    }
+    return edge;
+}
+
+/// Where two parallel edges meet, as of cards that lean on each other, any direction between the faces of both separates the boxes equally well:
+/// the normals that either edge allows span a quarter turn, and they share an angle of 2 phi. Edges are taken for round, with a radius of
+/// ridge / 2: the normal is the middle of what they share while they lie on each other, turns as they shift, and is that of a face, which has points
+/// of its own, from tan(phi) of the radius on. Edges that are apart have the direction between them.
+///
+/// n: from B to A, of the face that separates best. False where no two edges meet so.
+bool ridge_points(const PlacedShape& A, const PlacedShape& B, const Vector& n, scalar ridge, scalar margin, Manifold& manifold) {
+    int i = 0, j = 0;
+    scalar most = 0;
+    for (int k = 0; k < 3; ++k) {
+        if (abs(dot(column(A.A, k), n)) > limits::facing_sin) continue;  // that edge does not lie in the face
+        for (int m = 0; m < 3; ++m) {
+            const scalar c = abs(dot(column(A.A, k), column(B.A, m)));
+            if (c > most) most = c, i = k, j = m;
+        }
+    }
+    if (!(most * most >= 1 - limits::parallel_sin_sq)) return false;
+
+    // The box whose edge points towards the face first: the face then knows at which end it is.
+    const Vector &u = column(A.A, i), v = column(B.A, j) * (dot(column(A.A, i), column(B.A, j)) < 0 ? scalar(-1) : scalar(1));
+    const EdgeOfBox first_A = edge_of(A, i, -n, B.r), first_B = edge_of(B, j, n, A.r);
+    const EdgeOfBox of_A = edge_of(A, i, -n, first_B.middle), of_B = edge_of(B, j, n, first_A.middle);
+    // Middle of the shared angle, and tan(phi) = tan(45 degrees - psi) with psi half the angle between what the edges allow.
+    const Vector sum = of_B.out - of_A.out, difference = of_B.out + of_A.out;
+    const scalar length = sqrt(length_sq(sum)), spread = sqrt(length_sq(difference));
+    if (!(length > spread * (1 + limits::facing_sin))) return false;
+    const Vector middle = sum * (1 / length);
+    const scalar tan_phi = (length - spread) / (length + spread);
+
+    const scalar a = component(A.shape.size, i), b = component(B.shape.size, j), offset = dot(of_B.middle - of_A.middle, u);
+    const scalar low = offset - b > -a ? offset - b : -a, high = offset + b < a ? offset + b : a;
+    if (!(low <= high)) return false;
+    const auto on_A = [&](scalar x) { return of_A.middle + u * x; };
+    const auto on_B = [&](scalar x) { return of_B.middle + v * (x - offset); };
+    Vector w = on_A((low + high) / 2) - on_B((low + high) / 2);
+    w = w - u * dot(w, u);
+    const scalar ahead = ridge + dot(w, middle);
+    const Vector aside = w - middle * dot(w, middle);
+    if (!(ahead > 0 && length_sq(aside) < tan_phi * tan_phi * ahead * ahead)) return false;
+    const Vector turned = middle * ahead + aside, normal = turned * (1 / sqrt(length_sq(turned)));
+
+    no_points(normal, manifold);
+    for (uint32_t end = 0; end < 2; ++end) {
+        const Vector p = on_A(end == 0 ? low : high), q = on_B(end == 0 ? low : high);
+        const scalar s = dot(normal, p - q);
+        const uint32_t feature = feature_of(first_edge_axis + 3 * i + j, true, of_A.signs | of_B.signs << 3 | end << 6);
+        if (s <= margin) manifold.points[manifold.count++] = {(p + q) * scalar(0.5), s, feature};
+    }
+    return true;
+}
+
+/// The points of a face against the other box, whose nearest face is clipped.
+void face_points(const PlacedShape& A, const PlacedShape& B, const BestAxis& best, scalar margin, const Before& before,
+                 Manifold& manifold) {
+    const bool of_A = best.face < 3;
+    const int axis = of_A ? best.face : best.face - 3;
+    const PlacedShape &reference = of_A ? A : B, &other = of_A ? B : A;
+    const Vector centre = other.r - reference.r;
+    const scalar h_x = component(reference.shape.size, axis_after[axis + 1]), h_y = component(reference.shape.size, axis_after[axis + 2]);
+    const Vector &e_x = column(reference.A, axis_after[axis + 1]), &e_y = column(reference.A, axis_after[axis + 2]);
+    Vector up = column(reference.A, axis);
+    const scalar above = dot(centre, up);
+    const bool negative = of_A ? above > 0 ? false : true : above < 0;  // n is that axis or its opposite when all is level
+    if (negative) up = -up;
+
+    int facing = 0;
+    scalar along = dot(other.A.c0, up);
+    for (int j = 1; j < 3; ++j) {
+        const scalar c = dot(column(other.A, j), up);
+        if (abs(c) > abs(along)) {
+            facing = j;
+            along = c;
+        }
+    }
+    if (abs(along) < limits::facing_cos && ridge_points(A, B, of_A ? -up : up, limits::ridge * best.smallest, margin, manifold)) return;
+    const bool flipped = along > 0;  // the face that looks against `up`
+    const scalar h_facing = component(other.shape.size, facing);
+
+    Polygon polygons[2];
+    Polygon* polygon = &polygons[0];
+    scalar most_x, least_x, most_y, least_y;
+    {
+        const Vector u = column(other.A, axis_after[facing + 1]) * component(other.shape.size, axis_after[facing + 1]);
+        const Vector v = column(other.A, axis_after[facing + 2]) * component(other.shape.size, axis_after[facing + 2]);
+        const Vector c = centre + column(other.A, facing) * (flipped ? -h_facing : h_facing);
+        const scalar c_x = dot(c, e_x), c_y = dot(c, e_y), c_z = dot(c, up) - component(reference.shape.size, axis);
+        const scalar u_x = dot(u, e_x), u_y = dot(u, e_y), u_z = dot(u, up);
+        const scalar v_x = dot(v, e_x), v_y = dot(v, e_y), v_z = dot(v, up);
+        for (int i = 0; i < 4; ++i) {
+            const scalar p = i == 1 || i == 2 ? scalar(-1) : scalar(1), q = i >= 2 ? scalar(-1) : scalar(1);
+            polygon->x[i] = c_x + p * u_x + q * v_x;
+            polygon->y[i] = c_y + p * u_y + q * v_y;
+            polygon->z[i] = c_z + p * u_z + q * v_z;
+            polygon->in[i] = static_cast<uint8_t>((i + 3) & 3);
+            polygon->out[i] = static_cast<uint8_t>(i);
+        }
+        polygon->count = 4;
+        const scalar spread_x = abs(u_x) + abs(v_x), spread_y = abs(u_y) + abs(v_y);
+        most_x = c_x + spread_x, least_x = spread_x - c_x, most_y = c_y + spread_y, least_y = spread_y - c_y;
+    }
+
+    const scalar limit_x = h_x * (1 + limits::corner_slack), limit_y = h_y * (1 + limits::corner_slack);
+    const bool over[4] = {most_x > limit_x, least_x > limit_x, most_y > limit_y, least_y > limit_y};
+    for (int side = 0; side < 4; ++side) {
+        if (!over[side]) continue;
+        Polygon* to = polygon == &polygons[0] ? &polygons[1] : &polygons[0];
+        clip(*polygon, side >= 2, (side & 1) != 0 ? scalar(-1) : scalar(1), side >= 2 ? limit_y : limit_x,
+             static_cast<uint8_t>(4 + side), *to);
+        polygon = to;
+    }
+
+    const uint32_t faces = feature_of(best.face, negative, (static_cast<uint32_t>(facing) << 1 | (flipped ? 1u : 0u)) << 16);
+    const scalar to_n = of_A ? scalar(-1) : scalar(1);  // n is this times `up`
+    Candidate candidates[8];
+    int count = 0;
+    for (int i = 0; i < polygon->count; ++i) {
+        const scalar s = polygon->z[i];
+        if (!(s <= margin)) continue;
+        candidates[count++] = {clamp(polygon->x[i], h_x), clamp(polygon->y[i], h_y), to_n * s * scalar(0.5), s,
+                               faces | static_cast<uint32_t>(polygon->in[i]) << 4 | polygon->out[i]};
+    }
+    const ContactFrame frame{reference.r + up * component(reference.shape.size, axis), e_x, e_y, up * to_n};
+    keep_points(candidates, count, frame, limits::flatness * best.smallest, before, manifold);
+}
+
+/// True where two edges cross all but across a face: the normal of their crossing is that of the face but for facing_cos.
+INGOT_INLINE bool lies_flat(const PlacedShape& A, const PlacedShape& B, const BestAxis& best) {
+    const Vector n = cross(column(A.A, (best.edge - first_edge_axis) / 3), column(B.A, (best.edge - first_edge_axis) % 3));
+    const scalar along = dot(n, best.face < 3 ? column(A.A, best.face) : column(B.A, best.face - 3));
+    return along * along > limits::facing_cos * limits::facing_cos * length_sq(n);
+}
+
+/// True where no point of a face is deeper than the edges allow. A point that is s deep in both boxes is at least s cos theta below the planes across
+/// the normal of the edges, which is theta off that of the face: a deeper one has left a thin box at its other side, and is no overlap to be undone.
+INGOT_INLINE bool inside_both(const PlacedShape& A, const PlacedShape& B, const BestAxis& best, const Manifold& manifold) {
+    const Vector n = cross(column(A.A, (best.edge - first_edge_axis) / 3), column(B.A, (best.edge - first_edge_axis) % 3));
+    const scalar cos = abs(dot(n, manifold.n)) / sqrt(length_sq(n)), least = best.separation - limits::edge_preference * best.smallest;
+    for (int i = 0; i < manifold.count; ++i)
+        if (manifold.points[i].separation < 0 && manifold.points[i].separation * cos < least) return false;
+    return true;
+}
+
+/// The point of two edges; false where the nearest points of their lines lie outside the edges.
+bool edge_point(const PlacedShape& A, const PlacedShape& B, const BestAxis& best, scalar margin, Manifold& manifold) {
+    const int i = (best.edge - first_edge_axis) / 3, j = (best.edge - first_edge_axis) % 3;
+    const Vector &u = column(A.A, i), &v = column(B.A, j), d = A.r - B.r;
+    Vector n = cross(u, v);
+    const scalar sin_sq = length_sq(n);
+    n = n * ((dot(n, d) < 0 ? scalar(-1) : scalar(1)) / sqrt(sin_sq));
+
+    Vector p = d, q{};  // middles of the edges of A and B, seen from the centre of B
+    uint32_t signs = 0;
+    for (int k = 0; k < 3; ++k) {
+        const Vector &A_k = column(A.A, k), &B_k = column(B.A, k);
+        if (k != i) {
+            const bool ahead = dot(n, A_k) > 0;
+            p += A_k * (ahead ? -component(A.shape.size, k) : component(A.shape.size, k));
+            signs |= ahead ? 1u << k : 0u;
+        }
+        if (k != j) {
+            const bool ahead = dot(n, B_k) > 0;
+            q += B_k * (ahead ? component(B.shape.size, k) : -component(B.shape.size, k));
+            signs |= ahead ? 8u << k : 0u;
+        }
+    }
+    const Vector w = p - q;
+    const scalar c = dot(u, v), along_u = dot(w, u), along_v = dot(w, v);
+    const scalar on_u = (c * along_v - along_u) / sin_sq, on_v = (along_v - c * along_u) / sin_sq;
+    const scalar slack = 1 + limits::corner_slack;
+    if (!(abs(on_u) <= component(A.shape.size, i) * slack && abs(on_v) <= component(B.shape.size, j) * slack)) return false;
+    const scalar s = dot(n, w);
+    if (s <= margin)
+        one_point(n, B.r + (p + u * on_u + q + v * on_v) * scalar(0.5), s, feature_of(best.edge, false, signs), manifold);
+    else
+        no_points(n, manifold);
+    return true;
+}
+
+}  // namespace
+
+void collide_box_box(const PlacedShape& A, const PlacedShape& B, scalar margin, Manifold& manifold, const Manifold* before_it) {
+    const Before before = remember(before_it);
+    if (before_it != nullptr && before.count == 0 && gap_along(A, B, before.n) > margin) return no_points(before.n, manifold);
+
+    BestAxis best;
+    const int axis_before = before.count > 0 ? static_cast<int>(before.features[0] >> 24) : no_axis;
+    if (!find_axis(A, B, margin, axis_before, best, manifold)) return;
+    // Where two edges cross they have one point. Boxes that lie all but flat on each other, or meet fast, may turn about it onto other corners within
+    // the step: those of the face have the crossing among them, and look further. The normal is the face's then.
+    if (best.edge != no_axis && (margin > limits::fast_margin || lies_flat(A, B, best))) {
+        face_points(A, B, best, margin, before, manifold);
+        if (manifold.count > 1 && inside_both(A, B, best, manifold)) return;
+    }
+    if (best.edge != no_axis && edge_point(A, B, best, margin, manifold)) return;
+    face_points(A, B, best, margin, before, manifold);
+}
+
+} }  // namespace ingot

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "manifold_record.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+void match_records(const ManifoldView& manifolds, const PairList& found) {
+    int found_i = 0;
+    for (int held_i = 0; held_i < *manifolds.count; ++held_i) {
+        BodyPair& held = manifolds.pairs[held_i];
+        while (found_i < *found.count && found.pairs[found_i].key() < held.key()) ++found_i;
+        if (found_i < *found.count && found.pairs[found_i].key() == held.key())
+            found.pairs[found_i].record = held.record;
+        else
+            give_back(manifolds, held.record);
+    }
+}
+
+uint16_t take_record(const ManifoldView& manifolds) {
+    uint16_t record = no_record;
+    if (*manifolds.first_free != 0) {
+        record = static_cast<uint16_t>(*manifolds.first_free - 1);
+        *manifolds.first_free = manifolds.records[record].next_free;
+    } else if (*manifolds.records_used < manifolds.capacity) {
+        record = (*manifolds.records_used)++;
+    } else {
+        return no_record;
+    }
+    manifolds.records[record] = {};
+    if (manifolds.anchors != nullptr) manifolds.anchors[record] = {};  // balls keep none, and those of another pair are none of a snapshot's
+    return record;
+}
+
+void give_back(const ManifoldView& manifolds, uint16_t& record) {
+    manifolds.records[record].next_free = *manifolds.first_free;
+    *manifolds.first_free = static_cast<uint16_t>(record + 1);
+    record = no_record;
+}
+
+void invalidate_contacts(const ManifoldView& manifolds, const PairList& found, BoundsTile* bounds, int slot) {
+    for (int pair_i = 0; pair_i < *found.count; ++pair_i) {
+        BodyPair& pair = found.pairs[pair_i];
+        if (pair.body_A == slot || pair.body_B == slot) pair.record = no_record;
+    }
+    // Records are given back from the list of those that touch: after a snapshot was loaded, nothing has been searched for yet.
+    int kept = 0;
+    for (int pair_i = 0; pair_i < *manifolds.count; ++pair_i) {
+        BodyPair pair = manifolds.pairs[pair_i];
+        if (pair.body_A == slot || pair.body_B == slot)
+            give_back(manifolds, pair.record);
+        else
+            manifolds.pairs[kept++] = pair;
+    }
+    *manifolds.count = static_cast<uint16_t>(kept);
+    invalidate_bounds(bounds, slot);
+}
+
+void carry_impulses(ManifoldRecord& record, const Manifold& next) {
+    const Manifold& before = record.manifold;
+    bool same = next.count == before.count;
+    for (int point_i = 0; point_i < before.count; ++point_i) same = same && before.points[point_i].feature == next.points[point_i].feature;
+    if (same) return;
+    scalar j[Manifold::points_max] = {}, j_before[Manifold::points_max] = {};
+    for (int point_i = 0; point_i < next.count; ++point_i) {
+        for (int old_i = 0; old_i < before.count; ++old_i) {
+            if (before.points[old_i].feature != next.points[point_i].feature) continue;
+            j[point_i] = record.j[old_i];
+            j_before[point_i] = record.j_before[old_i];
+        }
+    }
+    for (int point_i = 0; point_i < Manifold::points_max; ++point_i) {
+        record.j[point_i] = j[point_i];
+        record.j_before[point_i] = j_before[point_i];
+    }
+}
+
+} }  // namespace ingot

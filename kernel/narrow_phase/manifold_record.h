@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "../broad_phase/body_pairs.h"
+#include "manifold.h"
+#include "manifold_anchors.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// What a world keeps of two bodies that touch, for as long as they do: where, and with what impulses.
+struct ManifoldRecord {
+    Manifold manifold;
+    scalar mu, e;                                        ///< of the pair
+    scalar j[Manifold::points_max];                      ///< N s, of the normals in the last substep
+    scalar j_before[Manifold::points_max];               ///< N s, in the one before
+    Vector j_friction, j_reference;                      ///< N s, world; the reference is its slow mean
+    scalar j_torsion;                                      ///< N m s
+    uint16_t substeps;                                   ///< it has lived, up to 1000; and steady_bit
+    uint16_t next_free;                                  ///< index + 1 of the next free record; 0: none
+};
+
+/// Set in ManifoldRecord::substeps where nothing that touched accelerated in the step before.
+inline constexpr uint16_t steady_bit = 0x8000;
+inline int age_of(const ManifoldRecord& record) { return record.substeps & ~steady_bit; }
+inline bool was_steady(const ManifoldRecord& record) { return (record.substeps & steady_bit) != 0; }
+
+/// The contacts of a world, without their capacity.
+struct ManifoldView {
+    BodyPair* pairs;              ///< that touch, sorted by slots; room for as many as records
+    uint16_t* count;
+    ManifoldRecord* records;      ///< of the pairs, in no order
+    ManifoldAnchors* anchors;     ///< by record; null where a scene renews none
+    uint16_t* records_used;       ///< records in use or free again; those beyond never were
+    uint16_t* first_free;         ///< index + 1
+    int capacity;
+};
+
+/// After a search: found pairs that touched in the step before have their record, and records of pairs that are found no more are free.
+/// Both lists are sorted; the work is one walk along them.
+void match_records(const ManifoldView& manifolds, const PairList& found);
+
+/// A record for a pair that begins to touch, all zero; no_record when there is none left.
+uint16_t take_record(const ManifoldView& manifolds);
+/// The pair touches no more.
+void give_back(const ManifoldView& manifolds, uint16_t& record);
+
+/// A body leaves its slot: nothing is kept of its contacts, and whoever takes the slot next is searched for anew.
+void invalidate_contacts(const ManifoldView& manifolds, const PairList& found, BoundsTile* bounds, int slot);
+
+/// Before the next manifold takes the place of the one on record: impulses of points whose features live on go with them; new points start from zero.
+void carry_impulses(ManifoldRecord& record, const Manifold& next);
+
+} }  // namespace ingot

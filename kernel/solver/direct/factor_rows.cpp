@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+#include "factor_rows.h"
+
+#include "../../base/limits.h"
+#include "normal_set.h"
+#include "sliding.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+namespace {
+
+/// The speed along row i of manifold m that a unit impulse along row c of manifold p gives.
+wide_scalar coupling(const DirectView& island, const DirectManifold& m, const DirectManifold& p, const DirectRow& i,
+                const DirectRow& c) {
+    wide_scalar sum = 0;
+    for (int side = 0; side < 2; ++side) {
+        if (m.body[side] == 0) continue;
+        for (int other = 0; other < 2; ++other) {
+            if (m.body[side] != p.body[other]) continue;
+            const wide_scalar linear = dot(i.d, c.d) * island.bodies[m.body[side]].inv_M;
+            sum += (side == other ? linear : -linear) + dot(i.k[side], c.J[other]);
+        }
+    }
+    return sum;
+}
+
+/// Lists active rows and where their entries begin; false: no room.
+bool list_rows(DirectView& island) {
+    int count = 0;
+    uint32_t entry_count = 0;
+    for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
+        DirectManifold& manifold = island.manifolds[manifold_i];
+        manifold.factored = manifold.active;
+        manifold.active_begin = static_cast<uint16_t>(count);
+        const int begin = island.manifolds[manifold.first].active_begin;
+        for (int row = 0; row < direct_rows; ++row) {
+            if ((manifold.active >> row & 1u) == 0) continue;
+            DirectActive& active = island.active[count];
+            active.row = static_cast<uint16_t>(manifold_i * direct_rows + row);
+            active.begin = static_cast<uint16_t>(begin);
+            active.offset = entry_count;
+            entry_count += static_cast<uint32_t>(count - begin);
+            if (entry_count > static_cast<uint32_t>(island.entry_capacity)) return false;
+            ++count;
+        }
+    }
+    island.active_count = count;
+    island.entry_count = static_cast<int>(entry_count);
+    return true;
+}
+
+/// sum over k of a_k b_k, in four sums: a chain of additions would wait for each.
+wide_scalar sum_of_products(const wide_scalar* a, const wide_scalar* b, int count) {
+    wide_scalar sums[4] = {};
+    int i = 0;
+    for (; i + 4 <= count; i += 4)
+        for (int k = 0; k < 4; ++k) sums[k] += a[i + k] * b[i + k];
+    for (; i < count; ++i) sums[0] += a[i] * b[i];
+    return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+}
+
+/// The matrix of the same rows, within the step, is the same.
+bool is_factored(const DirectView& island) {
+    bool same = island.factored && !island.some_slide;
+    for (int manifold_i = 0; manifold_i < island.manifold_count && same; ++manifold_i)
+        same = island.manifolds[manifold_i].active == island.manifolds[manifold_i].factored &&
+               island.manifolds[manifold_i].sliding == 0;
+    return same;
+}
+
+void factor_symmetric(const DirectView& island) {
+    for (int i = 0; i < island.active_count; ++i) {
+        DirectActive& active = island.active[i];
+        const DirectRow& row = island.rows[active.row];
+        const DirectManifold& manifold = island.manifolds[active.row / direct_rows];
+        wide_scalar* const u = island.entries + active.offset;  // u[c - begin]
+        for (int c = active.begin; c < i; ++c) {
+            const DirectActive& before = island.active[c];
+            const DirectManifold& other = island.manifolds[before.row / direct_rows];
+            const int first = active.begin > before.begin ? active.begin : before.begin;
+            const wide_scalar known =
+                sum_of_products(u + (first - active.begin), island.entries + before.offset + (first - before.begin), c - first);
+            u[c - active.begin] = coupling(island, manifold, other, row, island.rows[before.row]) - known;
+        }
+        wide_scalar pivot = row.K * (1 + limits::direct_diagonal);
+        for (int c = active.begin; c < i; ++c) {
+            const wide_scalar scaled = u[c - active.begin] * island.active[c].inv_pivot;
+            pivot -= scaled * u[c - active.begin];
+            u[c - active.begin] = scaled;
+        }
+        active.inv_pivot = pivot > row.K * limits::direct_diagonal / 2 ? 1 / pivot : 0;
+    }
+}
+
+/// Row i of Newton's matrix at column c. Sliding friction: K (t - mu N x / |x|) = 0 with x = t - u / K, derived; K makes it a
+/// speed like the others.
+wide_scalar newton_entry(const DirectView& island, int i, int c) {
+    const int row_i = island.active[i].row, row_c = island.active[c].row, own = row_i % direct_rows,
+              theirs = row_c % direct_rows;
+    const DirectManifold &manifold = island.manifolds[row_i / direct_rows], &other = island.manifolds[row_c / direct_rows];
+    const DirectRow &row = island.rows[row_i], &column = island.rows[row_c];
+    const wide_scalar damping = i == c ? row.K * limits::direct_diagonal : 0;
+    if (!has(manifold.sliding, own)) return coupling(island, manifold, other, row, column) + damping;
+    const bool same = &manifold == &other;
+    if (own == torsion_row) {
+        if (!same || (theirs >= friction_row && theirs != torsion_row)) return 0;
+        return theirs == torsion_row ? row.K : -row.K * manifold.slip.torsion * manifold.mu * manifold.radius;
+    }
+    const DirectRow* const rows = island.rows + (row_i - own);
+    const wide_scalar* const x = manifold.slip.x;
+    const int axis = own - friction_row;
+    const wide_scalar across[2] = {(axis == 0 ? 1 : 0) - x[axis] * x[0], (axis == 1 ? 1 : 0) - x[axis] * x[1]},
+                 K = friction_compliance(rows);
+    wide_scalar entry = manifold.slip.share * (across[0] * coupling(island, manifold, other, rows[friction_row], column) +
+                                          across[1] * coupling(island, manifold, other, rows[friction_row + 1], column));
+    if (same && theirs < friction_row) entry -= K * manifold.mu * x[axis];
+    if (same && theirs >= friction_row && theirs < torsion_row)
+        entry += K * ((own == theirs ? 1 : 0) - manifold.slip.share * across[theirs - friction_row]);
+    return entry + damping;
+}
+
+/// L U of Newton's matrix, without exchange: L row by row, and U, column by column, behind it.
+void factor_general(const DirectView& island) {
+    wide_scalar *const lower = island.entries, *const upper = island.entries + island.entry_count;
+    for (int i = 0; i < island.active_count; ++i) {
+        DirectActive& active = island.active[i];
+        wide_scalar *const l = lower + active.offset, *const u = upper + active.offset;
+        for (int c = active.begin; c < i; ++c) {
+            const DirectActive& before = island.active[c];
+            const int first = active.begin > before.begin ? active.begin : before.begin, count = c - first,
+                      at = c - active.begin;
+            l[at] = (newton_entry(island, i, c) -
+                     sum_of_products(l + (first - active.begin), upper + before.offset + (first - before.begin), count)) *
+                    before.inv_pivot;
+            u[at] = newton_entry(island, c, i) -
+                    sum_of_products(lower + before.offset + (first - before.begin), u + (first - active.begin), count);
+        }
+        const wide_scalar pivot = newton_entry(island, i, i) - sum_of_products(l, u, i - active.begin),
+                     K = island.rows[active.row].K;
+        active.inv_pivot = abs(pivot) > K * limits::direct_diagonal / 2 ? 1 / pivot : 0;
+    }
+}
+
+/// About how many multiplications a factor takes: of its entries with each other, and for each entry itself.
+int work_of_factor(const DirectView& island) {
+    constexpr int of_entry = 16, enough = 1 << 24;
+    int work = 0;
+    for (int i = 0; i < island.active_count && work < enough; ++i) {
+        const int width = i - island.active[i].begin;
+        work += width * (width / 2 + of_entry);
+    }
+    return island.some_slide ? 4 * work : work;  // two factors, with entries of several couplings each
+}
+
+}  // namespace
+
+bool factor_rows(DirectView& island) {
+    if (is_factored(island)) return true;
+    island.factored = list_rows(island);
+    island.some_slide = false;
+    for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
+        if (island.manifolds[manifold_i].sliding == 0) continue;
+        island.some_slide = true;
+        find_slide(island, island.manifolds[manifold_i], island.rows + manifold_i * direct_rows);
+    }
+    if (island.some_slide) island.factored = island.factored && 2 * island.entry_count <= island.entry_capacity;
+    if (!island.factored) return false;
+    island.work_left -= work_of_factor(island);
+    if (island.work_left < 0) return island.factored = false;
+    island.some_slide ? factor_general(island) : factor_symmetric(island);
+    return true;
+}
+
+void solve_factored(const DirectView& island) {
+    for (int i = 0; i < island.active_count; ++i) {
+        DirectActive& active = island.active[i];
+        const wide_scalar* const l = island.entries + active.offset;
+        for (int c = active.begin; c < i; ++c) active.x -= l[c - active.begin] * island.active[c].x;
+    }
+    // Back by columns: of L^T where the matrix is symmetric, and D then stands between the two; of U else.
+    const wide_scalar* const columns = island.entries + (island.some_slide ? island.entry_count : 0);
+    if (!island.some_slide)
+        for (int i = 0; i < island.active_count; ++i) island.active[i].x *= island.active[i].inv_pivot;
+    for (int i = island.active_count - 1; i >= 0; --i) {
+        DirectActive& active = island.active[i];
+        if (island.some_slide) active.x *= active.inv_pivot;
+        const wide_scalar* const column = columns + active.offset;
+        for (int c = active.begin; c < i; ++c) island.active[c].x -= column[c - active.begin] * active.x;
+    }
+}
+
+} }  // namespace ingot

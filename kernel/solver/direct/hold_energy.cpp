@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "hold_energy.h"
+
+#include "../../base/limits.h"
+#include "island_rows.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+namespace {
+
+bool some_bounce(const SolverView& solver, const DirectView& island) {
+    for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
+        const DirectManifold& manifold = island.manifolds[manifold_i];
+        const ContactBlock& block = solver.blocks[manifold.position / lanes];
+        for (int row = 0; row < manifold.points; ++row)
+            if (has(manifold.rows, row) && block.row[row].landing[manifold.position % lanes] < limits::unbounded) return true;
+    }
+    return false;
+}
+
+DirectVector free_v(const DirectView& island, const DirectBody& body) { return in_double(island.free_motion[body.body_i].v_CM); }
+DirectVector free_L(const DirectView& island, const DirectBody& body) { return in_double(island.free_motion[body.body_i].L); }
+
+}  // namespace
+
+void hold_energy(const SolverView& solver, const DirectView& island) {
+    // The energy of the free motion and `share` of the change is E + share along + share^2 across.
+    wide_scalar along = 0, across = 0;
+    for (int body_i = 1; body_i < island.body_count; ++body_i) {
+        const DirectBody& body = island.bodies[body_i];
+        const SolverBody& now = solver.bodies[body.body_i];
+        const DirectVector v = free_v(island, body), L = free_L(island, body), d_v = in_double(now.v_CM) - v, d_L = in_double(now.L) - L;
+        const DirectVector turn = body.inv_I_world * d_L;
+        along += dot(d_v, v) / body.inv_M + dot(turn, L);
+        across += 0.5 * (length_sq(d_v) / body.inv_M + dot(turn, d_L));
+    }
+    if (!(along + across > 0) || some_bounce(solver, island)) return;
+
+    const wide_scalar share = along < 0 ? -along / (2 * across) : 0;
+    for (int body_i = 1; body_i < island.body_count; ++body_i) {
+        const DirectBody& body = island.bodies[body_i];
+        SolverBody& now = solver.bodies[body.body_i];
+        const DirectVector v = free_v(island, body), L = free_L(island, body);
+        put_scalars(now.v_CM, v + (in_double(now.v_CM) - v) * share);
+        put_scalars(now.L, L + (in_double(now.L) - L) * share);
+    }
+    for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i)
+        for_impulses(solver, island.manifolds[manifold_i], [&](int, scalar& j, scalar& j_sweep) {
+            j = j_sweep = static_cast<scalar>(static_cast<wide_scalar>(j) * share);
+        });
+}
+
+} }  // namespace ingot

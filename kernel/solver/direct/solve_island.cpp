@@ -1,0 +1,376 @@
+// SPDX-License-Identifier: MIT
+#include "solve_island.h"
+
+#include "../../base/limits.h"
+#include "factor_rows.h"
+#include "normal_set.h"
+#include "sliding.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+namespace {
+
+/// By how much the laws of contact are missed.
+struct Misfit {
+    wide_scalar worst;  ///< m/s
+    wide_scalar merit;  ///< J; sum of squares over compliance
+
+    void add(wide_scalar impulse, wide_scalar K) {
+        worst = max(worst, abs(impulse) * K);
+        merit += impulse * impulse * K;
+    }
+};
+
+Misfit misfit(const DirectView& island) {
+    Misfit sum = {};
+    for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
+        const DirectManifold& manifold = island.manifolds[manifold_i];
+        const DirectRow* const rows = island.rows + manifold_i * direct_rows;
+        for (int row = 0; row < manifold.points; ++row) {
+            if (!has(manifold.rows, row)) continue;
+            const wide_scalar wanted =
+                rows[row].j - (row_motion<false>(island, manifold, rows[row]) - rows[row].target) / rows[row].K;
+            sum.add(max(wanted, 0) - rows[row].j, rows[row].K);
+        }
+        const wide_scalar limit = manifold.mu * load_of(manifold, rows);
+        if (has(manifold.rows, friction_row)) {
+            const FrictionImpulse t = projected_friction(island, manifold, rows, limit);
+            for (int axis = 0; axis < 2; ++axis) sum.add(t.at[axis] - rows[friction_row + axis].j, rows[friction_row + axis].K);
+        }
+        if (has(manifold.rows, torsion_row))
+            sum.add(projected_torsion(island, manifold, rows, limit * manifold.radius) - rows[torsion_row].j, rows[torsion_row].K);
+    }
+    return sum;
+}
+
+/// What bodies do without contacts.
+template <bool displaces>
+void set_free(const DirectView& island) {
+    for (int body_i = 1; body_i < island.body_count; ++body_i) {
+        DirectBody& body = island.bodies[body_i];
+        body.linear = displaces ? DirectVector{} : in_double(island.free_motion[body.body_i].v_CM);
+        body.angular = displaces ? DirectVector{} : in_double(island.free_motion[body.body_i].L);
+    }
+}
+
+/// The motion that the impulses make, from the start: what is added and taken back in a search leaves its rounding in the sums.
+template <bool displaces>
+void add_up(const DirectView& island) {
+    set_free<displaces>(island);
+    for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
+        const DirectManifold& manifold = island.manifolds[manifold_i];
+        for (int row = 0; row < direct_rows; ++row) {
+            if (!has(manifold.rows, row)) continue;
+            DirectRow& at = island.rows[manifold_i * direct_rows + row];
+            const wide_scalar j = at.j;
+            at.j = 0;
+            give<displaces>(island, manifold, at, j);
+        }
+    }
+}
+
+/// Bodies that move freely, and what normals want.
+void begin_free(const SolverView& solver, DirectView& island) {
+    set_free<false>(island);
+    for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
+        const DirectManifold& manifold = island.manifolds[manifold_i];
+        const ContactBlock& block = solver.blocks[manifold.position / lanes];
+        for (int row = 0; row < manifold.points; ++row)
+            if (has(manifold.rows, row))
+                island.rows[manifold_i * direct_rows + row].target = static_cast<wide_scalar>(block.row[row].target[manifold.position % lanes]);
+    }
+}
+
+/// First guess: what the blocks hold, within the cone.
+void begin_solve(const SolverView& solver, DirectView& island) {
+    for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
+        DirectManifold& manifold = island.manifolds[manifold_i];
+        DirectRow* const rows = island.rows + manifold_i * direct_rows;
+        manifold.pulls = 0;
+        wide_scalar guess[direct_rows] = {}, N = 0;
+        for_impulses(solver, manifold, [&](int row, scalar& j, scalar&) { guess[row] = static_cast<wide_scalar>(j); });
+        for (int row = 0; row < manifold.points; ++row) {
+            if (!has(manifold.rows, row)) continue;
+            guess[row] = max(guess[row], 0);
+            N += guess[row];
+        }
+        const FrictionImpulse t = cut({{guess[friction_row], guess[friction_row + 1]}}, manifold.mu * N);
+        guess[friction_row] = t.at[0];
+        guess[friction_row + 1] = t.at[1];
+        guess[torsion_row] = clamp(guess[torsion_row], manifold.mu * manifold.radius * N);
+        for (int row = 0; row < direct_rows; ++row) {
+            if (!has(manifold.rows, row)) continue;
+            rows[row].j = 0;
+            if (row >= manifold.points) rows[row].target = 0;
+            give<false>(island, manifold, rows[row], guess[row]);
+        }
+    }
+}
+
+/// Takes friction, or torsion, out or in. What carries nothing gives nothing.
+void set_friction(const DirectView& island, DirectManifold& manifold, DirectRow* rows, int first, int end, bool loaded,
+                  bool slides) {
+    for (int row = first; row < end; ++row) {
+        set_bit(manifold.active, row, loaded);
+        set_bit(manifold.sliding, row, loaded && slides);
+        if (!loaded && rows[row].j != 0) give<false>(island, manifold, rows[row], -rows[row].j);
+    }
+}
+
+/// Whether friction and torsion stick, by the impulses: what lies on the cone slides.
+void stick_or_slide(const DirectView& island, DirectManifold& manifold, DirectRow* rows) {
+    const wide_scalar limit = manifold.mu * load_of(manifold, rows), nearly = 1 - 1e-5;
+    const bool loaded = active_normals(manifold) != 0;
+    if (has(manifold.rows, friction_row)) {
+        const DirectRow* const t = rows + friction_row;
+        const wide_scalar length = square_root(t[0].j * t[0].j + t[1].j * t[1].j);
+        set_friction(island, manifold, rows, friction_row, torsion_row, loaded, limit > 0 && length >= limit * nearly);
+    }
+    if (has(manifold.rows, torsion_row)) {
+        const wide_scalar torsion_limit = limit * manifold.radius;
+        set_friction(island, manifold, rows, torsion_row, direct_rows, loaded,
+                     torsion_limit > 0 && abs(rows[torsion_row].j) >= torsion_limit * nearly);
+    }
+}
+
+/// A body meets another faster than forces drive it within two substeps, while neither is much heavier. Sweeps are better at that: the set of
+/// contacts that an impact leaves is far from the one that it found.
+bool has_impact(const SolverView& solver, const DirectView& island, scalar h) {
+    if (island.uneven) return false;
+    for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
+        const DirectManifold& manifold = island.manifolds[manifold_i];
+        const DirectRow* const rows = island.rows + manifold_i * direct_rows;
+        wide_scalar smooth = 0;
+        for (const uint16_t body : manifold.body)
+            if (body != 0) smooth = max(smooth, static_cast<wide_scalar>(2 * h * solver.bodies[island.bodies[body].body_i].dp[3]));
+        for (int row = 0; row < manifold.points; ++row)
+            if (has(manifold.rows, row) && row_motion<false>(island, manifold, rows[row]) < rows[row].target - smooth) return true;
+    }
+    return false;
+}
+
+/// Normals that push or do not separate: what falls together is taken for a pile.
+void choose_active(DirectView& island) {
+    for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
+        DirectManifold& manifold = island.manifolds[manifold_i];
+        DirectRow* const rows = island.rows + manifold_i * direct_rows;
+        manifold.active = 0;
+        manifold.sliding = 0;
+        for (int row = 0; row < manifold.points; ++row)
+            if (has(manifold.rows, row) && (rows[row].j > 0 || row_motion<false>(island, manifold, rows[row]) <=
+                                                                   rows[row].target + limits::direct_settled_speed))
+                set_bit(manifold.active, row, true);
+        stick_or_slide(island, manifold, rows);
+        if (active_normals(manifold) > normals_max) drop_least<false>(island, manifold, rows);
+    }
+}
+
+/// What is left of the equation of an active row, m/s or m.
+template <bool displaces>
+wide_scalar left_of(const DirectView& island, int row_i) {
+    const int row = row_i % direct_rows;
+    const DirectManifold& manifold = island.manifolds[row_i / direct_rows];
+    const DirectRow* const rows = island.rows + (row_i - row);
+    if (displaces || !has(manifold.sliding, row)) return rows[row].target - row_motion<displaces>(island, manifold, rows[row]);
+    const wide_scalar limit = manifold.mu * load_of(manifold, rows);
+    if (row == torsion_row) return rows[row].K * (projected_torsion(island, manifold, rows, limit * manifold.radius) - rows[row].j);
+    return friction_compliance(rows) * (projected_friction(island, manifold, rows, limit).at[row - friction_row] - rows[row].j);
+}
+
+/// Solves the equations of the active rows, by refinement: what is left is taken from the bodies each time. Where something
+/// slides they are not linear: then the passes are few, and the matrix is made anew. Returns what is left.
+template <bool displaces>
+wide_scalar solve_active(const DirectView& island, wide_scalar settled) {
+    const int passes = island.some_slide ? limits::direct_refinements_of_sliding : limits::direct_refinements_max;
+    for (int pass_i = 0;; ++pass_i) {
+        wide_scalar worst = 0;
+        for (int i = 0; i < island.active_count; ++i) {
+            DirectActive& active = island.active[i];
+            active.x = left_of<displaces>(island, active.row);
+            if (active.inv_pivot != 0) worst = max(worst, abs(active.x));
+        }
+        if (worst <= settled / 16 || pass_i == passes) return worst;
+        solve_factored(island);
+        for (int i = 0; i < island.active_count; ++i)
+            give<displaces>(island, island.manifolds[island.active[i].row / direct_rows], island.rows[island.active[i].row],
+                            island.active[i].x);
+    }
+}
+
+/// Sticking friction beyond the cone slides, sliding friction within it sticks, what has no load has no friction; true if
+/// something changed.
+bool change_friction(const DirectView& island, DirectManifold& manifold, DirectRow* rows, wide_scalar settled) {
+    const uint8_t active = manifold.active, sliding = manifold.sliding;
+    const bool loaded = active_normals(manifold) != 0;
+    const wide_scalar limit = manifold.mu * load_of(manifold, rows);
+    const auto slides = [&](int row, wide_scalar length, wide_scalar most, wide_scalar K) {
+        return has(sliding, row) ? length >= most - settled / 16 / K : length > most + settled / K;
+    };
+    if (has(manifold.rows, friction_row)) {
+        const FrictionImpulse t = has(sliding, friction_row)
+                                      ? tried_friction(island, manifold, rows)
+                                      : FrictionImpulse{{rows[friction_row].j, rows[friction_row + 1].j}};
+        const wide_scalar length = square_root(t.at[0] * t.at[0] + t.at[1] * t.at[1]);
+        set_friction(island, manifold, rows, friction_row, torsion_row, loaded,
+                     slides(friction_row, length, limit, friction_compliance(rows)));
+    }
+    if (has(manifold.rows, torsion_row)) {
+        const DirectRow& row = rows[torsion_row];
+        const wide_scalar torsion =
+            abs(has(sliding, torsion_row) ? row.j - row_motion<false>(island, manifold, row) / row.K : row.j);
+        set_friction(island, manifold, rows, torsion_row, direct_rows, loaded,
+                     slides(torsion_row, torsion, limit * manifold.radius, row.K));
+    }
+    return manifold.active != active || manifold.sliding != sliding;
+}
+
+/// Corrects the set by what has been solved; false: it stays. All manifolds at once find most sets in a few rounds, and can go
+/// round in circles: after half of the rounds it is one at a time, which starts where the last one changed.
+template <bool displaces>
+bool change_active(const DirectView& island, wide_scalar settled, int set_i, int& begin) {
+    bool differs = false;
+    for (int step_i = 0; step_i < island.manifold_count; ++step_i) {
+        const int manifold_i = (begin + step_i) % island.manifold_count;
+        DirectManifold& manifold = island.manifolds[manifold_i];
+        DirectRow* const rows = island.rows + manifold_i * direct_rows;
+        bool here = change_normals<displaces>(island, manifold, rows, settled);
+        if (!displaces) here = change_friction(island, manifold, rows, settled) || here;
+        differs = differs || here;
+        if (!here || set_i < limits::direct_sets_max / 2) continue;
+        begin = manifold_i + 1;
+        break;
+    }
+    return differs;
+}
+
+void write_back(const SolverView& solver, const DirectView& island) {
+    for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
+        const DirectRow* const rows = island.rows + manifold_i * direct_rows;
+        for_impulses(solver, island.manifolds[manifold_i], [&](int row, scalar& j, scalar& j_sweep) {
+            j = j_sweep = static_cast<scalar>(row < friction_row ? max(rows[row].j, 0) : rows[row].j);
+        });
+    }
+    for (int body_i = 1; body_i < island.body_count; ++body_i) {
+        const DirectBody& body = island.bodies[body_i];
+        put_scalars(solver.bodies[body.body_i].v_CM, body.linear);
+        put_scalars(solver.bodies[body.body_i].L, body.angular);
+    }
+}
+
+}  // namespace
+
+IslandState solve_island(const SolverView& solver, DirectView& island, scalar h, bool after_sweeps) {
+    begin_free(solver, island);
+    if (has_impact(solver, island, h)) return IslandState::left_to_sweeps;
+    begin_solve(solver, island);
+    const wide_scalar merit_most = after_sweeps ? misfit(island).merit : 1e30;  // a NaN, which comparisons pass by, stays in the sum
+    choose_active(island);
+    int begin = 0;
+    for (int set_i = 0; set_i < limits::direct_sets_max; ++set_i) {
+        if (set_i != 0) add_up<false>(island);
+        wide_scalar left = 1;
+        for (int step_i = 0; step_i < limits::direct_newton_steps_max && left > limits::direct_settled_speed; ++step_i) {
+            if (!factor_rows(island)) return IslandState::chosen;
+            left = solve_active<false>(island, limits::direct_settled_speed);
+            if (!island.some_slide) break;
+        }
+        if (!change_active<false>(island, limits::direct_settled_speed, set_i, begin) && left <= limits::direct_settled_speed)
+            break;
+    }
+    add_up<false>(island);
+    const Misfit left = misfit(island);
+    const wide_scalar bound = after_sweeps ? static_cast<wide_scalar>(limits::settled_speed) : 4 * limits::direct_settled_speed;
+    if (!(left.worst <= bound) || !(left.merit < merit_most)) return IslandState::chosen;
+    write_back(solver, island);
+    return IslandState::solved;
+}
+
+namespace {
+
+/// What the position stage wants of each normal, as the sweep does. False: nothing is off.
+bool begin_placing(const SolverView& solver, DirectView& island, scalar h) {
+    for (int body_i = 1; body_i < island.body_count; ++body_i) {
+        DirectBody& body = island.bodies[body_i];
+        body.linear = in_double(solver.bodies[body.body_i].dp);
+        body.angular = in_double(solver.bodies[body.body_i].dth);
+    }
+    bool off = false;
+    const wide_scalar deepest = -static_cast<wide_scalar>(limits::push_speed_max * h);
+    for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
+        DirectManifold& manifold = island.manifolds[manifold_i];
+        DirectRow* const rows = island.rows + manifold_i * direct_rows;
+        const int lane_i = manifold.position % lanes;
+        const ContactBlock& block = solver.blocks[manifold.position / lanes];
+        manifold.active = 0;
+        manifold.sliding = 0;
+        manifold.pulls = 0;
+        for (int row = 0; row < manifold.points; ++row) {
+            if (!has(manifold.rows, row)) continue;
+            const ContactRow& contact = block.row[row];
+            const wide_scalar s = static_cast<wide_scalar>(contact.separation[lane_i]) + row_motion<true>(island, manifold, rows[row]);
+            const bool pressed = contact.j[lane_i] > 0, lands = contact.landing[lane_i] < limits::unbounded;
+            const wide_scalar share = s * static_cast<wide_scalar>(limits::position_share);
+            const wide_scalar wanted = lands              ? s - static_cast<wide_scalar>(contact.landing[lane_i])
+                                  : pressed || s < 0 ? max(share, deepest)
+                                                     : s;
+            rows[row].target = -wanted;
+            rows[row].j = static_cast<wide_scalar>(contact.j[lane_i]);  // for choosing three
+            set_bit(manifold.pulls, row, pressed || lands);
+            set_bit(manifold.active, row, pressed || lands || wanted < 0);
+            off = off || (pressed || lands ? abs(wanted) : -wanted) > static_cast<wide_scalar>(limits::settled_gap);
+        }
+    }
+    return off;
+}
+
+}  // namespace
+
+namespace {
+
+/// The largest displacement, m and rad; not finite if one is not.
+wide_scalar farthest(const DirectView& island) {
+    wide_scalar most_sq = 0, sum = 0;
+    for (int body_i = 1; body_i < island.body_count; ++body_i) {
+        const wide_scalar moved = length_sq(island.bodies[body_i].linear), turned = length_sq(island.bodies[body_i].angular);
+        most_sq = max(most_sq, max(moved, turned));
+        sum += moved + turned;
+    }
+    return sum < 1e30 ? square_root(most_sq) : sum;
+}
+
+}  // namespace
+
+bool place_island(const SolverView& solver, DirectView& island, scalar h) {
+    if (!begin_placing(solver, island, h)) return true;
+    set_free<true>(island);
+    for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
+        DirectManifold& manifold = island.manifolds[manifold_i];
+        DirectRow* const rows = island.rows + manifold_i * direct_rows;
+        if (active_normals(manifold) > normals_max) {
+            int least = 0;
+            for (int row = 1; row < manifold.points; ++row) least = rows[row].j <= rows[least].j ? row : least;
+            set_bit(manifold.active, least, false);
+        }
+        for (int row = 0; row < direct_rows; ++row) rows[row].j = 0;
+    }
+    bool settled = false;
+    int begin = 0;
+    for (int set_i = 0; set_i < limits::direct_sets_max && !settled; ++set_i) {
+        if (!factor_rows(island)) return false;
+        (void)solve_active<true>(island, limits::direct_settled_length);
+        settled = !change_active<true>(island, limits::direct_settled_length, set_i, begin);
+    }
+    add_up<true>(island);
+    const wide_scalar far = farthest(island), most = static_cast<wide_scalar>(limits::push_speed_max * h);
+    if (!settled || !(far < 1)) return false;
+    const wide_scalar share = far > most ? most / far : 1;  // none faster than a sweep pushes it, and all of them in proportion
+    for (int body_i = 1; body_i < island.body_count; ++body_i) {
+        const DirectBody& body = island.bodies[body_i];
+        SolverBody& moved = solver.bodies[body.body_i];
+        put_scalars(moved.dp, in_double(moved.dp) + body.linear * share);
+        put_scalars(moved.dth, in_double(moved.dth) + body.angular * share);
+    }
+    return true;
+}
+
+} }  // namespace ingot

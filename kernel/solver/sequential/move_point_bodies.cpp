@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "move_point_bodies.h"
+
+#include "../../base/limits.h"
+#include "../../body/kinematics.h"
+#include "../../math/sqrt.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+namespace {
+
+void add_motion(PointMotion& to, const PointMotion& rate, scalar h) {
+    to.linear += rate.linear * h;
+    to.angular += rate.angular * h;
+    to.moment += rate.moment * h;
+}
+
+/// False for NaN. An L that is not finite has no omega that is.
+bool is_valid(const PointMotion& motion) {
+    const scalar most = limits::speed_runaway;
+    const Vector& v = motion.linear;
+    return abs(v.x) <= most && abs(v.y) <= most && abs(v.z) <= most && is_within_runaway(motion.angular);
+}
+
+void take_in_point_body(PointBody& body, const BodyView& bodies, const Vector& gravity, scalar h, int slot) {
+    const Place at = place_of(slot);
+    const TranslationTile& translation = bodies.translation[at.tile];
+    const RotationTile& rotation = bodies.rotation[at.tile];
+    const scalar inv_M = translation.inv_M[at.lane];
+    if (body.inv_M > 0 || !(inv_M > 0)) return;
+    const SymmetricMatrix inv_I_world = lane_of(translation.inv_I_world, at.lane);
+    const Vector L = lane_of(rotation.L, at.lane), tau = lane_of(rotation.tau_T, at.lane);
+    const PointMotion forces = {lane_of(translation.F_T, at.lane) * inv_M + gravity, inv_I_world * tau, tau};
+    const PointMotion velocity = {lane_of(translation.v_CM, at.lane), inv_I_world * L, L};
+    PointMotion at_end = velocity;
+    add_motion(at_end, forces, h);
+    if (!is_valid(at_end)) return mark_lane_bad(bodies.rotation[at.tile].bad, at.lane);
+    body = {lane_of(translation.r_CM, at.lane), inv_M, inv_I_world, forces, velocity, {}, velocity, false};
+}
+
+/// What a substep begins with: forces change the velocity of a body for h seconds, or it changes again by what it changed in the substep before.
+scalar begin_substep(const PointView& solver, bool again, scalar h) {
+    scalar fastest_sq = 0;
+    for (int slot = 0; slot < solver.slot_count; ++slot) {
+        PointBody& body = solver.bodies[slot];
+        if (!(body.inv_M > 0)) continue;
+        const PointMotion before = body.begin;
+        body.begin = body.velocity;
+        if (again) {
+            add_motion(body.velocity, body.velocity, 1);
+            add_motion(body.velocity, before, -1);
+        } else {
+            add_motion(body.velocity, body.forces, h);
+        }
+        fastest_sq = max(fastest_sq, length_sq(body.velocity.linear));
+    }
+    return min(sqrt(fastest_sq), limits::rounding_speed_max);
+}
+
+}  // namespace
+
+void take_in_bodies(PointView& solver, const BodyView& bodies, const Vector& gravity, scalar h) {
+    solver.slot_count = bodies.tile_count * lanes;
+    for (int slot = 0; slot < solver.slot_count; ++slot) {
+        solver.bodies[slot].inv_M = 0;  // of a body that does not move, nothing else is looked at
+        solver.bodies[slot].hit = false;
+    }
+    for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i) {
+        const BodyPair& pair = solver.pairs[manifold_i];
+        take_in_point_body(solver.bodies[pair.body_A], bodies, gravity, h, pair.body_A);
+        take_in_point_body(solver.bodies[pair.body_B], bodies, gravity, h, pair.body_B);
+    }
+}
+
+scalar kick_bodies(const PointView& solver, scalar h) { return begin_substep(solver, false, h); }
+
+scalar kick_again(const PointView& solver) { return begin_substep(solver, true, 0); }
+
+SubstepOfPoints drift_bodies(const PointView& solver, scalar h) {
+    SubstepOfPoints substep = {false, true};
+    for (int slot = 0; slot < solver.slot_count; ++slot) {
+        PointBody& body = solver.bodies[slot];
+        if (!(body.inv_M > 0)) continue;
+        const Vector change = body.velocity.linear - body.begin.linear, spun = body.velocity.moment - body.begin.moment;
+        const scalar forced = sqrt(length_sq(body.forces.linear)) * h, steady_change = limits::steady_acceleration * forced + limits::settled_speed;
+        const scalar change_sq = length_sq(change), spin_sq = dot(spun, body.velocity.angular - body.begin.angular) * body.inv_M;
+        body.hit = change_sq > 4 * forced * forced;
+        substep.some_hit = substep.some_hit || body.hit;
+        substep.steady = substep.steady && change_sq + spin_sq <= steady_change * steady_change;
+        add_motion(body.displacement, body.velocity, h);
+        if (!body.hit) body.displacement.linear -= change * (h / 2);
+    }
+    return substep;
+}
+
+void write_contact_motion(const PointView& solver, const BodyView& bodies, const Vector& gravity, scalar h) {
+    for (int slot = 0; slot < solver.slot_count; ++slot) {
+        const PointBody& body = solver.bodies[slot];
+        if (!(body.inv_M > 0)) continue;
+        const Place at = place_of(slot);
+        const PointMotion &velocity = body.velocity, &displacement = body.displacement;
+        if (!is_valid(velocity) || !is_finite(displacement.linear) || !is_finite(displacement.moment)) {
+            mark_lane_bad(bodies.rotation[at.tile].bad, at.lane);
+            continue;
+        }
+        RotationTile& rotation = bodies.rotation[at.tile];
+        TranslationTile& translation = bodies.translation[at.tile];
+        const scalar inv_h = 1 / h;
+        const Vector a = (velocity.linear - displacement.linear * inv_h) * (2 * inv_h);
+        set_lane(translation.v_CM, at.lane, velocity.linear);
+        set_lane(translation.F_T, at.lane, (a - gravity) * (1 / body.inv_M));
+        set_lane(rotation.L, at.lane, velocity.moment);
+        set_lane(rotation.tau_T, at.lane, (velocity.moment - displacement.moment * inv_h) * (2 * inv_h));
+        rotation.kicked = static_cast<uint16_t>(rotation.kicked | 1u << at.lane);
+    }
+}
+
+} }  // namespace ingot

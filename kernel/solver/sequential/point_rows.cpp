@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "point_rows.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+namespace {
+
+void push_body(PointBody& body, MotionOfBody kind, const Vector& P, const Vector& impulse, const Vector& moment) {
+    if (!(body.inv_M > 0)) return;
+    PointMotion& motion = body.*kind;
+    const Vector change = cross(P - body.r_CM, impulse) + moment;
+    motion.linear += impulse * body.inv_M;
+    motion.angular += body.inv_I_world * change;
+    motion.moment += change;
+}
+
+scalar compliance_of(const PointBody& body, const Vector& P, const Vector& n) {
+    if (!(body.inv_M > 0)) return 0;
+    const Vector J = cross(P - body.r_CM, n);
+    return body.inv_M + dot(J, body.inv_I_world * J);
+}
+
+/// The trace of the compliance at P less its part along n.
+scalar compliance_across_of(const PointBody& body, const Vector& P, const Vector& n) {
+    if (!(body.inv_M > 0)) return 0;
+    const SymmetricMatrix& inv_I = body.inv_I_world;
+    const Vector r = P - body.r_CM;
+    const scalar trace = 3 * body.inv_M + (inv_I.xx + inv_I.yy + inv_I.zz) * length_sq(r) - dot(r, inv_I * r);
+    return trace - compliance_of(body, P, n);
+}
+
+scalar compliance_about_of(const PointBody& body, const Vector& n) {
+    if (!(body.inv_M > 0)) return 0;
+    return dot(n, body.inv_I_world * n);
+}
+
+}  // namespace
+
+RelativeVelocity relative_motion(const PointPair& pair, MotionOfBody kind, const Vector& P) {
+    const PointMotion &A = pair.A.*kind, &B = pair.B.*kind;
+    Vector linear = {0, 0, 0}, angular = {0, 0, 0};
+    if (pair.A.inv_M > 0) {
+        linear = A.linear + cross(A.angular, P - pair.A.r_CM);
+        angular = A.angular;
+    }
+    if (pair.B.inv_M > 0) {
+        linear -= B.linear + cross(B.angular, P - pair.B.r_CM);
+        angular -= B.angular;
+    }
+    return {linear, angular};
+}
+
+void push_pair(const PointPair& pair, MotionOfBody kind, const Vector& P, const Vector& impulse, const Vector& moment) {
+    push_body(pair.A, kind, P, impulse, moment);
+    push_body(pair.B, kind, P, -impulse, -moment);
+}
+
+scalar compliance_at(const PointPair& pair, const Vector& P, const Vector& n) { return compliance_of(pair.A, P, n) + compliance_of(pair.B, P, n); }
+
+scalar compliance_across(const PointPair& pair, const Vector& P, const Vector& n) {
+    return compliance_across_of(pair.A, P, n) + compliance_across_of(pair.B, P, n);
+}
+
+scalar compliance_about(const PointPair& pair, const Vector& n) { return compliance_about_of(pair.A, n) + compliance_about_of(pair.B, n); }
+
+} }  // namespace ingot

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// What the light solver works on, without its capacities: bodies as its rows read and write them, and what it keeps of a manifold within a step.
+//
+// Rows are not stored. What a manifold does to two bodies is an impulse at a point and a moment; what a row reads is their motion against each
+// other at a point. Both are worked out in the visit, from r_CM and inv_I_world, and are the same for velocities and for displacements.
+#pragma once
+
+#include "../../body/body_tiles.h"
+#include "../../narrow_phase/manifold_record.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// A motion of a body and its cause: angular = inv_I_world moment.
+struct PointMotion {
+    Vector linear;   ///< m/s of velocities; m of displacements
+    Vector angular;  ///< rad/s; rad
+    Vector moment;   ///< kg m^2/s, which is L; kg m^2
+};
+
+/// World axes. With inv_M = 0 it cannot move, has gone bad, or touches nothing, and the rest means nothing.
+struct PointBody {
+    Vector r_CM;      ///< m
+    scalar inv_M;     ///< kg^-1
+    SymmetricMatrix inv_I_world;
+    PointMotion forces;        ///< per second, of velocity: gravity, and what the user adds
+    PointMotion velocity;
+    PointMotion displacement;  ///< since the step began
+    PointMotion begin;         ///< velocity at the begin of the substep
+    bool hit;         ///< in the substep: its velocity changed by more than forces explain
+};
+
+/// What a manifold gives: A gets it, B the opposite.
+struct PointImpulses {
+    scalar j[Manifold::points_max];  ///< N s, along n at the points
+    Vector friction;                 ///< N s, at the middle
+    scalar torsion;                   ///< N m s, about n
+};
+
+/// A compliance of 0 is not known yet: it is worked out by the first row that changes.
+struct PointContact {
+    Vector middle;      ///< m, where friction takes hold
+    scalar radius;      ///< m, mean distance of the points from it: the lever that resists a twist; 0 for one point
+    scalar K[Manifold::points_max];       ///< kg^-1, of the normals
+    scalar K_friction;                    ///< kg^-1, at the middle, across n: no less than 3/4 of the greatest
+    scalar target[Manifold::points_max];  ///< m/s, that A may approach B with in the substep, at least
+    PointImpulses change, along;  ///< of the sweep; conjugate gradients: the direction so far
+};
+
+struct PointView {
+    const BodyPair* pairs;    ///< that touch, sorted by slots
+    ManifoldRecord* records;  ///< of the pairs
+    int manifold_count;
+    PointBody* bodies;        ///< by body slot
+    PointContact* contacts;   ///< by place in pairs
+    int slot_count;           ///< bodies looked at
+};
+
+} }  // namespace ingot

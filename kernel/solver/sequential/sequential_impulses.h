@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// `using solver = ingot::SequentialImpulses;` of a scene, in the least memory there is.
+#pragma once
+
+#include "solve_sequentially.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// `using solver = ingot::SequentialImpulses;`, for a few bodies on a small target: ten or twenty that stand, slide, roll, fall. Towers
+/// of ten sink by 0.04 mm, and 10 kg on three times 1 kg by 0.2; for more, or for restitution, there is BlockSweeps. Sweeps go point by
+/// point in scalar arithmetic, whatever `lanes` is. Nothing bounces: set bounces = false.
+///
+/// RAM of the world in float: 188 bytes a body and 116 a manifold, where BlockSweeps on one lane takes 220 and 720. Flash on a
+/// Cortex-M4F: 7 KB, where they take 20. Time at rest is less than theirs. What begins to move takes up to four times as much, for they
+/// solve the points of a manifold at once.
+struct SequentialImpulses {
+    static constexpr bool is_direct = false, is_pointwise = true;
+
+    template <int max_bodies, int max_manifolds>
+    struct Memory {
+        PointBody point_bodies[static_cast<unsigned>((max_bodies + lanes - 1) / lanes * lanes)] = {};
+        PointContact point_contacts[static_cast<unsigned>(max_manifolds)] = {};
+
+        PointView solver_of(const BodyPair* pairs, ManifoldRecord* records, int manifold_count) {
+            return {pairs, records, manifold_count, point_bodies, point_contacts, 0};
+        }
+        template <bool notes_impulses, bool>
+        void solve_contacts(PointView& solver, const BodyView& bodies, const Vector& gravity, scalar h, ImpactNote* notes, StepReport& report) {
+            solve_points<notes_impulses>(solver, bodies, gravity, h, notes, report);
+        }
+    };
+};
+
+} }  // namespace ingot

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "move_bodies.h"
+
+#include "../../base/limits.h"
+#include "../../body/kinematics.h"
+#include "../../math/rotation.h"
+#include "../../math/sqrt.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+namespace {
+
+void set4(scalar (&to)[4], const Vector& value, scalar fourth = 0) {
+    to[0] = value.x;
+    to[1] = value.y;
+    to[2] = value.z;
+    to[3] = fourth;
+}
+Vector vector_of(const scalar (&from)[4]) { return {from[0], from[1], from[2]}; }
+
+/// True where forces or contacts leave the motion of a body within limits::speed_runaway and spin_runaway. False for NaN.
+bool stays_in_range(const RotationTile& rotation, const Vector& v_CM, const Vector& L, int lane_i) {
+    const scalar most = limits::speed_runaway, scale = rotation.inv_I_scale[lane_i];
+    if (!(abs(v_CM.x) <= most && abs(v_CM.y) <= most && abs(v_CM.z) <= most)) return false;
+    if ((abs(L.x) + abs(L.y) + abs(L.z)) * scale <= limits::spin_runaway) return true;  // no ratio is beyond 1: omega is not longer than that
+    return is_within_runaway(spin_of(lane_of(rotation.A, lane_i), lane_of(rotation.inv_I_ratio, lane_i) * scale, L));
+}
+
+/// The solver's own body of a slot; 0 for one that cannot move, or that has gone bad: what it does must not reach those that touch it.
+uint16_t take_in(SolverView& solver, const BodyView& bodies, const Vector& gravity, scalar h, int slot) {
+    const Place at = place_of(slot);
+    const scalar inv_M = bodies.translation[at.tile].inv_M[at.lane];
+    if (!(inv_M > 0)) return 0;
+    if (solver.local_of[slot] != 0) return solver.local_of[slot];
+    RotationTile& rotation = bodies.rotation[at.tile];
+    const Vector v_CM = lane_of(bodies.translation[at.tile].v_CM, at.lane), L = lane_of(rotation.L, at.lane);
+    const Vector a = lane_of(bodies.translation[at.tile].F_T, at.lane) * inv_M + gravity, tau = lane_of(rotation.tau_T, at.lane);
+    if (!stays_in_range(rotation, v_CM + a * h, L + tau * h, at.lane)) {
+        mark_lane_bad(rotation.bad, at.lane);
+        return 0;
+    }
+    const int local = solver.body_count++;
+    solver.local_of[slot] = static_cast<uint16_t>(local);
+    solver.slot_of[local] = static_cast<uint16_t>(slot);
+
+    SolverBody& body = solver.bodies[local];
+    SolverBodyHistory& history = solver.histories[local];
+    body = {};
+    history = {};
+    set4(body.v_CM, v_CM, inv_M);
+    set4(body.L, L);
+    set4(body.dp, {}, sqrt(length_sq(a)));
+    set4(history.a, a);
+    set4(history.tau, tau);
+    return solver.local_of[slot];
+}
+
+}  // namespace
+
+void take_in_bodies(SolverView& solver, const BodyView& bodies, const Vector& gravity, scalar h) {
+    solver.bodies[0] = {};
+    solver.histories[0] = {};
+    solver.body_count = 1;
+    for (int slot = 0; slot < bodies.tile_count * lanes; ++slot) solver.local_of[slot] = 0;
+    for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i) {
+        (void)take_in(solver, bodies, gravity, h, solver.pairs[manifold_i].body_A);
+        (void)take_in(solver, bodies, gravity, h, solver.pairs[manifold_i].body_B);
+    }
+}
+
+void kick_bodies(SolverView& solver, scalar h) {
+    scalar fastest_sq = 0;
+    for (int body_i = 1; body_i < solver.body_count; ++body_i) {
+        SolverBody& body = solver.bodies[body_i];
+        SolverBodyHistory& history = solver.histories[body_i];
+        for (int i = 0; i < 4; ++i) history.v_begin[i] = body.v_CM[i];  // the fourth of a and tau is 0
+        for (int i = 0; i < 4; ++i) history.L_begin[i] = body.L[i];
+        for (int i = 0; i < 4; ++i) body.v_CM[i] = body.v_CM[i] + history.a[i] * h;
+        for (int i = 0; i < 4; ++i) body.L[i] = body.L[i] + history.tau[i] * h;
+        fastest_sq = max(fastest_sq, length_sq(vector_of(body.v_CM)));
+    }
+    solver.speed_max = min(sqrt(fastest_sq), limits::rounding_speed_max);
+}
+
+void drift_bodies(SolverView& solver, const BodyView& bodies, scalar h) {
+    solver.some_hit = false;
+    for (int body_i = 1; body_i < solver.body_count; ++body_i) {
+        SolverBody& body = solver.bodies[body_i];
+        SolverBodyHistory& history = solver.histories[body_i];
+        const Place at = place_of(solver.slot_of[body_i]);
+        const Vector v = vector_of(body.v_CM), change = v - vector_of(history.v_begin), L = vector_of(body.L);
+        const scalar smooth = 2 * h * body.dp[3];
+        const bool hit = length_sq(change) > smooth * smooth;
+        const Vector dp = vector_of(body.dp) + (hit ? v : v - change * scalar(0.5)) * h;
+        const SymmetricMatrix inv_I_world = lane_of(bodies.translation[at.tile].inv_I_world, at.lane);
+        const Vector turn = inv_I_world * L * h, spun = L - vector_of(history.L_begin);
+        solver.some_hit = solver.some_hit || hit;
+        const scalar steady_change = limits::steady_acceleration * body.dp[3] * h + limits::settled_speed;
+        solver.steady = solver.steady && length_sq(change) + dot(spun, inv_I_world * spun) * body.v_CM[3] <= steady_change * steady_change;
+        set4(body.dp, dp, body.dp[3]);
+        set4(body.dth, vector_of(body.dth) + turn);
+        body.L[3] = hit ? scalar(1) : scalar(0);
+        set4(history.L_sum, vector_of(history.L_sum) + L * shares_of_substep(solver));
+    }
+}
+
+void write_contact_motion(const SolverView& solver, const BodyView& bodies, const Vector& gravity, scalar h) {
+    for (int body_i = 1; body_i < solver.body_count; ++body_i) {
+        const SolverBody& body = solver.bodies[body_i];
+        const SolverBodyHistory& history = solver.histories[body_i];
+        const Place at = place_of(solver.slot_of[body_i]);
+        const Vector v = vector_of(body.v_CM), L = vector_of(body.L), dp = vector_of(body.dp);
+        RotationTile& rotation = bodies.rotation[at.tile];
+        TranslationTile& translation = bodies.translation[at.tile];
+        const uint16_t bit = static_cast<uint16_t>(1u << at.lane);
+        if (!stays_in_range(rotation, v, L, at.lane) || !is_finite(dp) || !is_finite(vector_of(body.dth))) {
+            rotation.bad = static_cast<uint16_t>(rotation.bad | bit);
+            continue;
+        }
+        const Vector a = (v - dp * (1 / h)) * (2 / h), L_mean = vector_of(history.L_sum) * (scalar(1) / limits::substeps);
+        set_lane(translation.v_CM, at.lane, v);
+        set_lane(translation.F_T, at.lane, (a - gravity) * (1 / body.v_CM[3]));
+        set_lane(rotation.L, at.lane, L);
+        set_lane(rotation.tau_T, at.lane, (L - L_mean) * (2 / h));
+        rotation.kicked = static_cast<uint16_t>(rotation.kicked | bit);
+    }
+}
+
+void turn_by_corrections(const SolverView& solver, const BodyView& bodies, scalar h) {
+    for (int body_i = 1; body_i < solver.body_count; ++body_i) {
+        const Place at = place_of(solver.slot_of[body_i]);
+        const Vector L_sum = vector_of(solver.histories[body_i].L_sum);
+        const Vector drift = lane_of(bodies.translation[at.tile].inv_I_world, at.lane) * L_sum * (h / limits::substeps);
+        const Vector push = vector_of(solver.bodies[body_i].dth) - drift;
+        if (!(length_sq(push) > limits::settled_turn * limits::settled_turn)) continue;
+        RotationTile& rotation = bodies.rotation[at.tile];
+        if ((rotation.bad >> at.lane & 1u) != 0) continue;
+        const Matrix A = lane_of(rotation.A, at.lane);
+        // By Cayley's formula, a rotation however far the push: A += 2/(1 + c.c) (c x A + c x (c x A)) with c = push/2.
+        const Vector c = push * scalar(0.5);
+        const scalar f = 2 / (1 + length_sq(c));
+        const auto turned = [&](const Vector& a) { return a + (cross(c, a) + cross(c, cross(c, a))) * f; };
+        const Matrix A_turned = {turned(A.c0), turned(A.c1), turned(A.c2)}, A_next = A_turned + polar_correction(A_turned);
+        if (is_finite(A_next)) set_lane(rotation.A, at.lane, A_next);
+    }
+}
+
+} }  // namespace ingot

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// Bodies on their way through the solver: in, through the substeps, and out again.
+#pragma once
+
+#include "../../constraint/solver_view.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// Fills the solver's bodies with those that touch and can move. One that its forces drive out of the range within the step of h
+/// seconds is marked bad and left out: to those that touch it, it is immovable already, as it is from the next step on.
+void take_in_bodies(SolverView& solver, const BodyView& bodies, const Vector& gravity, scalar h);
+
+/// Forces of a substep of h seconds: v_CM += a h, L += tau h.
+void kick_bodies(SolverView& solver, scalar h);
+
+/// Displacements of a substep: dp += h v, dth += h omega; by the trapezoid where the velocity changed smoothly, so that a steady acceleration is
+/// exact. A change beyond 2 h |a| is an impact, which is flagged for the next warm start.
+void drift_bodies(SolverView& solver, const BodyView& bodies, scalar h);
+
+/// Gives the motion that was found to the bodies that touch: v_CM and L of the end of the step, and, in F_T and tau_T, the constant force and
+/// torque that lead to the same displacement: integrate_r and the rotation then take them for what they are.
+/// Comes after integrate_v and integrate_L.
+void write_contact_motion(const SolverView& solver, const BodyView& bodies, const Vector& gravity, scalar h);
+
+/// The small turns by which overlaps were taken back. Comes after the rotation.
+void turn_by_corrections(const SolverView& solver, const BodyView& bodies, scalar h);
+
+} }  // namespace ingot

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "../../constraint/impact_note.h"
+#include "../../constraint/solver_view.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// No manifold has carried an impulse yet.
+void clear_impulse_notes(const SolverView& solver, ImpactNote* notes);
+
+/// Notes which manifolds carry an impulse at the end of a substep: what a bounce gives in one is gone in the next.
+void note_impulses(const SolverView& solver, ImpactNote* notes);
+
+} }  // namespace ingot

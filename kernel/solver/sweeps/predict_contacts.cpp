@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "predict_contacts.h"
+
+#include "../../base/limits.h"
+#include "../../math/sqrt.h"
+#include "../../constraint/block_rows.h"
+#include "../../constraint/row_flight.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+namespace {
+
+/// Points that bounce within the substep leave with what gravity gives them after the impact, from where they meet; those that do not meet
+/// are left alone.
+INGOT_RARE void predict_bounces_of(ContactBlock& block, const SolverView& solver, scalar h) {
+    const BlockFlight flight = flight_of(solver, block);
+    const lane step = splat<lane>(h), half = splat<lane>(scalar(0.5)), e = load(block.e);
+    for (int row = 0; row < block.rows; ++row) {
+        const RowFlight& from = flight.row[row];
+        const RowImpact impact = impact_of(from, step);
+        const mask bounces = both(bounces_off(impact, e), is_used(block, row)), flies = both(opposite(impact.meets), e > lane{});
+        const lane leaving = -e * impact.speed, rest = step - impact.when;
+        store(block.row[row].target, select(bounces, leaving + from.a * rest, select(flies, no_bound(from, step), load(block.row[row].target))));
+        store(block.row[row].landing, select(bounces, leaving * rest + from.a * rest * rest * half, splat<lane>(limits::unbounded)));
+    }
+}
+
+}  // namespace
+
+void predict_contacts(const SolverView& solver, scalar h) {
+    const lane inv_h = splat<lane>(1 / h);
+    for (int block_i = 0; block_i < solver.block_count; ++block_i) {
+        ContactBlock& block = solver.blocks[block_i];
+        const BodyPairLanes displaced = gather_bodies(solver, block, &SolverBody::dp, &SolverBody::dth);
+        const Vec3<lane> n = load(block.n);
+        const lane apart = dot(n, displaced.linear_A - displaced.linear_B);
+        for (int row = 0; row < block.rows; ++row) store(block.row[row].target, resting_target(separation_now(block, row, apart, displaced), inv_h));
+    }
+}
+
+void predict_bounces(const SolverView& solver, scalar h) {
+    for (int block_i = 0; block_i < solver.block_count; ++block_i)
+        if (any(load(solver.blocks[block_i].e) > lane{})) predict_bounces_of(solver.blocks[block_i], solver, h);
+}
+
+} }  // namespace ingot

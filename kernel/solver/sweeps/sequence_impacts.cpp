@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: MIT
+#include "sequence_impacts.h"
+
+#include "../../base/limits.h"
+#include "../../math/sqrt.h"
+#include "../../constraint/block_rows.h"
+#include "../../constraint/row_flight.h"
+#include "sweep_velocities.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+namespace {
+
+// What colours_of_body says of a body: how many of its contacts bounce, and two marks.
+constexpr uint32_t leans = 1u << 31;    ///< on something without restitution
+constexpr uint32_t changed = 1u << 30;  ///< by the impact at hand
+constexpr uint32_t bouncing = changed - 1;
+
+constexpr scalar no_impact = limits::unbounded;  ///< no impact in this substep
+constexpr scalar at_hand = -1;               ///< an impact of those that are solved now
+
+/// When a contact has its next impact, s from the begin of the substep: kept where a single bounce keeps the place at which it
+/// lands.
+scalar& time_of(ContactBlock& block, int lane_i) { return block.row[0].landing[lane_i]; }
+
+template <class Of>
+void for_each_contact(const SolverView& solver, const Of& of) {
+    for (int block_i = 0; block_i < solver.block_count; ++block_i)
+        for (int lane_i = 0; lane_i < lanes; ++lane_i)
+            if (solver.blocks[block_i].manifold[lane_i] != no_manifold) of(block_i, lane_i);
+}
+
+bool in_chain(const SolverView& solver, const ContactBlock& block, int lane_i) {
+    if (!(block.e[lane_i] > 0)) return false;
+    const uint32_t A = block.body_A[lane_i] != 0 ? solver.colours_of_body[block.body_A[lane_i]] : 0;
+    const uint32_t B = block.body_B[lane_i] != 0 ? solver.colours_of_body[block.body_B[lane_i]] : 0;
+    return ((A | B) & leans) == 0 && ((A & bouncing) > 1 || (B & bouncing) > 1);
+}
+
+template <class Of>
+void for_each_in_chain(const SolverView& solver, const Of& of) {
+    for_each_contact(solver, [&](int block_i, int lane_i) {
+        if (in_chain(solver, solver.blocks[block_i], lane_i)) of(block_i, lane_i);
+    });
+}
+
+/// The next impact of a contact after `now`; with aim_rows its rows get their targets, in velocities of the begin of the
+/// substep.
+scalar next_impact(const SolverView& solver, ContactBlock& block, int lane_i, scalar now, scalar h, bool aim_rows) {
+    const BlockFlight flight = flight_of(solver, block);
+    scalar first = no_impact;
+    for (int row = 0; row < block.rows; ++row) {
+        const RowFlight from = flight_from(flight.row[row], splat<lane>(now));
+        const RowImpact impact = impact_of(from, splat<lane>(h - now));
+        scalar when[lanes], target[lanes];
+        const mask bounces = both(bounces_off(impact, load(block.e)), is_used(block, row));
+        store(when, select(bounces, splat<lane>(now) + impact.when, splat<lane>(no_impact)));
+        if (when[lane_i] < first) first = when[lane_i];
+        if (!aim_rows) continue;
+        const lane leaving = -load(block.e) * impact.speed - flight.row[row].a * (splat<lane>(now) + impact.when);
+        store(target, select(bounces, leaving, no_bound(flight.row[row], splat<lane>(h))));
+        block.row[row].target[lane_i] = target[lane_i];
+    }
+    return first;
+}
+
+template <class View>
+void drop_impulses([[maybe_unused]] const View& solver, [[maybe_unused]] int block_i, ContactBlock& block, int lane_i) {
+    for (int row = 0; row < block.rows; ++row) block.row[row].j[lane_i] = 0;
+    for (int axis = 0; axis < 2; ++axis) block.friction.j[axis][lane_i] = 0;
+    if (block.rows > 1) block.torsion.j[lane_i] = 0;
+    if constexpr (View::rolls)
+        for (int axis = 0; axis < 2; ++axis) solver.rolling[block_i].j[axis][lane_i] = 0;
+}
+
+/// Takes back what impulses given at the time `now` have not displaced before.
+template <class View>
+void take_back(const View& solver, [[maybe_unused]] int block_i, ContactBlock& block, int lane_i, scalar now) {
+    BodyPairLanes displaced = gather_bodies(solver, block, &SolverBody::dp, &SolverBody::dth);
+    const lane inv_M_A = load(block.inv_M_A), inv_M_B = load(block.inv_M_B), back = splat<lane>(-now);
+    const auto push = [&](const Levers& levers, const Vec3<lane>& direction, lane j) {
+        add_linear(displaced, direction * (j * back), inv_M_A, inv_M_B);
+        turn_by_push(displaced, levers, j * back);
+    };
+    for (int row = 0; row < block.rows; ++row) push(block.row[row].levers, load(block.n), load(block.row[row].j));
+    push(block.friction.levers[0], load(block.t_1), load(block.friction.j[0]));
+    push(block.friction.levers[1], load(block.t_2), load(block.friction.j[1]));
+    if (block.rows > 1) {
+        const lane torsion = load(block.torsion.j) * back;
+        displaced.angular_A += load(block.torsion.k_A) * torsion;
+        displaced.angular_B += load(block.torsion.k_B) * torsion;
+    }
+    if constexpr (View::rolls) {
+        const RollingRows& rolling = solver.rolling[block_i];
+        for (int axis = 0; axis < 2; ++axis) {
+            displaced.angular_A += load(rolling.k_A[axis]) * (load(rolling.j[axis]) * back);
+            displaced.angular_B += load(rolling.k_B[axis]) * (load(rolling.j[axis]) * back);
+        }
+    }
+    scatter_bodies(solver, block, static_cast<uint16_t>(1u << lane_i), displaced, &SolverBody::dp, &SolverBody::dth);
+}
+
+/// Solves the impacts at hand together, by sweeps over them alone.
+template <class View>
+void solve_at_hand(const View& solver, scalar now, ImpactNote* notes) {
+    Visit visit{};
+    View one = solver;
+    one.visits = &visit;
+    one.visit_count = 1;
+    const scalar settled = limits::settled_speed_of_small + 4 * epsilon * solver.speed_max;
+    scalar residual = scalar_max;
+    for (int sweep_i = 0; sweep_i < limits::sweeps_of_small && residual > settled; ++sweep_i) {
+        residual = 0;
+        for_each_in_chain(solver, [&](int block_i, int lane_i) {
+            if (time_of(solver.blocks[block_i], lane_i) != at_hand) return;
+            visit = {static_cast<uint16_t>(block_i), static_cast<uint16_t>(1u << lane_i), 0};
+            residual = max(residual, sweep_velocities(one, 1, true, limits::unbounded));
+        });
+    }
+    for_each_in_chain(solver, [&](int block_i, int lane_i) {
+        ContactBlock& block = solver.blocks[block_i];
+        if (time_of(block, lane_i) != at_hand) return;
+        take_back(solver, block_i, block, lane_i, now);
+        drop_impulses(solver, block_i, block, lane_i);
+        if (notes != nullptr) notes[block.manifold[lane_i]].carried = true;
+        solver.colours_of_body[block.body_A[lane_i]] |= changed;
+        solver.colours_of_body[block.body_B[lane_i]] |= changed;
+    });
+    solver.colours_of_body[0] &= ~changed;
+}
+
+/// Contacts of bodies that were changed are looked at again.
+void look_again(const SolverView& solver, scalar now, scalar h) {
+    for_each_in_chain(solver, [&](int block_i, int lane_i) {
+        ContactBlock& block = solver.blocks[block_i];
+        if (((solver.colours_of_body[block.body_A[lane_i]] | solver.colours_of_body[block.body_B[lane_i]]) & changed) == 0)
+            return;
+        time_of(block, lane_i) = next_impact(solver, block, lane_i, now, h, false);
+    });
+    for (int body_i = 1; body_i < solver.body_count; ++body_i) solver.colours_of_body[body_i] &= ~changed;
+}
+
+scalar first_impact(const SolverView& solver) {
+    scalar first = no_impact;
+    for_each_in_chain(solver, [&](int block_i, int lane_i) { first = min(first, time_of(solver.blocks[block_i], lane_i)); });
+    return first;
+}
+
+/// What the sweeps of the substep are to do with a contact after its last impact: nothing if it flies, else hold it.
+void aim_at_rest(const SolverView& solver, ContactBlock& block, int lane_i, scalar h) {
+    const BlockFlight flight = flight_of(solver, block);
+    for (int row = 0; row < block.rows; ++row) {
+        const RowFlight& from = flight.row[row];
+        scalar target[lanes];
+        store(target,
+              select(meets(from, splat<lane>(h)), resting_target(from.s, splat<lane>(1 / h)), no_bound(from, splat<lane>(h))));
+        block.row[row].target[lane_i] = target[lane_i];
+        block.row[row].landing[lane_i] = limits::unbounded;
+    }
+}
+
+}  // namespace
+
+bool find_impact_chains(const SolverView& solver) {
+    bool some = false;
+    for (int block_i = 0; block_i < solver.block_count && !some; ++block_i) some = any(load(solver.blocks[block_i].e) > lane{});
+    if (!some) return false;
+    some = false;
+    for (int body_i = 0; body_i < solver.body_count; ++body_i) solver.colours_of_body[body_i] = 0;
+    for_each_contact(solver, [&](int block_i, int lane_i) {
+        const ContactBlock& block = solver.blocks[block_i];
+        uint32_t &A = solver.colours_of_body[block.body_A[lane_i]], &B = solver.colours_of_body[block.body_B[lane_i]];
+        if (block.e[lane_i] > 0) {
+            ++A, ++B;
+            some =
+                some || (block.body_A[lane_i] != 0 && (A & bouncing) > 1) || (block.body_B[lane_i] != 0 && (B & bouncing) > 1);
+            return;
+        }
+        bool touches = false;
+        for (int row = 0; row < block.rows; ++row)
+            touches = touches ||
+                      (block.B[Sym4::index(row, row)][lane_i] > 0 && block.row[row].separation[lane_i] <= limits::touching_gap);
+        if (touches) A |= leans, B |= leans;
+    });
+    return some;
+}
+
+template <class View>
+bool sequence_impacts(const View& solver, scalar h, ImpactNote* notes, StepReport& report) {
+    int contacts = 0;
+    bool some = false;
+    for_each_in_chain(solver, [&](int block_i, int lane_i) {
+        ContactBlock& block = solver.blocks[block_i];
+        time_of(block, lane_i) = next_impact(solver, block, lane_i, 0, h, false);
+        ++contacts;
+    });
+    for (int impact_i = 0; impact_i < limits::impacts_of_contact * contacts; ++impact_i) {
+        const scalar now = first_impact(solver);
+        if (!(now < no_impact)) break;
+        for_each_in_chain(solver, [&](int block_i, int lane_i) {
+            ContactBlock& block = solver.blocks[block_i];
+            if (!(time_of(block, lane_i) <= now + limits::together * h)) return;
+            (void)next_impact(solver, block, lane_i, now, h, true);
+            time_of(block, lane_i) = at_hand;
+            drop_impulses(solver, block_i, block, lane_i);
+        });
+        solve_at_hand(solver, now, notes);
+        look_again(solver, now, h);
+        count(report.impact_waves);
+        some = true;
+    }
+    for_each_in_chain(solver, [&](int block_i, int lane_i) {
+        ContactBlock& block = solver.blocks[block_i];
+        if (time_of(block, lane_i) < no_impact) count(report.impacts_deferred);
+        aim_at_rest(solver, block, lane_i, h);
+    });
+    return some;
+}
+
+// The linker takes the one that the scene calls.
+template bool sequence_impacts(const SolverView&, scalar, ImpactNote*, StepReport&);
+template bool sequence_impacts(const RollingView&, scalar, ImpactNote*, StepReport&);
+template bool sequence_impacts(const BeltView&, scalar, ImpactNote*, StepReport&);
+template bool sequence_impacts(const RollingBeltView&, scalar, ImpactNote*, StepReport&);
+
+} }  // namespace ingot

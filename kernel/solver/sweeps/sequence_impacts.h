@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "../../base/report.h"
+#include "../../constraint/impact_note.h"
+#include "../../constraint/material_view.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// Looks once a step for contacts whose impacts may cause others: both bodies bounce off whatever they touch, and one of them
+/// has another contact that bounces. Needs colours_of_body, which holds the answer for the substeps. False if there are none.
+///
+/// A body that leans on something without restitution is not among them: what it leans on pushes while the impact lasts, and
+/// the two are solved as one. A ball that hits a crate on the floor bounces as off the floor; a ball that hits a row of balls
+/// bounces as off the first of them.
+bool find_impact_chains(const SolverView& solver);
+
+/// At the begin of a substep of h seconds, after predict_contacts and before its forces: impacts of those contacts, one after
+/// the other in the order of time, each leaving with -e times its speed. Those of one time are solved together, and what they
+/// make approach comes next.
+///
+/// Between impacts bodies fly along parabolas. An impulse that is given at the time t is given from the begin on, and -t times
+/// what it does is added to the displacements: later impacts, and the end of the substep, are then where they should be.
+/// Energy: of an impact it changes by -(1 - e) j |u| / 2 summed over its rows: it never grows, and stays for e = 1 without
+/// friction. Bound: limits::impacts_of_contact impacts for each contact; what still approaches then bounces no more in this
+/// substep, and counts in impacts_deferred. notes: of the contacts that carried an impulse; may be null.
+template <class View>
+bool sequence_impacts(const View& solver, scalar h, ImpactNote* notes, StepReport& report);
+
+} }  // namespace ingot
