@@ -107,7 +107,7 @@ def loops_of(path):
 def rows_of(name):
     if "--without-lists" in sys.argv:
         return []  # for the test that what is not listed is noticed
-    with open(os.path.join(HERE, name)) as file:
+    with open(os.path.join(os.path.dirname(HERE), "tables", name)) as file:
         return list(csv.DictReader(line for line in file if not line.startswith("#")))
 
 
