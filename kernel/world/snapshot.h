@@ -199,6 +199,7 @@ constexpr uint64_t scene_signature() {
         for (int byte_i = 0; byte_i < 8; ++byte_i) hash = (hash ^ (number >> (8 * byte_i) & 0xffu)) * 0x100000001b3u;
     };
     const auto add_name = [&hash](const char* name) {
+        // bound: the name: a constant string of the method; computed by the compiler
         for (; *name != 0; ++name) hash = (hash ^ static_cast<uint8_t>(*name)) * 0x100000001b3u;
         hash *= 0x100000001b3u;
     };
@@ -207,12 +208,14 @@ constexpr uint64_t scene_signature() {
     add(static_cast<uint64_t>(S::max_contacts));
     add(static_cast<uint64_t>(S::max_manifolds));
     add(static_cast<uint64_t>(S::max_pairs));
+    // bound: the kinds of shapes
     for (int kind = 0; kind <= static_cast<int>(ShapeKind::half_space); ++kind)
         add(S::shapes::has(static_cast<ShapeKind>(kind)) ? 1 : 0);
     if (has_compounds<S>) add(static_cast<uint64_t>(S::max_shapes_of_body));
-    for (int form = 0; form < hulls_of<S>.count; ++form) {
+    for (int form = 0; form < hulls_of<S>.count; ++form) {  // bound: the hulls that the scene names
         const ConvexHull& hull = hulls_of<S>.hulls[form];
         const auto add_length = [&add](scalar metres) { add(static_cast<uint64_t>(static_cast<int64_t>(metres * scalar(1 << 30)))); };
+        // bound: limits::hull_vertices_max
         for (int vertex_i = 0; vertex_i < hull.vertex_count; ++vertex_i) {
             add_length(hull.vertices[vertex_i].x);
             add_length(hull.vertices[vertex_i].y);
@@ -248,6 +251,7 @@ template <class S>
 void write_manifolds(ByteWriter& writer, const Storage<S>& storage) {
     uint16_t count = storage.manifold_count;
     writer(count);
+    // bound: max_manifolds: more is refused before
     for (int pair_i = 0; pair_i < count; ++pair_i) {
         const BodyPair& pair = storage.pairs[pair_i];
         SavedManifold saved{pair.body_A, pair.body_B, storage.records[pair.record], {}};
@@ -315,6 +319,7 @@ template <class S>
 void write_shapes(ByteWriter& writer, const Storage<S>& storage, int slot) {
     uint8_t count = static_cast<uint8_t>(shape_count_of(storage, slot));
     writer(count);
+    // bound: max_shapes_of_body: count falls each turn
     for (int shape_slot = slot * S::max_shapes_of_body; count > 0; ++shape_slot, --count) {
         SavedShape shape{saved_surface(storage.surfaces[shape_slot]), storage.shape_places[shape_slot], 0};
         if constexpr (has_sensors<S>) shape.sensor = storage.is_sensor[shape_slot];
@@ -335,6 +340,7 @@ Status read_shapes(ByteReader& reader, int slot, bool can_move, Storage<S>* to) 
     uint8_t count = 0;
     reader(count);
     if (count > S::max_shapes_of_body) return Status::bad_snapshot;
+    // bound: max_shapes_of_body: count falls each turn
     for (int shape_slot = slot * S::max_shapes_of_body; count > 0; ++shape_slot, --count) {
         SavedShape saved{};
         saved.numbers(reader, has_sensors<S>);
@@ -366,6 +372,7 @@ Result<size_t> save_snapshot(const World<S>& world, uint8_t* bytes, size_t room)
     if constexpr (stacks<S>) manifold_count = storage.manifold_count;
     size_t shape_count = 0;
     if constexpr (has_compounds<S>)
+        // bound: max_bodies
         for (int slot = 0; slot < storage.slots_used; ++slot) shape_count += static_cast<size_t>(shape_count_of(storage, slot));
     const size_t size =
         snapshot_size_of<S>(static_cast<size_t>(storage.slots_used), static_cast<size_t>(world.body_count()), shape_count, manifold_count);
@@ -454,8 +461,10 @@ Status read_whole(ByteReader& reader, SavedWorld<S>& whole, Storage<S>* to) {
         to->t_low = whole.t_low;
         to->field.numbers(reader);
     }
+    // bound: max_bodies, rounded up to whole tiles
     for (int slot = 0; slot < to->bodies().tile_count * lanes; ++slot) set_identity_body(to->bodies(), slot);
     if constexpr (has_compounds<S>)
+        // bound: max_bodies max_shapes_of_body rounded up to whole tiles
         for (int shape_slot = 0; shape_slot < to->shapes().tile_count * lanes; ++shape_slot) set_identity_body(to->shapes(), shape_slot);
     return Status::ok;
 }
@@ -506,6 +515,7 @@ template <class S>
 Status read_snapshot_contents(ByteReader reader, Storage<S>* to) {
     SavedWorld<S> whole{};
     Status status = read_whole<S>(reader, whole, to);
+    // bound: max_bodies: more is refused before
     for (uint32_t slot = 0; slot < whole.slots_used && status == Status::ok; ++slot) {
         uint32_t generation = 0;
         reader(generation);

@@ -85,6 +85,7 @@ public:
         if (def.shape.kind != ShapeKind::none) status = Status::bad_shape;
         if (shapes == nullptr || shape_count < 1) status = Status::out_of_range;
         if (shape_count > S::max_shapes_of_body) status = Status::no_room;
+        // bound: max_shapes_of_body: more are refused before
         for (int shape_i = 0; shape_i < shape_count && status == Status::ok; ++shape_i) {
             status = check_place(shapes[shape_i], def.mass);
             if (status == Status::ok) status = check_add(with_shape(def, shapes[shape_i]));
@@ -137,7 +138,7 @@ public:
     /// Bodies that live in the world. Cost: O(max_bodies).
     int body_count() const {
         int count = 0;
-        for (int slot = 0; slot < storage_.slots_used; ++slot) count += lives(slot) ? 1 : 0;
+        for (int slot = 0; slot < storage_.slots_used; ++slot) count += lives(slot) ? 1 : 0;  // bound: max_bodies
         return count;
     }
 
@@ -600,6 +601,7 @@ private:
         if constexpr (has_sensors<S>) storage_.is_sensor[shape_slot] = def.sensor ? 1 : 0;
     }
     void remove_shapes(int slot) {
+        // bound: max_shapes_of_body from slot * max_shapes_of_body on
         for (int shape_slot = slot * S::max_shapes_of_body; shape_slot < (slot + 1) * S::max_shapes_of_body; ++shape_slot) {
             storage_.surfaces[shape_slot] = {};
             storage_.shape_places[shape_slot] = {};
@@ -672,6 +674,7 @@ private:
 
     /// The lowest slot that is free and whose generation is not used up; max_bodies if there is none.
     int free_slot() const {
+        // bound: itself
         for (int slot = storage_.free_hint; slot < max_bodies; ++slot)
             if (!lives(slot) && storage_.generation[slot] != UINT32_MAX - 1) return slot;
         return max_bodies;
@@ -687,6 +690,7 @@ private:
     /// The same for the slots of its shapes.
     void begin_shape_slots(int slot) {
         const int first = slot * S::max_shapes_of_body, last = first + S::max_shapes_of_body - 1;
+        // bound: max_shapes_of_body and lanes
         for (int shape_slot = first; shape_slot <= last / lanes * lanes + lanes - 1; ++shape_slot) set_identity_body(storage_.shapes(), shape_slot);
     }
 
