@@ -272,15 +272,6 @@ int main() {
 #ifdef WAKE_WITHOUT_SLEEP
     (void)world.wake(id);
 #endif
-#ifdef SNAPSHOT_OF_EVENTS
-    struct Told : ingot::Scene {
-        static constexpr bool translates = true;
-        static constexpr int max_manifolds = 1, max_events = 1;
-    };
-    static ingot::World<Told> told;
-    static uint8_t bytes[4096];
-    (void)ingot::save_snapshot(told, bytes, sizeof bytes).ok();
-#endif
 #ifdef SHAPES_WITHOUT_COMPOUNDS
     (void)world.add({}, nullptr, 0);
 #endif

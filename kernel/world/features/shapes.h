@@ -157,7 +157,7 @@ struct Compounds : Feature {
         }
         template <class S>
         bool is_valid(const SavedBody&) const {
-            return check_vector(place.r, limits::position_max) == Status::ok && check_rotation(place.A) == Status::ok;
+            return check_vector(place.r, limits::position_max) == Status::ok && is_kept_rotation(place.A);
         }
     };
 };
