@@ -20,7 +20,8 @@ bool same_events(const ingot::EventView& a, const ingot::EventView& b) {
     if (a.count != b.count) return false;
     for (int event_i = 0; event_i < a.count; ++event_i) {
         const ingot::Event &one = a[event_i], &other = b[event_i];
-        if (one.kind != other.kind || one.A != other.A || one.B != other.B || one.shape_A != other.shape_A || one.shape_B != other.shape_B) return false;
+        if (one.kind != other.kind || one.A != other.A || one.B != other.B) return false;
+        if (one.shape_A != other.shape_A || one.shape_B != other.shape_B) return false;
         for (scalar Vector::*axis : {&Vector::x, &Vector::y, &Vector::z})
             if (one.P.*axis != other.P.*axis || one.n.*axis != other.n.*axis) return false;
         if (one.speed != other.speed) return false;

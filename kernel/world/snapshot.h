@@ -239,8 +239,8 @@ size_t snapshot_size_of(const Storage<S>& storage) {
 
 /// Writes the world, ready to be kept in a file or sent to another machine.
 ///
-/// Holds:   all that decides the steps to come, ids, and what the last step told of sensors and events. Not in it, because derived: omega, bounds, pairs that do not touch; and contacts of scenes
-///          with max_contacts, which are found anew in every step.
+/// Holds:   all that decides the steps to come, ids, and what the last step told of sensors and events. Not in it, because derived: omega,
+///          bounds, pairs that do not touch; and contacts of scenes with max_contacts, which are found anew in every step.
 /// Returns: the bytes written, at most snapshot_size<S>(); fewer while the world has fewer bodies.
 /// Errors:  no_room (fewer than that many bytes; nothing is written).
 /// Cost:    O(slots used), about 150 bytes a body in float.
