@@ -34,6 +34,8 @@ inline constexpr scalar spin_runaway  = scalar(1e9);   ///< rad/s
 // Tolerances of input.
 /// Largest entry of |A^T A - 1| that is taken for a rotation; it is then made orthonormal at the door.
 inline constexpr scalar orthogonality = scalar(1e-2);
+/// The same of a rotation that was one at the door, however it has turned since: a snapshot with more is none of ours.
+inline constexpr scalar orthogonality_kept = 1024 * epsilon;
 /// Relative excess of one moment over the sum of the other two that is taken for rounding (a flat plate has none to spare).
 inline constexpr scalar triangle_inequality = scalar(1e-5);
 /// | |n|^2 - 1 | of a direction; the direction is used as it is given.

@@ -26,6 +26,9 @@ namespace ingot { inline namespace INGOT_ABI {
 ///         using shapes = ingot::Shapes<ingot::Box, ingot::HalfSpace>;
 ///     };
 ///     static ingot::World<Crates> world;                // .bss; no constructor runs; memcpy is a snapshot
+///
+/// A trait that is misspelt, `max_bodys`, is a member of your own that nobody asks for, and a compiler cannot know that it was meant for one:
+/// assert what matters, static_assert(Crates::max_bodies == 10).
 struct Scene {
     static constexpr int  max_bodies   = 1;      ///< 1 .. 65536
     static constexpr bool translates   = false;
@@ -57,6 +60,19 @@ struct Scene {
     using force_field = NoForceField;            ///< or one of motion/force_fields.h, or your own
     using flight   = KickDriftKick;              ///< or another scheme of motion/forced_flight.h, for scenes with a field
 };
+
+template <bool is_scene, class S>
+struct SceneOrNone {
+    using type = S;
+};
+template <class S>
+struct SceneOrNone<false, S> {
+    static_assert(__is_base_of(Scene, S), "a scene inherits what it does not name: struct Crates : ingot::Scene");
+    using type = Scene;  // so that the sentence is not followed by a line for every trait
+};
+/// The scene of World<S>: S, or, behind a sentence, the least scene, where S is none.
+template <class S>
+using SceneOf = typename SceneOrNone<__is_base_of(Scene, S), S>::type;
 
 template <class T>
 T& any_of();  // in types only: std::declval, which freestanding code has not

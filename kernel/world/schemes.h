@@ -126,4 +126,10 @@ constexpr auto scheme_of_scene() {
 template <class S>
 using SchemeOf = decltype(scheme_of_scene<S>());
 
+/// From this state to the next, by the scheme of the scene.
+template <class S>
+void advance(Step<S>& now) {
+    SchemeOf<S>::advance(now);
+}
+
 } }  // namespace ingot

@@ -35,6 +35,10 @@ struct OfManifold {
     template <class F>
     using Numbers = typename F::OfManifold;
 };
+struct OfEntry {
+    template <class F>
+    using Numbers = typename F::OfEntry;
+};
 
 template <class S>
 constexpr uint32_t snapshot_parts() {
@@ -95,6 +99,16 @@ constexpr size_t saved_body_size() {
     body.numbers(counter, snapshot_parts<S>());
     return counter.count() + (has_compounds<S> ? sizeof(uint8_t) : 0) + saved_size<OfBody, S>();
 }
+/// Of one list: a count, and its entries.
+template <class S, class Feature>
+constexpr size_t saved_list_size(int count) {
+    if (!Feature::has_entries) return 0;
+    ByteCounter counter;
+    typename Feature::OfEntry entry{};
+    entry.numbers(counter, snapshot_parts<S>());
+    return sizeof(uint16_t) + static_cast<size_t>(count) * counter.count();
+}
+/// Without lists.
 template <class S>
 constexpr size_t snapshot_size_of(size_t slots_used, size_t living, size_t shapes, size_t manifolds) {
     ByteCounter counter;
@@ -108,63 +122,54 @@ constexpr size_t snapshot_size_of(size_t slots_used, size_t living, size_t shape
 /// Bytes that a snapshot of any world of the scene fits in: that of a full one.
 template <class S>
 constexpr size_t snapshot_size() {
-    return snapshot_size_of<S>(static_cast<size_t>(S::max_bodies), static_cast<size_t>(S::max_bodies), static_cast<size_t>(shape_capacity<S>),
-                               static_cast<size_t>(S::max_manifolds));
+    size_t lists = 0;
+    Features::over_named<S>([&lists](auto feature) {
+        using F = decltype(feature);
+        lists += saved_list_size<S, F>(F::template entry_capacity<S>);
+    });
+    return lists + snapshot_size_of<S>(static_cast<size_t>(S::max_bodies), static_cast<size_t>(S::max_bodies),
+                                       static_cast<size_t>(shape_capacity<S>), static_cast<size_t>(S::max_manifolds));
 }
 
-/// A number for all that makes snapshots of two scenes differ in their bytes or in the steps that follow: the scalar,
-/// capacities, shapes, hulls to a nanometre, names and orders of the methods. (Two limits of substeps are one number.)
+/// Makes one number of all that it is given.
+class Signature {
+public:
+    constexpr void operator()(const char* text) {
+        for (; *text != 0; ++text) hash_ = (hash_ ^ static_cast<uint8_t>(*text)) * 0x100000001b3u;
+        hash_ *= 0x100000001b3u;
+    }
+    template <class T>
+    constexpr void operator()(const T& number) {
+        const uint64_t bits = static_cast<uint64_t>(number);
+        for (int byte_i = 0; byte_i < 8; ++byte_i) hash_ = (hash_ ^ (bits >> (8 * byte_i) & 0xffu)) * 0x100000001b3u;
+    }
+    constexpr void operator()(const scalar& number) { (*this)(static_cast<int64_t>(number * scalar(1 << 30))); }
+    constexpr void operator()(const Vector& v) {
+        (*this)(v.x);
+        (*this)(v.y);
+        (*this)(v.z);
+    }
+    constexpr uint64_t hash() const { return hash_; }
+
+private:
+    uint64_t hash_ = state_hash_seed;
+};
+
+/// A number for all that makes snapshots of two scenes differ in their bytes or in the steps that follow: the scalar and every trait, lengths, speeds
+/// and times to a nano of their unit; of a force_field the names and kinds of its numbers.
 template <class S>
 constexpr uint64_t scene_signature() {
-    uint64_t hash = state_hash_seed;
-    const auto add = [&hash](uint64_t number) {
-        for (int byte_i = 0; byte_i < 8; ++byte_i) hash = (hash ^ (number >> (8 * byte_i) & 0xffu)) * 0x100000001b3u;
-    };
-    const auto add_name = [&hash](const char* name) {
-        // bound: the name: a constant string of the method; computed by the compiler
-        for (; *name != 0; ++name) hash = (hash ^ static_cast<uint8_t>(*name)) * 0x100000001b3u;
-        hash *= 0x100000001b3u;
-    };
-    add(snapshot_parts<S>());
-    add(static_cast<uint64_t>(S::max_bodies));
-    add(static_cast<uint64_t>(S::max_contacts));
-    add(static_cast<uint64_t>(S::max_manifolds));
-    add(static_cast<uint64_t>(S::max_pairs));
-    // bound: the kinds of shapes
-    for (int kind = 0; kind <= static_cast<int>(ShapeKind::half_space); ++kind)
-        add(S::shapes::has(static_cast<ShapeKind>(kind)) ? 1 : 0);
-    if (has_compounds<S>) add(static_cast<uint64_t>(S::max_shapes_of_body));
-    for (int form = 0; form < hulls_of<S>.count; ++form) {  // bound: the hulls that the scene names
-        const ConvexHull& hull = hulls_of<S>.hulls[form];
-        const auto add_length = [&add](scalar metres) { add(static_cast<uint64_t>(static_cast<int64_t>(metres * scalar(1 << 30)))); };
-        // bound: limits::hull_vertices_max
-        for (int vertex_i = 0; vertex_i < hull.vertex_count; ++vertex_i) {
-            add_length(hull.vertices[vertex_i].x);
-            add_length(hull.vertices[vertex_i].y);
-            add_length(hull.vertices[vertex_i].z);
-        }
-    }
-    add_name(S::rotation::name);
-    add_name(S::flight::name);
-    add(static_cast<uint64_t>(order_of<typename S::rotation>));
-    add(saved_field_size<S>());
-    if constexpr (stacks<S> && solves_directly<S>) {
-        add(static_cast<uint64_t>(S::solver::island_capacity));
-        add(static_cast<uint64_t>(S::solver::entries_per_row));
-    }
-    if constexpr (stacks<S> && solves_pointwise<S>) add_name("point_sweeps");
-    if (S::sleeps) {  // in micrometres and microseconds
-        add(static_cast<uint64_t>(S::sleep_speed * scalar(1e6)));
-        add(static_cast<uint64_t>(S::sleep_time * scalar(1e6)));
-    }
-    return hash;
+    Signature signature;
+    signature(snapshot_parts<S>());
+    Features::over_all([&signature](auto feature) { decltype(feature)::template traits<S>(signature); });
+    return signature.hash();
 }
 
 /// The header of the scene's snapshots, but for the length.
 template <class S>
 constexpr SnapshotHeader expected_header() {
     constexpr uint64_t signature = scene_signature<S>();
-    return {snapshot_magic, snapshot_format, INGOT_DETERMINISM_VERSION, signature, 0, static_cast<uint16_t>(snapshot_parts<S>()),
+    return {snapshot_magic, snapshot_format, INGOT_DETERMINISM_VERSION, signature, 0, snapshot_parts<S>(),
             static_cast<uint32_t>(saved_field_size<S>())};
 }
 
@@ -202,6 +207,23 @@ void write_manifolds([[maybe_unused]] ByteWriter& writer, [[maybe_unused]] const
     }
 }
 
+/// Who is in sensors, who touches whom, what the last step told.
+template <class S>
+void write_lists(ByteWriter& writer, const Storage<S>& storage) {
+    Features::over_named<S>([&](auto feature) {
+        using F = decltype(feature);
+        if constexpr (F::has_entries) {
+            uint16_t count = F::entry_count(storage);
+            writer(count);
+            for (int entry_i = 0; entry_i < count; ++entry_i) {
+                typename F::OfEntry saved{};
+                saved.take(storage, entry_i);
+                saved.numbers(writer, snapshot_parts<S>());
+            }
+        }
+    });
+}
+
 /// Bytes of the snapshot of a world as it is.
 template <class S>
 size_t snapshot_size_of(const Storage<S>& storage) {
@@ -212,19 +234,20 @@ size_t snapshot_size_of(const Storage<S>& storage) {
         ++living;
         shape_count += static_cast<size_t>(shape_count_of(storage, slot));
     }
-    return snapshot_size_of<S>(static_cast<size_t>(storage.slots_used), living, shape_count, manifold_count);
+    size_t lists = 0;
+    Features::over_named<S>([&](auto feature) { lists += saved_list_size<S, decltype(feature)>(feature.entry_count(storage)); });
+    return lists + snapshot_size_of<S>(static_cast<size_t>(storage.slots_used), living, shape_count, manifold_count);
 }
 
 /// Writes the world, ready to be kept in a file or sent to another machine.
 ///
-/// Holds:   all that decides the steps to come, and ids. Not in it, because derived: omega, bounds, pairs that do not touch; and contacts of scenes
-///          with max_contacts, which are found anew in every step.
+/// Holds:   all that decides the steps to come, ids, and what the last step told of sensors and events. Not in it, because derived: omega,
+///          bounds, pairs that do not touch; and contacts of scenes with max_contacts, which are found anew in every step.
 /// Returns: the bytes written, at most snapshot_size<S>(); fewer while the world has fewer bodies.
 /// Errors:  no_room (fewer than that many bytes; nothing is written).
 /// Cost:    O(slots used), about 150 bytes a body in float.
 template <class S>
 Result<size_t> save_snapshot(const World<S>& world, uint8_t* bytes, size_t room) {
-    static_assert(!has_events<S>, "a snapshot holds no events: copy the world with memcpy, or set max_events = 0");
     const Storage<S>& storage = world.storage_;
     const size_t size = snapshot_size_of(storage);
     if (bytes == nullptr || room < size) return {Status::no_room, 0};
@@ -244,6 +267,7 @@ Result<size_t> save_snapshot(const World<S>& world, uint8_t* bytes, size_t room)
         if (storage.lives(slot)) write_body(writer, storage, slot);
     }
     write_manifolds(writer, storage);
+    write_lists(writer, storage);
     uint64_t checksum = snapshot_checksum(bytes, size - sizeof checksum);
     writer(checksum);
     return {Status::ok, size};
@@ -305,6 +329,29 @@ Status read_manifolds([[maybe_unused]] ByteReader& reader, [[maybe_unused]] uint
     return Status::ok;
 }
 
+/// Without storage it only checks.
+template <class S>
+Status read_lists(ByteReader& reader, uint32_t slots_used, Storage<S>* to) {
+    bool sound = true;
+    Features::over_named<S>([&](auto feature) {
+        using F = decltype(feature);
+        if constexpr (F::has_entries) {
+            uint16_t count = 0;
+            reader(count);
+            sound = sound && count <= F::template entry_capacity<S>;
+            if (to != nullptr) F::set_entry_count(*to, count);
+            EntryContext context{slots_used * S::max_shapes_of_body, 0};
+            for (int entry_i = 0; entry_i < count && sound; ++entry_i) {
+                typename F::OfEntry saved{};
+                saved.numbers(reader, snapshot_parts<S>());
+                sound = saved.template is_valid<S>(context);
+                if (to != nullptr) saved.put(*to, entry_i);
+            }
+        }
+    });
+    return sound ? Status::ok : Status::bad_snapshot;
+}
+
 /// Reads what comes after the header. Without storage it only checks.
 template <class S>
 Status read_snapshot_contents(ByteReader reader, Storage<S>* to) {
@@ -320,6 +367,7 @@ Status read_snapshot_contents(ByteReader reader, Storage<S>* to) {
         if (lives) status = read_body<S>(reader, static_cast<int>(slot), to);
     }
     if (status == Status::ok) status = read_manifolds<S>(reader, whole.slots_used, to);
+    if (status == Status::ok) status = read_lists<S>(reader, whole.slots_used, to);
     if (status != Status::ok) return status;
     if (to != nullptr) Features::over_named<S>([to](auto feature) { decltype(feature)::finish_load(*to); });
     return reader.at_end() ? Status::ok : Status::bad_snapshot;

@@ -129,7 +129,7 @@ struct SnapshotHeader {
     uint16_t determinism;  ///< INGOT_DETERMINISM_VERSION: what A_low and E_0 mean belongs to it
     uint64_t signature;    ///< of the scene: see scene_signature
     uint32_t length;       ///< bytes in all, checksum included
-    uint16_t parts;        ///< which numbers follow: for tools that do not know the scene; see SnapshotPart and Feature::part
+    uint32_t parts;        ///< which numbers follow: for tools that do not know the scene; see SnapshotPart and Feature::part
     uint32_t field_size;   ///< bytes of the numbers of the force field
 
     template <class Stream>
@@ -147,7 +147,7 @@ struct SnapshotHeader {
 /// The bytes 89 'i' 'n' 'g' 'o' 't' 0d 0a: not text, and spoilt by what takes it for text.
 inline constexpr uint64_t snapshot_magic = 0x0a0d746f676e6989u;
 /// Raised whenever the bytes after the header get another meaning.
-inline constexpr uint16_t snapshot_format = 2;
+inline constexpr uint16_t snapshot_format = 3;
 inline constexpr size_t snapshot_checksum_size = 8;
 
 constexpr size_t snapshot_header_size() {
@@ -265,6 +265,8 @@ Status check_snapshot_envelope(const uint8_t* bytes, size_t size, const Snapshot
 SavedBody saved_body(const BodyView& bodies, int slot);
 void write_saved_body(const BodyView& bodies, int slot, const SavedBody& body);
 
+/// True for a rotation as the kernel keeps it: see limits::orthogonality_kept.
+bool is_kept_rotation(const Matrix& A);
 /// True for what the body of a world can have become: numbers finite and within their ranges, A a rotation, the moments those
 /// of a solid; an immovable or frozen body without motion and forces.
 bool is_valid(const SavedBody& body, bool translates);

@@ -20,7 +20,8 @@ struct Storage;
 ///     numbers(each, parts)    hands out each number under its name, in the order of the bytes; parts: those of SnapshotHeader
 ///     take(storage, where)    fetches them; where: nothing, a slot, a shape slot, a BodyPair, an index
 ///     put(storage, where)     gives them back; a manifold comes into the record whose number is its place in the snapshot
-///     is_valid<S>(context)    false for what no world of the scene can have become; context: SavedWorld, the body, a ManifoldContext
+///     is_valid<S>(context)    false for what no world of the scene can have become; context: SavedWorld, SavedBody, ManifoldContext,
+///                             EntryContext
 struct NoNumbers {
     template <class Each>
     constexpr void numbers(Each&, uint32_t) {}
@@ -55,6 +56,12 @@ struct ManifoldContext {
     uint32_t key;         ///< of this one, once its bodies are read
 };
 
+/// And an entry of a list.
+struct EntryContext {
+    uint32_t shape_slots;  ///< in use
+    uint32_t key_before;   ///< of the pair before; 0: of none
+};
+
 /// What a feature says where it has nothing to say. Each also has
 ///     template <class S> static constexpr bool named;           whether the scene names it
 ///     template <class S, bool present> struct Memory;           a base of Storage; empty where it is not present
@@ -64,8 +71,17 @@ struct Feature {
     using OfBody = NoNumbers;
     using OfShape = NoNumbers;
     using OfManifold = NoNumbers;
-    using OfEntry = NoNumbers;           ///< of a list of any length
+    /// Of a list: how many it has, and what one of them is.
+    using OfEntry = NoNumbers;
     static constexpr bool has_entries = false;
+    template <class S>
+    static constexpr int entry_capacity = 0;
+    template <class S>
+    static uint16_t entry_count(const Storage<S>&) {
+        return 0;
+    }
+    template <class S>
+    static void set_entry_count(Storage<S>&, uint16_t) {}
 
     /// Hands each trait of the scene that is the feature's to `each`: they make up the signature.
     template <class S, class Each>

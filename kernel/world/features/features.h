@@ -11,7 +11,7 @@
 namespace ingot { inline namespace INGOT_ABI {
 
 using Features = FeatureList<Rotation, Translation, Compensation, EnergyReturn, FieldOfForce, Surfaces, Compounds, Impacts, Manifolds, Unsettled,
-                             RollingResistance, Belts, Filters, Sensors, Continuous, Events, Sleep>;
+                             RollingResistance, Belts, Filters, Sensors, Continuous, Events, ToldEvents, Sleep>;
 
 static_assert(Features::bits_differ(SnapshotPart::doubles | SnapshotPart::anchors));  // of a snapshot's parts
 

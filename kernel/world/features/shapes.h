@@ -38,8 +38,15 @@ struct Surfaces : Feature {
         static_assert(!S::shapes::has(ShapeKind::hull) || hulls_of<S>.count > 0, "a scene with Hull among its shapes says which: set hulls");
         static_assert(S::shapes::has(ShapeKind::hull) || hulls_of<S>.count == 0, "a scene with hulls has Hull among its shapes: set shapes");
         static_assert(are_hulls<S>(), "one of the hulls is none: ask convex_hull for the status");
+        static_assert(!has_shapes<S> || has_some_shape<S>(), "bodies that touch have shapes: set shapes, or neither max_manifolds nor max_contacts");
         static_assert(S::bounces || stacks<S>, "impacts without friction bounce: set max_manifolds, or bounces = true");
         return true;
+    }
+    template <class S>
+    static constexpr bool has_some_shape() {
+        bool some = false;
+        for (int kind = 0; kind <= static_cast<int>(ShapeKind::half_space); ++kind) some = some || S::shapes::has(static_cast<ShapeKind>(kind));
+        return some;
     }
     template <class S>
     static void begin_shape(Storage<S>& storage, int shape_slot, const BodyDef& def, const ShapePlace&) {
@@ -160,7 +167,7 @@ struct Compounds : Feature {
         }
         template <class S>
         bool is_valid(const SavedBody&) const {
-            return check_vector(place.r, limits::position_max) == Status::ok && check_rotation(place.A) == Status::ok;
+            return check_vector(place.r, limits::position_max) == Status::ok && is_kept_rotation(place.A);
         }
     };
 };

@@ -61,8 +61,8 @@ struct Sleep : Feature {
     template <class S, class Each>
     static constexpr void traits(Each& each) {
         each(S::sleeps);
-        each(S::sleep_speed);
-        each(S::sleep_time);
+        each(scalar(S::sleep_speed));
+        each(scalar(S::sleep_time));
     }
     template <class S>
     static constexpr bool check() {
