@@ -46,12 +46,6 @@ struct RestView {
     }
 };
 
-/// True for a body that is neither immovable nor frozen, in a scene that translates.
-INGOT_INLINE bool is_dynamic(const BodyView& bodies, int slot) {
-    const Place at = place_of(slot);
-    return bodies.translation[at.tile].inv_M[at.lane] > 0;
-}
-
 /// Does something for every slot whose bit is set, in the order of slots.
 template <class Each>
 INGOT_INLINE void for_slots(const uint16_t* bits, int tile_count, const Each& each) {
