@@ -46,15 +46,16 @@ constexpr int filler = -1;
 std::vector<int> order_of_slots(const Gathering& gathering) {
     std::vector<int> order;
     std::vector<std::size_t> left;
+    const auto waits = [](std::size_t members) { return members > 0; };
     for (const Guest& guest : gathering.guests) left.push_back(guest.party.members.size());
     const int count = static_cast<int>(left.size());
     Dice dice(gathering.seed);
-    for (int turn = 0; std::any_of(left.begin(), left.end(), [](std::size_t n) { return n > 0; }); ++turn) {
+    for (int turn = 0; std::any_of(left.begin(), left.end(), waits); ++turn) {
         int guest_i = turn % count;
         if (gathering.slots == Slots::shuffled) guest_i = dice.below(count);
-        if (gathering.slots == Slots::party_by_party) guest_i = static_cast<int>(std::find_if(left.begin(), left.end(), [](std::size_t n) { return n > 0; }) - left.begin());
+        if (gathering.slots == Slots::party_by_party) guest_i = static_cast<int>(std::find_if(left.begin(), left.end(), waits) - left.begin());
         if (gathering.slots == Slots::last_party_first)
-            guest_i = count - 1 - static_cast<int>(std::find_if(left.rbegin(), left.rend(), [](std::size_t n) { return n > 0; }) - left.rbegin());
+            guest_i = count - 1 - static_cast<int>(std::find_if(left.rbegin(), left.rend(), waits) - left.rbegin());
         if (left[static_cast<std::size_t>(guest_i)] == 0) continue;
         --left[static_cast<std::size_t>(guest_i)];
         order.push_back(guest_i);
@@ -91,7 +92,8 @@ public:
                 if (step_i_ > 0 && party.members[member_i].born == step_i_) join(g, member_i);
             for (const Edit& edit : party.edits) {
                 const ingot::BodyId id = ids_[g][static_cast<std::size_t>(edit.member)];
-                if (step_i_ >= edit.step && step_i_ < edit.step + edit.count && world_->state(id).ok()) world_->edit(id, edit, gathering_.guests[g].place);
+                const bool now = step_i_ >= edit.step && step_i_ < edit.step + edit.count;
+                if (now && world_->state(id).ok()) world_->edit(id, edit, gathering_.guests[g].place);
             }
         }
         ++step_i_;
@@ -228,8 +230,8 @@ std::string difference_in_company(const Engine& engine, const Gathering& gatheri
             if (what.empty()) continue;
             if (report.contacts_lost > 0) what += " (the world is full: a fault of the test)";
             std::ostringstream where;
-            where << engine.name << ", " << 1 / rate.h << " Hz" << (rate.varies ? ", varying" : "") << ", seed " << gathering.seed << ", step " << step_i
-                  << ": " << guest.party.name << " beside " << company_of(gathering, watched[i]) << ": " << what;
+            where << engine.name << ", " << 1 / rate.h << " Hz" << (rate.varies ? ", varying" : "") << ", seed " << gathering.seed << ", step "
+                  << step_i << ": " << guest.party.name << " beside " << company_of(gathering, watched[i]) << ": " << what;
             return where.str();
         }
     }

@@ -54,9 +54,9 @@ std::vector<Member> balls_on_a_grid(int n, scalar radius, scalar lowest) {
         const auto place = [&](int cell, int channel) {
             return pitch * (static_cast<scalar>(cell) + scalar(0.5)) + radius * scalar(0.1) * scattered(i, channel);
         };
-        balls.push_back({solid_ball(1, radius,
-                                    {place(i % n, 0) - pitch * scalar(n) / 2, place(i / n % n, 1) - pitch * scalar(n) / 2, place(i / (n * n), 2) + lowest},
-                                    scalar(0.5))});
+        const scalar half_side = pitch * scalar(n) / 2;
+        const Vector r = {place(i % n, 0) - half_side, place(i / n % n, 1) - half_side, place(i / (n * n), 2) + lowest};
+        balls.push_back({solid_ball(1, radius, r, scalar(0.5))});
     }
     return balls;
 }
@@ -98,7 +98,8 @@ Party slope() {
     party.members.push_back({plane});
     for (int i = 0; i < 3; ++i) {
         const scalar friction = i == 0 ? scalar(0.9) : i == 1 ? scalar(0.2) : scalar(0.5);
-        const Vector r = Vector{0, scalar(i) * scalar(1.75) - scalar(1.75), scalar(2.75)} + slope.up() * scalar(i == 2 ? 0.5 : 0.3) + slope.down() * -2;
+        const Vector middle = {0, scalar(i) * scalar(1.75) - scalar(1.75), scalar(2.75)};
+        const Vector r = middle + slope.up() * scalar(i == 2 ? 0.5 : 0.3) + slope.down() * -2;
         PlacedBody brick = turned(solid_box(1, {scalar(0.4), scalar(0.3), scalar(0.1)}, r, friction), slope.A());
         if (i == 2) brick = solid_ball(1, scalar(0.3), r, friction);
         party.members.push_back({i == 1 ? moving(brick, slope.down() * -3) : brick});
@@ -109,7 +110,8 @@ Party slope() {
 Party dominoes() {
     Party party = {"dominoes", {}};
     for (int i = 0; i < 8; ++i)
-        party.members.push_back({solid_box(1, {scalar(0.06), scalar(0.24), scalar(0.48)}, {scalar(0.45) * scalar(i) - 2, 0, scalar(0.48)}, scalar(0.4))});
+        party.members.push_back(
+            {solid_box(1, {scalar(0.06), scalar(0.24), scalar(0.48)}, {scalar(0.45) * scalar(i) - 2, 0, scalar(0.48)}, scalar(0.4))});
     party.members.push_back({moving(solid_ball(2, scalar(0.25), {-4, 0, scalar(0.25)}, mu), {4, 0, 0}, {0, 16, 0})});
     return party;
 }
@@ -179,7 +181,8 @@ Party plate_on_balls() {
 Party overlapping() {
     Party party = {"overlapping", {}};
     for (int i = 0; i < 4; ++i)
-        party.members.push_back({solid_box(scalar(1 + i), {scalar(0.5), scalar(0.5), scalar(0.5)}, {scalar(0.9) * scalar(i) - 1, scalar(0.1) * scalar(i), scalar(0.45)}, mu)});
+        party.members.push_back({solid_box(scalar(1 + i), {scalar(0.5), scalar(0.5), scalar(0.5)},
+                                           {scalar(0.9) * scalar(i) - 1, scalar(0.1) * scalar(i), scalar(0.45)}, mu)});
     return party;
 }
 
@@ -187,10 +190,12 @@ Party overlapping() {
 Party bullets() {
     Party party = {"bullets", pit(scalar(10), 5, true)};
     party.is_fast = true;
-    for (int i = 0; i < 5; ++i) party.members.push_back({solid_box(4, {scalar(0.2), scalar(0.2), scalar(0.2)}, {1, 0, scalar(0.2) + scalar(0.4) * scalar(i)}, mu)});
-    for (int i = 0; i < 3; ++i)
-        party.members.push_back(
-            {moving(solid_ball(scalar(0.1), scalar(0.05), {-4, scalar(0.05) * scalar(i), scalar(0.5) + scalar(0.4) * scalar(i)}, mu, scalar(0.4)), {100 + 100 * scalar(i), 0, 0})});
+    const scalar half = scalar(0.2);
+    for (int i = 0; i < 5; ++i) party.members.push_back({solid_box(4, {half, half, half}, {1, 0, half + 2 * half * scalar(i)}, mu)});
+    for (int i = 0; i < 3; ++i) {
+        const Vector r = {-4, scalar(0.05) * scalar(i), scalar(0.5) + scalar(0.4) * scalar(i)};
+        party.members.push_back({moving(solid_ball(scalar(0.1), scalar(0.05), r, mu, scalar(0.4)), {100 + 100 * scalar(i), 0, 0})});
+    }
     return party;
 }
 
@@ -316,7 +321,8 @@ std::vector<Party> restless_parties() {
     // A stack loses its lowest cube, then what it stands on, then everything.
     Party goers = {"goers", together({{fixed_box({2, 2, scalar(0.5)}, {0, 0, scalar(0.5)}, mu)}}, stack(5))};
     for (std::size_t i = 1; i < goers.members.size(); ++i) goers.members[i].body.def.state.r_CM.z += 1;
-    goers.edits = {{10, Edit::remove, 1}, {30, Edit::remove, 0}, {50, Edit::remove, 3}, {60, Edit::remove, 2}, {70, Edit::remove, 4}, {71, Edit::remove, 5}};
+    goers.edits = {{10, Edit::remove, 1}, {30, Edit::remove, 0}, {50, Edit::remove, 3},
+                   {60, Edit::remove, 2}, {70, Edit::remove, 4}, {71, Edit::remove, 5}};
     // Pushed, put elsewhere, given other filters.
     Party pushed = {"pushed", together(pit(8, 8), stack(4), balls_on_a_grid(2, scalar(0.4), 6))};
     pushed.edits = {{5, Edit::impulse, 4, {2, 1, 0}},    {12, Edit::angular_impulse, 6, {0, 0, 3}}, {20, Edit::force, 7, {0, 30, 5}, 30},

@@ -16,7 +16,7 @@ constexpr int max_bodies = 20;
 
 /// The bodies that a trait may want to do something to.
 struct Ids {
-    ingot::BodyId ground, wall, cubes[3], ball, bouncer, plank;
+    ingot::BodyId ground, wall, cubes[3], ball, bouncer, plank, resting;
 };
 
 inline const char* running = "";  ///< the pair
@@ -47,7 +47,10 @@ Ids build(ingot::World<S>& world) {
     Ids ids = {};
     ids.ground = add(world, scenes::half_space({0, 0, 1}, 0, mu));
     ids.wall = add(world, scenes::fixed_box({half, 3, 3}, {7, 0, 3}, mu));
-    for (int i = 0; i < 3; ++i) ids.cubes[i] = add(world, scenes::solid_box(scalar(1 + i), {half, half, half}, {scalar(0.1) * scalar(i), 0, scalar(i) + half}, mu));
+    for (int i = 0; i < 3; ++i) {
+        const Vector place = {scalar(0.1) * scalar(i), 0, scalar(i) + half};
+        ids.cubes[i] = add(world, scenes::solid_box(i == 2 ? scalar(200) : scalar(1), {half, half, half}, place, mu));
+    }
     scenes::PlacedBody ball = scenes::solid_ball(1, scalar(0.25), {-3, scalar(0.1), scalar(0.25)}, mu);
     ball.move({4, 0, 0}, {0, 16, 0});
     ids.ball = add(world, ball);
@@ -58,6 +61,10 @@ Ids build(ingot::World<S>& world) {
     plank.turn(scenes::scattered_rotation(2));
     plank.move({}, {1, 4, 2});
     ids.plank = add(world, plank);
+    ids.resting = add(world, scenes::unit_cube({-5, -5, half}, mu));
+    scenes::PlacedBody slow = scenes::solid_ball(1, scalar(0.25), {-5, -8, scalar(0.25)}, mu);
+    slow.move({scalar(0.03125), 0, 0}, {0, scalar(0.125), 0});
+    (void)add(world, slow);
     for (int i = 0; i < 3; ++i) {
         scenes::PlacedBody box = scenes::solid_box(1, {scalar(0.3), scalar(0.2), scalar(0.4)}, {scalar(2 * i - 2), 3, 1}, mu, scalar(0.5));
         box.turn(scenes::scattered_rotation(i));
