@@ -78,7 +78,7 @@ void two_parties(const Engine& engine) {
 
 /// Each party beside one that differs from it in solver's eyes as much as can be: it is busy while that is at rest. For longer.
 void rest_beside_motion(const Engine& engine) {
-    for (const char* name : {"tower_10", "heavy_on_light", "pyramid", "slope", "plate_on_balls"}) {
+    for (const char* name : {"tower_10", "heavy_on_light", "pyramid", "slope", "plate_on_balls", "sugar_cubes"}) {
         const Party still = party(name);
         if (!engine.takes(still)) continue;
         Gathering two;

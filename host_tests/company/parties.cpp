@@ -254,6 +254,16 @@ Party heap_of_boxes() {
     return party;
 }
 
+/// Cubes of 2 cm: beside what is large they are the first to fall.
+Party sugar_cubes() {
+    Party party = {"sugar_cubes", {}};
+    const scalar half = scalar(0.01);
+    for (int i = 0; i < 5; ++i)
+        party.members.push_back({solid_box(scalar(0.01), {half, half, half}, {0, 0, half + 2 * half * scalar(i)}, mu)});
+    party.members.push_back({solid_ball(scalar(0.01), half, {scalar(0.05), 0, scalar(0.03)}, mu)});
+    return party;
+}
+
 Party springy_heap() {
     Party party = heap_of_boxes();
     party.name = "springy_heap";
@@ -289,6 +299,7 @@ std::vector<Party> all_parties() {
             belts(),
             plate_on_balls(),
             overlapping(),
+            sugar_cubes(),
             bullets(),
             watched(),
             furniture(),
