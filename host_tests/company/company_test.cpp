@@ -128,6 +128,20 @@ void crowd(const Engine& engine) {
     }
 }
 
+/// What stands still, a metre from one another: near enough for a search that is coarse, too far for a contact.
+void close_neighbours(const Engine& engine) {
+    Gathering row;
+    std::vector<int> watched;
+    for (const char* name : {"tower_10", "heavy_on_light", "sugar_cubes", "plate_on_balls", "heavy_on_three", "tower_20"}) {
+        watched.push_back(static_cast<int>(row.guests.size()));
+        row.guests.push_back({party(name), {0, scalar(4 * watched.back()), 0}});
+    }
+    for (const Slots slots : {Slots::one_by_one, Slots::shuffled}) {
+        row.slots = slots;
+        expect_same(engine, row, watched, {scalar(1) / 60}, by_effort(30, 90, 600));
+    }
+}
+
 /// Bodies come, go, are pushed, put elsewhere and frozen, next door.
 void restless_neighbours(const Engine& engine) {
     const std::vector<Party> restless = taken_by(engine, restless_parties());
@@ -177,6 +191,7 @@ constexpr Law laws[] = {{"two_parties", two_parties},
                         {"all_parties_at_once", all_parties_at_once},
                         {"other_slots", other_slots},
                         {"crowd", crowd},
+                        {"close_neighbours", close_neighbours},
                         {"restless_neighbours", restless_neighbours},
                         {"restless_parties_in_company", restless_parties_in_company},
                         {"sleep_and_company", sleep_and_company, true}};
