@@ -61,7 +61,7 @@ void expect_same(const Engine& engine, const Gathering& gathering, const std::ve
 void two_parties(const Engine& engine) {
     const std::vector<Party> parties = taken_by(engine, all_parties());
     const int count = static_cast<int>(parties.size());
-    for (uint64_t seed = 0; seed < by_effort<uint64_t>(1, 2, 40); ++seed) {
+    for (uint64_t seed = 0; seed < by_effort<uint64_t>(1, 2, 8); ++seed) {
         const std::vector<int> order = shuffled(count, seed);
         for (int pair_i = 0; pair_i < count; pair_i += by_effort(2, 1, 1)) {
             const uint64_t number = seed * 100 + static_cast<uint64_t>(pair_i);
@@ -71,7 +71,7 @@ void two_parties(const Engine& engine) {
             two.slots = static_cast<Slots>(number % 4);
             two.seed = number;
             two.ground_first = number % 3 != 0;
-            expect_same(engine, two, {0, 1}, {h_of(number / 2), number % 7 == 6}, by_effort(60, 100, 600));
+            expect_same(engine, two, {0, 1}, {h_of(number / 2), number % 7 == 6}, by_effort(60, 100, 400));
         }
     }
 }
@@ -90,7 +90,7 @@ void rest_beside_motion(const Engine& engine) {
 
 void all_parties_at_once(const Engine& engine) {
     const std::vector<Party> parties = taken_by(engine, all_parties());
-    for (int run = 0; run < by_effort(1, 2, 20); ++run) {
+    for (int run = 0; run < by_effort(1, 2, 10); ++run) {
         Gathering all;
         std::vector<int> watched;
         for (const int party_i : shuffled(static_cast<int>(parties.size()), static_cast<uint64_t>(run) + 7)) {
@@ -110,7 +110,7 @@ void other_slots(const Engine& engine) {
         one.guests = {{parties[i], {}}};
         one.fillers = 5 + static_cast<int>(i % 7);
         one.seed = i;
-        expect_same(engine, one, {0}, {h_of(i)}, by_effort(60, 100, 600));
+        expect_same(engine, one, {0}, {h_of(i)}, by_effort(60, 100, 400));
     }
 }
 

@@ -23,7 +23,7 @@ import tomllib
 HERE = pathlib.Path(__file__).resolve().parent
 HOUSE = HERE.parents[1]
 TABLE, README, SCENE = HERE / "pairs.csv", HOUSE / "README.md", HOUSE / "kernel/world/scene.h"
-MARK_BEGIN, MARK_END = "<!-- written by pairs_of_traits.py -->\n", "<!-- end -->\n"
+MARK_BEGIN, MARK_END = "<!-- written by pairs_of_traits.py -->\n", "<!-- end of pairs -->\n"
 COLUMNS = ("trait", "other", "base", "float", "double", "sentence")
 BASE_SHAPES = ("Sphere", "Box", "HalfSpace")
 
@@ -185,7 +185,7 @@ def readme_part(rows):
     count = sum(1 for row in rows.values() if row["sentence"])
     lines = [f"{len(rows) - count} of {len(rows)} pairs of traits go together, each tried in a scene that uses both; the others do not compile, and say why.",
              f"Only with `max_manifolds`: {names_of('contacts')}. Only without contacts: {names_of('flight')}. Never with `max_manifolds`: {names_of('impacts', 'flight')}.",
-             "", "| not together | |", "| --- | --- |"]
+             "", "| not together | what the compiler says |", "| --- | --- |"]
     for sentence, pairs in refused.items():
         partners, share = {}, {}
         for name in itertools.chain(*pairs):
