@@ -3,7 +3,7 @@
 """Every pair of traits compiles, runs and has a golden hash, or is refused with a sentence.
 
     pairs_of_traits.py --units DIR COUNT            writes pairs_0.cpp .. and main.cpp: the pairs of pairs.csv that run
-    pairs_of_traits.py --check-table                every member of Scene is in traits.toml, every pair in pairs.csv, the README says who is refused
+    pairs_of_traits.py --check-table [SCENE.H]      every member of Scene is in traits.toml, every pair in pairs.csv, the README says who is refused
     pairs_of_traits.py --check-refused COMPILE...   the compiler refuses the pairs it has to, with these sentences, and no others
     pairs_of_traits.py --check-hashes PROGRAM SCALAR
     pairs_of_traits.py --update-refused COMPILE...  writes which pairs are refused to pairs.csv, and to the README
@@ -31,10 +31,9 @@ settings = tomllib.loads((HERE / "traits.toml").read_text())
 BASES, TRAITS = settings["base"], settings["trait"]
 
 
-def members_of_scene():
-    body = re.search(r"^struct Scene \{\n(.*?)^\};", SCENE.read_text(), re.M | re.S).group(1)
-    named = re.findall(r"^    static constexpr [\w:]+ +(\w+) *=", body, re.M) + re.findall(r"^    using (\w+) *=", body, re.M)
-    return named
+def members_of_scene(header):
+    body = re.search(r"^struct Scene \{\n(.*?)^\};", pathlib.Path(header).read_text(), re.M | re.S).group(1)
+    return re.findall(r"^    static constexpr [\w:]+ +(\w+) *=", body, re.M) + re.findall(r"^    using (\w+) *=", body, re.M)
 
 
 def are_alternatives(a, b):
@@ -62,7 +61,6 @@ def scene(struct, base, *names):
     shapes = list(BASE_SHAPES)
     for name in names:
         shapes += TRAITS[name].get("shapes", [])
-    # Those of a field which only the other trait brings along know nothing of its numbers.
     lines = [f"struct {struct} : ingot::Scene {{", "    static constexpr int max_bodies = yard::max_bodies;",
              "    using shapes = ingot::Shapes<" + ", ".join(f"ingot::{shape}" for shape in shapes) + ">;"]
     for name, value in members.items():
@@ -206,14 +204,16 @@ def in_readme(rows):
 
 
 def fail(complaints):
-    print("\n".join(f"pairs_of_traits: {complaint}" for complaint in complaints))
+    for complaint in complaints:
+        print(f"pairs_of_traits: {complaint}")
     sys.exit(1 if complaints else 0)
 
 
-def check_table():
+def check_table(header=SCENE):
+    members = members_of_scene(header)
     named = {member for trait in TRAITS.values() for member in trait.get("sets", {})} | set(settings["always"])
-    complaints = [f"no trait of traits.toml sets {member} of Scene" for member in members_of_scene() if member not in named]
-    complaints += [f"Scene has no {member}" for member in sorted(named) if member not in members_of_scene()]
+    complaints = [f"no trait of traits.toml sets {member} of Scene" for member in members if member not in named]
+    complaints += [f"Scene has no {member}" for member in sorted(named) if member not in members]
     rows = read_table()
     complaints += [f"{a} with {b} has no row in pairs.csv" for a, b in PAIRS if (a, b) not in rows]
     complaints += [f"{a} with {b} is a row of pairs.csv, and no pair" for a, b in rows if (a, b) not in PAIRS]
