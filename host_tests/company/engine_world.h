@@ -10,7 +10,10 @@ template <class S>
 class EngineWorld final : public AnyWorld {
 public:
     EngineWorld() {
-        if constexpr (ingot::has_field<S>) world_.force_field().c = world_.force_field().c_turn = scalar(0.01);
+        if constexpr (ingot::has_field<S>) {
+            world_.force_field().c = scalar(0.01);
+            world_.force_field().c_turn = scalar(1e-5);  // more would turn the smallest bodies round in a step
+        }
     }
 
     ingot::Result<ingot::BodyId> add(const Member& member, const Vector& place) override {
