@@ -20,7 +20,9 @@ set(solver_direct_may ${solver_sweeps_may} solver/sweeps)
 set(solver_sequential_may base math body narrow_phase constraint island)
 set(events_may base math body broad_phase narrow_phase constraint)
 set(continuous_may base math body shape motion narrow_phase constraint solver/sweeps)
-set(world_may base math body shape motion broad_phase narrow_phase query impulse constraint island sleep solver/sweeps solver/direct solver/sequential
+set(world_features_may base math body shape motion broad_phase narrow_phase impulse constraint island sleep solver/sweeps solver/direct
+  solver/sequential events continuous world)
+set(world_may world/features base math body shape motion broad_phase narrow_phase query impulse constraint island sleep solver/sweeps solver/direct solver/sequential
   events continuous)
 set(freestanding "stdint\\.h|stddef\\.h|float\\.h|limits\\.h")
 

@@ -22,7 +22,7 @@ import tomllib
 
 HERE = pathlib.Path(__file__).resolve().parent
 HOUSE = HERE.parents[1]
-TABLE, README, SCENE = HERE / "pairs.csv", HOUSE / "README.md", HOUSE / "kernel/world/scene.h"
+TABLE, README, SCENE = HERE.parent / "tables/pairs.csv", HOUSE / "README.md", HOUSE / "kernel/world/scene.h"
 MARK_BEGIN, MARK_END = "<!-- written by pairs_of_traits.py -->\n", "<!-- end of pairs -->\n"
 COLUMNS = ("trait", "other", "base", "float", "double", "sentence")
 BASE_SHAPES = ("Sphere", "Box", "HalfSpace")

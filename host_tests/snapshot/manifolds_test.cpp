@@ -289,10 +289,10 @@ TEST_F(DamagedPile, of_what_is_a_sensor) {
     fill_pile(world);
     (void)ingot::step(world, h);
     const Bytes sound = saved(world);
-    // The last body is the sensor, and manifolds follow it: their number, and so many. A filter comes before.
-    const size_t manifolds = static_cast<size_t>(ingot::step(world, h).contacts), at = sound.size() - checksum - manifolds * manifold_size - 3;
+    // The last body is the sensor, and manifolds follow it: their number, and so many. A filter comes between.
+    const size_t manifolds = static_cast<size_t>(ingot::step(world, h).contacts), at = sound.size() - checksum - manifolds * manifold_size - 11;
     ASSERT_EQ(sound[at], 1);
-    ASSERT_EQ(sound[at + 1], manifolds);
+    ASSERT_EQ(sound[at + 9], manifolds);
     fill_pile(other);
     copy(before, other);
     const Bytes twice = spoilt(sound, at, uint8_t{2});

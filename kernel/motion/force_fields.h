@@ -31,6 +31,7 @@ struct PointMassGravity : ForceField {
 
     template <class Each>
     constexpr void numbers(Each& each) {
+        each.name("point_mass_gravity");
         each(mu);
         each(centre);
     }
@@ -50,6 +51,7 @@ struct GravityGradient : ForceField {
 
     template <class Each>
     constexpr void numbers(Each& each) {
+        each.name("gravity_gradient");
         each(mu);
         each(centre);
     }
@@ -69,6 +71,7 @@ struct LinearDrag : ForceField {
 
     template <class Each>
     constexpr void numbers(Each& each) {
+        each.name("linear_drag");
         each(c);
         each(c_turn);
     }
@@ -85,6 +88,7 @@ struct QuadraticDrag : ForceField {
 
     template <class Each>
     constexpr void numbers(Each& each) {
+        each.name("quadratic_drag");
         each(c);
         each(c_turn);
     }
@@ -103,6 +107,7 @@ struct Spring : ForceField {
 
     template <class Each>
     constexpr void numbers(Each& each) {
+        each.name("spring");
         each(k);
         each(r_body);
         each(anchor);
@@ -124,6 +129,7 @@ struct SpringDamper : ForceField {
 
     template <class Each>
     constexpr void numbers(Each& each) {
+        each.name("spring_damper");
         each(k);
         each(c);
         each(r_body);
@@ -146,6 +152,7 @@ struct MagneticDipole : ForceField {
 
     template <class Each>
     constexpr void numbers(Each& each) {
+        each.name("magnetic_dipole");
         each(m_body);
         each(B);
     }
@@ -162,6 +169,7 @@ struct WeightAboutPoint : ForceField {
 
     template <class Each>
     constexpr void numbers(Each& each) {
+        each.name("weight_about_point");
         each(r_body);
         each(weight);
     }
@@ -183,9 +191,11 @@ struct ThrusterTable : ForceField {
 
     template <class Each>
     constexpr void numbers(Each& each) {
+        each.name("thruster_table");
         for (Thruster& one : thruster) {
             each(one.r_body);
             each(one.F_body);
+            // bound: max_bodies: the argument of a table of thrusters
             for (int body_i = 0; body_i < bodies; ++body_i) each(one.throttle[body_i]);  // not of spare lanes
         }
     }

@@ -64,14 +64,8 @@ public:
         if (slot == max_bodies) return {Status::no_room, {}};
 
         write_slot(slot, def);
-        if constexpr (has_compounds<S>) {
-            write_shape(slot, 0, def, {{}, identity_matrix<scalar>()});
-            place_shapes(storage_.bodies(), storage_.compound_view(), slot);
-        } else {
-            if constexpr (has_shapes<S>) write_surface(storage_.surfaces[slot], def);
-            if constexpr (has_sensors<S>) storage_.is_sensor[slot] = def.sensor ? 1 : 0;
-        }
-        if constexpr (S::sleeps) begin_awake(storage_.rest_view(), slot);
+        write_shape(slot, 0, def, {{}, identity_matrix<scalar>()});
+        if constexpr (has_compounds<S>) place_shapes(storage_.bodies(), storage_.compound_view(), slot);
         return {Status::ok, id_of(slot)};
     }
 
@@ -85,6 +79,7 @@ public:
         if (def.shape.kind != ShapeKind::none) status = Status::bad_shape;
         if (shapes == nullptr || shape_count < 1) status = Status::out_of_range;
         if (shape_count > S::max_shapes_of_body) status = Status::no_room;
+        // bound: max_shapes_of_body: more are refused before
         for (int shape_i = 0; shape_i < shape_count && status == Status::ok; ++shape_i) {
             status = check_place(shapes[shape_i], def.mass);
             if (status == Status::ok) status = check_add(with_shape(def, shapes[shape_i]));
@@ -110,19 +105,15 @@ public:
     Status remove(BodyId id) {
         const Result<int> slot = find(id);
         if (!slot.ok()) return slot.status;
-        if constexpr (S::sleeps) wake_touching_and_leave(storage_.bodies(), storage_.rest_view(), storage_.manifold_view(), slot.value);
+        Features::over_named<S>([&](auto feature) { decltype(feature)::before_removal(storage_, slot.value); });
         ++storage_.generation[slot.value];
         if (slot.value < storage_.free_hint) storage_.free_hint = slot.value;
         set_identity_body(storage_.bodies(), slot.value);
-        if constexpr (has_compounds<S>) {
-            storage_.set_generation_of_shapes(slot.value, storage_.generation[slot.value]);
-            remove_shapes(slot.value);
-            return Status::ok;
-        }
-        if constexpr (has_shapes<S>) storage_.surfaces[slot.value] = {};
-        storage_.reset_materials(slot.value);
-        if constexpr (collides<S>) storage_.contact_count = 0;
-        if constexpr (stacks<S>) invalidate_contacts(storage_.manifold_view(), storage_.pair_list(), storage_.bounds, slot.value);
+        storage_.set_generation_of_shapes(slot.value, storage_.generation[slot.value]);
+        // bound: max_shapes_of_body
+        for (int shape_slot = slot.value * S::max_shapes_of_body; shape_slot < (slot.value + 1) * S::max_shapes_of_body; ++shape_slot)
+            Features::over_named<S>([&](auto feature) { decltype(feature)::forget_shape(storage_, shape_slot); });
+        Features::over_named<S>([&](auto feature) { decltype(feature)::forget_body(storage_, slot.value); });
         return Status::ok;
     }
 
@@ -137,7 +128,7 @@ public:
     /// Bodies that live in the world. Cost: O(max_bodies).
     int body_count() const {
         int count = 0;
-        for (int slot = 0; slot < storage_.slots_used; ++slot) count += lives(slot) ? 1 : 0;
+        for (int slot = 0; slot < storage_.slots_used; ++slot) count += lives(slot) ? 1 : 0;  // bound: max_bodies
         return count;
     }
 
@@ -575,10 +566,10 @@ private:
         if constexpr (has_shapes<S>) status = check_surface(def);
         if (status == Status::ok) status = check_definition(def, S::translates, has_shapes<S> && S::shapes::has(def.shape.kind));
         if (status == Status::ok && !ShapesOf<S>::names_its_hull(def.shape)) status = Status::bad_shape;
-        if constexpr (has_shapes<S> && !S::filters)
-            if (def.filter.category != meets_all.category || def.filter.mask != meets_all.mask) status = Status::not_in_scene;
-        if constexpr (has_shapes<S> && !has_sensors<S>)
-            if (def.sensor) status = Status::not_in_scene;
+        Features::over_all([&](auto feature) {
+            const Status of_feature = decltype(feature)::template check_def<S>(def);
+            if (of_feature != Status::ok) status = of_feature;
+        });
         if constexpr (has_shapes<S> && !S::bounces)
             if (def.restitution > 0) status = Status::not_in_scene;
         return status;
@@ -589,25 +580,12 @@ private:
         storage_.free_hint = slot + 1;
         ++storage_.generation[slot];
         write_body(storage_.bodies(), slot, def);
-        if constexpr (S::filters) storage_.filters[slot] = def.filter;
-        if constexpr (has_compounds<S>) storage_.set_generation_of_shapes(slot, storage_.generation[slot]);
+        storage_.set_generation_of_shapes(slot, storage_.generation[slot]);
+        Features::over_named<S>([&](auto feature) { decltype(feature)::begin_body(storage_, slot, def); });
     }
     void write_shape(int slot, int shape_i, const BodyDef& def, const ShapePlace& place) {
         const int shape_slot = slot * S::max_shapes_of_body + shape_i;
-        write_surface(storage_.surfaces[shape_slot], def);
-        storage_.surfaces[shape_slot].bounding_radius = radius_about_body(def.shape, place);
-        storage_.shape_places[shape_slot] = place;
-        if constexpr (has_sensors<S>) storage_.is_sensor[shape_slot] = def.sensor ? 1 : 0;
-    }
-    void remove_shapes(int slot) {
-        for (int shape_slot = slot * S::max_shapes_of_body; shape_slot < (slot + 1) * S::max_shapes_of_body; ++shape_slot) {
-            storage_.surfaces[shape_slot] = {};
-            storage_.shape_places[shape_slot] = {};
-            storage_.reset_materials(shape_slot);
-            if constexpr (has_sensors<S>) storage_.is_sensor[shape_slot] = 0;
-            set_identity_body(storage_.shapes(), shape_slot);
-            invalidate_contacts(storage_.manifold_view(), storage_.pair_list(), storage_.bounds, shape_slot);
-        }
+        Features::over_named<S>([&](auto feature) { decltype(feature)::begin_shape(storage_, shape_slot, def, place); });
     }
     /// Passes on the answer of a call, which wakes what sleeps where it did something.
     Status touched([[maybe_unused]] int slot, Status status) {
@@ -617,7 +595,7 @@ private:
     }
     uint64_t hash_of(int slot, uint64_t hash) const {
         hash = hash_body(storage_.bodies(), slot, hash);
-        if constexpr (S::sleeps) hash = hash_rest(storage_.is_awake(slot), storage_.rest_time[slot], hash);
+        Features::over_named<S>([&](auto feature) { hash = decltype(feature)::hash_body(storage_, slot, hash); });
         return hash;
     }
     bool sleeps_in(int slot) const { return is_dynamic(storage_.bodies(), slot) && !storage_.is_awake(slot); }
@@ -650,7 +628,7 @@ private:
     static int number_of_shape(int shape_slot) { return shape_slot == no_slot ? 0 : shape_slot % S::max_shapes_of_body; }
     BodyId id_of_shape(int shape_slot) const { return shape_slot == no_slot ? BodyId{} : id_of(body_of(shape_slot)); }
 
-    bool lives(int slot) const { return (storage_.generation[slot] & 1u) != 0; }
+    bool lives(int slot) const { return storage_.lives(slot); }
 
     BodyId id_of(int slot) const { return {static_cast<uint16_t>(slot), storage_.world_tag, storage_.generation[slot]}; }
 
@@ -672,6 +650,7 @@ private:
 
     /// The lowest slot that is free and whose generation is not used up; max_bodies if there is none.
     int free_slot() const {
+        // bound: itself
         for (int slot = storage_.free_hint; slot < max_bodies; ++slot)
             if (!lives(slot) && storage_.generation[slot] != UINT32_MAX - 1) return slot;
         return max_bodies;
@@ -687,6 +666,7 @@ private:
     /// The same for the slots of its shapes.
     void begin_shape_slots(int slot) {
         const int first = slot * S::max_shapes_of_body, last = first + S::max_shapes_of_body - 1;
+        // bound: max_shapes_of_body and lanes
         for (int shape_slot = first; shape_slot <= last / lanes * lanes + lanes - 1; ++shape_slot) set_identity_body(storage_.shapes(), shape_slot);
     }
 

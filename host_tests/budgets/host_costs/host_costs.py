@@ -16,7 +16,7 @@ import subprocess
 import sys
 import tempfile
 
-TABLE = pathlib.Path(__file__).resolve().parent / "host_costs.csv"
+TABLE = pathlib.Path(__file__).resolve().parents[2] / "tables/host_costs.csv"
 
 
 def steps_of(program, world):

@@ -9,6 +9,7 @@ namespace ingot { inline namespace INGOT_ABI {
 /// `using solver = ingot::BlockSweeps;`, for many bodies of like masses. No memory of its own. What it did not settle is in
 /// StepReport::residual: some 1e-6 m/s where contacts rest; 0.1 and more where a heavy body crushes a light one.
 struct BlockSweeps {
+    static constexpr const char* name = "block_sweeps";
     static constexpr bool is_direct = false, is_pointwise = false;
 
     template <int max_bodies, int max_manifolds>
@@ -35,6 +36,7 @@ struct BlockSweeps {
 /// a heavy cube on a light one takes a Cortex-M4F 1.6 million instructions a step, twenty cubes in a column 22 million.
 template <int max_island = 48, int entries_of_row = 24>
 struct HybridIslands {
+    static constexpr const char* name = "hybrid_islands";
     static constexpr bool is_direct = true, is_pointwise = false;
     static constexpr int island_capacity = max_island, entries_per_row = entries_of_row;
 

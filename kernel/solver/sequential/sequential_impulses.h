@@ -14,6 +14,7 @@ namespace ingot { inline namespace INGOT_ABI {
 /// Cortex-M4F: 7 KB, where they take 20. Time at rest is less than theirs. What begins to move takes up to four times as much, for they
 /// solve the points of a manifold at once.
 struct SequentialImpulses {
+    static constexpr const char* name = "sequential_impulses";
     static constexpr bool is_direct = false, is_pointwise = true;
 
     template <int max_bodies, int max_manifolds>
