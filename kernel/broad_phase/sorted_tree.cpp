@@ -43,6 +43,7 @@ uint32_t cell(scalar x, scalar low, scalar cells_per_metre) {
 int make_keys(const BodyView& bodies, const BoundsTile* bounds, const SortedTreeView& tree) {
     int count = 0;
     TreeBox all = nothing;
+    // bound: max_bodies max_shapes_of_body, rounded up to whole tiles: only a member named slot is written, of a key
     for (int slot = 0; slot < bodies.tile_count * lanes; ++slot) {
         const TreeBox box = box_of(bounds, slot);
         if (!(box.low.x <= box.high.x)) continue;
@@ -53,7 +54,7 @@ int make_keys(const BodyView& bodies, const BoundsTile* bounds, const SortedTree
     const Vector size = all.high - all.low;
     const auto cells_per_metre = [](scalar extent) { return extent > 0 ? (1 << code_bits) / extent : scalar(0); };
     const Vector per_metre = {cells_per_metre(size.x), cells_per_metre(size.y), cells_per_metre(size.z)};
-    for (int key_i = 0; key_i < count; ++key_i) {
+    for (int key_i = 0; key_i < count; ++key_i) {  // bound: max_bodies max_shapes_of_body, or pairs_with_own of scene.h
         TreeKey& key = tree.keys[key_i];
         const Vector c = centre_of(box_of(bounds, key.slot));
         key.code = spread(cell(c.x, all.low.x, per_metre.x)) | spread(cell(c.y, all.low.y, per_metre.y)) << 1 |
@@ -65,6 +66,7 @@ int make_keys(const BodyView& bodies, const BoundsTile* bounds, const SortedTree
 /// Stable sort by counting: `bucket` gives a number below bucket_count.
 template <class Item, class Bucket>
 void sort_by(const Item* from, Item* to, int count, uint32_t* counters, int bucket_count, const Bucket& bucket) {
+    // bound: 1 << code_bits in sorted_tree.cpp, or the slots of all shapes: max_bodies max_shapes_of_body, rounded up to whole tiles
     for (int i = 0; i < bucket_count; ++i) counters[i] = 0;
     for (int i = 0; i < count; ++i) ++counters[bucket(from[i])];
     uint32_t sum = 0;
@@ -90,6 +92,7 @@ void sort_keys(const SortedTreeView& tree, int count) {
 /// Leaves from the sorted keys, which three passes leave in other_keys.
 void make_leaves(const BodyView& bodies, const BoundsTile* bounds, const SortedTreeView& tree, int body_count) {
     const int leaf_count = (body_count + leaf_bodies - 1) / leaf_bodies;
+    // bound: twice max_bodies max_shapes_of_body / leaf_bodies: the power of two above
     for (int leaf_i = 0; leaf_i < tree.leaf_places; ++leaf_i) {
         TreeBox all = nothing;
         for (int i = 0; leaf_i < leaf_count && i < leaf_bodies; ++i) {
@@ -110,6 +113,7 @@ void make_leaves(const BodyView& bodies, const BoundsTile* bounds, const SortedT
         }
         tree.boxes[tree.leaf_places + leaf_i] = all;
     }
+    // bound: twice max_bodies max_shapes_of_body / leaf_bodies: the power of two above
     for (int box_i = tree.leaf_places - 1; box_i > 0; --box_i) tree.boxes[box_i] = around(tree.boxes[2 * box_i], tree.boxes[2 * box_i + 1]);
 }
 
@@ -128,6 +132,7 @@ void test_leaves(const TreeLeaf& A, const TreeLeaf& B, const PairList& pairs) {
             for (int axis = 0; axis < 3; ++axis)
                 meet = both(meet, both(load(B.low[axis] + first) <= high[axis], low[axis] <= load(B.high[axis] + first)));
             unsigned found = bits(meet);
+            // bound: lanes: found has a bit a lane
             for (int k = first; found != 0; ++k, found >>= 1) {
                 if ((found & 1u) == 0 || (same && k <= i) || (A.moves[i] | B.moves[k]) == 0) continue;
                 const uint16_t a = A.slot[i], b = B.slot[k];
@@ -139,6 +144,7 @@ void test_leaves(const TreeLeaf& A, const TreeLeaf& B, const PairList& pairs) {
 
 /// The next box after one whose inside is done with; 0 after the last.
 int next_box(int box_i) {
+    // bound: log2(leaf_places) + 1: a bit falls out each turn
     while ((box_i & 1) != 0) box_i >>= 1;
     return box_i == 0 ? 0 : box_i + 1;
 }
@@ -157,10 +163,12 @@ void find_pairs_by_tree(const BodyView& bodies, const BoundsTile* bounds, const 
     make_leaves(bodies, bounds, tree, body_count);
 
     const int leaf_count = (body_count + leaf_bodies - 1) / leaf_bodies;
+    // bound: max_bodies max_shapes_of_body / leaf_bodies, rounded up
     for (int leaf_i = 0; leaf_i < leaf_count; ++leaf_i) {
         const TreeLeaf& leaf = tree.leaves[leaf_i];
         const TreeBox& box = tree.boxes[tree.leaf_places + leaf_i];
         test_leaves(leaf, leaf, pairs);
+        // bound: 2 leaf_places: every turn goes down or to the next box in the order of the tree, whose last has none: 0
         for (int box_i = next_box(tree.leaf_places + leaf_i); box_i != 0;) {
             const bool meets = overlap(tree.boxes[box_i], box);
             if (meets && box_i < tree.leaf_places) {

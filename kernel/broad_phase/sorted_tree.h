@@ -48,6 +48,7 @@ struct SortedTree {
         static constexpr int leaf_count = (max_bodies + leaf_bodies - 1) / leaf_bodies;
         static constexpr int places() {
             int n = 1;
+            // bound: log2(max_bodies max_shapes_of_body): n doubles; computed by the compiler
             while (n < leaf_count) n *= 2;
             return n;
         }

@@ -35,6 +35,7 @@ INGOT_INLINE void store(scalar (&rows)[10][lanes], const Sym4& m) {
 /// The inverse of a positive definite matrix, by the symmetric sweep operator. Cost: 4 divisions, about 120 flops.
 template <int rows>
 INGOT_INLINE Sym4 inverse(Sym4 m) {
+    // bound: 4: block_rows
     for (int pivot = 0; pivot < rows; ++pivot) {
         const lane inv = splat<lane>(1) / m(pivot, pivot);
         lane column[block_rows];

@@ -75,6 +75,7 @@ void collect(const SolverView& solver, const BodyView& bodies, int block_i, Cont
         if (block.body_B[lane_i] != 0) in.B.put(lane_i, bodies, pair.body_B);
         if (record.manifold.count > 1) block.rows = block_rows;
         if (block.body_A[lane_i] == 0 && block.body_B[lane_i] == 0) continue;  // one has gone bad
+        // bound: 4: Manifold::points_max
         for (int row = 0; row < record.manifold.count; ++row) {
             in.used[row][lane_i] = 1;
             in.separation[row][lane_i] = record.manifold.points[row].separation;
@@ -101,6 +102,7 @@ LaneContacts vectors_of(const Collected& in, int rows) {
     contacts.inv_M = contacts.A.inv_M + contacts.B.inv_M;
     contacts.n = load(in.n);
     tangents(contacts.n, contacts.t_1, contacts.t_2);
+    // bound: 4: block_rows
     for (int row = 0; row < rows; ++row) {
         contacts.P[row] = load(in.P[row]);
         contacts.used[row] = load(in.used[row]);
@@ -233,7 +235,7 @@ INGOT_INLINE void prepare_torsion(TorsionRow& torsion, const LaneContacts& conta
 /// The impulses of the step before; friction's as components of what they were in the world.
 void recall(const SolverView& solver, ContactBlock& block, int lane_i, const ManifoldRecord& record) {
     const scalar share = shares_of_substep(solver);
-    for (int row = 0; row < block.rows; ++row) {
+    for (int row = 0; row < block.rows; ++row) {  // bound: 4
         block.row[row].j[lane_i] = record.j[row] * share;
         block.row[row].j_before[lane_i] = record.j_before[row] * share;
     }
@@ -270,6 +272,7 @@ int prepare_block(const SolverView& solver, const BodyView& bodies, int block_i)
 
 void prepare_blocks(SolverView& solver, const BodyView& bodies) {
     solver.central_count = 0;
+    // bound: max_manifolds
     for (int block_i = 0; block_i < solver.block_count; ++block_i) solver.central_count += prepare_block(solver, bodies, block_i);
 }
 

@@ -37,7 +37,7 @@ void prepare_compliance(RollingRows& rolling, const ContactBlock& block, const S
 
 void prepare_rolling(const SolverView& solver, const BodyView& bodies, RollingRows* rolling, const RollingRecord* records) {
     const scalar share = shares_of_substep(solver);
-    for (int block_i = 0; block_i < solver.block_count; ++block_i) {
+    for (int block_i = 0; block_i < solver.block_count; ++block_i) {  // bound: max_manifolds
         const ContactBlock& block = solver.blocks[block_i];
         RollingRows& rows = rolling[block_i];
         prepare_compliance(rows, block, inv_I_of(solver, bodies, block.body_A), inv_I_of(solver, bodies, block.body_B));

@@ -39,6 +39,7 @@ INGOT_INLINE bool is_solved(const SolverView& solver, int slot_A, int slot_B) {
     const uint16_t low = static_cast<uint16_t>(slot_A < slot_B ? slot_A : slot_B), high = static_cast<uint16_t>(slot_A < slot_B ? slot_B : slot_A);
     const uint32_t key = BodyPair{low, high, no_record}.key();
     int from = 0, to = solver.manifold_count;
+    // bound: log2(max_manifolds) + 1: to - from is halved each turn
     while (from < to) {
         const int middle = from + (to - from) / 2;
         if (solver.pairs[middle].key() < key)
@@ -69,6 +70,7 @@ void find_next(const ContinuousCollision<Meets>& collision, int slot) {
     BodyPath& path = collision.paths[slot];
     path.next = path.until < 1 ? path.until : never;
     path.next_slot = static_cast<uint16_t>(slot);
+    // bound: max_bodies
     for (int other = 0; other < collision.surfaces.slot_count; ++other) consider(collision, slot, other);
 }
 
@@ -303,6 +305,8 @@ void follow_fast_bodies(const ContinuousCollision<Meets>& collision, StepReport&
         if (collision.paths[slot].fast) find_next(collision, slot);
 
     int impacts = 0;
+    // bound: (limits::path_parts_max + 1) max_bodies + 2 limits::impacts_in_step_max: a path that ends took 1 / path_parts_max of the step
+    // or more; impacts are counted; a body that waits is fast no more, and an impact makes one more fast at most
     for (int slot_A = first_of_all(collision); slot_A >= 0; slot_A = first_of_all(collision)) {
         const BodyPath& A = collision.paths[slot_A];
         const int slot_B = A.next_slot;

@@ -75,6 +75,7 @@ void PairSubWorld::set_manifold(const Manifold& manifold) {
 
 bool PairSubWorld::carries() const {
     bool some = false;
+    // bound: 4: Manifold::points_max
     for (int point_i = 0; point_i < record.manifold.count; ++point_i) some = some || record.j[point_i] > 0;
     return some;
 }

@@ -67,7 +67,7 @@ struct EventList {
 /// Events of shape slots become events of bodies and the numbers of their shapes.
 template <int shapes_of_body>
 void name_bodies(const EventList& events) {
-    for (int event_i = 0; event_i < *events.count; ++event_i) {
+    for (int event_i = 0; event_i < *events.count; ++event_i) {  // bound: max_events
         Event& event = events.events[event_i];
         event.shape_A = static_cast<uint8_t>(event.A.slot % shapes_of_body);
         event.shape_B = static_cast<uint8_t>(event.B.slot % shapes_of_body);
@@ -90,6 +90,7 @@ void find_touching(const ManifoldView& manifolds, const ImpactNote* notes, const
                    const PairOfBodiesList& touching);
 
 INGOT_INLINE void copy_list(const PairOfBodiesList& from, const PairOfBodiesList& to) {
+    // bound: max_overlaps or max_manifolds
     for (int pair_i = 0; pair_i < *from.count; ++pair_i) to.pairs[pair_i] = from.pairs[pair_i];
     *to.count = *from.count;
 }

@@ -18,8 +18,10 @@ INGOT_INLINE BodyView tiles_of(const BodyView& bodies, int first, int count) {
 template <class Chosen, class Stage>
 void over_runs(const BodyView& bodies, const Chosen& chosen, const Stage& stage) {
     int tile_i = 0;
+    // bound: max_bodies / lanes, rounded up: ++tile_i, or the loop in it takes one or more
     while (tile_i < bodies.tile_count) {
         const int first = tile_i;
+        // bound: max_bodies / lanes, rounded up: ++tile_i
         while (tile_i < bodies.tile_count && chosen(tile_i)) ++tile_i;
         if (tile_i == first)
             ++tile_i;
@@ -66,7 +68,7 @@ void over_awake_bodies(const BodyView& bodies, const RestView& rest, const Stage
     const auto all_awake = [&](int tile_i) { return rest.awake[tile_i] != 0 && sleepers_of(bodies, rest, tile_i) == 0; };
     over_runs(bodies, all_awake, [&](int, const BodyView& run) { stage(run); });
     if constexpr (lanes == 1) return;
-    for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) {
+    for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) {  // bound: max_bodies / lanes, rounded up
         const unsigned sleepers = rest.awake[tile_i] != 0 ? sleepers_of(bodies, rest, tile_i) : 0;
         if (sleepers == 0) continue;
         const KeptTile kept(bodies, tile_i);

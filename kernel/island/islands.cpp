@@ -17,13 +17,14 @@ void join_islands(const BodyView& bodies, const RestView& rest, const ManifoldVi
     const auto alone = [&](int slot) { rest.parent[slot] = static_cast<uint16_t>(slot); };
     for_slots(rest.awake, bodies.tile_count, alone);
     for_slots(rest.settling, bodies.tile_count, alone);
-    for (int manifold_i = 0; manifold_i < *manifolds.count; ++manifold_i) {
+    for (int manifold_i = 0; manifold_i < *manifolds.count; ++manifold_i) {  // bound: max_manifolds
         const int A = manifolds.pairs[manifold_i].body_A, B = manifolds.pairs[manifold_i].body_B;
         if ((rest.is_active(A) || rest.is_active(B)) && is_dynamic(bodies, A) && is_dynamic(bodies, B)) join(rest, A, B);
     }
 }
 
 void join_all_islands(const BodyView& bodies, const RestView& rest, const ManifoldView& manifolds) {
+    // bound: max_bodies, rounded up to whole tiles
     for (int slot = 0; slot < bodies.tile_count * lanes; ++slot) rest.parent[slot] = static_cast<uint16_t>(slot);
     for (int manifold_i = 0; manifold_i < *manifolds.count; ++manifold_i) {
         const int A = manifolds.pairs[manifold_i].body_A, B = manifolds.pairs[manifold_i].body_B;

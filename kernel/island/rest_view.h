@@ -38,6 +38,7 @@ struct RestView {
 
     /// The body that stands for the island. Halves the path on its way, so that the next way is shorter.
     int root(int slot) const {
+        // bound: max_bodies: slot falls each turn: a parent is never higher, for join puts the lower root above the other
         while (parent[slot] != slot) {
             parent[slot] = parent[parent[slot]];
             slot = parent[slot];
@@ -49,8 +50,9 @@ struct RestView {
 /// Does something for every slot whose bit is set, in the order of slots.
 template <class Each>
 INGOT_INLINE void for_slots(const uint16_t* bits, int tile_count, const Each& each) {
-    for (int tile_i = 0; tile_i < tile_count; ++tile_i) {
+    for (int tile_i = 0; tile_i < tile_count; ++tile_i) {  // bound: max_bodies / lanes, rounded up
         int slot = tile_i * lanes;
+        // bound: lanes: bits has a bit a lane
         for (unsigned left = bits[tile_i]; left != 0; left >>= 1, ++slot)
             if ((left & 1u) != 0) each(slot);
     }

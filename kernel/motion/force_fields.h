@@ -195,6 +195,7 @@ struct ThrusterTable : ForceField {
         for (Thruster& one : thruster) {
             each(one.r_body);
             each(one.F_body);
+            // bound: max_bodies: the argument of a table of thrusters
             for (int body_i = 0; body_i < bodies; ++body_i) each(one.throttle[body_i]);  // not of spare lanes
         }
     }

@@ -64,6 +64,7 @@ void place_shapes(const BodyView& bodies, const CompoundView& compounds, int slo
 template <int shapes_of_body, class PairList>
 void drop_pairs_of_one_body(const PairList& found) {
     int kept = 0;
+    // bound: max_pairs and the pairs of shapes of one body: pairs_with_own of scene.h
     for (int pair_i = 0; pair_i < *found.count; ++pair_i)
         if (found.pairs[pair_i].body_A / shapes_of_body != found.pairs[pair_i].body_B / shapes_of_body) found.pairs[kept++] = found.pairs[pair_i];
     *found.count = static_cast<uint16_t>(kept);

@@ -22,6 +22,7 @@ void wake_island(const BodyView& bodies, const RestView& rest, int slot) {
         return;
     }
     const int island = rest.root(slot);
+    // bound: max_bodies, rounded up to whole tiles
     for (int other = 0; other < bodies.tile_count * lanes; ++other)
         if (is_dynamic(bodies, other) && !rest.is_awake(other) && rest.root(other) == island) wake_body(bodies, rest, other);
 }
@@ -29,7 +30,7 @@ void wake_island(const BodyView& bodies, const RestView& rest, int slot) {
 void wake_touching(const BodyView& bodies, const RestView& rest, const ManifoldView& manifolds, int slot) {
     if (is_dynamic(bodies, slot)) return wake_island(bodies, rest, slot);
     RestView::set(rest.awake, slot);
-    for (int manifold_i = 0; manifold_i < *manifolds.count; ++manifold_i) {
+    for (int manifold_i = 0; manifold_i < *manifolds.count; ++manifold_i) {  // bound: max_manifolds
         const BodyPair& pair = manifolds.pairs[manifold_i];
         if (pair.body_A != slot && pair.body_B != slot) continue;
         const int other = pair.body_A == slot ? pair.body_B : pair.body_A;

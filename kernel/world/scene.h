@@ -97,6 +97,7 @@ template <class S>
 inline constexpr HullTable hulls_of = table_of(S::hulls);
 template <class S>
 constexpr bool are_hulls() {
+    // bound: the hulls that the scene names
     for (int form = 0; form < hulls_of<S>.count; ++form)
         if (!(hulls_of<S>.hulls[form].face_count >= 4 && hulls_of<S>.hulls[form].radius > 0)) return false;
     return true;

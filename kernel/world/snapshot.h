@@ -135,6 +135,7 @@ constexpr size_t snapshot_size() {
 class Signature {
 public:
     constexpr void operator()(const char* text) {
+        // bound: the name: a constant string of the method; computed by the compiler
         for (; *text != 0; ++text) hash_ = (hash_ ^ static_cast<uint8_t>(*text)) * 0x100000001b3u;
         hash_ *= 0x100000001b3u;
     }
@@ -191,6 +192,7 @@ void write_body(ByteWriter& writer, const Storage<S>& storage, int slot) {
     body.numbers(writer, snapshot_parts<S>());
     uint8_t count = static_cast<uint8_t>(shape_count_of(storage, slot));
     if (has_compounds<S>) writer(count);
+    // bound: max_shapes_of_body: more are refused before
     for (int shape_i = 0; shape_i < count; ++shape_i) write_numbers<OfShape>(writer, storage, slot * S::max_shapes_of_body + shape_i);
     write_numbers<OfBody>(writer, storage, slot);
 }
@@ -201,6 +203,7 @@ void write_manifolds([[maybe_unused]] ByteWriter& writer, [[maybe_unused]] const
     if constexpr (stacks<S>) {
         uint16_t count = storage.manifold_count;
         writer(count);
+        // bound: max_manifolds: more are refused before
         for (int pair_i = 0; pair_i < count; ++pair_i) write_numbers<OfManifold>(writer, storage, storage.pairs[pair_i]);
     }
 }
@@ -227,7 +230,7 @@ template <class S>
 size_t snapshot_size_of(const Storage<S>& storage) {
     size_t manifold_count = 0, living = 0, shape_count = 0;
     if constexpr (stacks<S>) manifold_count = storage.manifold_count;
-    for (int slot = 0; slot < storage.slots_used; ++slot) {
+    for (int slot = 0; slot < storage.slots_used; ++slot) {  // bound: max_bodies
         if (!storage.lives(slot)) continue;
         ++living;
         shape_count += static_cast<size_t>(shape_count_of(storage, slot));
@@ -259,7 +262,7 @@ Result<size_t> save_snapshot(const World<S>& world, uint8_t* bytes, size_t room)
     write_numbers<OfWorld>(writer, storage);
     if constexpr (has_field<S>) const_cast<typename S::force_field&>(storage.field).numbers(writer);  // a writer only reads
 
-    for (int slot = 0; slot < storage.slots_used; ++slot) {
+    for (int slot = 0; slot < storage.slots_used; ++slot) {  // bound: max_bodies
         uint32_t generation = storage.generation[slot];
         writer(generation);
         if (storage.lives(slot)) write_body(writer, storage, slot);
@@ -282,6 +285,7 @@ Status read_whole(ByteReader& reader, SavedWorld& whole, Storage<S>* to) {
         to->steps = whole.steps;
         to->slots_used = static_cast<int32_t>(whole.slots_used);
         to->free_hint = static_cast<int32_t>(whole.free_hint);
+        // bound: max_bodies, rounded up to whole tiles
         for (int slot = 0; slot < to->bodies().tile_count * lanes; ++slot) set_identity_body(to->bodies(), slot);
         Features::over_named<S>([to](auto feature) { decltype(feature)::begin_load(*to); });
     }
@@ -305,7 +309,7 @@ Status read_body(ByteReader& reader, int slot, Storage<S>* to) {
     uint8_t count = 1;
     if (has_compounds<S>) reader(count);
     if (count > S::max_shapes_of_body) return Status::bad_snapshot;
-    for (int shape_i = 0; shape_i < count; ++shape_i)
+    for (int shape_i = 0; shape_i < count; ++shape_i)  // bound: max_shapes_of_body: more are refused before
         if (read_numbers<OfShape, S>(reader, to, body, slot * S::max_shapes_of_body + shape_i) != Status::ok) return Status::bad_snapshot;
     return read_numbers<OfBody, S>(reader, to, body, slot);
 }
@@ -318,7 +322,7 @@ Status read_manifolds([[maybe_unused]] ByteReader& reader, [[maybe_unused]] uint
         reader(count);
         if (count > S::max_manifolds) return Status::bad_snapshot;
         ManifoldContext context{slots_used, 0, 0};
-        for (uint16_t record = 0; record < count; ++record) {
+        for (uint16_t record = 0; record < count; ++record) {  // bound: max_manifolds: more are refused before
             if (read_numbers<OfManifold, S>(reader, to, context, record) != Status::ok) return Status::bad_snapshot;
             context.key_before = context.key;
         }
@@ -354,6 +358,7 @@ template <class S>
 Status read_snapshot_contents(ByteReader reader, Storage<S>* to) {
     SavedWorld whole{};
     Status status = read_whole<S>(reader, whole, to);
+    // bound: max_bodies: more is refused before
     for (uint32_t slot = 0; slot < whole.slots_used && status == Status::ok; ++slot) {
         uint32_t generation = 0;
         reader(generation);

@@ -88,7 +88,7 @@ bool is_kept_rotation(const Matrix& A) {
 
 uint64_t snapshot_checksum(const uint8_t* bytes, size_t size) {
     uint64_t sum = size;
-    for (size_t byte_i = 0; byte_i < size; byte_i += 8) {
+    for (size_t byte_i = 0; byte_i < size; byte_i += 8) {  // bound: the bytes of a snapshot
         const uint64_t word = word_at(bytes + byte_i, size - byte_i);
         sum = (sum ^ word) * 0x9e3779b97f4a7c15u;  // odd: one to one
         sum ^= sum >> 32;                          // what multiplication moved up comes down

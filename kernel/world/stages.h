@@ -128,6 +128,7 @@ void wake_islands([[maybe_unused]] Step<S>& now) {
         const RestView rest = storage.rest_view();
         const ManifoldView manifolds = storage.manifolds_of_bodies();
         join_islands(now.bodies, rest, manifolds);
+        // bound: max_bodies / lanes, rounded up
         for (int tile_i = 0; tile_i < now.bodies.tile_count; ++tile_i) rest.settling[tile_i] = 0;
         wake_met_islands(now.bodies, rest, manifolds);
         list_awake_pairs(now.bodies, rest, manifolds, storage.awake_pairs, storage.awake_pair_count);
@@ -205,6 +206,7 @@ void tell_events([[maybe_unused]] Step<S>& now) {
 template <class S>
 void invalidate_frozen_bounds([[maybe_unused]] Step<S>& now) {
     if constexpr (stacks<S>)
+        // bound: max_bodies max_shapes_of_body
         for (int slot = 0; slot < now.storage.slots_used * S::max_shapes_of_body; ++slot)
             if (is_frozen(now.bodies, slot / S::max_shapes_of_body)) invalidate_bounds(now.storage.bounds, slot);
 }

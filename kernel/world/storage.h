@@ -44,6 +44,7 @@ struct Storage : Features::Memory<S> {
     CompoundView compound_view() { return {this->surfaces, this->shape_places, shapes(), S::max_shapes_of_body}; }
     /// Shapes are where their bodies are.
     void place_all_shapes() {
+        // bound: max_bodies
         for (int slot = 0; slot < slots_used; ++slot) place_shapes(bodies(), compound_view(), slot);
     }
     /// Contacts of the step by the slots of bodies.

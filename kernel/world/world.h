@@ -80,6 +80,7 @@ public:
         if (def.shape.kind != ShapeKind::none) status = Status::bad_shape;
         if (shapes == nullptr || shape_count < 1) status = Status::out_of_range;
         if (shape_count > S::max_shapes_of_body) status = Status::no_room;
+        // bound: max_shapes_of_body: more are refused before
         for (int shape_i = 0; shape_i < shape_count && status == Status::ok; ++shape_i) {
             status = check_place(shapes[shape_i], def.mass);
             if (status == Status::ok) status = check_add(with_shape(def, shapes[shape_i]));
@@ -110,6 +111,7 @@ public:
         if (slot.value < storage_.free_hint) storage_.free_hint = slot.value;
         set_identity_body(storage_.bodies(), slot.value);
         storage_.set_generation_of_shapes(slot.value, storage_.generation[slot.value]);
+        // bound: max_shapes_of_body
         for (int shape_slot = slot.value * S::max_shapes_of_body; shape_slot < (slot.value + 1) * S::max_shapes_of_body; ++shape_slot)
             Features::over_named<S>([&](auto feature) { decltype(feature)::forget_shape(storage_, shape_slot); });
         Features::over_named<S>([&](auto feature) { decltype(feature)::forget_body(storage_, slot.value); });
@@ -127,7 +129,7 @@ public:
     /// Bodies that live in the world. Cost: O(max_bodies).
     int body_count() const {
         int count = 0;
-        for (int slot = 0; slot < storage_.slots_used; ++slot) count += lives(slot) ? 1 : 0;
+        for (int slot = 0; slot < storage_.slots_used; ++slot) count += lives(slot) ? 1 : 0;  // bound: max_bodies
         return count;
     }
 
@@ -661,6 +663,7 @@ private:
 
     /// The lowest slot that is free and whose generation is not used up; max_bodies if there is none.
     int free_slot() const {
+        // bound: itself
         for (int slot = storage_.free_hint; slot < max_bodies; ++slot)
             if (!lives(slot) && storage_.generation[slot] != UINT32_MAX - 1) return slot;
         return max_bodies;
@@ -676,6 +679,7 @@ private:
     /// The same for the slots of its shapes.
     void begin_shape_slots(int slot) {
         const int first = slot * S::max_shapes_of_body, last = first + S::max_shapes_of_body - 1;
+        // bound: max_shapes_of_body and lanes
         for (int shape_slot = first; shape_slot <= last / lanes * lanes + lanes - 1; ++shape_slot) set_identity_body(storage_.shapes(), shape_slot);
     }
 

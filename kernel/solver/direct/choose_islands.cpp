@@ -13,6 +13,7 @@ namespace {
 /// The root of a body's tree, which is made shorter on the way. Bound: the depth of the tree; roots are the lowest of their
 /// bodies.
 uint16_t root_of(uint16_t* root, uint16_t body_i) {
+    // bound: max_bodies: body_i falls each turn: a root of join_bodies is lower than what it is the root of
     while (root[body_i] != body_i) {
         root[body_i] = root[root[body_i]];
         body_i = root[body_i];
@@ -21,12 +22,12 @@ uint16_t root_of(uint16_t* root, uint16_t body_i) {
 }
 
 void join_bodies(const SolverView& solver, const DirectView& direct) {
-    for (int body_i = 0; body_i < solver.body_count; ++body_i) {
+    for (int body_i = 0; body_i < solver.body_count; ++body_i) {  // bound: max_bodies + 1
         direct.root[body_i] = static_cast<uint16_t>(body_i);
         direct.size[body_i] = 0;
         direct.state[body_i] = IslandState::swept;
     }
-    for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i) {
+    for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i) {  // bound: max_manifolds
         const uint16_t body_A = solver.local_of[solver.pairs[manifold_i].body_A],
                        body_B = solver.local_of[solver.pairs[manifold_i].body_B];
         if (body_A == 0 || body_B == 0) continue;
@@ -46,6 +47,7 @@ void list_members(const SolverView& solver, const DirectView& direct) {
         sum = static_cast<uint16_t>(sum + direct.size[body_i]);
         direct.size[body_i] = 0;
     }
+    // bound: lanes of all blocks: block_capacity lanes of storage.h, about 3/2 max_manifolds
     for (int position = 0; position < solver.lane_count; ++position) {
         if (solver.order[position] == no_manifold) continue;
         const uint16_t root = direct.root[dynamic_body(solver, solver.order[position])];
@@ -57,7 +59,7 @@ void list_members(const SolverView& solver, const DirectView& direct) {
 /// A visit for each run of lanes that are left: then its first manifold is known, and those that follow it are of the same colour.
 void add_runs(SolverView& left, const Visit& visit, unsigned bits, unsigned solved) {
     unsigned before = 0, run = 0, run_first = 0;
-    for (unsigned lane_i = 0; lane_i <= static_cast<unsigned>(lanes); ++lane_i) {
+    for (unsigned lane_i = 0; lane_i <= static_cast<unsigned>(lanes); ++lane_i) {  // bound: lanes
         const bool stays = (bits >> lane_i & 1u) != 0;
         if (stays && run == 0) run_first = before;
         if (stays) run |= 1u << lane_i;
@@ -106,7 +108,7 @@ SolverView left_to_sweeps(const SolverView& solver, const DirectView& direct) {
     SolverView left = solver;
     left.visits = direct.visits;
     left.visit_count = 0;
-    for (int visit_i = 0; visit_i < solver.visit_count; ++visit_i) {
+    for (int visit_i = 0; visit_i < solver.visit_count; ++visit_i) {  // bound: max_manifolds
         const Visit visit = solver.visits[visit_i];
         unsigned bits = 0, solved = 0;
         for (int lane_i = 0; lane_i < lanes; ++lane_i) {

@@ -46,7 +46,7 @@ void load_manifold(const SolverView& solver, DirectView& direct, DirectManifold&
         record.manifold.count > 1 ? static_cast<wide_scalar>(block.torsion.radius[lane_i]) : 0;  // of one point: rounding
     manifold.points = static_cast<uint8_t>(record.manifold.count > 1 ? block_rows : 1);   // whatever it shares its block with
     manifold.rows = 0;
-    for (int row = 0; row < block.rows; ++row) {
+    for (int row = 0; row < block.rows; ++row) {  // bound: 4
         if (!(block.B[Sym4::index(row, row)][lane_i] > 0)) continue;
         const DirectVector P = in_double(record.manifold.points[row].P), none = {};
         load_row(direct, manifold, rows[row], n,
@@ -77,6 +77,7 @@ void load_rows(const SolverView& solver, const BodyView& bodies, DirectView& dir
     direct.body_count = 1;
     direct.bodies[0] = {};
     direct.local[0] = 0;
+    // bound: max_island of HybridIslands: larger islands are swept
     for (int manifold_i = 0; manifold_i < direct.manifold_count; ++manifold_i) {
         DirectManifold& manifold = direct.manifolds[manifold_i];
         manifold.position = direct.members[direct.begin[root] + manifold_i];
@@ -91,6 +92,7 @@ void load_rows(const SolverView& solver, const BodyView& bodies, DirectView& dir
         load_manifold(solver, direct, manifold, direct.rows + manifold_i * direct_rows);
 
         manifold.first = static_cast<uint16_t>(manifold_i);
+        // bound: max_island: manifolds of an island before one
         for (int before = 0; before < manifold_i; ++before) {
             const DirectManifold& other = direct.manifolds[before];
             bool shared = false;

@@ -16,6 +16,7 @@ template <class Visitor>
 void for_impulses(const SolverView& solver, const DirectManifold& manifold, Visitor visit) {
     ContactBlock& block = solver.blocks[manifold.position / lanes];
     const int lane_i = manifold.position % lanes;
+    // bound: 4: block_rows
     for (int row = 0; row < manifold.points; ++row)
         if (has(manifold.rows, row)) visit(row, block.row[row].j[lane_i], block.row[row].j_sweep[lane_i]);
     for (int axis = 0; axis < 2; ++axis)

@@ -15,6 +15,7 @@ inline void set_bit(uint8_t& bits, int row, bool on) {
 
 inline int active_normals(const DirectManifold& manifold) {
     int count = 0;
+    // bound: 4: block_rows
     for (int row = 0; row < manifold.points; ++row) count += has(manifold.active, row) ? 1 : 0;
     return count;
 }

@@ -21,7 +21,7 @@ namespace ingot { inline namespace INGOT_ABI {
 namespace {
 
 void keep_free_motion(const SolverView& solver, const DirectView& direct) {
-    for (int body_i = 1; body_i < solver.body_count; ++body_i) {
+    for (int body_i = 1; body_i < solver.body_count; ++body_i) {  // bound: max_bodies + 1
         for (int axis = 0; axis < 3; ++axis) {
             direct.free_motion[body_i].v_CM[axis] = solver.bodies[body_i].v_CM[axis];
             direct.free_motion[body_i].L[axis] = solver.bodies[body_i].L[axis];
@@ -97,6 +97,7 @@ bool solve_substeps_directly(SolverView& solver, DirectView& direct, const BodyV
     const bool has_chains = find_impact_chains(solver);
     const scalar h = h_step / static_cast<scalar>(plan.substeps);
     bool at_bound = false;
+    // bound: limits::substeps
     for (int substep_i = 0; substep_i < plan.substeps; ++substep_i) {
         predict_contacts(solver, h);
         predict_bounces(solver, h);

@@ -41,7 +41,7 @@ void take_in_point_body(PointBody& body, const BodyView& bodies, const Vector& g
 /// What a substep begins with: forces change the velocity of a body for h seconds, or it changes again by what it changed in the substep before.
 scalar begin_substep(const PointView& solver, bool again, scalar h) {
     scalar fastest_sq = 0;
-    for (int slot = 0; slot < solver.slot_count; ++slot) {
+    for (int slot = 0; slot < solver.slot_count; ++slot) {  // bound: max_bodies, rounded up to whole tiles
         PointBody& body = solver.bodies[slot];
         if (!(body.inv_M > 0)) continue;
         const PointMotion before = body.begin;
@@ -65,7 +65,7 @@ void take_in_bodies(PointView& solver, const BodyView& bodies, const Vector& gra
         solver.bodies[slot].inv_M = 0;  // of a body that does not move, nothing else is looked at
         solver.bodies[slot].hit = false;
     }
-    for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i) {
+    for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i) {  // bound: max_manifolds
         const BodyPair& pair = solver.pairs[manifold_i];
         take_in_point_body(solver.bodies[pair.body_A], bodies, gravity, h, pair.body_A);
         take_in_point_body(solver.bodies[pair.body_B], bodies, gravity, h, pair.body_B);

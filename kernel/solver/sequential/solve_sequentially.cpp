@@ -11,9 +11,10 @@ namespace {
 
 /// Notes which manifolds have carried an impulse at the end of a substep.
 void note_impulses_of_points(const PointView& solver, ImpactNote* notes, bool first) {
-    for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i) {
+    for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i) {  // bound: max_manifolds
         const ManifoldRecord& record = solver.records[solver.pairs[manifold_i].record];
         bool carried = !first && notes[manifold_i].carried;
+        // bound: 4: Manifold::points_max
         for (int point_i = 0; point_i < record.manifold.count; ++point_i) carried = carried || record.j[point_i] > 0;
         notes[manifold_i].carried = carried;
     }
@@ -37,10 +38,12 @@ void solve_points(PointView& solver, const BodyView& bodies, const Vector& gravi
     take_in_bodies(solver, bodies, gravity, h_step);
     begin_contacts(solver, static_cast<scalar>(limits::substeps / substeps), h);
     bool given_again = false, steady = true;
+    // bound: limits::substeps
     for (int substep_i = 0; substep_i < substeps; ++substep_i) {
         const scalar rounding = 4 * epsilon * (given_again ? kick_again(solver) : kick_bodies(solver, h));
         if (!given_again) warm_start(solver);
         scalar size_before = 0;
+        // bound: limits::sweeps_of_points: left at sweep_i == limits::sweeps_of_points
         for (int sweep_i = 1;; ++sweep_i) {
             const SweepOfPoints sweep = sweep_point_velocities(solver, sweep_i % 2 != 0, limits::ignored_speed + rounding);
             count(report.sweeps);

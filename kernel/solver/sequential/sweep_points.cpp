@@ -52,6 +52,7 @@ scalar compliance_of_friction(const PointVisit& visit) {
 
 scalar load_on(const PointVisit& visit) {
     scalar sum = 0;
+    // bound: 4: Manifold::points_max
     for (int point_i = 0; point_i < visit.count(); ++point_i) sum += visit.record.j[point_i];
     return sum;
 }
@@ -173,6 +174,7 @@ void visit_positions(const PointVisit& visit, scalar h) {
 }
 
 void scale_impulses(ManifoldRecord& record, scalar share) {
+    // bound: 4: Manifold::points_max
     for (int point_i = 0; point_i < record.manifold.count; ++point_i) record.j[point_i] *= share;
     record.j_friction = record.j_friction * share;
     record.j_torsion *= share;
@@ -235,7 +237,7 @@ void go_on(const PointVisit& visit, scalar beta) {
 /// Calls a stage for the manifolds of bodies that move.
 template <class Stage>
 void over_manifolds(const PointView& solver, bool forward, const Stage& stage) {
-    for (int i = 0; i < solver.manifold_count; ++i) {
+    for (int i = 0; i < solver.manifold_count; ++i) {  // bound: max_manifolds
         const PointVisit visit = visit_of(solver, forward ? i : solver.manifold_count - 1 - i);
         if (visit.moves()) stage(visit);
     }

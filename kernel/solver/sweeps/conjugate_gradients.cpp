@@ -30,7 +30,7 @@ INGOT_INLINE void go_on(scalar (&j)[lanes], scalar (&j_sweep)[lanes], scalar (&d
 }  // namespace
 
 void begin_sweeps(const SolverView& solver) {
-    for (int body_i = 1; body_i < solver.body_count; ++body_i) {
+    for (int body_i = 1; body_i < solver.body_count; ++body_i) {  // bound: max_bodies + 1
         const SolverBody& body = solver.bodies[body_i];
         SolverBodyHistory& history = solver.histories[body_i];
         for (int i = 0; i < 4; ++i) history.v_sweep[i] = body.v_CM[i];
@@ -41,8 +41,9 @@ void begin_sweeps(const SolverView& solver) {
 template <class View>
 void extrapolate(const View& solver, scalar beta) {
     const lane beta_of_rows = splat<lane>(beta);
-    for (int block_i = 0; block_i < solver.block_count; ++block_i) {
+    for (int block_i = 0; block_i < solver.block_count; ++block_i) {  // bound: max_manifolds
         ContactBlock& block = solver.blocks[block_i];
+        // bound: 4
         for (int row = 0; row < block.rows; ++row) go_on(block.row[row].j, block.row[row].j_sweep, block.row[row].direction, beta_of_rows);
         for (int axis = 0; axis < 2; ++axis)
             go_on(block.friction.j[axis], block.friction.j_sweep[axis], block.friction.direction[axis], beta_of_rows);

@@ -61,8 +61,9 @@ void take_in_bodies(SolverView& solver, const BodyView& bodies, const Vector& gr
     solver.bodies[0] = {};
     solver.histories[0] = {};
     solver.body_count = 1;
+    // bound: max_bodies, rounded up to whole tiles
     for (int slot = 0; slot < bodies.tile_count * lanes; ++slot) solver.local_of[slot] = 0;
-    for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i) {
+    for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i) {  // bound: max_manifolds
         (void)take_in(solver, bodies, gravity, h, solver.pairs[manifold_i].body_A);
         (void)take_in(solver, bodies, gravity, h, solver.pairs[manifold_i].body_B);
     }
@@ -70,7 +71,7 @@ void take_in_bodies(SolverView& solver, const BodyView& bodies, const Vector& gr
 
 void kick_bodies(SolverView& solver, scalar h) {
     scalar fastest_sq = 0;
-    for (int body_i = 1; body_i < solver.body_count; ++body_i) {
+    for (int body_i = 1; body_i < solver.body_count; ++body_i) {  // bound: max_bodies + 1
         SolverBody& body = solver.bodies[body_i];
         SolverBodyHistory& history = solver.histories[body_i];
         for (int i = 0; i < 4; ++i) history.v_begin[i] = body.v_CM[i];  // the fourth of a and tau is 0

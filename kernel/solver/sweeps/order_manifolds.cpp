@@ -27,11 +27,13 @@ bool relax(SolverView& solver, int manifold_i) {
 
 /// Distances from the ground, by passes forward and backward over the manifolds; what hangs free of it is level 0 with the ground.
 void find_levels(SolverView& solver) {
+    // bound: max_bodies + 1
     for (int body_i = 0; body_i < solver.body_count; ++body_i) solver.level_of_body[body_i] = unreached_level;
     solver.level_of_body[0] = 0;
     bool changed = true;
     for (int pass_i = 0; pass_i < limits::level_passes_max && changed; ++pass_i) {
         changed = false;
+        // bound: max_manifolds
         for (int step_i = 0; step_i < solver.manifold_count; ++step_i)
             changed = relax(solver, pass_i % 2 == 0 ? step_i : solver.manifold_count - 1 - step_i) || changed;
     }
@@ -70,16 +72,18 @@ int lowest_free(uint32_t used) {
 void begin_block(SolverView& solver, int still_to_come) {
     const int pad = (lanes - solver.lane_count % lanes) % lanes;
     if (solver.lane_count + pad + still_to_come > solver.lane_capacity) return;
-    for (int lane_i = 0; lane_i < pad; ++lane_i) solver.order[solver.lane_count++] = no_manifold;
+    for (int lane_i = 0; lane_i < pad; ++lane_i) solver.order[solver.lane_count++] = no_manifold;  // bound: lanes - 1
 }
 
 /// Adds manifolds from_order[0 .. count), which share no body that can move, to the blocks.
 void add_visits(SolverView& solver, const uint16_t* from_order, int count) {
+    // bound: max_manifolds: the loop in it takes one or more: a block has room for one
     for (int i = 0; i < count;) {
         const int block = solver.lane_count / lanes, first_lane = solver.lane_count % lanes;
         const int room = lanes - first_lane, taken = count - i < room ? count - i : room;
         const unsigned bits = ((1u << taken) - 1u) << first_lane;
         solver.visits[solver.visit_count++] = {static_cast<uint16_t>(block), static_cast<uint16_t>(bits), static_cast<uint16_t>(i)};
+        // bound: lanes: taken is at most the room of a block
         for (int end = i + taken; i < end; ++i) solver.order[solver.lane_count++] = from_order[i];
     }
 }
@@ -87,6 +91,7 @@ void add_visits(SolverView& solver, const uint16_t* from_order, int count) {
 /// Colours the manifolds other_order[begin .. end) of one level and writes them to order[] colour by colour.
 void color_level(SolverView& solver, int begin, int end) {
     uint16_t count[colours + 1] = {};
+    // bound: max_manifolds: part of other_order
     for (int i = begin; i < end; ++i) {
         solver.colours_of_body[local_A(solver, solver.other_order[i])] = 0;
         solver.colours_of_body[local_B(solver, solver.other_order[i])] = 0;
@@ -119,13 +124,14 @@ void color_level(SolverView& solver, int begin, int end) {
         add_visits(solver, by_colour + position, count[colour]);
         position += count[colour];
     }
+    // bound: max_manifolds: ++position
     for (; position < end; ++position) add_visits(solver, by_colour + position, 1);  // a body with more: one at a time
 }
 
 /// A visit with all lanes stores whole vectors: the lanes of a block that hold no manifold join the only visit it has. They write the zeros
 /// of the body that cannot move.
 void take_spare_lanes_along(SolverView& solver) {
-    for (int visit_i = 0; visit_i < solver.visit_count; ++visit_i) {
+    for (int visit_i = 0; visit_i < solver.visit_count; ++visit_i) {  // bound: max_manifolds
         Visit& visit = solver.visits[visit_i];
         unsigned spare = 0;
         for (int lane_i = 0; lane_i < lanes; ++lane_i)
@@ -143,14 +149,17 @@ void order_manifolds(SolverView& solver) {
     solver.lane_count = 0;
     solver.level_count = 0;
     int begin = 0;
+    // bound: max_manifolds: begin becomes end, which is after it
     while (begin < solver.manifold_count) {
         const uint16_t level = solver.level[solver.other_order[begin]];
         int end = begin + 1;
+        // bound: max_manifolds: ++end
         while (end < solver.manifold_count && solver.level[solver.other_order[end]] == level) ++end;
         solver.level_count = level + 1;
         color_level(solver, begin, end);
         begin = end;
     }
+    // bound: lanes - 1: lane_count grows by one
     while (solver.lane_count % lanes != 0) solver.order[solver.lane_count++] = no_manifold;
     solver.block_count = solver.lane_count / lanes;
     take_spare_lanes_along(solver);

@@ -25,6 +25,7 @@ scalar& time_of(ContactBlock& block, int lane_i) { return block.row[0].landing[l
 
 template <class Of>
 void for_each_contact(const SolverView& solver, const Of& of) {
+    // bound: max_manifolds
     for (int block_i = 0; block_i < solver.block_count; ++block_i)
         for (int lane_i = 0; lane_i < lanes; ++lane_i)
             if (solver.blocks[block_i].manifold[lane_i] != no_manifold) of(block_i, lane_i);
@@ -49,7 +50,7 @@ void for_each_in_chain(const SolverView& solver, const Of& of) {
 scalar next_impact(const SolverView& solver, ContactBlock& block, int lane_i, scalar now, scalar h, bool aim_rows) {
     const BlockFlight flight = flight_of(solver, block);
     scalar first = no_impact;
-    for (int row = 0; row < block.rows; ++row) {
+    for (int row = 0; row < block.rows; ++row) {  // bound: 4
         const RowFlight from = flight_from(flight.row[row], splat<lane>(now));
         const RowImpact impact = impact_of(from, splat<lane>(h - now));
         scalar when[lanes], target[lanes];
@@ -137,6 +138,7 @@ void look_again(const SolverView& solver, scalar now, scalar h) {
             return;
         time_of(block, lane_i) = next_impact(solver, block, lane_i, now, h, false);
     });
+    // bound: max_bodies + 1
     for (int body_i = 1; body_i < solver.body_count; ++body_i) solver.colours_of_body[body_i] &= ~changed;
 }
 
@@ -194,6 +196,7 @@ bool sequence_impacts(const View& solver, scalar h, ImpactNote* notes, StepRepor
         time_of(block, lane_i) = next_impact(solver, block, lane_i, 0, h, false);
         ++contacts;
     });
+    // bound: limits::impacts_of_contact max_manifolds: contacts are counted, each once
     for (int impact_i = 0; impact_i < limits::impacts_of_contact * contacts; ++impact_i) {
         const scalar now = first_impact(solver);
         if (!(now < no_impact)) break;

@@ -28,6 +28,7 @@ void solve_substeps(View& solver, const BodyView& bodies, const SweepPlan& plan,
     if constexpr (notes_impulses) clear_impulse_notes(solver, notes);
     [[maybe_unused]] const bool has_chains = bounces && find_impact_chains(solver);
     const scalar h = h_step / static_cast<scalar>(plan.substeps);
+    // bound: limits::substeps
     for (int substep_i = 0; substep_i < plan.substeps; ++substep_i) {
         predict_contacts(solver, h);
         if constexpr (bounces) {

@@ -26,7 +26,7 @@ int sweeps_of(const SweepPlan& plan, const SolverView& solver) {
 
 SweepPlan plan_sweeps(const SolverView& solver) {
     int fresh = 0, steady = 0;
-    for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i) {
+    for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i) {  // bound: max_manifolds
         const ManifoldRecord& record = solver.records[solver.pairs[manifold_i].record];
         if (age_of(record) < 4 * limits::substeps) ++fresh;
         if (was_steady(record)) ++steady;
@@ -45,6 +45,7 @@ int solve_velocities(const View& solver, const SweepPlan& plan, scalar& residual
     const int sweeps_max = sweeps_of(plan, solver);
     scalar size_before = 0;
     if (sweeps_max > 1) begin_sweeps(solver);
+    // bound: plan.sweeps_max: left at sweep_i == sweeps_max, which is 1 or more
     for (int sweep_i = 1;; ++sweep_i) {
         residual = sweep_velocities(solver, sweep_i, !plan.up_and_down || sweep_i % 2 != 0, limits::active_share * settled);
         if (sweep_i == sweeps_max || residual <= settled) return sweep_i;

@@ -21,6 +21,7 @@ INGOT_INLINE Pushes pushes_due(const ContactBlock& block, const Vec3<lane>& n, c
     const lane settled = splat<lane>(-limits::settled_gap), apart = dot(n, pair.linear_A - pair.linear_B);
     Pushes due;
     due.off = due.lands = splat<lane>(1) < lane{};
+    // bound: 4: block_rows
     for (int row = 0; row < rows; ++row) {
         const lane s = separation_now(block, row, apart, pair);
         const mask lands = bounces(block.row[row]), pressed = load(block.row[row].j) > lane{};
@@ -81,7 +82,7 @@ INGOT_INLINE void visit_central_positions(const SolverView& solver, ContactBlock
 }  // namespace
 
 void sweep_positions(const SolverView& solver, scalar h) {
-    for (int visit_i = 0; visit_i < solver.visit_count; ++visit_i) {
+    for (int visit_i = 0; visit_i < solver.visit_count; ++visit_i) {  // bound: max_manifolds
         const Visit visit = solver.visits[visit_i];
         ContactBlock& block = solver.blocks[visit.block];
         if (block.central) {

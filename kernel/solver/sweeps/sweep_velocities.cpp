@@ -24,6 +24,7 @@ template <int rows, bool whole>
 INGOT_INLINE lane solve_normals(ContactBlock& block, BodyPairLanes& pair, const Vec3<lane>& n, mask active, Change& change) {
     const lane approach = dot(n, pair.linear_A - pair.linear_B);
     Row4 before, w;
+    // bound: 4: block_rows
     for (int row = 0; row < rows; ++row) {
         before.at[row] = load(block.row[row].j);
         const lane speed = (rows == 1 && block.central ? approach : row_speed(block.row[row].levers, approach, pair)) - load(block.row[row].target);
@@ -140,7 +141,7 @@ INGOT_INLINE void visit_velocities(const View& solver, int block_i, ContactBlock
 template <class View>
 scalar sweep_velocities(const View& solver, int sweep_i, bool up, scalar active_threshold) {
     lane residual{};
-    for (int visit_i = 0; visit_i < solver.visit_count; ++visit_i) {
+    for (int visit_i = 0; visit_i < solver.visit_count; ++visit_i) {  // bound: max_manifolds
         const Visit visit = solver.visits[up ? visit_i : solver.visit_count - 1 - visit_i];
         ContactBlock& block = solver.blocks[visit.block];
         if (block.rows == 1)
@@ -172,6 +173,7 @@ scalar sum_of_changes(const SolverView& solver) {
             continue;
         }
         unsigned k = visit.first;
+        // bound: lanes: lane_bits has a bit a lane
         for (unsigned lane_i = 0, left = visit.lane_bits; left != 0; ++lane_i, left >>= 1)
             if ((left & 1u) != 0) sums[k++ % 8] += change[lane_i];
     }

@@ -169,7 +169,7 @@ inline constexpr bool names_its_numbers<Field, decltype(any_of<Field>().numbers(
 class FieldSignature : public NumberStream<FieldSignature> {
 public:
     constexpr void name(const char* text) {
-        for (; *text != 0; ++text) add(static_cast<uint8_t>(*text));
+        for (; *text != 0; ++text) add(static_cast<uint8_t>(*text));  // bound: the text ends with a zero
         add(0);
     }
     template <class T>

@@ -24,10 +24,12 @@ struct Surfaces : Feature {
 
     template <class S, class Each>
     static constexpr void traits(Each& each) {
+        // bound: the kinds of shapes
         for (int kind = 0; kind <= static_cast<int>(ShapeKind::half_space); ++kind) each(S::shapes::has(static_cast<ShapeKind>(kind)));
         each(S::bounces);
         each(hulls_of<S>.count);
-        for (int form = 0; form < hulls_of<S>.count; ++form)
+        for (int form = 0; form < hulls_of<S>.count; ++form)  // bound: hulls of the scene
+            // bound: limits::hull_vertices_max
             for (int vertex_i = 0; vertex_i < hulls_of<S>.hulls[form].vertex_count; ++vertex_i) each(hulls_of<S>.hulls[form].vertices[vertex_i]);
     }
     template <class S>
@@ -136,11 +138,12 @@ struct Compounds : Feature {
     }
     template <class S>
     static void begin_load(Storage<S>& storage) {
+        // bound: max_bodies max_shapes_of_body, rounded up to whole tiles
         for (int shape_slot = 0; shape_slot < storage.shapes().tile_count * lanes; ++shape_slot) set_identity_body(storage.shapes(), shape_slot);
     }
     template <class S>
     static void finish_load(Storage<S>& storage) {
-        for (int slot = 0; slot < storage.slots_used; ++slot) storage.set_generation_of_shapes(slot, storage.generation[slot]);
+        for (int slot = 0; slot < storage.slots_used; ++slot) storage.set_generation_of_shapes(slot, storage.generation[slot]);  // bound: max_bodies
         storage.place_all_shapes();
     }
 
