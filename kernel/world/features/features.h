@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The features there are. Their order is that of their memory in a world, and of their numbers in a snapshot.
+// The features there are. Their order is that of their memory in a world, of their numbers in a snapshot, and of their places in a signature: a new
+// one comes last, and what does not name it stays as it was, to the byte.
 #pragma once
 
 #include "materials.h"
