@@ -242,6 +242,24 @@ public:
         return storage_.gravity;
     }
 
+    /// What a body feels of gravity, in scenes with gravity_shares: 1 as it is added, 0 for one that floats, below 0 for one that rises. Exact to the
+    /// rounding of the mass: see motion/gravity_shares.h. Errors: not_finite, out_of_range (beyond limits::gravity_share_max).
+    Status set_gravity_share(BodyId id, scalar share) {
+        static_assert(shares_only());
+        const Result<int> slot = find(id);
+        if (!slot.ok()) return slot.status;
+        if (!is_finite(share)) return Status::not_finite;
+        if (!(abs(share) <= limits::gravity_share_max)) return Status::out_of_range;
+        storage_.shares_of_gravity[slot.value] = share + scalar(0);  // -0 becomes +0: one value, one set of bits
+        return touched(slot.value, Status::ok);
+    }
+    Result<scalar> gravity_share(BodyId id) const {
+        static_assert(shares_only());
+        const Result<int> slot = find(id);
+        if (!slot.ok()) return {slot.status, 0};
+        return {Status::ok, storage_.shares_of_gravity[slot.value]};
+    }
+
     /// The field of the scene, to read its numbers and to set them; they are taken as they are.
     typename S::force_field& force_field() {
         static_assert(field_only());
@@ -310,6 +328,11 @@ private:
     friend Result<size_t> save_snapshot(const World<Any>& world, uint8_t* bytes, size_t room);
     template <class Any>
     friend Status load_snapshot(World<Any>& world, const uint8_t* bytes, size_t size);
+
+    static constexpr bool shares_only() {
+        static_assert(S::gravity_shares, "bodies of this scene feel all of gravity: set gravity_shares = true");
+        return true;
+    }
 
     /// All that World::add asks of a body of one shape.
     Status check_add(const BodyDef& def) const {

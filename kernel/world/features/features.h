@@ -3,6 +3,7 @@
 // one comes last, and what does not name it stays as it was, to the byte.
 #pragma once
 
+#include "gravity_shares.h"
 #include "materials.h"
 #include "motion.h"
 #include "sensors_and_events.h"
@@ -12,7 +13,8 @@
 namespace ingot { inline namespace INGOT_ABI {
 
 using Features = FeatureList<Rotation, Translation, Compensation, EnergyReturn, FieldOfForce, Surfaces, Compounds, Impacts, Manifolds, Unsettled,
-                             RollingResistance, Belts, Filters, Sensors, Continuous, Events, ToldEvents, Sleep>;
+                             RollingResistance, Belts, Filters, Sensors, Continuous, Events, ToldEvents, Sleep,
+                             GravityShares>;
 
 static_assert(Features::bits_differ(SnapshotPart::doubles | SnapshotPart::anchors));  // of a snapshot's parts
 
