@@ -38,7 +38,7 @@ struct [[nodiscard]] StepReport {
     /// contacts still approaching after limits::impact_waves_max or impacts_of_contact, fast bodies that wait for the next step where they met
     /// something
     uint16_t impacts_deferred{};
-    uint16_t sweeps{};           ///< sweeps over contacts, in all
+    uint16_t sweeps{};           ///< sweeps over contacts in all substeps: the most that an island took
     uint16_t overlaps_lost{};    ///< bodies in a sensor, and no room: raise Scene::max_overlaps
     scalar residual{};           ///< m/s; the largest speed that the last sweep over manifolds still corrected
     uint16_t sweeps_unfinished{};  ///< solves that stopped at limits::contact_sweeps_max
@@ -51,5 +51,11 @@ struct [[nodiscard]] StepReport {
                overlaps_lost == 0 && events_lost == 0 && (direct & DirectBits::refused) == 0;
     }
 };
+
+/// An island tells how many sweeps it took, and what the last of them still corrected: the most count.
+inline void note_sweeps(StepReport& report, int sweeps, scalar residual) {
+    if (sweeps > report.sweeps) report.sweeps = static_cast<uint16_t>(sweeps < 65535 ? sweeps : 65535);
+    if (residual > report.residual) report.residual = residual;
+}
 
 } }  // namespace ingot

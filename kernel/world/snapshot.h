@@ -135,7 +135,7 @@ constexpr size_t snapshot_size() {
 class Signature {
 public:
     constexpr void operator()(const char* text) {
-        // bound: the name: a constant string of the method; computed by the compiler
+        // bound: a name ends with a zero; computed by the compiler
         for (; *text != 0; ++text) hash_ = (hash_ ^ static_cast<uint8_t>(*text)) * 0x100000001b3u;
         hash_ *= 0x100000001b3u;
     }

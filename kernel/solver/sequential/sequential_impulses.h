@@ -22,12 +22,14 @@ struct SequentialImpulses {
         PointBody point_bodies[static_cast<unsigned>((max_bodies + lanes - 1) / lanes * lanes)] = {};
         PointContact point_contacts[static_cast<unsigned>(max_manifolds)] = {};
 
+        uint16_t members[static_cast<unsigned>(max_manifolds)] = {}, body_slots[static_cast<unsigned>(max_bodies)] = {};
+
         PointView solver_of(const BodyPair* pairs, ManifoldRecord* records, int manifold_count) {
-            return {pairs, records, manifold_count, point_bodies, point_contacts, 0};
+            return {pairs, records, manifold_count, point_bodies, point_contacts, members, body_slots, 0, 0, 0};
         }
         template <bool notes_impulses, bool>
-        void solve_contacts(PointView& solver, const BodyView& bodies, const Vector& gravity, scalar h, ImpactNote* notes, StepReport& report) {
-            solve_points<notes_impulses>(solver, bodies, gravity, h, notes, report);
+        void solve_contacts(PointView& solver, const ContactStep& step, StepReport& report) {
+            solve_sequentially<notes_impulses>(solver, step, report);
         }
     };
 };

@@ -32,10 +32,7 @@ struct AnchorPart<S, false> {
 };
 
 template <class S>
-inline constexpr unsigned block_capacity_of = [] {  // see order_manifolds
-    constexpr unsigned full = (static_cast<unsigned>(S::max_manifolds) + lanes - 1) / lanes;
-    return lanes == 1 ? full : full + full / 2 + 2;
-}();
+inline constexpr unsigned block_capacity_of = (static_cast<unsigned>(S::max_manifolds) + lanes - 1) / lanes;
 
 /// What other traits add to contacts.
 template <class S>
@@ -73,18 +70,41 @@ struct BlockOrderPart : ManifoldListPart<S> {
     static constexpr unsigned block_capacity = block_capacity_of<S>;
     static constexpr unsigned body_capacity = static_cast<unsigned>(S::max_bodies) + 1;
 
+    static constexpr unsigned visit_capacity = manifold_capacity + block_capacity;
+
+    Island islands[body_capacity < manifold_capacity ? body_capacity : manifold_capacity] = {};
     uint32_t colours_of_body[body_capacity] = {};
-    uint16_t level_of_body[body_capacity] = {}, slot_of[body_capacity] = {};
+    uint16_t level_of_body[body_capacity] = {}, slot_of[body_capacity] = {}, island_of[body_capacity] = {}, batch_bodies[body_capacity] = {};
     uint16_t local_of[static_cast<unsigned>(tile_capacity<S> * lanes)] = {};
-    uint16_t order[block_capacity * lanes] = {};
-    uint16_t other_order[manifold_capacity] = {}, level_order[manifold_capacity] = {}, level[manifold_capacity] = {};
-    Visit visits[manifold_capacity + block_capacity] = {};
+    uint16_t members[manifold_capacity] = {}, sorted[manifold_capacity] = {};
+    uint8_t colour[manifold_capacity] = {};
+    uint16_t island_at[manifold_capacity] = {}, level[manifold_capacity] = {};
+    Visit visits[visit_capacity] = {}, some_visits[visit_capacity] = {};
 
     SolverView solver_of(const BodyPair* pairs_of_bodies, ManifoldRecord* records_of_pairs, int count) {
-        constexpr int room = static_cast<int>(block_capacity * lanes);
-        return {pairs_of_bodies, records_of_pairs, count, this->blocks, visits, order, level, other_order, level_order,
-                this->solver_bodies, this->histories, slot_of, local_of, level_of_body, colours_of_body,
-                0, 0, 0, 0, 0, 0, room, 0, false, limits::substeps, false};
+        SolverView view{};
+        view.pairs = pairs_of_bodies;
+        view.records = records_of_pairs;
+        view.manifold_count = count;
+        view.bodies = this->solver_bodies;
+        view.histories = this->histories;
+        view.slot_of = slot_of;
+        view.local_of = local_of;
+        view.level_of_body = level_of_body;
+        view.colours_of_body = colours_of_body;
+        view.island_of = island_of;
+        view.islands = islands;
+        view.island_at = island_at;
+        view.level = level;
+        view.blocks = this->blocks;
+        view.visits = visits;
+        view.some_visits = some_visits;
+        view.members = members;
+        view.sorted = sorted;
+        view.colour = colour;
+        view.batch_bodies = batch_bodies;
+        view.lane_capacity = static_cast<int>(block_capacity * lanes);
+        return view;
     }
 };
 template <class S>
