@@ -156,13 +156,30 @@ private:
     uint64_t hash_ = state_hash_seed;
 };
 
+/// Of the traits of one feature.
+template <class S, class Feature>
+constexpr uint64_t traits_signature() {
+    Signature signature;
+    Feature::template traits<S>(signature);
+    return signature.hash();
+}
+
 /// A number for all that makes snapshots of two scenes differ in their bytes or in the steps that follow: the scalar and every trait, lengths, speeds
 /// and times to a nano of their unit; of a force_field the names and kinds of its numbers.
+///
+/// A feature of which a scene says no more than Scene does adds nothing: so the snapshots of a scene are not refused because a new trait exists.
 template <class S>
 constexpr uint64_t scene_signature() {
     Signature signature;
     signature(snapshot_parts<S>());
-    Features::over_all([&signature](auto feature) { decltype(feature)::template traits<S>(signature); });
+    int number = 0;
+    Features::over_all([&](auto feature) {
+        using F = decltype(feature);
+        ++number;
+        if (traits_signature<S, F>() == traits_signature<Scene, F>()) return;
+        signature(number);
+        signature(traits_signature<S, F>());
+    });
     return signature.hash();
 }
 
