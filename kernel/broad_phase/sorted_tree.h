@@ -42,6 +42,7 @@ void find_pairs_by_tree(const BodyView& bodies, const BoundsTile* bounds, const 
 
 /// `using broad_phase = ingot::SortedTree;`, for hundreds to tens of thousands of bodies.
 struct SortedTree {
+    static constexpr const char* name = "sorted_tree";
     template <int max_bodies, int max_pairs>
     struct Memory {
         static constexpr int leaf_count = (max_bodies + leaf_bodies - 1) / leaf_bodies;

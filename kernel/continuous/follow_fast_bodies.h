@@ -4,7 +4,7 @@
 
 #include "../base/report.h"
 #include "../solver/sweeps/move_bodies.h"
-#include "../solver/sweeps/solve_manifolds.h"
+#include "../solver/sweeps/block_sweeps.h"
 #include "../body/auxiliary.h"
 #include "../narrow_phase/find_manifolds.h"
 #include "../motion/flight_clock.h"
@@ -202,7 +202,7 @@ bool solve_pair_for(const ContinuousCollision<Meets>& collision, PairSubWorld& s
     SolverView solver = sub_world.solver(collision.solver);
     ImpactNote note{};
     sub_world.keep_forces();
-    solve_manifolds<notes_impulses, true>(solver, two, collision.clock.gravity, h, &note, report);
+    solve_by_sweeps<notes_impulses, true>(solver, {two, collision.clock.gravity, h, &note}, report);
     integrate_L(two, h);
     integrate_v(two, h, collision.clock.gravity);
     write_contact_motion(solver, two, collision.clock.gravity, h);
@@ -269,7 +269,7 @@ bool lay_all_paths(const ContinuousCollision<Meets>& collision, PairSubWorld& su
     for (int slot = 0; slot < collision.surfaces.slot_count; ++slot) {
         BodyPath& path = collision.paths[slot];
         const PathPoint begin = {path.r_CM, path.way, path.turn, path.A};
-        path.in_contact = collision.solver.local_of[slot] != 0;
+        path.in_contact = takes_part(collision.solver, slot);
         path.falls_free = !path.in_contact;
         path.until = 1;
         if (!is_valid(collision, slot)) {

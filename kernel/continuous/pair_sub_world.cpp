@@ -63,8 +63,8 @@ SolverView PairSubWorld::solver(const SolverView& done) {
     own.records = &record;
     own.manifold_count = 1;
     own.local_of = local_of;
-    own.body_count = own.visit_count = own.block_count = own.lane_count = 0;
-    own.some_hit = false;
+    for (uint16_t& local : local_of) local = 0;
+    own.body_count = own.island_count = 0;
     return own;
 }
 

@@ -19,12 +19,12 @@ enum class EventKind : uint8_t {
 };
 
 struct Event {
-    EventKind kind;
-    uint8_t shape_A, shape_B;  ///< which of their shapes, where a body has several; else 0
-    BodyId A, B;
-    Vector P;      ///< m, world, of the point that met fastest, at the begin of the step; begin and hit
-    Vector n;      ///< unit, from B to A; begin and hit
-    scalar speed;  ///< m/s, at which A and B approached each other along n at P, just before they met; begin and hit
+    EventKind kind{};
+    uint8_t shape_A{}, shape_B{};  ///< which of their shapes, where a body has several; else 0
+    BodyId A{}, B{};
+    Vector P{};    ///< m, world, of the point that met fastest, at the begin of the step; begin and hit
+    Vector n{};    ///< unit, from B to A; begin and hit
+    scalar speed{};  ///< m/s, at which A and B approached each other along n at P, just before they met; begin and hit
 };
 
 /// By members, as write_pair: an event has gaps.
@@ -41,8 +41,8 @@ INGOT_INLINE void write_event(Event& to, const Event& event) {
 
 /// The events of a step, for reading: valid until the next step. `for (const ingot::Event& event : world.events())`.
 struct EventView {
-    const Event* first;
-    int count;
+    const Event* first{};
+    int count{};
 
     const Event* begin() const { return first; }
     const Event* end() const { return first + count; }

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "../body/body_tiles.h"
+#include "disjoint_sets.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -36,15 +37,9 @@ struct RestView {
     bool is_active(int slot) const { return has(awake, slot) || has(settling, slot); }
     bool tile_is_active(int tile_i) const { return (awake[tile_i] | settling[tile_i]) != 0; }
 
-    /// The body that stands for the island. Halves the path on its way, so that the next way is shorter.
-    int root(int slot) const {
-        // bound: max_bodies: slot falls each turn: a parent is never higher, for join puts the lower root above the other
-        while (parent[slot] != slot) {
-            parent[slot] = parent[parent[slot]];
-            slot = parent[slot];
-        }
-        return slot;
-    }
+    DisjointSets islands() const { return {parent}; }
+    /// The body that stands for the island.
+    int root(int slot) const { return islands().root(slot); }
 };
 
 /// Does something for every slot whose bit is set, in the order of slots.
@@ -52,8 +47,7 @@ template <class Each>
 INGOT_INLINE void for_slots(const uint16_t* bits, int tile_count, const Each& each) {
     for (int tile_i = 0; tile_i < tile_count; ++tile_i) {  // bound: max_bodies / lanes, rounded up
         int slot = tile_i * lanes;
-        // bound: lanes: bits has a bit a lane
-        for (unsigned left = bits[tile_i]; left != 0; left >>= 1, ++slot)
+        for (unsigned left = bits[tile_i]; left != 0; left >>= 1, ++slot)  // bound: lanes: bits has a bit a lane
             if ((left & 1u) != 0) each(slot);
     }
 }

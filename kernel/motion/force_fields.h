@@ -13,7 +13,7 @@ namespace ingot { inline namespace INGOT_ABI {
 
 /// 1/|d|^3 and 1/|d|^5 of a distance; 0 at zero distance.
 struct InversePowers {
-    lane cubed, fifth;
+    lane cubed{}, fifth{};
 };
 INGOT_INLINE InversePowers inverse_powers(const Vec3<lane>& d) {
     const lane d_sq = length_sq(d);
@@ -26,11 +26,12 @@ INGOT_INLINE InversePowers inverse_powers(const Vec3<lane>& d) {
 /// Gravity of a mass at a point: F = -M mu d/|d|^3, d = r_CM - centre. Bodies orbit.
 struct PointMassGravity : ForceField {
     static constexpr bool depends_on_velocity = false;
-    scalar mu;      ///< m^3 s^-2, gravitational constant times the mass
-    Vector centre;  ///< m, world
+    scalar mu{};    ///< m^3 s^-2, gravitational constant times the mass
+    Vector centre{};  ///< m, world
 
     template <class Each>
     constexpr void numbers(Each& each) {
+        each.name("point_mass_gravity");
         each(mu);
         each(centre);
     }
@@ -45,11 +46,12 @@ struct PointMassGravity : ForceField {
 /// Source: Hughes, Spacecraft Attitude Dynamics, 1986, 8.1.
 struct GravityGradient : ForceField {
     static constexpr bool depends_on_velocity = false;
-    scalar mu;      ///< m^3 s^-2
-    Vector centre;  ///< m, world
+    scalar mu{};    ///< m^3 s^-2
+    Vector centre{};  ///< m, world
 
     template <class Each>
     constexpr void numbers(Each& each) {
+        each.name("gravity_gradient");
         each(mu);
         each(centre);
     }
@@ -64,11 +66,12 @@ struct GravityGradient : ForceField {
 
 /// Drag of a thick fluid: F = -c v_CM, tau = -c_turn omega.
 struct LinearDrag : ForceField {
-    scalar c;       ///< N s/m
-    scalar c_turn;  ///< N m s/rad
+    scalar c{};     ///< N s/m
+    scalar c_turn{};  ///< N m s/rad
 
     template <class Each>
     constexpr void numbers(Each& each) {
+        each.name("linear_drag");
         each(c);
         each(c_turn);
     }
@@ -80,11 +83,12 @@ struct LinearDrag : ForceField {
 
 /// Drag of a thin fluid: F = -c |v_CM| v_CM, tau = -c_turn |omega| omega.
 struct QuadraticDrag : ForceField {
-    scalar c;       ///< N s^2/m^2, half of density, area and drag coefficient
-    scalar c_turn;  ///< N m s^2/rad^2
+    scalar c{};     ///< N s^2/m^2, half of density, area and drag coefficient
+    scalar c_turn{};  ///< N m s^2/rad^2
 
     template <class Each>
     constexpr void numbers(Each& each) {
+        each.name("quadratic_drag");
         each(c);
         each(c_turn);
     }
@@ -97,12 +101,13 @@ struct QuadraticDrag : ForceField {
 /// A spring of no length from a point of the body to a point of the world: F = -k (P - anchor), P = r_CM + A r_body.
 struct Spring : ForceField {
     static constexpr bool depends_on_velocity = false;
-    scalar k;       ///< N/m
-    Vector r_body;  ///< m, body axes, from the centre of mass
-    Vector anchor;  ///< m, world
+    scalar k{};     ///< N/m
+    Vector r_body{};  ///< m, body axes, from the centre of mass
+    Vector anchor{};  ///< m, world
 
     template <class Each>
     constexpr void numbers(Each& each) {
+        each.name("spring");
         each(k);
         each(r_body);
         each(anchor);
@@ -117,13 +122,14 @@ struct Spring : ForceField {
 
 /// The same with a damper beside the spring: F = -k (P - anchor) - c v_P.
 struct SpringDamper : ForceField {
-    scalar k;       ///< N/m
-    scalar c;       ///< N s/m
-    Vector r_body;  ///< m, body axes, from the centre of mass
-    Vector anchor;  ///< m, world
+    scalar k{};     ///< N/m
+    scalar c{};     ///< N s/m
+    Vector r_body{};  ///< m, body axes, from the centre of mass
+    Vector anchor{};  ///< m, world
 
     template <class Each>
     constexpr void numbers(Each& each) {
+        each.name("spring_damper");
         each(k);
         each(c);
         each(r_body);
@@ -141,11 +147,12 @@ struct SpringDamper : ForceField {
 /// Torque of a magnetic field on a dipole of the body: tau = (A m_body) x B.
 struct MagneticDipole : ForceField {
     static constexpr bool depends_on_velocity = false;
-    Vector m_body;  ///< A m^2, body axes
-    Vector B;       ///< T, world
+    Vector m_body{};  ///< A m^2, body axes
+    Vector B{};     ///< T, world
 
     template <class Each>
     constexpr void numbers(Each& each) {
+        each.name("magnetic_dipole");
         each(m_body);
         each(B);
     }
@@ -157,11 +164,12 @@ struct MagneticDipole : ForceField {
 /// about the point, and its scene does not translate.
 struct WeightAboutPoint : ForceField {
     static constexpr bool depends_on_velocity = false;
-    Vector r_body;  ///< m, body axes, from the fixed point to the centre of mass
-    Vector weight;  ///< N, world: {0, 0, -M g}
+    Vector r_body{};  ///< m, body axes, from the fixed point to the centre of mass
+    Vector weight{};  ///< N, world: {0, 0, -M g}
 
     template <class Each>
     constexpr void numbers(Each& each) {
+        each.name("weight_about_point");
         each(r_body);
         each(weight);
     }
@@ -175,14 +183,15 @@ template <int thrusters, int bodies = 1>
 struct ThrusterTable : ForceField {
     static constexpr bool depends_on_velocity = false;
     struct Thruster {
-        Vector r_body;  ///< m, body axes, from the centre of mass
-        Vector F_body;  ///< N, body axes, at full throttle
-        scalar throttle[static_cast<unsigned>((bodies + lanes - 1) / lanes * lanes)];  ///< by slot of the body, 0 .. 1
+        Vector r_body{};  ///< m, body axes, from the centre of mass
+        Vector F_body{};  ///< N, body axes, at full throttle
+        scalar throttle[static_cast<unsigned>((bodies + lanes - 1) / lanes * lanes)]{};  ///< by slot of the body, 0 .. 1
     };
-    Thruster thruster[static_cast<unsigned>(thrusters)];
+    Thruster thruster[static_cast<unsigned>(thrusters)]{};
 
     template <class Each>
     constexpr void numbers(Each& each) {
+        each.name("thruster_table");
         for (Thruster& one : thruster) {
             each(one.r_body);
             each(one.F_body);
@@ -205,8 +214,8 @@ struct ThrusterTable : ForceField {
 template <class First, class Second>
 struct BothFields : ForceField {
     static constexpr bool depends_on_velocity = First::depends_on_velocity || Second::depends_on_velocity;
-    First first;
-    Second second;
+    First first{};
+    Second second{};
 
     template <class Each>
     constexpr void numbers(Each& each) {

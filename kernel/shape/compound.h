@@ -36,8 +36,8 @@ struct ShapeDef {
 
 /// Where a shape is in the frame of its body: centre of mass and principal axes.
 struct ShapePlace {
-    Vector r;  ///< m
-    Matrix A;  ///< shape to body
+    Vector r{};  ///< m
+    Matrix A{};  ///< shape to body
 };
 
 /// The place of a part in the frame of the body that has this mass.

@@ -82,6 +82,10 @@ bool is_within(const Matrix& m, scalar limit) {
 
 }  // namespace
 
+bool is_kept_rotation(const Matrix& A) {
+    return check_rotation(A) == Status::ok && orthogonality_error(A) <= limits::orthogonality_kept;
+}
+
 uint64_t snapshot_checksum(const uint8_t* bytes, size_t size) {
     uint64_t sum = size;
     for (size_t byte_i = 0; byte_i < size; byte_i += 8) {  // bound: the bytes of a snapshot
@@ -156,7 +160,7 @@ void write_saved_body(const BodyView& bodies, int slot, const SavedBody& body) {
 
 bool is_valid(const SavedBody& body, bool translates) {
     if (body.flags > (SavedBody::kicked | SavedBody::frozen)) return false;
-    if (check_rotation(body.A) != Status::ok || !is_within(body.A_low, limits::orthogonality)) return false;
+    if (!is_kept_rotation(body.A) || !is_within(body.A_low, limits::orthogonality_kept)) return false;
     if (!is_within(body.tau_T, limits::torque_max)) return false;
     if (!(body.E_0 >= 0) || !is_finite(body.E_0)) return false;
     if (translates) {

@@ -28,7 +28,7 @@ struct Step {
     scalar h;            ///< s
     BodyView bodies;
     StepReport report{};
-    decltype(solver_of_scene<S>()) solver{};  ///< of contacts with friction: filled by SchemeOf<S>::advance, read by follow_fast_bodies
+    decltype(solver_of_scene<S>()) solver{};  ///< of contacts with friction: filled by advance, read by follow_fast_bodies
 
     Step(Storage<S>& of, scalar seconds) : storage(of), h(seconds), bodies(of.bodies()) {}
 };
@@ -50,6 +50,7 @@ bool passes_asleep([[maybe_unused]] Step<S>& now) {
         (void)storage.h_changes_to(now.h);
         count(now.report.contacts, storage.manifold_count);
         count(now.report.contacts_lost, storage.pairs_lost);
+        count(now.report.pairs_lost, storage.pairs_lost);
         ++storage.steps;
         return true;
     }
@@ -114,6 +115,7 @@ void find_manifolds([[maybe_unused]] Step<S>& now) {
         update_manifolds<ShapesOf<S>, S::recycles_manifolds>(storage.shapes(), storage.surface_view(), storage.bounds, now.h,
                                                              storage.pair_rules(now.report), storage.pair_list(), manifolds, now.report,
                                                              fast_pairs_of(now));
+        count(now.report.pairs_lost, storage.pairs_lost);
         if constexpr (has_compounds<S>) name_bodies<S::max_shapes_of_body>(manifolds, storage.body_pairs);
     }
 }

@@ -158,10 +158,19 @@ int work_of_factor(const DirectView& island) {
     return island.some_slide ? 4 * work : work;  // two factors, with entries of several couplings each
 }
 
+/// Takes the work of the factor at hand from what is left, unless this attempt has: of one that the attempt before left, too. Whether it is there
+/// depends on who else is solved directly; what an attempt may do must not. False: there is not so much left.
+bool pay(DirectView& island) {
+    if (!island.paid) island.work_left -= work_of_factor(island);
+    island.paid = true;
+    if (island.work_left < 0) island.factored = false;
+    return island.factored;
+}
+
 }  // namespace
 
 bool factor_rows(DirectView& island) {
-    if (is_factored(island)) return true;
+    if (is_factored(island)) return pay(island);
     island.factored = list_rows(island);
     island.some_slide = false;
     for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
@@ -171,8 +180,8 @@ bool factor_rows(DirectView& island) {
     }
     if (island.some_slide) island.factored = island.factored && 2 * island.entry_count <= island.entry_capacity;
     if (!island.factored) return false;
-    island.work_left -= work_of_factor(island);
-    if (island.work_left < 0) return island.factored = false;
+    island.paid = false;
+    if (!pay(island)) return false;
     island.some_slide ? factor_general(island) : factor_symmetric(island);
     return true;
 }

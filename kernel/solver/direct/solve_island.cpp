@@ -265,6 +265,7 @@ void write_back(const SolverView& solver, const DirectView& island) {
 }  // namespace
 
 IslandState solve_island(const SolverView& solver, DirectView& island, scalar h, bool after_sweeps) {
+    island.paid = false;
     begin_free(solver, island);
     if (has_impact(solver, island, h)) return IslandState::left_to_sweeps;
     begin_solve(solver, island);
@@ -346,6 +347,7 @@ wide_scalar farthest(const DirectView& island) {
 }  // namespace
 
 bool place_island(const SolverView& solver, DirectView& island, scalar h) {
+    island.paid = false;
     if (!begin_placing(solver, island, h)) return true;
     set_free<true>(island);
     for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {

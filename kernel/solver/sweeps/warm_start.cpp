@@ -13,8 +13,7 @@ namespace {
 template <int rows>
 INGOT_INLINE Row4 impulses_kept(const SolverView& solver, const ContactBlock& block, const BodyPairLanes& pair, scalar h) {
     Row4 kept;
-    // bound: 4: block_rows
-    for (int row = 0; row < rows; ++row) kept.at[row] = load(block.row[row].j);
+    for (int row = 0; row < rows; ++row) kept.at[row] = load(block.row[row].j);  // bound: 4: block_rows
     if (solver.some_hit) {
         const mask hit = pair.last[1] + pair.last[3] > lane{};
         if (any(hit)) {
