@@ -26,6 +26,7 @@ void solve_hybrid(View& view, const DirectView& direct, const ContactStep& step,
 /// Cortex-M4F 1.6 million instructions a step, twenty cubes in a column 22 million.
 template <int max_island = 48, int entries_of_row = 24>
 struct HybridIslands {
+    static constexpr const char* name = "hybrid_islands";
     static constexpr bool is_direct = true, is_pointwise = false;
     static constexpr int island_capacity = max_island, entries_per_row = entries_of_row;
 

@@ -226,6 +226,13 @@ struct FieldOfForce : Feature {
         return true;
     }
 
+    /// Where no flight integrates the field.
+    template <class S>
+    static void sum_forces([[maybe_unused]] Storage<S>& storage, [[maybe_unused]] scalar h) {
+        if constexpr (!flies_in_field<S>)
+            add_field_forces(storage.bodies(), storage.forcing(storage.gravity_or_none()), S::rotation::as_printed ? 0 : h / 2);
+    }
+
     struct OfWorld : NoNumbers {
         scalar t, t_low;
 
