@@ -17,6 +17,7 @@ struct Pile {
     std::vector<ingot::TranslationTile> translation;
     std::vector<ingot::BodyPair> pairs;
     std::vector<ingot::ManifoldRecord> records;
+    std::vector<ingot::Vector> references;
 
     std::vector<ingot::ContactBlock> blocks;
     std::vector<ingot::Visit> visits, some_visits;
@@ -50,6 +51,8 @@ struct Pile {
         colours.assign(locals, 0);
         ingot::SolverView solver{};
         solver.pairs = pairs.data(), solver.records = records.data(), solver.manifold_count = static_cast<int>(manifolds);
+        references.assign(records.size(), {});
+        solver.friction_references = references.data();
         solver.bodies = solver_bodies.data(), solver.histories = histories.data();
         solver.slot_of = slot_of.data(), solver.local_of = local_of.data(), solver.level_of_body = level_of_body.data();
         solver.colours_of_body = colours.data(), solver.island_of = island_of.data(), solver.islands = islands.data();

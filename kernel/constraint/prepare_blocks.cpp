@@ -9,10 +9,17 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
-constexpr ManifoldRecord no_contact = {{{0, 0, 1}, 0, {}}, 0, 0, {}, {}, {}, {}, 0, 0, 0};
+constexpr ManifoldRecord no_contact = {{{0, 0, 1}, 0, {}}, 0, 0, {}, {}, {}, 0, 0, 0};
 
 const ManifoldRecord& record_of(const SolverView& solver, uint16_t manifold_i) {
     return manifold_i == no_manifold ? no_contact : solver.records[solver.pairs[manifold_i].record];
+}
+
+/// The slow mean of a manifold's friction; of a new one it is the friction itself, which warm_start says, and whoever had the record before left
+/// what means nothing.
+Vector reference_of(const SolverView& solver, uint16_t manifold_i) {
+    if (manifold_i == no_manifold || age_of(record_of(solver, manifold_i)) == 0) return {};
+    return solver.friction_references[solver.pairs[manifold_i].record];
 }
 
 /// The two bodies of each lane, as rows need them, and the points of their manifolds.
@@ -221,6 +228,7 @@ INGOT_INLINE void prepare_torsion(TorsionRow& torsion, const LaneContacts& conta
 /// The impulses of the step before; friction's as components of what they were in the world.
 void recall(const SolverView& solver, ContactBlock& block, int lane_i, const ManifoldRecord& record) {
     const scalar share = shares_of_substep(solver);
+    const Vector j_reference = reference_of(solver, block.manifold[lane_i]);
     for (int row = 0; row < block.rows; ++row) {  // bound: 4: block_rows
         block.row[row].j[lane_i] = record.j[row] * share;
         block.row[row].j_before[lane_i] = record.j_before[row] * share;
@@ -228,8 +236,8 @@ void recall(const SolverView& solver, ContactBlock& block, int lane_i, const Man
     const Vector t_1 = lane_of(block.t_1, lane_i), t_2 = lane_of(block.t_2, lane_i);
     block.friction.j[0][lane_i] = dot(record.j_friction, t_1) * share;
     block.friction.j[1][lane_i] = dot(record.j_friction, t_2) * share;
-    block.friction.reference[0][lane_i] = dot(record.j_reference, t_1) * share;
-    block.friction.reference[1][lane_i] = dot(record.j_reference, t_2) * share;
+    block.friction.reference[0][lane_i] = dot(j_reference, t_1) * share;
+    block.friction.reference[1][lane_i] = dot(j_reference, t_2) * share;
     block.torsion.j[lane_i] = record.manifold.count > 1 ? record.j_torsion * share : 0;
     block.substeps[lane_i] = static_cast<scalar>(age_of(record));
 }
@@ -283,7 +291,8 @@ void remember_impulses(const SolverView& solver) {
             }
             const Vector t_1 = lane_of(block.t_1, lane_i), t_2 = lane_of(block.t_2, lane_i);
             record.j_friction = (t_1 * block.friction.j[0][lane_i] + t_2 * block.friction.j[1][lane_i]) * part;
-            record.j_reference = (t_1 * block.friction.reference[0][lane_i] + t_2 * block.friction.reference[1][lane_i]) * part;
+            solver.friction_references[solver.pairs[manifold_i].record] =
+                (t_1 * block.friction.reference[0][lane_i] + t_2 * block.friction.reference[1][lane_i]) * part;
             record.j_torsion = block.torsion.j[lane_i] * part;
         }
     }

@@ -56,6 +56,7 @@ struct SolverView {
 
     const BodyPair* pairs;     ///< that touch, sorted by slots
     ManifoldRecord* records;   ///< of the pairs
+    Vector* friction_references;  ///< by record: N s, world; the slow mean of j_friction
     int manifold_count;
 
     SolverBody* bodies;        ///< [0] stands for all that cannot move and for spare lanes

@@ -61,6 +61,7 @@ SolverView PairSubWorld::solver(const SolverView& done) {
     SolverView own = done;
     own.pairs = &pair;
     own.records = &record;
+    own.friction_references = &friction_reference;
     own.manifold_count = 1;
     own.local_of = local_of;
     for (uint16_t& local : local_of) local = 0;

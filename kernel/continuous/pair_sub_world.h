@@ -26,6 +26,7 @@ struct PairSubWorld {
     Surface surfaces[2];
     BodyPair pair;
     ManifoldRecord record;
+    Vector friction_reference;
     uint16_t local_of[tiles * lanes];
     Vector F_T[2], tau_T[2];
 

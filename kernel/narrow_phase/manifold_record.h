@@ -13,7 +13,7 @@ struct ManifoldRecord {
     scalar mu, e;                                        ///< of the pair
     scalar j[Manifold::points_max];                      ///< N s, of the normals in the last substep
     scalar j_before[Manifold::points_max];               ///< N s, in the one before
-    Vector j_friction, j_reference;                      ///< N s, world; the reference is its slow mean
+    Vector j_friction;                                   ///< N s, world
     scalar j_torsion;                                      ///< N m s
     uint16_t substeps;                                   ///< it has lived, up to 1000; and steady_bit
     uint16_t next_free;                                  ///< index + 1 of the next free record; 0: none

@@ -191,7 +191,7 @@ bool is_valid(const SavedManifold& saved) {
     if (manifold.count < 1 || manifold.count > Manifold::points_max || age_of(record) > limits::substeps_kept) return false;
     if (!(abs(length_sq(manifold.n) - 1) <= limits::flatness)) return false;
     if (!(record.mu >= 0 && record.mu <= limits::friction_max && record.e >= 0 && record.e <= 1)) return false;
-    bool sound = is_finite(record.j_friction) && is_finite(record.j_reference) && is_finite(record.j_torsion);
+    bool sound = is_finite(record.j_friction) && is_finite(saved.j_reference) && is_finite(record.j_torsion);
     for (int point_i = 0; point_i < Manifold::points_max; ++point_i) {
         const ManifoldPoint& point = manifold.points[point_i];
         sound = sound && is_finite(point.P) && is_finite(point.separation) && is_finite(record.j[point_i]) && is_finite(record.j_before[point_i]) &&

@@ -120,6 +120,7 @@ private:
 /// Bits of SnapshotHeader::parts that the records below look at. The others stand at their features.
 struct SnapshotPart {
     static constexpr uint32_t doubles = 1, translation = 2, compensation = 4, energy = 8, manifolds = 64, anchors = 128;
+    static constexpr uint32_t pointwise = 32768;  ///< manifolds are solved point by point: friction has no slow mean
 };
 
 /// What comes first in a snapshot, whatever its scene.
@@ -218,10 +219,11 @@ struct SavedRest {
 struct SavedManifold {
     uint16_t body_A, body_B;
     ManifoldRecord record;
+    Vector j_reference;
     ManifoldAnchors anchors;
 
     template <class Stream>
-    constexpr void numbers(Stream& each, bool has_anchors) {
+    constexpr void numbers(Stream& each, uint32_t parts) {
         each("body_A", body_A);
         each("body_B", body_B);
         uint16_t count = static_cast<uint16_t>(record.manifold.count);
@@ -239,10 +241,10 @@ struct SavedManifold {
         each("mu", record.mu);
         each("e", record.e);
         each("j_friction", record.j_friction);
-        each("j_reference", record.j_reference);
+        if ((parts & SnapshotPart::pointwise) == 0) each("j_reference", j_reference);
         each("j_torsion", record.j_torsion);
         each("substeps", record.substeps);
-        if (!has_anchors) return;
+        if ((parts & SnapshotPart::anchors) == 0) return;
         for (int axis = 0; axis < 3; ++axis) {
             for (scalar& number : anchors.on_A[axis]) each("on_A", number);
             for (scalar& number : anchors.on_B[axis]) each("on_B", number);

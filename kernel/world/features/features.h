@@ -16,7 +16,7 @@ using Features = FeatureList<Rotation, Translation, Compensation, EnergyReturn, 
                              RollingResistance, Belts, Filters, Sensors, Continuous, Events, ToldEvents, Sleep,
                              GravityShares>;
 
-static_assert(Features::bits_differ(SnapshotPart::doubles | SnapshotPart::anchors));  // of a snapshot's parts
+static_assert(Features::bits_differ(SnapshotPart::doubles | SnapshotPart::anchors | SnapshotPart::pointwise));  // of a snapshot's parts
 
 /// Turns a scene that contradicts itself into a sentence.
 template <class S>

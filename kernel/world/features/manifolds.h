@@ -48,6 +48,7 @@ struct BlockPart : ManifoldTraitsPart<S> {
     ContactBlock blocks[block_capacity_of<S>] = {};
     SolverBody solver_bodies[body_capacity] = {};
     SolverBodyHistory histories[body_capacity] = {};
+    Vector friction_references[static_cast<unsigned>(S::max_manifolds)] = {};
 };
 template <class S>
 struct BlockPart<S, false> : ManifoldTraitsPart<S> {};
@@ -85,6 +86,7 @@ struct BlockOrderPart : ManifoldListPart<S> {
         SolverView view{};
         view.pairs = pairs_of_bodies;
         view.records = records_of_pairs;
+        view.friction_references = this->friction_references;
         view.manifold_count = count;
         view.bodies = this->solver_bodies;
         view.histories = this->histories;
@@ -207,11 +209,13 @@ struct Manifolds : Feature {
 
         template <class Each>
         constexpr void numbers(Each& each, uint32_t parts) {
-            saved.numbers(each, (parts & SnapshotPart::anchors) != 0);
+            saved.numbers(each, parts);
         }
         template <class S>
         void take(const Storage<S>& storage, const BodyPair& pair) {
-            saved = {pair.body_A, pair.body_B, storage.records[pair.record], {}};
+            saved = {pair.body_A, pair.body_B, storage.records[pair.record], {}, {}};
+            if constexpr (!solves_pointwise<S>)  // before the first step of a manifold it is what the record had before
+                if (age_of(saved.record) > 0) saved.j_reference = storage.friction_references[pair.record];
             if constexpr (S::recycles_manifolds)  // what is not known is what the record had before
                 if (storage.anchors[pair.record].margin > 0) saved.anchors = storage.anchors[pair.record];
         }
@@ -219,6 +223,7 @@ struct Manifolds : Feature {
         void put(Storage<S>& storage, uint16_t record) const {
             storage.pairs[record] = {saved.body_A, saved.body_B, record};
             storage.records[record] = saved.record;
+            if constexpr (!solves_pointwise<S>) storage.friction_references[record] = saved.j_reference;
             if constexpr (S::recycles_manifolds) storage.anchors[record] = saved.anchors;
             storage.records_used = storage.manifold_count = static_cast<uint16_t>(record + 1);
         }
