@@ -118,6 +118,13 @@ inline constexpr scalar settled_speed_of_points = scalar(1e-6);
 /// m/s; a row that is off by no more is left alone, which at rest are nearly all. A slip may go on so: 1 um in 10 s.
 inline constexpr scalar ignored_speed = scalar(1e-7);
 inline constexpr scalar settled_gap_of_points = scalar(1e-6);  ///< m; settled_gap there: what rounding makes of separations ten metres up
+/// Of a point's weight in the middle of a manifold: of those that all are far away, the middle is the mean.
+inline constexpr scalar least_point_weight = scalar(1e-6);
+/// Of its distance from its slow mean, that friction is drawn towards it in a substep, and the mean towards it: which quietens its ringing.
+inline constexpr scalar friction_smoothing = scalar(0.1);
+/// Of the square of the cone's radius: friction that is as large slides.
+inline constexpr scalar sliding_share_sq = scalar(0.998);
+
 /// Of the sum of the two compliances across n: no less than 3/4 of the greater, so that friction converges. Where they are equal each visit leaves
 /// a third of the slip.
 inline constexpr scalar friction_stiffening = scalar(0.75);

@@ -2,15 +2,14 @@
 // The four normals of a manifold as one complementarity problem, in lanes.
 #pragma once
 
-#include "../base/limits.h"
-#include "../math/vec3.h"
+#include "rows.h"
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpsabi"  // see lanes.h
 
 namespace ingot { inline namespace INGOT_ABI {
 
-inline constexpr int block_rows = 4;
+
 
 /// A symmetric 4x4 matrix, row by row of its upper half.
 struct Sym4 {

@@ -4,7 +4,8 @@
 
 #include "../base/limits.h"
 #include "../math/sqrt.h"
-#include "block_rows.h"
+#include "block_bodies.h"
+#include "laws.h"
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpsabi"  // see lanes.h
@@ -84,7 +85,7 @@ INGOT_INLINE lane no_bound(const RowFlight& from, lane h) {
 
 /// How fast points may approach that are to meet without restitution.
 INGOT_INLINE lane resting_target(lane s, lane inv_h) {
-    return -max(s - splat<lane>(limits::touching_gap), lane{}) * inv_h;
+    return -resting_room(s) * inv_h;
 }
 
 } }  // namespace ingot

@@ -48,8 +48,15 @@ using wide_scalar = OwnDouble;
 using wide_scalar = double;
 #endif
 
+#if defined(INGOT_DOUBLES_ADD_WRONGLY)
+template <>
+INGOT_INLINE constexpr OwnDouble splat<OwnDouble>(scalar value) {
+    return value;
+}
+#endif
 #if !INGOT_DOUBLE || defined(INGOT_DOUBLES_ADD_WRONGLY)  // else they are those of the scalar: lanes.h
 inline wide_scalar max(wide_scalar a, wide_scalar b) { return a > b ? a : b; }
+inline constexpr wide_scalar select(bool m, wide_scalar a, wide_scalar b) { return m ? a : b; }
 inline wide_scalar abs(wide_scalar a) { return a < 0 ? -a : a; }
 inline wide_scalar clamp(wide_scalar x, wide_scalar limit) { return x > limit ? limit : x < -limit ? -limit : x; }
 #endif

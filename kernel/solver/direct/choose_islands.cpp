@@ -10,7 +10,8 @@ namespace ingot { inline namespace INGOT_ABI {
 namespace {
 
 /// Contacts of bodies of unlike masses, and those that sweeps have not settled.
-void choose_by_contacts(const SolverView& solver, const DirectView& direct) {
+template <class Direct>
+void choose_by_contacts(const SolverView& solver, const Direct& direct) {
     for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i) {  // bound: max_manifolds
         const BodyPair& pair = solver.pairs[manifold_i];
         if (age_of(solver.records[pair.record]) == 0) direct.unsettled[pair.record] = 0;  // a new contact
@@ -23,7 +24,8 @@ void choose_by_contacts(const SolverView& solver, const DirectView& direct) {
 }
 
 /// Tall towers, where there is room for them.
-void choose_by_levels(const SolverView& solver, const DirectView& direct) {
+template <class Direct>
+void choose_by_levels(const SolverView& solver, const Direct& direct) {
     for (int body_i = 1; body_i < solver.body_count; ++body_i) {  // bound: max_bodies + 1
         const uint16_t island_i = solver.island_of[body_i], level = solver.level_of_body[body_i];
         if (level != unreached_level && level >= limits::direct_levels && solver.islands[island_i].manifold_count <= direct.manifold_capacity)
@@ -33,7 +35,8 @@ void choose_by_levels(const SolverView& solver, const DirectView& direct) {
 
 }  // namespace
 
-void choose_islands(const SolverView& solver, const DirectView& direct, StepReport& report) {
+template <class Direct>
+void choose_islands(const SolverView& solver, const Direct& direct, StepReport& report) {
     for (int island_i = 0; island_i < solver.island_count; ++island_i) direct.state[island_i] = IslandState::swept;  // bound: max_bodies
     choose_by_contacts(solver, direct);
     choose_by_levels(solver, direct);
@@ -44,7 +47,8 @@ void choose_islands(const SolverView& solver, const DirectView& direct, StepRepo
     }
 }
 
-void note_unsettled(const SolverView& solver, const DirectView& direct) {
+template <class Direct>
+void note_unsettled(const SolverView& solver, const Direct& direct) {
     for (int position = 0; position < solver.lane_count; ++position) {  // bound: max_manifolds, rounded up to whole blocks
         const ContactBlock& block = solver.blocks[position / lanes];
         const int lane_i = position % lanes;
@@ -58,5 +62,11 @@ void note_unsettled(const SolverView& solver, const DirectView& direct) {
         steps = static_cast<uint8_t>(!moving ? 0 : steps < limits::unsettled_steps ? steps + 1 : steps);
     }
 }
+
+// The linker takes those of the scene.
+template void choose_islands(const SolverView&, const DirectView&, StepReport&);
+template void choose_islands(const SolverView&, const RollingDirectView&, StepReport&);
+template void note_unsettled(const SolverView&, const DirectView&);
+template void note_unsettled(const SolverView&, const RollingDirectView&);
 
 } }  // namespace ingot

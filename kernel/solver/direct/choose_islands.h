@@ -10,9 +10,11 @@ namespace ingot { inline namespace INGOT_ABI {
 /// limits::direct_levels high, and those whose sweeps have stopped at their bound for limits::unsettled_steps steps. Those that have more
 /// manifolds than there is room for are left to the sweeps and told by DirectBits::refused.
 /// Needs: plan_islands.
-void choose_islands(const SolverView& solver, const DirectView& direct, StepReport& report);
+template <class Direct>
+void choose_islands(const SolverView& solver, const Direct& direct, StepReport& report);
 
 /// After the last substep of a batch: counts the steps in a row in which sweeps at their bound still corrected a manifold.
-void note_unsettled(const SolverView& solver, const DirectView& direct);
+template <class Direct>
+void note_unsettled(const SolverView& solver, const Direct& direct);
 
 } }  // namespace ingot

@@ -6,7 +6,7 @@
 // on the 1 kg between them. What goes in and what comes out, motion, may be float.
 #pragma once
 
-#include "../../constraint/solver_view.h"
+#include "../../constraint/contact.h"
 #include "../../math/wide.h"
 
 #pragma GCC diagnostic push
@@ -16,8 +16,11 @@ namespace ingot { inline namespace INGOT_ABI {
 
 using DirectVector = Vec3<wide_scalar>;
 
-inline constexpr int direct_rows = 7;  ///< of a manifold: normals 0 .. 3, friction 4 and 5, torsion 6
-inline constexpr int friction_row = 4, torsion_row = 6;
+/// Rows of a manifold, by their numbers of contact.h; and how many of them are active at most, for three normals are enough.
+template <bool rolls>
+inline constexpr int direct_rows_of = rolls ? 9 : 7;
+template <bool rolls>
+inline constexpr int active_rows_of = direct_rows_of<rolls> - 1;
 
 /// A row as the sweeps have it: speed = d.(v_A - v_B) + L_A.k_A + L_B.k_B, impulses j add d j inv_M and J j; see
 /// contact_block.h.
@@ -29,26 +32,51 @@ struct DirectRow {
     wide_scalar K;                 ///< compliance
 };
 
-/// Friction that slides, t = mu N x / |x| with x = t - u / K, near where it is.
+/// Friction that slides, t = mu N x / |x| with x = t - u / K, near where it is; and likewise a resistance to rolling that gives way.
 struct SlideDirection {
     wide_scalar x[2];   ///< unit, along the force
     wide_scalar share;  ///< mu N / |x|, at most 1: how much the force turns with the slip
-    wide_scalar torsion;  ///< sign of the torsion; 0: it carries nothing
 };
 
-struct DirectManifold {
+/// What only manifolds have that resist being rolled.
+template <bool rolls>
+struct RollingOfManifold {
+    static constexpr int pair_count = 1;  ///< pairs of rows within a circle: friction
+    using RowBits = uint8_t;
+
+    static wide_scalar lever_or(wide_scalar mu, int) { return mu; }
+};
+template <>
+struct RollingOfManifold<true> {
+    static constexpr int pair_count = 2;  ///< and rolling
+    using RowBits = uint16_t;
+    wide_scalar lever;  ///< m
+
+    wide_scalar lever_or(wide_scalar mu, int pair_i) const { return pair_i == 0 ? mu : lever; }
+};
+/// The first row of a pair.
+inline constexpr int row_of_pair(int pair_i) { return pair_i == 0 ? friction_row : rolling_row; }
+
+template <bool rolls>
+struct DirectManifoldOf : RollingOfManifold<rolls> {
+    using RowBits = typename RollingOfManifold<rolls>::RowBits;
+
     wide_scalar mu, radius;      ///< m; |torsion| <= mu radius N
-    SlideDirection slip;    ///< that sliding rows were factored with
+    SlideDirection slip[RollingOfManifold<rolls>::pair_count];  ///< that sliding rows were factored with
+    wide_scalar torsion_sign;    ///< of the torsion; 0: it carries nothing
     uint16_t position;      ///< block and lane: see manifold_at
     uint16_t body[2];       ///< of DirectBody
     uint16_t first;         ///< manifold of the island, the first that shares a body with this one
     uint16_t active_begin;  ///< the first of its active rows
-    uint8_t rows;           ///< bit per row that exists
-    uint8_t active;         ///< bit per row that is solved for
-    uint8_t factored;       ///< the same of the matrix that is factored
-    uint8_t sliding;        ///< bit per active row of friction and torsion that slides
+    RowBits rows;           ///< bit per row that exists
+    RowBits active;         ///< bit per row that is solved for
+    RowBits factored;       ///< the same of the matrix that is factored
+    RowBits sliding;        ///< bit per active row of friction, torsion and rolling that slides
     uint8_t pulls;          ///< bit per row that may have any sign
     uint8_t points;         ///< rows that are normals, 1 or 4 in a block
+
+    /// Of the impulses of a pair: how many times the load of the normals its circle is wide.
+    wide_scalar bound_of(int pair_i) const { return this->lever_or(mu, pair_i); }
 };
 
 /// Motion: v_CM and L, or dp and dth. [0] is what cannot move.
@@ -82,10 +110,14 @@ enum class IslandState : uint8_t {
     left_to_sweeps,  ///< chosen, but an impact leaves it to the sweeps for this substep
 };
 
-struct DirectView {
-    DirectManifold* manifolds;
-    DirectRow* rows;       ///< direct_rows of each manifold
-    DirectActive* active;  ///< room for 6 of each manifold: at most three normals are active
+template <bool rolls>
+struct DirectViewOf {
+    static constexpr int row_count = direct_rows_of<rolls>, pair_count = RollingOfManifold<rolls>::pair_count;
+    using Manifold = DirectManifoldOf<rolls>;
+
+    Manifold* manifolds;
+    DirectRow* rows;       ///< row_count of each manifold
+    DirectActive* active;  ///< room for active_rows_of of each manifold
     DirectBody* bodies;    ///< room for manifold_capacity + 2
     wide_scalar* entries;       ///< of the matrix, row by row from the first that is not zero
     int manifold_capacity, entry_capacity;
@@ -103,6 +135,10 @@ struct DirectView {
     bool uneven;    ///< bodies of limits::direct_mass_ratio touch
     int work_left;  ///< multiplications that the attempt at hand may still spend on factors; see limits::direct_work_max
 };
+using DirectView = DirectViewOf<false>;
+using RollingDirectView = DirectViewOf<true>;
+template <class Direct>
+using ManifoldOf = typename Direct::Manifold;
 
 } }  // namespace ingot
 

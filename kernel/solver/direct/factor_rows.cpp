@@ -10,7 +10,8 @@ namespace ingot { inline namespace INGOT_ABI {
 namespace {
 
 /// The speed along row i of manifold m that a unit impulse along row c of manifold p gives.
-wide_scalar coupling(const DirectView& island, const DirectManifold& m, const DirectManifold& p, const DirectRow& i,
+template <class Direct>
+wide_scalar coupling(const Direct& island, const ManifoldOf<Direct>& m, const ManifoldOf<Direct>& p, const DirectRow& i,
                 const DirectRow& c) {
     wide_scalar sum = 0;
     for (int side = 0; side < 2; ++side) {
@@ -25,20 +26,21 @@ wide_scalar coupling(const DirectView& island, const DirectManifold& m, const Di
 }
 
 /// Lists active rows and where their entries begin; false: no room.
-bool list_rows(DirectView& island) {
+template <class Direct>
+bool list_rows(Direct& island) {
     int count = 0;
     uint32_t entry_count = 0;
     // bound: max_island of HybridIslands: larger islands are swept
     for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
-        DirectManifold& manifold = island.manifolds[manifold_i];
+        ManifoldOf<Direct>& manifold = island.manifolds[manifold_i];
         manifold.factored = manifold.active;
         manifold.active_begin = static_cast<uint16_t>(count);
         const int begin = island.manifolds[manifold.first].active_begin;
-        // bound: direct_rows: only a member named row is written, of an active row
-        for (int row = 0; row < direct_rows; ++row) {
+        // bound: Direct::row_count: only a member named row is written, of an active row
+        for (int row = 0; row < Direct::row_count; ++row) {
             if ((manifold.active >> row & 1u) == 0) continue;
             DirectActive& active = island.active[count];
-            active.row = static_cast<uint16_t>(manifold_i * direct_rows + row);
+            active.row = static_cast<uint16_t>(manifold_i * Direct::row_count + row);
             active.begin = static_cast<uint16_t>(begin);
             active.offset = entry_count;
             entry_count += static_cast<uint32_t>(count - begin);
@@ -64,7 +66,8 @@ wide_scalar sum_of_products(const wide_scalar* a, const wide_scalar* b, int coun
 }
 
 /// The matrix of the same rows, within the step, is the same.
-bool is_factored(const DirectView& island) {
+template <class Direct>
+bool is_factored(const Direct& island) {
     bool same = island.factored && !island.some_slide;
     for (int manifold_i = 0; manifold_i < island.manifold_count && same; ++manifold_i)
         same = island.manifolds[manifold_i].active == island.manifolds[manifold_i].factored &&
@@ -72,17 +75,18 @@ bool is_factored(const DirectView& island) {
     return same;
 }
 
-void factor_symmetric(const DirectView& island) {
+template <class Direct>
+void factor_symmetric(const Direct& island) {
     // bound: 6 max_island: three normals, two of friction and a twist of each manifold
     for (int i = 0; i < island.active_count; ++i) {
         DirectActive& active = island.active[i];
         const DirectRow& row = island.rows[active.row];
-        const DirectManifold& manifold = island.manifolds[active.row / direct_rows];
+        const ManifoldOf<Direct>& manifold = island.manifolds[active.row / Direct::row_count];
         wide_scalar* const u = island.entries + active.offset;  // u[c - begin]
         // bound: 6 max_island: active rows of an island
         for (int c = active.begin; c < i; ++c) {
             const DirectActive& before = island.active[c];
-            const DirectManifold& other = island.manifolds[before.row / direct_rows];
+            const ManifoldOf<Direct>& other = island.manifolds[before.row / Direct::row_count];
             const int first = active.begin > before.begin ? active.begin : before.begin;
             const wide_scalar known =
                 sum_of_products(u + (first - active.begin), island.entries + before.offset + (first - before.begin), c - first);
@@ -100,33 +104,34 @@ void factor_symmetric(const DirectView& island) {
 
 /// Row i of Newton's matrix at column c. Sliding friction: K (t - mu N x / |x|) = 0 with x = t - u / K, derived; K makes it a
 /// speed like the others.
-wide_scalar newton_entry(const DirectView& island, int i, int c) {
-    const int row_i = island.active[i].row, row_c = island.active[c].row, own = row_i % direct_rows,
-              theirs = row_c % direct_rows;
-    const DirectManifold &manifold = island.manifolds[row_i / direct_rows], &other = island.manifolds[row_c / direct_rows];
+template <class Direct>
+wide_scalar newton_entry(const Direct& island, int i, int c) {
+    const int row_i = island.active[i].row, row_c = island.active[c].row, own = row_i % Direct::row_count,
+              theirs = row_c % Direct::row_count;
+    const ManifoldOf<Direct> &manifold = island.manifolds[row_i / Direct::row_count], &other = island.manifolds[row_c / Direct::row_count];
     const DirectRow &row = island.rows[row_i], &column = island.rows[row_c];
     const wide_scalar damping = i == c ? row.K * limits::direct_diagonal : 0;
     if (!has(manifold.sliding, own)) return coupling(island, manifold, other, row, column) + damping;
     const bool same = &manifold == &other;
     if (own == torsion_row) {
         if (!same || (theirs >= friction_row && theirs != torsion_row)) return 0;
-        return theirs == torsion_row ? row.K : -row.K * manifold.slip.torsion * manifold.mu * manifold.radius;
+        return theirs == torsion_row ? row.K : -row.K * manifold.torsion_sign * manifold.mu * manifold.radius;
     }
-    const DirectRow* const rows = island.rows + (row_i - own);
-    const wide_scalar* const x = manifold.slip.x;
-    const int axis = own - friction_row;
-    const wide_scalar across[2] = {(axis == 0 ? 1 : 0) - x[axis] * x[0], (axis == 1 ? 1 : 0) - x[axis] * x[1]},
-                 K = friction_compliance(rows);
-    wide_scalar entry = manifold.slip.share * (across[0] * coupling(island, manifold, other, rows[friction_row], column) +
-                                          across[1] * coupling(island, manifold, other, rows[friction_row + 1], column));
-    if (same && theirs < friction_row) entry -= K * manifold.mu * x[axis];
-    if (same && theirs >= friction_row && theirs < torsion_row)
-        entry += K * ((own == theirs ? 1 : 0) - manifold.slip.share * across[theirs - friction_row]);
+    const int pair_i = own < torsion_row ? 0 : 1, first = row_of_pair(pair_i), axis = own - first;
+    const DirectRow* const pair = island.rows + (row_i - axis);
+    const SlideDirection& slip = manifold.slip[pair_i];
+    const wide_scalar across[2] = {(axis == 0 ? 1 : 0) - slip.x[axis] * slip.x[0], (axis == 1 ? 1 : 0) - slip.x[axis] * slip.x[1]},
+                 K = pair_compliance(pair);
+    wide_scalar entry = slip.share * (across[0] * coupling(island, manifold, other, pair[0], column) +
+                                      across[1] * coupling(island, manifold, other, pair[1], column));
+    if (same && theirs < friction_row) entry -= K * manifold.bound_of(pair_i) * slip.x[axis];
+    if (same && (theirs == first || theirs == first + 1)) entry += K * ((own == theirs ? 1 : 0) - slip.share * across[theirs - first]);
     return entry + damping;
 }
 
 /// L U of Newton's matrix, without exchange: L row by row, and U, column by column, behind it.
-void factor_general(const DirectView& island) {
+template <class Direct>
+void factor_general(const Direct& island) {
     wide_scalar *const lower = island.entries, *const upper = island.entries + island.entry_count;
     for (int i = 0; i < island.active_count; ++i) {
         DirectActive& active = island.active[i];
@@ -148,7 +153,8 @@ void factor_general(const DirectView& island) {
 }
 
 /// About how many multiplications a factor takes: of its entries with each other, and for each entry itself.
-int work_of_factor(const DirectView& island) {
+template <class Direct>
+int work_of_factor(const Direct& island) {
     constexpr int of_entry = 16, enough = 1 << 24;
     int work = 0;
     for (int i = 0; i < island.active_count && work < enough; ++i) {
@@ -160,7 +166,8 @@ int work_of_factor(const DirectView& island) {
 
 /// Takes the work of the factor at hand from what is left, unless this attempt has: of one that the attempt before left, too. Whether it is there
 /// depends on who else is solved directly; what an attempt may do must not. False: there is not so much left.
-bool pay(DirectView& island) {
+template <class Direct>
+bool pay(Direct& island) {
     if (!island.paid) island.work_left -= work_of_factor(island);
     island.paid = true;
     if (island.work_left < 0) island.factored = false;
@@ -169,14 +176,15 @@ bool pay(DirectView& island) {
 
 }  // namespace
 
-bool factor_rows(DirectView& island) {
+template <class Direct>
+bool factor_rows(Direct& island) {
     if (is_factored(island)) return pay(island);
     island.factored = list_rows(island);
     island.some_slide = false;
     for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
         if (island.manifolds[manifold_i].sliding == 0) continue;
         island.some_slide = true;
-        find_slide(island, island.manifolds[manifold_i], island.rows + manifold_i * direct_rows);
+        find_slide(island, island.manifolds[manifold_i], island.rows + manifold_i * Direct::row_count);
     }
     if (island.some_slide) island.factored = island.factored && 2 * island.entry_count <= island.entry_capacity;
     if (!island.factored) return false;
@@ -186,7 +194,8 @@ bool factor_rows(DirectView& island) {
     return true;
 }
 
-void solve_factored(const DirectView& island) {
+template <class Direct>
+void solve_factored(const Direct& island) {
     for (int i = 0; i < island.active_count; ++i) {
         DirectActive& active = island.active[i];
         const wide_scalar* const l = island.entries + active.offset;
@@ -204,5 +213,11 @@ void solve_factored(const DirectView& island) {
         for (int c = active.begin; c < i; ++c) island.active[c].x -= column[c - active.begin] * active.x;
     }
 }
+
+// The linker takes those of the scene.
+template bool factor_rows(DirectView&);
+template bool factor_rows(RollingDirectView&);
+template void solve_factored(const DirectView&);
+template void solve_factored(const RollingDirectView&);
 
 } }  // namespace ingot

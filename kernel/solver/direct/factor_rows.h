@@ -13,9 +13,11 @@ namespace ingot { inline namespace INGOT_ABI {
 /// level, so that those which share a body are near each other: about 10 entries a row in a tower. 1e-12 of the diagonal is
 /// added, because contacts of bodies that rest on several others depend on each other; refinement takes out what that changes.
 /// Cost: rows times the square of entries per row.
-bool factor_rows(DirectView& island);
+template <class Direct>
+bool factor_rows(Direct& island);
 
 /// Solves for active[].x in place.
-void solve_factored(const DirectView& island);
+template <class Direct>
+void solve_factored(const Direct& island);
 
 } }  // namespace ingot

@@ -8,10 +8,11 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
-bool some_bounce(const SolverView& solver, const DirectView& island) {
+template <class Direct>
+bool some_bounce(const SolverView& solver, const Direct& island) {
     // bound: max_island of HybridIslands: larger islands are swept
     for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
-        const DirectManifold& manifold = island.manifolds[manifold_i];
+        const ManifoldOf<Direct>& manifold = island.manifolds[manifold_i];
         const ContactBlock& block = solver.blocks[manifold.position / lanes];
         // bound: 4: block_rows
         for (int row = 0; row < manifold.points; ++row)
@@ -20,12 +21,28 @@ bool some_bounce(const SolverView& solver, const DirectView& island) {
     return false;
 }
 
-DirectVector free_v(const DirectView& island, const DirectBody& body) { return in_double(island.free_motion[body.body_i].v_CM); }
-DirectVector free_L(const DirectView& island, const DirectBody& body) { return in_double(island.free_motion[body.body_i].L); }
+template <class Direct>
+DirectVector free_v(const Direct& island, const DirectBody& body) { return in_double(island.free_motion[body.body_i].v_CM); }
+template <class Direct>
+DirectVector free_L(const Direct& island, const DirectBody& body) { return in_double(island.free_motion[body.body_i].L); }
+
+/// What belts give: the impulses of friction times the speeds that they aim at. It grows with the impulses, as `along` does.
+template <class View, class Direct>
+wide_scalar work_of_belts(const View& solver, const Direct& island) {
+    wide_scalar work = 0;
+    for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
+        const DirectRow* const rows = island.rows + manifold_i * Direct::row_count;
+        for_impulses(solver, island.manifolds[manifold_i], [&](int number, scalar& j, scalar&) {
+            if (number >= friction_row && number < torsion_row) work += static_cast<wide_scalar>(j) * rows[number].target;
+        });
+    }
+    return work;
+}
 
 }  // namespace
 
-void hold_energy(const SolverView& solver, const DirectView& island) {
+template <class View, class Direct>
+void hold_energy(const View& solver, const Direct& island) {
     // The energy of the free motion and `share` of the change is E + share along + share^2 across.
     wide_scalar along = 0, across = 0;
     // bound: max_island + 2: manifolds join at most one body more than they are; and what cannot move
@@ -37,6 +54,7 @@ void hold_energy(const SolverView& solver, const DirectView& island) {
         along += dot(d_v, v) / body.inv_M + dot(turn, L);
         across += 0.5 * (length_sq(d_v) / body.inv_M + dot(turn, d_L));
     }
+    if constexpr (View::has_belts) along -= work_of_belts(solver, island);
     if (!(along + across > 0) || some_bounce(solver, island)) return;
 
     const wide_scalar share = along < 0 ? -along / (2 * across) : 0;
@@ -52,5 +70,11 @@ void hold_energy(const SolverView& solver, const DirectView& island) {
             j = j_sweep = static_cast<scalar>(static_cast<wide_scalar>(j) * share);
         });
 }
+
+// The linker takes the one that the scene calls.
+template void hold_energy(const SolverView&, const DirectView&);
+template void hold_energy(const RollingView&, const RollingDirectView&);
+template void hold_energy(const BeltView&, const DirectView&);
+template void hold_energy(const RollingBeltView&, const RollingDirectView&);
 
 } }  // namespace ingot

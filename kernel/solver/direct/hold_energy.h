@@ -10,7 +10,8 @@ namespace ingot { inline namespace INGOT_ABI {
 ///
 /// Contacts that do not bounce only take energy: impulses that give some are wrong. Those of an impact are when they are given
 /// again in the step that follows, and of 1000 kg on 1 kg no sweeps take them back: a pile gained 26 kJ of 300 in a step.
-/// Islands with points that bounce are left alone.
-void hold_energy(const SolverView& solver, const DirectView& island);
+/// Belts give what they do in moving along with friction, and no more. Islands with points that bounce are left alone.
+template <class View, class Direct>
+void hold_energy(const View& solver, const Direct& island);
 
 } }  // namespace ingot

@@ -12,7 +12,7 @@ template <class View, bool notes_impulses, bool bounces>
 struct HybridContacts : SweptContacts<View, notes_impulses, bounces> {
     using Swept = SweptContacts<View, notes_impulses, bounces>;
 
-    HybridContacts(View& of, const DirectView& direct_view) : Swept(of), direct(direct_view) {}
+    HybridContacts(View& of, const DirectOf<View>& direct_view) : Swept(of), direct(direct_view) {}
 
     void begin(const ContactStep& step, StepReport& report) {
         Swept::begin(step, report);
@@ -45,7 +45,7 @@ struct HybridContacts : SweptContacts<View, notes_impulses, bounces> {
     }
 
 private:
-    DirectView direct;
+    DirectOf<View> direct;
 };
 
 } }  // namespace ingot

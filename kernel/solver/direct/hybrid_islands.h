@@ -10,7 +10,7 @@ namespace ingot { inline namespace INGOT_ABI {
 /// As solve_by_sweeps, with islands that sweeps do not serve solved directly: see choose_islands and solve_island. What the direct solve
 /// does not answer, the sweeps do.
 template <bool notes_impulses, bool bounces, class View>
-void solve_hybrid(View& view, const DirectView& direct, const ContactStep& step, StepReport& report);
+void solve_hybrid(View& view, const DirectViewOf<View::rolls>& direct, const ContactStep& step, StepReport& report);
 
 /// `using solver = ingot::HybridIslands<>;`: a solver that picks itself, island by island. Sweeps, and a direct solve in double
 /// for islands of up to max_island manifolds that sweeps do not serve: heavy bodies on light ones, tall towers, and whatever
@@ -19,6 +19,7 @@ void solve_hybrid(View& view, const DirectView& direct, const ContactStep& step,
 ///
 /// RAM of the world: max_island (1.4 KB + 48 entries_of_row bytes), and 27 bytes a body, 1 a manifold of the scene:
 /// HybridIslands<4> 9 KB, HybridIslands<20, 10> 38 KB, HybridIslands<> 121 KB; never more islands than max_manifolds.
+/// With rolling resistance 0.35 KB more for each manifold of max_island.
 /// Flash: 38 KB on a Cortex-M4F.
 /// Time: a factor, rows times the square of entries_of_row, for each substep whose set of contacts is new, none while it stays.
 /// Bound: 3 limits::direct_work_max multiplications in factors an island and substep; attempts that would take more are swept. Doubles are
@@ -30,26 +31,26 @@ struct HybridIslands {
     static constexpr bool is_direct = true, is_pointwise = false;
     static constexpr int island_capacity = max_island, entries_per_row = entries_of_row;
 
-    template <int max_bodies, int max_manifolds>
+    template <int max_bodies, int max_manifolds, bool rolls = false>
     struct Memory {
         static constexpr unsigned island = static_cast<unsigned>(max_island < max_manifolds ? max_island : max_manifolds);
-        static constexpr unsigned rows = 6 * island, full = rows * (rows - 1) / 2;
+        static constexpr unsigned rows = active_rows_of<rolls> * island, full = rows * (rows - 1) / 2;
         static constexpr unsigned thin = rows * static_cast<unsigned>(entries_of_row), entries = full < thin ? full : thin;
         static constexpr unsigned body_capacity = static_cast<unsigned>(max_bodies) + 1;
         static_assert(max_island >= 1 && max_island <= 1024,
                       "the direct solver takes islands of 1 to 1024 manifolds: HybridIslands<max_island>");
 
         wide_scalar entry[entries] = {};
-        DirectRow row[direct_rows * island] = {};
+        DirectRow row[direct_rows_of<rolls> * island] = {};
         DirectActive active[rows] = {};
-        DirectManifold manifold[island] = {};
+        DirectManifoldOf<rolls> manifold[island] = {};
         DirectBody body[island + 2] = {};
         FreeMotion free_motion[body_capacity] = {};
         uint16_t local[body_capacity] = {};
         IslandState state[body_capacity] = {};
         uint8_t unsettled[static_cast<unsigned>(max_manifolds)] = {};
 
-        DirectView direct_view() {
+        DirectViewOf<rolls> direct_view() {
             constexpr int manifolds = static_cast<int>(island), room = static_cast<int>(entries);
             return {manifold, row, active, body, entry, manifolds, room, free_motion, state, local, unsettled,
                     0, 0, 0, 0, -1, false, false, false, false, false, 0};

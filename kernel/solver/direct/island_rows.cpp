@@ -5,7 +5,8 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
-void take_in(const SolverView& solver, const BodyView& bodies, DirectView& direct, uint16_t body_i) {
+template <class Direct>
+void take_in(const SolverView& solver, const BodyView& bodies, Direct& direct, uint16_t body_i) {
     if (body_i == 0) return;
     const int known = direct.local[body_i];
     if (known != 0 && known < direct.body_count && direct.bodies[known].body_i == body_i) return;
@@ -20,7 +21,8 @@ void take_in(const SolverView& solver, const BodyView& bodies, DirectView& direc
     body.body_i = body_i;
 }
 
-void load_row(const DirectView& direct, const DirectManifold& manifold, DirectRow& row, const DirectVector& d,
+template <class Direct>
+void load_row(const Direct& direct, const ManifoldOf<Direct>& manifold, DirectRow& row, const DirectVector& d,
               const DirectVector& J_A, const DirectVector& J_B) {
     const DirectBody &A = direct.bodies[manifold.body[0]], &B = direct.bodies[manifold.body[1]];
     row.d = d;
@@ -33,43 +35,60 @@ void load_row(const DirectView& direct, const DirectManifold& manifold, DirectRo
 
 DirectVector lane_in_double(const scalar (&rows)[3][lanes], int lane_i) { return in_double(lane_of(rows, lane_i)); }
 
-/// Levers of the normals anew, from the points: four points of one plane have three normals that are independent, to the
-/// rounding of doubles; the floats of the block would make a fourth of their own rounding.
-void load_manifold(const SolverView& solver, DirectView& direct, DirectManifold& manifold, DirectRow* rows) {
+/// Puts a row that the block shows among the manifold's. Levers of normals come anew, from the points: four points of one plane have three
+/// normals that are independent, to the rounding of doubles; the floats of the block would make a fourth of their own rounding.
+template <class Direct>
+void load_seen_row(Direct& direct, ManifoldOf<Direct>& manifold, DirectRow* rows, const SeenRow& seen, const ManifoldRecord& record) {
     const int lane_i = manifold.position % lanes;
-    const ContactBlock& block = solver.blocks[manifold.position / lanes];
-    const DirectVector n = lane_in_double(block.n, lane_i), t_1 = lane_in_double(block.t_1, lane_i),
-                       t_2 = lane_in_double(block.t_2, lane_i);
-    const ManifoldRecord& record = solver.records[solver.pairs[block.manifold[lane_i]].record];
-    manifold.mu = static_cast<wide_scalar>(block.mu[lane_i]);
-    manifold.radius =
-        record.manifold.count > 1 ? static_cast<wide_scalar>(block.torsion.radius[lane_i]) : 0;  // of one point: rounding
-    manifold.points = static_cast<uint8_t>(record.manifold.count > 1 ? block_rows : 1);   // whatever it shares its block with
-    manifold.rows = 0;
-    for (int row = 0; row < block.rows; ++row) {  // bound: 4: block_rows
-        if (!(static_cast<scalar>(row) < block.count[lane_i])) continue;
-        const DirectVector P = in_double(record.manifold.points[row].P), none = {};
-        load_row(direct, manifold, rows[row], n,
-                 manifold.body[0] != 0 ? cross(P - direct.bodies[manifold.body[0]].r_CM, n) : none,
-                 manifold.body[1] != 0 ? cross(n, P - direct.bodies[manifold.body[1]].r_CM) : none);
-        manifold.rows = static_cast<uint8_t>(manifold.rows | 1u << row);
+    const DirectVector none = {}, d = lane_in_double(seen.d, lane_i);
+    const bool moves[2] = {manifold.body[0] != 0, manifold.body[1] != 0};
+    DirectRow& row = rows[seen.number];
+    if (seen.number < friction_row) {
+        const DirectVector P = in_double(record.manifold.points[seen.number].P);
+        load_row(direct, manifold, row, d, moves[0] ? cross(P - direct.bodies[manifold.body[0]].r_CM, d) : none,
+                 moves[1] ? cross(d, P - direct.bodies[manifold.body[1]].r_CM) : none);
+    } else if (seen.levers != nullptr) {
+        load_row(direct, manifold, row, d, lane_in_double(seen.levers->J_A, lane_i), lane_in_double(seen.levers->J_B, lane_i));
+    } else {
+        load_row(direct, manifold, row, none, moves[0] ? d : none, moves[1] ? -d : none);
+        if (!(row.K > 0)) return;
     }
-    if (!(manifold.mu > 0)) return;
-    const Levers *along_1 = &block.friction.levers[0], *along_2 = &block.friction.levers[1];
-    load_row(direct, manifold, rows[friction_row], t_1, lane_in_double(along_1->J_A, lane_i),
-             lane_in_double(along_1->J_B, lane_i));
-    load_row(direct, manifold, rows[friction_row + 1], t_2, lane_in_double(along_2->J_A, lane_i),
-             lane_in_double(along_2->J_B, lane_i));
-    manifold.rows = static_cast<uint8_t>(manifold.rows | 3u << friction_row);
-    if (!(manifold.radius > 0)) return;
-    const DirectVector none = {};
-    load_row(direct, manifold, rows[torsion_row], none, manifold.body[0] != 0 ? n : none, manifold.body[1] != 0 ? -n : none);
-    if (rows[torsion_row].K > 0) manifold.rows = static_cast<uint8_t>(manifold.rows | 1u << torsion_row);
+    row.target = 0;
+    manifold.rows = static_cast<typename Direct::Manifold::RowBits>(manifold.rows | 1u << seen.number);
+}
+
+/// Which rows of a block a manifold has.
+template <class Direct>
+bool has_row(const ContactBlock& block, const ManifoldOf<Direct>& manifold, int number) {
+    if (number < friction_row) return static_cast<scalar>(number) < block.count[manifold.position % lanes];
+    if (number >= rolling_row) return manifold.bound_of(1) > 0;
+    return manifold.mu > 0 && (number < torsion_row || manifold.radius > 0);
+}
+
+template <class View, class Direct>
+void load_manifold(const View& solver, Direct& direct, ManifoldOf<Direct>& manifold, DirectRow* rows) {
+    const int lane_i = manifold.position % lanes, block_i = manifold.position / lanes;
+    const ContactBlock& block = solver.blocks[block_i];
+    const ManifoldRecord& record = solver.records[solver.pairs[block.manifold[lane_i]].record];
+    const bool is_area = record.manifold.count > 1;
+    manifold.mu = static_cast<wide_scalar>(block.mu[lane_i]);
+    manifold.radius = is_area ? static_cast<wide_scalar>(block.torsion.radius[lane_i]) : 0;  // of one point: rounding
+    manifold.points = static_cast<uint8_t>(is_area ? block_rows : 1);                        // whatever it shares its block with
+    manifold.rows = 0;
+    if constexpr (View::rolls) manifold.lever = static_cast<wide_scalar>(solver.rolling[block_i].lever[lane_i]);
+    ContactConstraint<View>::Given::for_rows(solver, block_i, [&](const SeenRow& seen) {
+        if (has_row<Direct>(block, manifold, seen.number)) load_seen_row(direct, manifold, rows, seen, record);
+    });
+    if constexpr (View::has_belts)
+        for (int axis = 0; axis < 2; ++axis)
+            if (has(manifold.rows, friction_row + axis))
+                rows[friction_row + axis].target = -static_cast<wide_scalar>(solver.belts[block_i].speed[axis][lane_i]);
 }
 
 }  // namespace
 
-void load_rows(const SolverView& solver, const BodyView& bodies, DirectView& direct, int island_i) {
+template <class View, class Direct>
+void load_rows(const View& solver, const BodyView& bodies, Direct& direct, int island_i) {
     const Island& island = solver.islands[island_i];
     direct.loaded_island = island_i;
     direct.factored = false;
@@ -79,7 +98,7 @@ void load_rows(const SolverView& solver, const BodyView& bodies, DirectView& dir
     direct.bodies[0] = {};
     direct.local[0] = 0;
     for (int manifold_i = 0; manifold_i < direct.manifold_count; ++manifold_i) {  // bound: max_manifolds
-        DirectManifold& manifold = direct.manifolds[manifold_i];
+        ManifoldOf<Direct>& manifold = direct.manifolds[manifold_i];
         manifold.position = solver.members[island.member_begin + manifold_i];
         const ContactBlock& block = solver.blocks[manifold.position / lanes];
         const uint16_t body_A = block.body_A[manifold.position % lanes], body_B = block.body_B[manifold.position % lanes];
@@ -89,11 +108,11 @@ void load_rows(const SolverView& solver, const BodyView& bodies, DirectView& dir
         manifold.body[1] = direct.local[body_B];
         manifold.active = 0;
         direct.uneven = direct.uneven || are_uneven(solver, body_A, body_B);
-        load_manifold(solver, direct, manifold, direct.rows + manifold_i * direct_rows);
+        load_manifold(solver, direct, manifold, direct.rows + manifold_i * Direct::row_count);
 
         manifold.first = static_cast<uint16_t>(manifold_i);
         for (int before = 0; before < manifold_i; ++before) {  // bound: max_island: manifolds of an island before one
-            const DirectManifold& other = direct.manifolds[before];
+            const ManifoldOf<Direct>& other = direct.manifolds[before];
             bool shared = false;
             for (const uint16_t mine : manifold.body)
                 for (const uint16_t theirs : other.body) shared = shared || (mine != 0 && mine == theirs);
@@ -103,5 +122,11 @@ void load_rows(const SolverView& solver, const BodyView& bodies, DirectView& dir
         }
     }
 }
+
+// The linker takes the one that the scene calls.
+template void load_rows(const SolverView&, const BodyView&, DirectView&, int);
+template void load_rows(const RollingView&, const BodyView&, RollingDirectView&, int);
+template void load_rows(const BeltView&, const BodyView&, DirectView&, int);
+template void load_rows(const RollingBeltView&, const BodyView&, RollingDirectView&, int);
 
 } }  // namespace ingot

@@ -6,21 +6,23 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// Copies the rows of an island out of the blocks, once a batch: they do not change within it.
-void load_rows(const SolverView& solver, const BodyView& bodies, DirectView& direct, int island_i);
+/// What the direct solver of a view works on.
+template <class View>
+using DirectOf = DirectViewOf<View::rolls>;
 
-inline bool has(uint8_t bits, int row) { return (bits >> row & 1u) != 0; }
+/// Copies the rows of an island out of the blocks, once a batch: they do not change within it. View: SolverView, or a MaterialView.
+template <class View, class Direct>
+void load_rows(const View& solver, const BodyView& bodies, Direct& direct, int island_i);
 
-/// The impulses of a manifold in its block, and what the sweeps to come take for their last.
-template <class Visitor>
-void for_impulses(const SolverView& solver, const DirectManifold& manifold, Visitor visit) {
-    ContactBlock& block = solver.blocks[manifold.position / lanes];
+inline bool has(unsigned bits, int row) { return (bits >> row & 1u) != 0; }
+
+/// The impulses of a manifold in its block, by the numbers of their rows, and what the sweeps to come take for their last.
+template <class View, class OfIsland, class Visitor>
+void for_impulses(const View& solver, const OfIsland& manifold, Visitor visit) {
     const int lane_i = manifold.position % lanes;
-    for (int row = 0; row < manifold.points; ++row)  // bound: 4: block_rows
-        if (has(manifold.rows, row)) visit(row, block.row[row].j[lane_i], block.row[row].j_sweep[lane_i]);
-    for (int axis = 0; axis < 2; ++axis)
-        if (has(manifold.rows, friction_row + axis)) visit(friction_row + axis, block.friction.j[axis][lane_i], block.friction.j_sweep[axis][lane_i]);
-    if (has(manifold.rows, torsion_row)) visit(torsion_row, block.torsion.j[lane_i], block.torsion.j_sweep[lane_i]);
+    ContactConstraint<View>::Given::for_rows(solver, manifold.position / lanes, [&](const SeenRow& row) {
+        if (has(manifold.rows, row.number)) visit(row.number, row.j[lane_i], row.j_sweep[lane_i]);
+    });
 }
 
 /// Whether two solver bodies are of limits::direct_mass_ratio; what cannot move is of none.
@@ -31,16 +33,16 @@ inline bool are_uneven(const SolverView& solver, int body_A, int body_B) {
 }
 
 /// Speed along a row, or displacement: k reads L where J reads dth.
-template <bool displaces>
-inline wide_scalar row_motion(const DirectView& island, const DirectManifold& manifold, const DirectRow& row) {
+template <bool displaces, class Direct>
+inline wide_scalar row_motion(const Direct& island, const ManifoldOf<Direct>& manifold, const DirectRow& row) {
     const DirectBody &A = island.bodies[manifold.body[0]], &B = island.bodies[manifold.body[1]];
     const DirectVector* const lever = displaces ? row.J : row.k;
     return dot(row.d, A.linear - B.linear) + dot(lever[0], A.angular) + dot(lever[1], B.angular);
 }
 
 /// Gives an impulse along a row, or a push.
-template <bool displaces>
-inline void give(const DirectView& island, const DirectManifold& manifold, DirectRow& row, wide_scalar j) {
+template <bool displaces, class Direct>
+inline void give(const Direct& island, const ManifoldOf<Direct>& manifold, DirectRow& row, wide_scalar j) {
     DirectBody &A = island.bodies[manifold.body[0]], &B = island.bodies[manifold.body[1]];
     const DirectVector* const lever = displaces ? row.k : row.J;
     row.j += j;

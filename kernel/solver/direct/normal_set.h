@@ -9,11 +9,13 @@ namespace ingot { inline namespace INGOT_ABI {
 
 inline constexpr int normals_max = 3;  ///< of a manifold that are active: points of one plane have no more independent normals
 
-inline void set_bit(uint8_t& bits, int row, bool on) {
-    bits = static_cast<uint8_t>(on ? bits | 1u << row : bits & ~(1u << row));
+template <class Bits>
+inline void set_bit(Bits& bits, int row, bool on) {
+    bits = static_cast<Bits>(on ? bits | 1u << row : bits & ~(1u << row));
 }
 
-inline int active_normals(const DirectManifold& manifold) {
+template <class OfIsland>
+inline int active_normals(const OfIsland& manifold) {
     int count = 0;
     // bound: 4: block_rows
     for (int row = 0; row < manifold.points; ++row) count += has(manifold.active, row) ? 1 : 0;
@@ -21,8 +23,8 @@ inline int active_normals(const DirectManifold& manifold) {
 }
 
 /// Takes the least loaded out; what it carried is for the others to carry.
-template <bool displaces>
-void drop_least(const DirectView& island, DirectManifold& manifold, DirectRow* rows) {
+template <bool displaces, class Direct>
+void drop_least(const Direct& island, ManifoldOf<Direct>& manifold, DirectRow* rows) {
     int least = -1;
     for (int row = 0; row < manifold.points; ++row)
         if (has(manifold.active, row) && (least < 0 || rows[row].j <= rows[least].j)) least = row;
@@ -36,7 +38,8 @@ void drop_least(const DirectView& island, DirectManifold& manifold, DirectRow* r
 struct IdleChange {
     wide_scalar at[block_rows];
 };
-inline bool idle_change(const DirectManifold& manifold, const DirectRow* rows, IdleChange& idle) {
+template <class OfIsland>
+inline bool idle_change(const OfIsland& manifold, const DirectRow* rows, IdleChange& idle) {
     if (manifold.points != block_rows || (manifold.rows & 15u) != 15u || active_normals(manifold) < normals_max) return false;
     const int side = manifold.body[0] != 0 ? 0 : 1;
     const auto area = [&](int a, int b, int c) {  // of a triangle, twice; J = r x n lies as r does, turned by a right angle
@@ -49,7 +52,8 @@ inline bool idle_change(const DirectManifold& manifold, const DirectRow* rows, I
 /// The load of four points spread as evenly as none pulls. A load between four points need not lie between the three that are
 /// active: this way it is no reason to change them. The fourth then has an impulse, and is no equation: it follows from the
 /// others.
-inline void spread_load(const DirectView& island, const DirectManifold& manifold, DirectRow* rows) {
+template <class Direct>
+inline void spread_load(const Direct& island, const ManifoldOf<Direct>& manifold, DirectRow* rows) {
     IdleChange idle;
     if (!idle_change(manifold, rows, idle)) return;
     wide_scalar along = 0, size = 0, low = -1e300, high = 1e300;
@@ -65,7 +69,8 @@ inline void spread_load(const DirectView& island, const DirectManifold& manifold
 }
 
 /// Takes the load back from the point that is no equation, before the set changes.
-inline void gather_load(const DirectView& island, const DirectManifold& manifold, DirectRow* rows) {
+template <class Direct>
+inline void gather_load(const Direct& island, const ManifoldOf<Direct>& manifold, DirectRow* rows) {
     IdleChange idle;
     if (!idle_change(manifold, rows, idle)) return;
     for (int row = 0; row < block_rows; ++row) {
@@ -77,17 +82,20 @@ inline void gather_load(const DirectView& island, const DirectManifold& manifold
 }
 
 /// An impulse that rounding makes of nothing, where the manifold carries as much as it does.
-inline wide_scalar rounding_of_load(const DirectManifold& manifold, const DirectRow* rows) {
+template <class OfIsland>
+inline wide_scalar rounding_of_load(const OfIsland& manifold, const DirectRow* rows) {
     wide_scalar N = 0;
     for (int row = 0; row < manifold.points; ++row)
         if (has(manifold.rows, row)) N += max(rows[row].j, -rows[row].j);
     return limits::direct_roundings * N;
 }
 
-inline bool pulls_back(const DirectManifold& manifold, const DirectRow* rows, int row, wide_scalar slack, wide_scalar pull) {
+template <class OfIsland>
+inline bool pulls_back(const OfIsland& manifold, const DirectRow* rows, int row, wide_scalar slack, wide_scalar pull) {
     return !has(manifold.pulls, row) && rows[row].j < -max(slack / rows[row].K, pull);
 }
-inline bool some_pull(const DirectManifold& manifold, const DirectRow* rows, wide_scalar slack, wide_scalar pull) {
+template <class OfIsland>
+inline bool some_pull(const OfIsland& manifold, const DirectRow* rows, wide_scalar slack, wide_scalar pull) {
     bool some = false;
     for (int row = 0; row < manifold.points; ++row)
         some = some || (has(manifold.rows, row) && pulls_back(manifold, rows, row, slack, pull));
@@ -95,9 +103,9 @@ inline bool some_pull(const DirectManifold& manifold, const DirectRow* rows, wid
 }
 
 /// Normals that pull leave, those that approach enter; true if the set changed. `slack` is a speed or a length.
-template <bool displaces>
-bool change_normals(const DirectView& island, DirectManifold& manifold, DirectRow* rows, wide_scalar slack) {
-    const uint8_t before = manifold.active;
+template <bool displaces, class Direct>
+bool change_normals(const Direct& island, ManifoldOf<Direct>& manifold, DirectRow* rows, wide_scalar slack) {
+    const auto before = manifold.active;
     if (!displaces) spread_load(island, manifold, rows);
     const wide_scalar pull = rounding_of_load(manifold, rows);
     if (!displaces && some_pull(manifold, rows, slack, pull)) gather_load(island, manifold, rows);

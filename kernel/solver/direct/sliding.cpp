@@ -15,7 +15,8 @@ wide_scalar square_root(wide_scalar x) {
     return y;
 }
 
-wide_scalar load_of(const DirectManifold& manifold, const DirectRow* rows) {
+template <class OfIsland>
+wide_scalar load_of(const OfIsland& manifold, const DirectRow* rows) {
     wide_scalar N = 0;
     // bound: 4: block_rows
     for (int row = 0; row < manifold.points; ++row)
@@ -23,43 +24,61 @@ wide_scalar load_of(const DirectManifold& manifold, const DirectRow* rows) {
     return max(N, 0);
 }
 
-FrictionImpulse cut(const FrictionImpulse& t, wide_scalar limit) {
+PairOfImpulses cut(const PairOfImpulses& t, wide_scalar limit) {
     const wide_scalar length_sq = t.at[0] * t.at[0] + t.at[1] * t.at[1];
     if (length_sq <= limit * limit) return t;
     const wide_scalar length = square_root(length_sq), share = length > 0 ? limit / length : 0;
     return {{t.at[0] * share, t.at[1] * share}};
 }
 
-/// t - u / K.
-FrictionImpulse tried_friction(const DirectView& island, const DirectManifold& manifold, const DirectRow* rows) {
-    const DirectRow* const pair = rows + friction_row;
-    const wide_scalar inv_K = 1 / friction_compliance(rows);
-    return {{pair[0].j - inv_K * row_motion<false>(island, manifold, pair[0]),
-             pair[1].j - inv_K * row_motion<false>(island, manifold, pair[1])}};
+template <class Direct>
+PairOfImpulses tried_pair(const Direct& island, const ManifoldOf<Direct>& manifold, const DirectRow* pair) {
+    const wide_scalar inv_K = 1 / pair_compliance(pair);
+    PairOfImpulses tried;
+    for (int axis = 0; axis < 2; ++axis)
+        tried.at[axis] = pair[axis].j - inv_K * (row_motion<false>(island, manifold, pair[axis]) - pair[axis].target);
+    return tried;
 }
-FrictionImpulse projected_friction(const DirectView& island, const DirectManifold& manifold, const DirectRow* rows,
-                                   wide_scalar limit) {
-    return cut(tried_friction(island, manifold, rows), limit);
+template <class Direct>
+PairOfImpulses projected_pair(const Direct& island, const ManifoldOf<Direct>& manifold, const DirectRow* pair, wide_scalar limit) {
+    return cut(tried_pair(island, manifold, pair), limit);
 }
-wide_scalar projected_torsion(const DirectView& island, const DirectManifold& manifold, const DirectRow* rows, wide_scalar limit) {
+template <class Direct>
+wide_scalar projected_torsion(const Direct& island, const ManifoldOf<Direct>& manifold, const DirectRow* rows, wide_scalar limit) {
     const DirectRow& torsion = rows[torsion_row];
     return clamp(torsion.j - row_motion<false>(island, manifold, torsion) / torsion.K, limit);
 }
 
-void find_slide(const DirectView& island, DirectManifold& manifold, const DirectRow* rows) {
-    const wide_scalar limit = manifold.mu * load_of(manifold, rows);
-    if (has(manifold.sliding, friction_row)) {
-        const FrictionImpulse x = tried_friction(island, manifold, rows);
+template <class Direct>
+void find_slide(const Direct& island, ManifoldOf<Direct>& manifold, const DirectRow* rows) {
+    const wide_scalar N = load_of(manifold, rows);
+    for (int pair_i = 0; pair_i < Direct::pair_count; ++pair_i) {  // bound: 2: friction and rolling
+        const int first = row_of_pair(pair_i);
+        if (!has(manifold.sliding, first)) continue;
+        const wide_scalar limit = manifold.bound_of(pair_i) * N;
+        const PairOfImpulses x = tried_pair(island, manifold, rows + first);
         const wide_scalar length = square_root(x.at[0] * x.at[0] + x.at[1] * x.at[1]);
         const wide_scalar inv = length > 0 ? 1 / length : 0;
-        manifold.slip.x[0] = x.at[0] * inv;
-        manifold.slip.x[1] = x.at[1] * inv;
-        manifold.slip.share = length > limit ? limit * inv : 1;
+        SlideDirection& slip = manifold.slip[pair_i];
+        slip.x[0] = x.at[0] * inv;
+        slip.x[1] = x.at[1] * inv;
+        slip.share = length > limit ? limit * inv : 1;
     }
     if (has(manifold.sliding, torsion_row)) {
         const DirectRow& torsion = rows[torsion_row];
-        manifold.slip.torsion = torsion.j - row_motion<false>(island, manifold, torsion) / torsion.K < 0 ? -1 : 1;
+        manifold.torsion_sign = torsion.j - row_motion<false>(island, manifold, torsion) / torsion.K < 0 ? -1 : 1;
     }
 }
+
+// The linker takes those of the scene.
+#define INGOT_DIRECT(Direct)                                                                                                \
+    template wide_scalar load_of(const ManifoldOf<Direct>&, const DirectRow*);                                              \
+    template PairOfImpulses tried_pair(const Direct&, const ManifoldOf<Direct>&, const DirectRow*);                         \
+    template PairOfImpulses projected_pair(const Direct&, const ManifoldOf<Direct>&, const DirectRow*, wide_scalar);        \
+    template wide_scalar projected_torsion(const Direct&, const ManifoldOf<Direct>&, const DirectRow*, wide_scalar);        \
+    template void find_slide(const Direct&, ManifoldOf<Direct>&, const DirectRow*)
+INGOT_DIRECT(DirectView);
+INGOT_DIRECT(RollingDirectView);
+#undef INGOT_DIRECT
 
 } }  // namespace ingot

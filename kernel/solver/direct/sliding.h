@@ -6,29 +6,32 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-struct FrictionImpulse {
+/// Of a pair of rows: see row_of_pair.
+struct PairOfImpulses {
     wide_scalar at[2];
 };
 
 wide_scalar square_root(wide_scalar x);
 /// Cut to the circle of this radius.
-FrictionImpulse cut(const FrictionImpulse& t, wide_scalar limit);
-FrictionImpulse tried_friction(const DirectView& island, const DirectManifold& manifold, const DirectRow* rows);
-/// What Coulomb's law makes of friction and torsion at the slip there is: the projection of t - u / K to the cone. At the
+PairOfImpulses cut(const PairOfImpulses& t, wide_scalar limit);
+/// t - u / K, with u the slip: what is left of the speed beyond the target.
+template <class Direct>
+PairOfImpulses tried_pair(const Direct& island, const ManifoldOf<Direct>& manifold, const DirectRow* pair);
+/// What Coulomb's law makes of a pair and of torsion at the slip there is: the projection of t - u / K to the cone. At the
 /// solution it is t.
-FrictionImpulse projected_friction(const DirectView& island, const DirectManifold& manifold, const DirectRow* rows,
-                                   wide_scalar limit);
-wide_scalar projected_torsion(const DirectView& island, const DirectManifold& manifold, const DirectRow* rows, wide_scalar limit);
+template <class Direct>
+PairOfImpulses projected_pair(const Direct& island, const ManifoldOf<Direct>& manifold, const DirectRow* pair, wide_scalar limit);
+template <class Direct>
+wide_scalar projected_torsion(const Direct& island, const ManifoldOf<Direct>& manifold, const DirectRow* rows, wide_scalar limit);
 /// The normal impulse of a manifold.
-wide_scalar load_of(const DirectManifold& manifold, const DirectRow* rows);
+template <class OfIsland>
+wide_scalar load_of(const OfIsland& manifold, const DirectRow* rows);
 
 /// The larger of the pair's compliances.
-inline wide_scalar friction_compliance(const DirectRow* rows) {
-    const wide_scalar K_1 = rows[friction_row].K, K_2 = rows[friction_row + 1].K;
-    return K_1 > K_2 ? K_1 : K_2;
-}
+inline wide_scalar pair_compliance(const DirectRow* pair) { return pair[0].K > pair[1].K ? pair[0].K : pair[1].K; }
 
-/// Where the sliding friction and torsion of a manifold point, for Newton's method.
-void find_slide(const DirectView& island, DirectManifold& manifold, const DirectRow* rows);
+/// Which way sliding pairs and torsion of a manifold point, for Newton's method.
+template <class Direct>
+void find_slide(const Direct& island, ManifoldOf<Direct>& manifold, const DirectRow* rows);
 
 } }  // namespace ingot

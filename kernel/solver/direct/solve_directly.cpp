@@ -12,8 +12,8 @@ namespace ingot { inline namespace INGOT_ABI {
 namespace {
 
 /// Calls state = attempt(island) for the islands of the batch in a state, with the island loaded and its work before it.
-template <class Attempt>
-void try_islands(const SolverView& solver, const BodyView& bodies, DirectView& direct, IslandState state, const Attempt& attempt) {
+template <class Attempt, class View, class Direct>
+void try_islands(const View& solver, const BodyView& bodies, Direct& direct, IslandState state, const Attempt& attempt) {
     for (int island_i = 0; island_i < solver.island_count; ++island_i) {  // bound: max_bodies
         if (!solver.islands[island_i].in_batch || direct.state[island_i] != state) continue;
         if (direct.loaded_island != island_i) load_rows(solver, bodies, direct, island_i);
@@ -22,7 +22,8 @@ void try_islands(const SolverView& solver, const BodyView& bodies, DirectView& d
     }
 }
 
-bool has_some(const SolverView& solver, const DirectView& direct, IslandState state) {
+template <class Direct>
+bool has_some(const SolverView& solver, const Direct& direct, IslandState state) {
     bool some = false;
     for (int island_i = 0; island_i < solver.island_count; ++island_i)
         some = some || (solver.islands[island_i].in_batch && direct.state[island_i] == state);
@@ -30,20 +31,23 @@ bool has_some(const SolverView& solver, const DirectView& direct, IslandState st
 }
 
 /// Islands in a state have no sweeps, all others have.
-void switch_sweeps(const SolverView& solver, const DirectView& direct, IslandState without) {
+template <class Direct>
+void switch_sweeps(const SolverView& solver, const Direct& direct, IslandState without) {
     for (int island_i = 0; island_i < solver.island_count; ++island_i)
         if (solver.islands[island_i].in_batch) solver.islands[island_i].sweeps_on = direct.state[island_i] != without;
 }
 
 }  // namespace
 
-void begin_direct_batch(const SolverView& solver, DirectView& direct) {
+template <class Direct>
+void begin_direct_batch(const SolverView& solver, Direct& direct) {
     direct.loaded_island = -1;
     direct.some_chosen = has_some(solver, direct, IslandState::chosen);
     if (direct.some_chosen) list_members(solver);
 }
 
-void keep_free_motion(const SolverView& solver, const DirectView& direct) {
+template <class Direct>
+void keep_free_motion(const SolverView& solver, const Direct& direct) {
     for_bodies(solver, [&](int body_i) {
         for (int axis = 0; axis < 3; ++axis) {
             direct.free_motion[body_i].v_CM[axis] = solver.bodies[body_i].v_CM[axis];
@@ -52,7 +56,8 @@ void keep_free_motion(const SolverView& solver, const DirectView& direct) {
     });
 }
 
-void solve_before_sweeps(SolverView& solver, DirectView& direct, const BodyView& bodies, scalar h) {
+template <class View, class Direct>
+void solve_before_sweeps(View& solver, Direct& direct, const BodyView& bodies, scalar h) {
     try_islands(solver, bodies, direct, IslandState::chosen, [&] {
         hold_energy(solver, direct);
         return solve_island(solver, direct, h, false);
@@ -60,7 +65,8 @@ void solve_before_sweeps(SolverView& solver, DirectView& direct, const BodyView&
     switch_sweeps(solver, direct, IslandState::solved);
 }
 
-void solve_after_sweeps(SolverView& solver, DirectView& direct, const BodyView& bodies, scalar h, StepReport& report) {
+template <class View, class Direct>
+void solve_after_sweeps(View& solver, Direct& direct, const BodyView& bodies, scalar h, StepReport& report) {
     try_islands(solver, bodies, direct, IslandState::chosen, [&] { return solve_island(solver, direct, h, true); });
     if (has_some(solver, direct, IslandState::chosen)) report.direct = static_cast<uint8_t>(report.direct | DirectBits::unfinished);
     if (has_some(solver, direct, IslandState::solved)) report.direct = static_cast<uint8_t>(report.direct | DirectBits::solved);
@@ -73,12 +79,28 @@ void solve_after_sweeps(SolverView& solver, DirectView& direct, const BodyView& 
     }
 }
 
-void place_islands(SolverView& solver, DirectView& direct, const BodyView& bodies, scalar h) {
+template <class View, class Direct>
+void place_islands(View& solver, Direct& direct, const BodyView& bodies, scalar h) {
     try_islands(solver, bodies, direct, IslandState::solved,
                 [&] { return place_island(solver, direct, h) ? IslandState::solved : IslandState::chosen; });
     switch_sweeps(solver, direct, IslandState::solved);
     for (int island_i = 0; island_i < solver.island_count; ++island_i)
         if (solver.islands[island_i].in_batch && direct.state[island_i] != IslandState::swept) direct.state[island_i] = IslandState::chosen;
 }
+
+// The linker takes those of the scene.
+#define INGOT_VIEW(View)                                                                                        \
+    template void solve_before_sweeps(View&, DirectOf<View>&, const BodyView&, scalar);                         \
+    template void solve_after_sweeps(View&, DirectOf<View>&, const BodyView&, scalar, StepReport&);             \
+    template void place_islands(View&, DirectOf<View>&, const BodyView&, scalar)
+INGOT_VIEW(SolverView);
+INGOT_VIEW(RollingView);
+INGOT_VIEW(BeltView);
+INGOT_VIEW(RollingBeltView);
+#undef INGOT_VIEW
+template void begin_direct_batch(const SolverView&, DirectView&);
+template void begin_direct_batch(const SolverView&, RollingDirectView&);
+template void keep_free_motion(const SolverView&, const DirectView&);
+template void keep_free_motion(const SolverView&, const RollingDirectView&);
 
 } }  // namespace ingot

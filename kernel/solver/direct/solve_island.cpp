@@ -21,12 +21,13 @@ struct Misfit {
     }
 };
 
-Misfit misfit(const DirectView& island) {
+template <class Direct>
+Misfit misfit(const Direct& island) {
     Misfit sum = {};
     // bound: max_island of HybridIslands: larger islands are swept
     for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
-        const DirectManifold& manifold = island.manifolds[manifold_i];
-        const DirectRow* const rows = island.rows + manifold_i * direct_rows;
+        const ManifoldOf<Direct>& manifold = island.manifolds[manifold_i];
+        const DirectRow* const rows = island.rows + manifold_i * Direct::row_count;
         // bound: 4: block_rows
         for (int row = 0; row < manifold.points; ++row) {
             if (!has(manifold.rows, row)) continue;
@@ -34,20 +35,22 @@ Misfit misfit(const DirectView& island) {
                 rows[row].j - (row_motion<false>(island, manifold, rows[row]) - rows[row].target) / rows[row].K;
             sum.add(max(wanted, 0) - rows[row].j, rows[row].K);
         }
-        const wide_scalar limit = manifold.mu * load_of(manifold, rows);
-        if (has(manifold.rows, friction_row)) {
-            const FrictionImpulse t = projected_friction(island, manifold, rows, limit);
-            for (int axis = 0; axis < 2; ++axis) sum.add(t.at[axis] - rows[friction_row + axis].j, rows[friction_row + axis].K);
+        const wide_scalar N = load_of(manifold, rows);
+        for (int pair_i = 0; pair_i < Direct::pair_count; ++pair_i) {  // bound: 2: friction and rolling
+            const int first = row_of_pair(pair_i);
+            if (!has(manifold.rows, first)) continue;
+            const PairOfImpulses t = projected_pair(island, manifold, rows + first, manifold.bound_of(pair_i) * N);
+            for (int axis = 0; axis < 2; ++axis) sum.add(t.at[axis] - rows[first + axis].j, rows[first + axis].K);
         }
         if (has(manifold.rows, torsion_row))
-            sum.add(projected_torsion(island, manifold, rows, limit * manifold.radius) - rows[torsion_row].j, rows[torsion_row].K);
+            sum.add(projected_torsion(island, manifold, rows, manifold.mu * N * manifold.radius) - rows[torsion_row].j, rows[torsion_row].K);
     }
     return sum;
 }
 
 /// What bodies do without contacts.
-template <bool displaces>
-void set_free(const DirectView& island) {
+template <bool displaces, class Direct>
+void set_free(const Direct& island) {
     // bound: max_island + 2: manifolds join at most one body more than they are; and what cannot move
     for (int body_i = 1; body_i < island.body_count; ++body_i) {
         DirectBody& body = island.bodies[body_i];
@@ -57,14 +60,14 @@ void set_free(const DirectView& island) {
 }
 
 /// The motion that the impulses make, from the start: what is added and taken back in a search leaves its rounding in the sums.
-template <bool displaces>
-void add_up(const DirectView& island) {
+template <bool displaces, class Direct>
+void add_up(const Direct& island) {
     set_free<displaces>(island);
     for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
-        const DirectManifold& manifold = island.manifolds[manifold_i];
-        for (int row = 0; row < direct_rows; ++row) {
+        const ManifoldOf<Direct>& manifold = island.manifolds[manifold_i];
+        for (int row = 0; row < Direct::row_count; ++row) {
             if (!has(manifold.rows, row)) continue;
-            DirectRow& at = island.rows[manifold_i * direct_rows + row];
+            DirectRow& at = island.rows[manifold_i * Direct::row_count + row];
             const wide_scalar j = at.j;
             at.j = 0;
             give<displaces>(island, manifold, at, j);
@@ -73,76 +76,85 @@ void add_up(const DirectView& island) {
 }
 
 /// Bodies that move freely, and what normals want.
-void begin_free(const SolverView& solver, DirectView& island) {
+template <class Direct>
+void begin_free(const SolverView& solver, Direct& island) {
     set_free<false>(island);
     for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
-        const DirectManifold& manifold = island.manifolds[manifold_i];
+        const ManifoldOf<Direct>& manifold = island.manifolds[manifold_i];
         const ContactBlock& block = solver.blocks[manifold.position / lanes];
         for (int row = 0; row < manifold.points; ++row)
             if (has(manifold.rows, row))
-                island.rows[manifold_i * direct_rows + row].target = static_cast<wide_scalar>(block.row[row].target[manifold.position % lanes]);
+                island.rows[manifold_i * Direct::row_count + row].target = static_cast<wide_scalar>(block.row[row].target[manifold.position % lanes]);
     }
 }
 
 /// First guess: what the blocks hold, within the cone.
-void begin_solve(const SolverView& solver, DirectView& island) {
+template <class View, class Direct>
+void begin_solve(const View& solver, Direct& island) {
     for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
-        DirectManifold& manifold = island.manifolds[manifold_i];
-        DirectRow* const rows = island.rows + manifold_i * direct_rows;
+        ManifoldOf<Direct>& manifold = island.manifolds[manifold_i];
+        DirectRow* const rows = island.rows + manifold_i * Direct::row_count;
         manifold.pulls = 0;
-        wide_scalar guess[direct_rows] = {}, N = 0;
+        wide_scalar guess[Direct::row_count] = {}, N = 0;
         for_impulses(solver, manifold, [&](int row, scalar& j, scalar&) { guess[row] = static_cast<wide_scalar>(j); });
         for (int row = 0; row < manifold.points; ++row) {
             if (!has(manifold.rows, row)) continue;
             guess[row] = max(guess[row], 0);
             N += guess[row];
         }
-        const FrictionImpulse t = cut({{guess[friction_row], guess[friction_row + 1]}}, manifold.mu * N);
-        guess[friction_row] = t.at[0];
-        guess[friction_row + 1] = t.at[1];
+        for (int pair_i = 0; pair_i < Direct::pair_count; ++pair_i) {
+            wide_scalar* const pair = guess + row_of_pair(pair_i);
+            const PairOfImpulses t = cut({{pair[0], pair[1]}}, manifold.bound_of(pair_i) * N);
+            pair[0] = t.at[0];
+            pair[1] = t.at[1];
+        }
         guess[torsion_row] = clamp(guess[torsion_row], manifold.mu * manifold.radius * N);
-        for (int row = 0; row < direct_rows; ++row) {
+        for (int row = 0; row < Direct::row_count; ++row) {
             if (!has(manifold.rows, row)) continue;
             rows[row].j = 0;
-            if (row >= manifold.points) rows[row].target = 0;
             give<false>(island, manifold, rows[row], guess[row]);
         }
     }
 }
 
-/// Takes friction, or torsion, out or in. What carries nothing gives nothing.
-void set_friction(const DirectView& island, DirectManifold& manifold, DirectRow* rows, int first, int end, bool loaded,
+/// Takes friction, torsion or rolling resistance out or in. What carries nothing gives nothing.
+template <class Direct>
+void set_friction(const Direct& island, ManifoldOf<Direct>& manifold, DirectRow* rows, int first, int end, bool loaded,
                   bool slides) {
-    for (int row = first; row < end; ++row) {  // bound: direct_rows
+    for (int row = first; row < end; ++row) {  // bound: Direct::row_count
         set_bit(manifold.active, row, loaded);
         set_bit(manifold.sliding, row, loaded && slides);
         if (!loaded && rows[row].j != 0) give<false>(island, manifold, rows[row], -rows[row].j);
     }
 }
 
-/// Whether friction and torsion stick, by the impulses: what lies on the cone slides.
-void stick_or_slide(const DirectView& island, DirectManifold& manifold, DirectRow* rows) {
-    const wide_scalar limit = manifold.mu * load_of(manifold, rows), nearly = 1 - 1e-5;
+/// Whether friction, torsion and rolling resistance stick, by the impulses: what lies on the cone slides.
+template <class Direct>
+void stick_or_slide(const Direct& island, ManifoldOf<Direct>& manifold, DirectRow* rows) {
+    const wide_scalar N = load_of(manifold, rows), nearly = 1 - 1e-5;
     const bool loaded = active_normals(manifold) != 0;
-    if (has(manifold.rows, friction_row)) {
-        const DirectRow* const t = rows + friction_row;
-        const wide_scalar length = square_root(t[0].j * t[0].j + t[1].j * t[1].j);
-        set_friction(island, manifold, rows, friction_row, torsion_row, loaded, limit > 0 && length >= limit * nearly);
+    for (int pair_i = 0; pair_i < Direct::pair_count; ++pair_i) {
+        const int first = row_of_pair(pair_i);
+        if (!has(manifold.rows, first)) continue;
+        const DirectRow* const t = rows + first;
+        const wide_scalar length = square_root(t[0].j * t[0].j + t[1].j * t[1].j), limit = manifold.bound_of(pair_i) * N;
+        set_friction(island, manifold, rows, first, first + 2, loaded, limit > 0 && length >= limit * nearly);
     }
     if (has(manifold.rows, torsion_row)) {
-        const wide_scalar torsion_limit = limit * manifold.radius;
-        set_friction(island, manifold, rows, torsion_row, direct_rows, loaded,
+        const wide_scalar torsion_limit = manifold.mu * N * manifold.radius;
+        set_friction(island, manifold, rows, torsion_row, torsion_row + 1, loaded,
                      torsion_limit > 0 && abs(rows[torsion_row].j) >= torsion_limit * nearly);
     }
 }
 
 /// A body meets another faster than forces drive it within two substeps, while neither is much heavier. Sweeps are better at that: the set of
 /// contacts that an impact leaves is far from the one that it found.
-bool has_impact(const SolverView& solver, const DirectView& island, scalar h) {
+template <class Direct>
+bool has_impact(const SolverView& solver, const Direct& island, scalar h) {
     if (island.uneven) return false;
     for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
-        const DirectManifold& manifold = island.manifolds[manifold_i];
-        const DirectRow* const rows = island.rows + manifold_i * direct_rows;
+        const ManifoldOf<Direct>& manifold = island.manifolds[manifold_i];
+        const DirectRow* const rows = island.rows + manifold_i * Direct::row_count;
         wide_scalar smooth = 0;
         for (const uint16_t body : manifold.body)
             if (body != 0) smooth = max(smooth, static_cast<wide_scalar>(2 * h * solver.bodies[island.bodies[body].body_i].dp[3]));
@@ -153,10 +165,11 @@ bool has_impact(const SolverView& solver, const DirectView& island, scalar h) {
 }
 
 /// Normals that push or do not separate: what falls together is taken for a pile.
-void choose_active(DirectView& island) {
+template <class Direct>
+void choose_active(Direct& island) {
     for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
-        DirectManifold& manifold = island.manifolds[manifold_i];
-        DirectRow* const rows = island.rows + manifold_i * direct_rows;
+        ManifoldOf<Direct>& manifold = island.manifolds[manifold_i];
+        DirectRow* const rows = island.rows + manifold_i * Direct::row_count;
         manifold.active = 0;
         manifold.sliding = 0;
         for (int row = 0; row < manifold.points; ++row)
@@ -169,21 +182,24 @@ void choose_active(DirectView& island) {
 }
 
 /// What is left of the equation of an active row, m/s or m.
-template <bool displaces>
-wide_scalar left_of(const DirectView& island, int row_i) {
-    const int row = row_i % direct_rows;
-    const DirectManifold& manifold = island.manifolds[row_i / direct_rows];
+template <bool displaces, class Direct>
+wide_scalar left_of(const Direct& island, int row_i) {
+    const int row = row_i % Direct::row_count;
+    const ManifoldOf<Direct>& manifold = island.manifolds[row_i / Direct::row_count];
     const DirectRow* const rows = island.rows + (row_i - row);
     if (displaces || !has(manifold.sliding, row)) return rows[row].target - row_motion<displaces>(island, manifold, rows[row]);
-    const wide_scalar limit = manifold.mu * load_of(manifold, rows);
-    if (row == torsion_row) return rows[row].K * (projected_torsion(island, manifold, rows, limit * manifold.radius) - rows[row].j);
-    return friction_compliance(rows) * (projected_friction(island, manifold, rows, limit).at[row - friction_row] - rows[row].j);
+    const wide_scalar N = load_of(manifold, rows);
+    if (row == torsion_row)
+        return rows[row].K * (projected_torsion(island, manifold, rows, manifold.mu * N * manifold.radius) - rows[row].j);
+    const int pair_i = row < torsion_row ? 0 : 1, first = row_of_pair(pair_i);
+    const DirectRow* const pair = rows + first;
+    return pair_compliance(pair) * (projected_pair(island, manifold, pair, manifold.bound_of(pair_i) * N).at[row - first] - rows[row].j);
 }
 
 /// Solves the equations of the active rows, by refinement: what is left is taken from the bodies each time. Where something
 /// slides they are not linear: then the passes are few, and the matrix is made anew. Returns what is left.
-template <bool displaces>
-wide_scalar solve_active(const DirectView& island, wide_scalar settled) {
+template <bool displaces, class Direct>
+wide_scalar solve_active(const Direct& island, wide_scalar settled) {
     const int passes = island.some_slide ? limits::direct_refinements_of_sliding : limits::direct_refinements_max;
     // bound: limits::direct_refinements_max: left at pass_i == passes, which is that or less
     for (int pass_i = 0;; ++pass_i) {
@@ -197,47 +213,48 @@ wide_scalar solve_active(const DirectView& island, wide_scalar settled) {
         if (worst <= settled / 16 || pass_i == passes) return worst;
         solve_factored(island);
         for (int i = 0; i < island.active_count; ++i)
-            give<displaces>(island, island.manifolds[island.active[i].row / direct_rows], island.rows[island.active[i].row],
+            give<displaces>(island, island.manifolds[island.active[i].row / Direct::row_count], island.rows[island.active[i].row],
                             island.active[i].x);
     }
 }
 
-/// Sticking friction beyond the cone slides, sliding friction within it sticks, what has no load has no friction; true if
+/// Sticking friction (torsion, rolling resistance) beyond the cone slides, sliding friction within it sticks, what has no load has no friction; true if
 /// something changed.
-bool change_friction(const DirectView& island, DirectManifold& manifold, DirectRow* rows, wide_scalar settled) {
-    const uint8_t active = manifold.active, sliding = manifold.sliding;
+template <class Direct>
+bool change_friction(const Direct& island, ManifoldOf<Direct>& manifold, DirectRow* rows, wide_scalar settled) {
+    const auto active = manifold.active, sliding = manifold.sliding;
     const bool loaded = active_normals(manifold) != 0;
-    const wide_scalar limit = manifold.mu * load_of(manifold, rows);
+    const wide_scalar N = load_of(manifold, rows);
     const auto slides = [&](int row, wide_scalar length, wide_scalar most, wide_scalar K) {
         return has(sliding, row) ? length >= most - settled / 16 / K : length > most + settled / K;
     };
-    if (has(manifold.rows, friction_row)) {
-        const FrictionImpulse t = has(sliding, friction_row)
-                                      ? tried_friction(island, manifold, rows)
-                                      : FrictionImpulse{{rows[friction_row].j, rows[friction_row + 1].j}};
+    for (int pair_i = 0; pair_i < Direct::pair_count; ++pair_i) {
+        const int first = row_of_pair(pair_i);
+        if (!has(manifold.rows, first)) continue;
+        const DirectRow* const pair = rows + first;
+        const PairOfImpulses t = has(sliding, first) ? tried_pair(island, manifold, pair) : PairOfImpulses{{pair[0].j, pair[1].j}};
         const wide_scalar length = square_root(t.at[0] * t.at[0] + t.at[1] * t.at[1]);
-        set_friction(island, manifold, rows, friction_row, torsion_row, loaded,
-                     slides(friction_row, length, limit, friction_compliance(rows)));
+        set_friction(island, manifold, rows, first, first + 2, loaded, slides(first, length, manifold.bound_of(pair_i) * N, pair_compliance(pair)));
     }
     if (has(manifold.rows, torsion_row)) {
         const DirectRow& row = rows[torsion_row];
         const wide_scalar torsion =
             abs(has(sliding, torsion_row) ? row.j - row_motion<false>(island, manifold, row) / row.K : row.j);
-        set_friction(island, manifold, rows, torsion_row, direct_rows, loaded,
-                     slides(torsion_row, torsion, limit * manifold.radius, row.K));
+        set_friction(island, manifold, rows, torsion_row, torsion_row + 1, loaded,
+                     slides(torsion_row, torsion, manifold.mu * N * manifold.radius, row.K));
     }
     return manifold.active != active || manifold.sliding != sliding;
 }
 
 /// Corrects the set by what has been solved; false: it stays. All manifolds at once find most sets in a few rounds, and can go
 /// round in circles: after half of the rounds it is one at a time, which starts where the last one changed.
-template <bool displaces>
-bool change_active(const DirectView& island, wide_scalar settled, int set_i, int& begin) {
+template <bool displaces, class Direct>
+bool change_active(const Direct& island, wide_scalar settled, int set_i, int& begin) {
     bool differs = false;
     for (int step_i = 0; step_i < island.manifold_count; ++step_i) {
         const int manifold_i = (begin + step_i) % island.manifold_count;
-        DirectManifold& manifold = island.manifolds[manifold_i];
-        DirectRow* const rows = island.rows + manifold_i * direct_rows;
+        ManifoldOf<Direct>& manifold = island.manifolds[manifold_i];
+        DirectRow* const rows = island.rows + manifold_i * Direct::row_count;
         bool here = change_normals<displaces>(island, manifold, rows, settled);
         if (!displaces) here = change_friction(island, manifold, rows, settled) || here;
         differs = differs || here;
@@ -248,9 +265,10 @@ bool change_active(const DirectView& island, wide_scalar settled, int set_i, int
     return differs;
 }
 
-void write_back(const SolverView& solver, const DirectView& island) {
+template <class View, class Direct>
+void write_back(const View& solver, const Direct& island) {
     for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
-        const DirectRow* const rows = island.rows + manifold_i * direct_rows;
+        const DirectRow* const rows = island.rows + manifold_i * Direct::row_count;
         for_impulses(solver, island.manifolds[manifold_i], [&](int row, scalar& j, scalar& j_sweep) {
             j = j_sweep = static_cast<scalar>(row < friction_row ? max(rows[row].j, 0) : rows[row].j);
         });
@@ -264,7 +282,8 @@ void write_back(const SolverView& solver, const DirectView& island) {
 
 }  // namespace
 
-IslandState solve_island(const SolverView& solver, DirectView& island, scalar h, bool after_sweeps) {
+template <class View, class Direct>
+IslandState solve_island(const View& solver, Direct& island, scalar h, bool after_sweeps) {
     island.paid = false;
     begin_free(solver, island);
     if (has_impact(solver, island, h)) return IslandState::left_to_sweeps;
@@ -294,7 +313,8 @@ IslandState solve_island(const SolverView& solver, DirectView& island, scalar h,
 namespace {
 
 /// What the position stage wants of each normal, as the sweep does. False: nothing is off.
-bool begin_placing(const SolverView& solver, DirectView& island, scalar h) {
+template <class Direct>
+bool begin_placing(const SolverView& solver, Direct& island, scalar h) {
     for (int body_i = 1; body_i < island.body_count; ++body_i) {
         DirectBody& body = island.bodies[body_i];
         body.linear = in_double(solver.bodies[body.body_i].dp);
@@ -303,8 +323,8 @@ bool begin_placing(const SolverView& solver, DirectView& island, scalar h) {
     bool off = false;
     const wide_scalar deepest = -static_cast<wide_scalar>(limits::push_speed_max * h);
     for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
-        DirectManifold& manifold = island.manifolds[manifold_i];
-        DirectRow* const rows = island.rows + manifold_i * direct_rows;
+        ManifoldOf<Direct>& manifold = island.manifolds[manifold_i];
+        DirectRow* const rows = island.rows + manifold_i * Direct::row_count;
         const int lane_i = manifold.position % lanes;
         const ContactBlock& block = solver.blocks[manifold.position / lanes];
         manifold.active = 0;
@@ -312,7 +332,7 @@ bool begin_placing(const SolverView& solver, DirectView& island, scalar h) {
         manifold.pulls = 0;
         for (int row = 0; row < manifold.points; ++row) {
             if (!has(manifold.rows, row)) continue;
-            const ContactRow& contact = block.row[row];
+            const NormalRow& contact = block.row[row];
             const wide_scalar s = static_cast<wide_scalar>(contact.separation[lane_i]) + row_motion<true>(island, manifold, rows[row]);
             const bool pressed = contact.j[lane_i] > 0, lands = contact.landing[lane_i] < limits::unbounded;
             const wide_scalar share = s * static_cast<wide_scalar>(limits::position_share);
@@ -334,7 +354,8 @@ bool begin_placing(const SolverView& solver, DirectView& island, scalar h) {
 namespace {
 
 /// The largest displacement, m and rad; not finite if one is not.
-wide_scalar farthest(const DirectView& island) {
+template <class Direct>
+wide_scalar farthest(const Direct& island) {
     wide_scalar most_sq = 0, sum = 0;
     for (int body_i = 1; body_i < island.body_count; ++body_i) {
         const wide_scalar moved = length_sq(island.bodies[body_i].linear), turned = length_sq(island.bodies[body_i].angular);
@@ -346,19 +367,20 @@ wide_scalar farthest(const DirectView& island) {
 
 }  // namespace
 
-bool place_island(const SolverView& solver, DirectView& island, scalar h) {
+template <class Direct>
+bool place_island(const SolverView& solver, Direct& island, scalar h) {
     island.paid = false;
     if (!begin_placing(solver, island, h)) return true;
     set_free<true>(island);
     for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
-        DirectManifold& manifold = island.manifolds[manifold_i];
-        DirectRow* const rows = island.rows + manifold_i * direct_rows;
+        ManifoldOf<Direct>& manifold = island.manifolds[manifold_i];
+        DirectRow* const rows = island.rows + manifold_i * Direct::row_count;
         if (active_normals(manifold) > normals_max) {
             int least = 0;
             for (int row = 1; row < manifold.points; ++row) least = rows[row].j <= rows[least].j ? row : least;
             set_bit(manifold.active, least, false);
         }
-        for (int row = 0; row < direct_rows; ++row) rows[row].j = 0;
+        for (int row = 0; row < Direct::row_count; ++row) rows[row].j = 0;
     }
     bool settled = false;
     int begin = 0;
@@ -379,5 +401,13 @@ bool place_island(const SolverView& solver, DirectView& island, scalar h) {
     }
     return true;
 }
+
+// The linker takes those of the scene.
+template IslandState solve_island(const SolverView&, DirectView&, scalar, bool);
+template IslandState solve_island(const RollingView&, RollingDirectView&, scalar, bool);
+template IslandState solve_island(const BeltView&, DirectView&, scalar, bool);
+template IslandState solve_island(const RollingBeltView&, RollingDirectView&, scalar, bool);
+template bool place_island(const SolverView&, DirectView&, scalar);
+template bool place_island(const SolverView&, RollingDirectView&, scalar);
 
 } }  // namespace ingot

@@ -9,7 +9,7 @@ namespace ingot { inline namespace INGOT_ABI {
 /// first guess.
 ///
 /// An active set: normals that push are equations, at most three of a manifold (a fourth depends on them, and rounding would
-/// make huge forces of that); friction and twist are equations where they stick, and follow the normals and the slip where they
+/// make huge forces of that); friction, twist and rolling resistance are equations where they stick, and follow the normals and the slip where they
 /// slide. The set is solved by factor_rows, refined with speeds taken from the bodies, and corrected until nothing leaves or
 /// enters. Sliding friction turns with the slip, and follows the load: Newton's method, with a matrix that is not symmetric.
 ///
@@ -19,10 +19,12 @@ namespace ingot { inline namespace INGOT_ABI {
 /// not, but for bounces.
 /// Bound:   work_left multiplications in factors; direct_sets_max sets of direct_newton_steps_max steps, each of
 /// direct_refinements_max solves.
-IslandState solve_island(const SolverView& solver, DirectView& island, scalar h, bool after_sweeps);
+template <class View, class Direct>
+IslandState solve_island(const View& solver, Direct& island, scalar h, bool after_sweeps);
 
 /// The same for displacements: of overlaps, 0.4 are taken back, of points that carry a load gaps too; normals only. False:
 /// nothing is written.
-bool place_island(const SolverView& solver, DirectView& island, scalar h);
+template <class Direct>
+bool place_island(const SolverView& solver, Direct& island, scalar h);
 
 } }  // namespace ingot

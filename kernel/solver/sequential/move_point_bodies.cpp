@@ -15,6 +15,11 @@ void add_motion(PointMotion& to, const PointMotion& rate, scalar h) {
     to.moment += rate.moment * h;
 }
 
+/// Of a body whose velocity, or the change of it in a second, is `linear`, with its angular momentum or torque.
+INGOT_SHARED PointMotion motion_of(const Vector& linear, const SymmetricMatrix& inv_I_world, const Vector& moment) {
+    return {linear, inv_I_world * moment, moment};
+}
+
 /// False for NaN. An L that is not finite has no omega that is.
 bool is_valid(const PointMotion& motion) {
     const scalar most = limits::speed_runaway;
@@ -29,9 +34,8 @@ void take_in_point_body(PointBody& body, const BodyView& bodies, const Vector& g
     const scalar inv_M = translation.inv_M[at.lane];
     if (body.inv_M > 0 || !(inv_M > 0)) return;
     const SymmetricMatrix inv_I_world = lane_of(translation.inv_I_world, at.lane);
-    const Vector L = lane_of(rotation.L, at.lane), tau = lane_of(rotation.tau_T, at.lane);
-    const PointMotion forces = {lane_of(translation.F_T, at.lane) * inv_M + gravity, inv_I_world * tau, tau};
-    const PointMotion velocity = {lane_of(translation.v_CM, at.lane), inv_I_world * L, L};
+    const PointMotion forces = motion_of(lane_of(translation.F_T, at.lane) * inv_M + gravity, inv_I_world, lane_of(rotation.tau_T, at.lane));
+    const PointMotion velocity = motion_of(lane_of(translation.v_CM, at.lane), inv_I_world, lane_of(rotation.L, at.lane));
     PointMotion at_end = velocity;
     add_motion(at_end, forces, h);
     if (!is_valid(at_end)) return mark_lane_bad(bodies.rotation[at.tile].bad, at.lane);
@@ -63,6 +67,7 @@ void take_in_bodies(PointView& solver, const BodyView& bodies, const Vector& gra
     for (int slot = 0; slot < solver.slot_count; ++slot) {  // bound: max_bodies
         solver.bodies[slot].inv_M = 0;  // of a body that does not move, nothing else is looked at
         solver.bodies[slot].hit = false;
+        solver.bodies[slot].root = no_root;
     }
     for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i) {  // bound: max_manifolds
         const BodyPair& pair = solver.pairs[manifold_i];
@@ -83,7 +88,7 @@ int root_of(const PointView& solver, int slot) {
     return slot;
 }
 
-bool takes_part(const PointView& solver, int slot) { return solver.bodies[slot].inv_M > 0; }
+bool takes_part(const PointView& solver, int slot) { return solver.bodies[slot].root != no_root; }
 
 }  // namespace
 
@@ -100,9 +105,9 @@ void join_bodies(const PointView& solver) {
 
 int next_island(PointView& solver, int slot) {
     ++slot;
-    while (slot < solver.slot_count && !(takes_part(solver, slot) && solver.bodies[slot].root == slot)) ++slot;  // bound: max_bodies: ++slot
+    while (slot < solver.slot_count && solver.bodies[slot].root != slot) ++slot;  // bound: max_bodies: ++slot
     solver.member_count = solver.body_count = 0;
-    const auto has = [&](int of) { return takes_part(solver, of) && solver.bodies[of].root == slot; };
+    const auto has = [&](int of) { return solver.bodies[of].root == slot; };
     for (int of = slot; of < solver.slot_count; ++of)
         if (has(of)) solver.body_slots[solver.body_count++] = static_cast<uint16_t>(of);
     for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i) {
@@ -138,7 +143,7 @@ void write_contact_motion(const PointView& solver, const BodyView& bodies, const
         if (!(body.inv_M > 0)) continue;
         const Place at = place_of(slot);
         const PointMotion &velocity = body.velocity, &displacement = body.displacement;
-        if (!is_valid(velocity) || !is_finite(displacement.linear) || !is_finite(displacement.moment)) {
+        if (!is_valid(velocity) || !is_finite(displacement.linear + displacement.moment)) {  // no finite two add up to more than there is
             mark_lane_bad(bodies.rotation[at.tile].bad, at.lane);
             continue;
         }

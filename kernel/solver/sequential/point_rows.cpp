@@ -14,10 +14,12 @@ void push_body(PointBody& body, MotionOfBody kind, const Vector& P, const Vector
     motion.moment += change;
 }
 
+/// J . inv_I_world J.
+INGOT_SHARED scalar compliance_about_axis(const PointBody& body, const Vector& J) { return dot(J, body.inv_I_world * J); }
+
 scalar compliance_of(const PointBody& body, const Vector& P, const Vector& n) {
     if (!(body.inv_M > 0)) return 0;
-    const Vector J = cross(P - body.r_CM, n);
-    return body.inv_M + dot(J, body.inv_I_world * J);
+    return body.inv_M + compliance_about_axis(body, cross(P - body.r_CM, n));
 }
 
 /// The trace of the compliance at P less its part along n.
@@ -25,13 +27,13 @@ scalar compliance_across_of(const PointBody& body, const Vector& P, const Vector
     if (!(body.inv_M > 0)) return 0;
     const SymmetricMatrix& inv_I = body.inv_I_world;
     const Vector r = P - body.r_CM;
-    const scalar trace = 3 * body.inv_M + (inv_I.xx + inv_I.yy + inv_I.zz) * length_sq(r) - dot(r, inv_I * r);
+    const scalar trace = 3 * body.inv_M + (inv_I.xx + inv_I.yy + inv_I.zz) * length_sq(r) - compliance_about_axis(body, r);
     return trace - compliance_of(body, P, n);
 }
 
 scalar compliance_about_of(const PointBody& body, const Vector& n) {
     if (!(body.inv_M > 0)) return 0;
-    return dot(n, body.inv_I_world * n);
+    return compliance_about_axis(body, n);
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ struct PointMotion {
     Vector moment;   ///< kg m^2/s, which is L; kg m^2
 };
 
-/// World axes. With inv_M = 0 it cannot move, has gone bad, or touches nothing, and the rest means nothing.
+/// World axes. With inv_M = 0 it cannot move, has gone bad, or touches nothing, and of the rest but hit and root nothing means anything.
 struct PointBody {
     Vector r_CM;      ///< m
     scalar inv_M;     ///< kg^-1
@@ -27,8 +27,9 @@ struct PointBody {
     PointMotion displacement;  ///< since the step began
     PointMotion begin;         ///< velocity at the begin of the substep
     bool hit;         ///< in the substep: its velocity changed by more than forces explain
-    uint16_t root;    ///< slot of the lowest body of its island
+    uint16_t root;    ///< slot of the lowest body of its island; no_root: it is of none
 };
+inline constexpr uint16_t no_root = 65535;
 
 /// What a manifold gives: A gets it, B the opposite.
 struct PointImpulses {

@@ -17,7 +17,7 @@ struct SequentialImpulses {
     static constexpr const char* name = "sequential_impulses";
     static constexpr bool is_direct = false, is_pointwise = true;
 
-    template <int max_bodies, int max_manifolds>
+    template <int max_bodies, int max_manifolds, bool rolls = false>
     struct Memory {
         PointBody point_bodies[static_cast<unsigned>((max_bodies + lanes - 1) / lanes * lanes)] = {};
         PointContact point_contacts[static_cast<unsigned>(max_manifolds)] = {};

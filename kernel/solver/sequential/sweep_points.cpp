@@ -34,8 +34,8 @@ struct NormalMotion {
 INGOT_INLINE NormalMotion normal_motion(const PointVisit& visit, const RelativeVelocity& relative) {
     return {cross(visit.n(), relative.angular), visit.contact.middle, dot(visit.n(), relative.linear)};
 }
-INGOT_INLINE NormalMotion normal_motion(const PointVisit& visit, MotionOfBody kind) {
-    return normal_motion(visit, relative_motion(visit.pair, kind, visit.contact.middle));
+INGOT_SHARED NormalMotion normal_displacement(const PointVisit& visit) {
+    return normal_motion(visit, relative_motion(visit.pair, &PointBody::displacement, visit.contact.middle));
 }
 
 scalar compliance_of_point(const PointVisit& visit, int point_i) {
@@ -49,7 +49,7 @@ scalar compliance_of_friction(const PointVisit& visit) {
     return K;
 }
 
-scalar load_on(const PointVisit& visit) {
+INGOT_SHARED scalar load_on(const PointVisit& visit) {
     scalar sum = 0;
     for (int point_i = 0; point_i < visit.count(); ++point_i) sum += visit.record.j[point_i];  // bound: 4: Manifold::points_max
     return sum;
@@ -77,7 +77,7 @@ void cut_impulses_of_hit(const PointVisit& visit, scalar h) {
 }
 
 /// Adds a row's change of impulse.
-void note_change(SweepOfPoints& sweep, scalar d, scalar K, scalar lever) {
+INGOT_SHARED void note_change(SweepOfPoints& sweep, scalar d, scalar K, scalar lever) {
     sweep.fastest = max(sweep.fastest, d * K * lever);
     sweep.size += d * d * K;
 }
@@ -85,8 +85,11 @@ void note_change(SweepOfPoints& sweep, scalar d, scalar K, scalar lever) {
 /// One round over the normals, which keeps `relative` up to date. Returns the largest speed corrected, m/s.
 scalar round_of_normals(const PointVisit& visit, RelativeVelocity& relative, scalar ignored, SweepOfPoints& sweep) {
     scalar largest = 0;
-    NormalMotion motion = normal_motion(visit, relative);
+    NormalMotion motion;
+    bool is_known = false;
     for (int point_i = 0; point_i < visit.count(); ++point_i) {
+        if (!is_known) motion = normal_motion(visit, relative);
+        is_known = true;
         scalar& j = visit.record.j[point_i];
         const scalar speed = motion.at(visit.P(point_i)) - visit.contact.target[point_i];
         if (j > 0 ? abs(speed) <= ignored : j == 0 && speed >= -ignored) continue;
@@ -97,7 +100,7 @@ scalar round_of_normals(const PointVisit& visit, RelativeVelocity& relative, sca
         note_change(sweep, abs(d), K, 1);
         push_pair(visit.pair, &PointBody::velocity, visit.P(point_i), visit.n() * d, {});
         relative = relative_motion(visit.pair, &PointBody::velocity, visit.contact.middle);
-        motion = normal_motion(visit, relative);
+        is_known = false;
     }
     return largest;
 }
@@ -143,7 +146,7 @@ struct PointsOff {
 /// Pressed points are brought together from either side; others only push.
 void round_of_pushes(const PointVisit& visit, PointsOff& off) {
     for (int point_i = 0; point_i < visit.count(); ++point_i) {
-        const scalar moved = normal_motion(visit, &PointBody::displacement).at(visit.P(point_i)) + off.separation[point_i];
+        const scalar moved = normal_displacement(visit).at(visit.P(point_i)) + off.separation[point_i];
         scalar d = -(off.wanted[point_i] + moved) / compliance_of_point(visit, point_i);
         if (!(visit.record.j[point_i] > 0)) d = max(d, -off.q[point_i]);
         off.q[point_i] += d;
@@ -154,7 +157,7 @@ void round_of_pushes(const PointVisit& visit, PointsOff& off) {
 void visit_positions(const PointVisit& visit, scalar h) {
     visit.contact.change = {};
     if (visit.pair.A.hit || visit.pair.B.hit) cut_impulses_of_hit(visit, h);
-    const NormalMotion motion = normal_motion(visit, &PointBody::displacement);
+    const NormalMotion motion = normal_displacement(visit);
     PointsOff off;
     bool is_off = false;
     for (int point_i = 0; point_i < visit.count(); ++point_i) {
@@ -171,7 +174,7 @@ void visit_positions(const PointVisit& visit, scalar h) {
     for (int round_i = 0; is_off && round_i < limits::rounds_of_pushes; ++round_i) round_of_pushes(visit, off);
 }
 
-void scale_impulses(ManifoldRecord& record, scalar share) {
+INGOT_SHARED void scale_impulses(ManifoldRecord& record, scalar share) {
     for (int point_i = 0; point_i < record.manifold.count; ++point_i) record.j[point_i] *= share;  // bound: 4: Manifold::points_max
     record.j_friction = record.j_friction * share;
     record.j_torsion *= share;

@@ -21,7 +21,7 @@ struct BlockSweeps {
     static constexpr const char* name = "block_sweeps";
     static constexpr bool is_direct = false, is_pointwise = false;
 
-    template <int max_bodies, int max_manifolds>
+    template <int max_bodies, int max_manifolds, bool rolls = false>
     struct Memory {
         template <bool notes_impulses, bool bounces, class View>
         void solve_contacts(View& solver, const ContactStep& step, StepReport& report) {

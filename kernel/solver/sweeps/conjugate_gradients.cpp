@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "conjugate_gradients.h"
 
-#include "../../base/limits.h"
-#include "../../math/sqrt.h"
-#include "../../constraint/block_rows.h"
+#include "../../constraint/block_bodies.h"
+#include "../../constraint/contact.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -30,17 +29,8 @@ INGOT_INLINE void go_on(scalar (&j)[lanes], scalar (&j_sweep)[lanes], scalar (&d
 
 template <bool whole, class View>
 INGOT_INLINE void extrapolate_visit(const View& solver, const Visit& visit, lane beta) {
-    ContactBlock& block = solver.blocks[visit.block];
     const mask live = lanes_of(visit.lane_bits);
-    // bound: 4: block_rows
-    for (int row = 0; row < block.rows; ++row) go_on<whole>(block.row[row].j, block.row[row].j_sweep, block.row[row].direction, beta, live);
-    for (int axis = 0; axis < 2; ++axis)
-        go_on<whole>(block.friction.j[axis], block.friction.j_sweep[axis], block.friction.direction[axis], beta, live);
-    if (block.rows > 1) go_on<whole>(block.torsion.j, block.torsion.j_sweep, block.torsion.direction, beta, live);
-    if constexpr (View::rolls) {
-        RollingRows& rolling = solver.rolling[visit.block];
-        for (int axis = 0; axis < 2; ++axis) go_on<whole>(rolling.j[axis], rolling.j_sweep[axis], rolling.direction[axis], beta, live);
-    }
+    ContactConstraint<View>::Given::for_rows(solver, visit.block, [&](const SeenRow& row) { go_on<whole>(row.j, row.j_sweep, row.direction, beta, live); });
 }
 
 lane beta_of(const SolverView& solver, const Visit& visit) {

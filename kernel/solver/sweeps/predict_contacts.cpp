@@ -3,7 +3,7 @@
 
 #include "../../base/limits.h"
 #include "../../math/sqrt.h"
-#include "../../constraint/block_rows.h"
+#include "../../constraint/block_bodies.h"
 #include "../../constraint/row_flight.h"
 
 namespace ingot { inline namespace INGOT_ABI {

@@ -3,7 +3,8 @@
 
 #include "../../base/limits.h"
 #include "../../math/sqrt.h"
-#include "../../constraint/block_rows.h"
+#include "../../constraint/block_bodies.h"
+#include "../../constraint/contact.h"
 #include "../../constraint/row_flight.h"
 #include "plan_islands.h"
 #include "sweep_velocities.h"
@@ -67,38 +68,18 @@ scalar next_impact(const SolverView& solver, ContactBlock& block, int lane_i, sc
 }
 
 template <class View>
-void drop_impulses([[maybe_unused]] const View& solver, [[maybe_unused]] int block_i, ContactBlock& block, int lane_i) {
-    for (int row = 0; row < block.rows; ++row) block.row[row].j[lane_i] = 0;
-    for (int axis = 0; axis < 2; ++axis) block.friction.j[axis][lane_i] = 0;
-    if (block.rows > 1) block.torsion.j[lane_i] = 0;
-    if constexpr (View::rolls)
-        for (int axis = 0; axis < 2; ++axis) solver.rolling[block_i].j[axis][lane_i] = 0;
+void drop_impulses(const View& solver, int block_i, int lane_i) {
+    ContactConstraint<View>::Given::for_rows(solver, block_i, [lane_i](const SeenRow& row) { row.j[lane_i] = 0; });
 }
 
 /// Takes back what impulses given at the time `now` have not displaced before.
 template <class View>
-void take_back(const View& solver, [[maybe_unused]] int block_i, ContactBlock& block, int lane_i, scalar now) {
+void take_back(const View& solver, int block_i, int lane_i, scalar now) {
+    const ContactBlock& block = solver.blocks[block_i];
     BodyPairLanes displaced = gather_bodies(solver, block, &SolverBody::dp, &SolverBody::dth);
     const lane inv_M_A = load(block.inv_M_A), inv_M_B = load(block.inv_M_B), back = splat<lane>(-now);
-    const auto push = [&](const Levers& levers, const Vec3<lane>& direction, lane j) {
-        add_linear(displaced, direction * (j * back), inv_M_A, inv_M_B);
-        turn_by_push(displaced, levers, j * back);
-    };
-    for (int row = 0; row < block.rows; ++row) push(block.row[row].levers, load(block.n), load(block.row[row].j));
-    push(block.friction.levers[0], load(block.t_1), load(block.friction.j[0]));
-    push(block.friction.levers[1], load(block.t_2), load(block.friction.j[1]));
-    if (block.rows > 1) {
-        const lane torsion = load(block.torsion.j) * back;
-        displaced.angular_A += load(block.torsion.k_A) * torsion;
-        displaced.angular_B += load(block.torsion.k_B) * torsion;
-    }
-    if constexpr (View::rolls) {
-        const RollingRows& rolling = solver.rolling[block_i];
-        for (int axis = 0; axis < 2; ++axis) {
-            displaced.angular_A += load(rolling.k_A[axis]) * (load(rolling.j[axis]) * back);
-            displaced.angular_B += load(rolling.k_B[axis]) * (load(rolling.j[axis]) * back);
-        }
-    }
+    ContactConstraint<View>::Given::for_rows(solver, block_i,
+                                   [&](const SeenRow& row) { push_along(displaced, row, load(row.j) * back, inv_M_A, inv_M_B); });
     scatter_bodies(solver, block, static_cast<uint16_t>(1u << lane_i), displaced, &SolverBody::dp, &SolverBody::dth);
 }
 
@@ -124,8 +105,8 @@ void solve_at_hand(const View& solver, Island& island, scalar now, ImpactNote* n
     for_each_in_chain(solver, island, [&](int block_i, int lane_i) {
         ContactBlock& block = solver.blocks[block_i];
         if (time_of(block, lane_i) != at_hand) return;
-        take_back(solver, block_i, block, lane_i, now);
-        drop_impulses(solver, block_i, block, lane_i);
+        take_back(solver, block_i, lane_i, now);
+        drop_impulses(solver, block_i, lane_i);
         if (notes != nullptr) notes[block.manifold[lane_i]].carried = true;
         solver.colours_of_body[block.body_A[lane_i]] |= changed;
         solver.colours_of_body[block.body_B[lane_i]] |= changed;
@@ -186,7 +167,7 @@ bool sequence_impacts_of(const View& solver, Island& island, scalar h, ImpactNot
             if (!(time_of(block, lane_i) <= now + limits::together * h)) return;
             (void)next_impact(solver, block, lane_i, now, h, true);
             time_of(block, lane_i) = at_hand;
-            drop_impulses(solver, block_i, block, lane_i);
+            drop_impulses(solver, block_i, lane_i);
         });
         solve_at_hand(solver, island, now, notes);
         look_again(solver, island, now, h);

@@ -2,44 +2,11 @@
 #include "sweep_positions.h"
 
 #include "../../base/limits.h"
-#include "../../math/sqrt.h"
-#include "../../constraint/block_rows.h"
+#include "../../constraint/block_bodies.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
-
-/// What is to be taken back of each row, and which rows may also be drawn together.
-struct Pushes {
-    Row4 w;                   ///< m
-    mask pulls[block_rows];   ///< pressed points, and those that land at a place of their own
-    mask off, lands;          ///< a row is where it should not be; a row lands
-};
-template <int rows>
-INGOT_INLINE Pushes pushes_due(const ContactBlock& block, const Vec3<lane>& n, const BodyPairLanes& pair, scalar h) {
-    const lane share = splat<lane>(limits::position_share), deepest = splat<lane>(-limits::push_speed_max * h);
-    const lane settled = splat<lane>(-limits::settled_gap), apart = dot(n, pair.linear_A - pair.linear_B);
-    Pushes due;
-    due.off = due.lands = splat<lane>(1) < lane{};
-    for (int row = 0; row < rows; ++row) {  // bound: 4: block_rows
-        const lane s = separation_now(block, row, apart, pair);
-        const mask lands = bounces(block.row[row]), pressed = load(block.row[row].j) > lane{};
-        const lane wanted = select(either(pressed, s < lane{}), max(s * share, deepest), s);
-        const lane w = select(lands, s - load(block.row[row].landing), wanted);
-        due.w.at[row] = rows == 1 ? w : select(is_used(block, row), w, lane{});
-        due.pulls[row] = either(lands, pressed);
-        due.lands = either(due.lands, lands);
-        due.off = either(due.off, select(due.pulls[row], -abs(due.w.at[row]), due.w.at[row]) < settled);
-    }
-    return due;
-}
-
-/// What is off is little at rest: then there is nothing to solve.
-template <int rows>
-INGOT_RARE Row4 solve_pushes(ContactBlock& block, const Pushes& due, scalar slack, mask active) {
-    const Row4 none = {};
-    return solve_block<rows, false>(block.K, block.count, block.cached_inverse, due.w, none, due.pulls, slack, active);
-}
 
 /// True if points of the visit land, which one push brings there within 1 % of the way: `again` pushes no others.
 template <int rows>
@@ -47,11 +14,11 @@ INGOT_INLINE bool visit_positions(const SolverView& solver, ContactBlock& block,
     const mask active = lanes_of(lane_bits);
     const Vec3<lane> n = load(block.n);
     BodyPairLanes pair = gather_bodies(solver, block, &SolverBody::dp, &SolverBody::dth);
-    Pushes due = pushes_due<rows>(block, n, pair, h);
+    Pushes due = Normals::pushes_due<rows>(block, n, pair, h);
     // One point alone is there after one push, and has no more of them in a block of one row: so it is beside others too.
     if (again) due.off = both(both(due.off, due.lands), is_used(block, 1));
     if (!any(due.off)) return false;
-    const Row4 q = solve_pushes<rows>(block, due, limits::approach_slack * h, active);
+    const Row4 q = Normals::push<rows>(block, due, limits::approach_slack * h, active);
     lane sum{};
     for (int row = 0; row < rows; ++row) {
         const lane push = select(due.off, q.at[row], lane{});
@@ -70,9 +37,9 @@ INGOT_INLINE void visit_central_positions(const SolverView& solver, ContactBlock
     const LaneQuad dp_A = gather(solver.bodies, block.body_A, &SolverBody::dp), dp_B = gather(solver.bodies, block.body_B, &SolverBody::dp);
     pair.linear_A = vector_of(dp_A);
     pair.linear_B = vector_of(dp_B);
-    const Pushes due = pushes_due<1>(block, n, pair, h);
+    const Pushes due = Normals::pushes_due<1>(block, n, pair, h);
     if (!any(due.off)) return;
-    const Row4 q = solve_pushes<1>(block, due, limits::approach_slack * h, lanes_of(lane_bits));
+    const Row4 q = Normals::push<1>(block, due, limits::approach_slack * h, lanes_of(lane_bits));
     add_linear(pair, n * select(due.off, q.at[0], lane{}), load(block.inv_M_A), load(block.inv_M_B));
     scatter_visited(solver, block.body_A, lane_bits, &SolverBody::dp, quad_of(pair.linear_A, dp_A.at[3]));
     scatter_visited(solver, block.body_B, lane_bits, &SolverBody::dp, quad_of(pair.linear_B, dp_B.at[3]));

@@ -3,7 +3,6 @@
 
 #include "../conduct_substeps.h"
 #include "../../constraint/prepare_blocks.h"
-#include "../../constraint/prepare_materials.h"
 #include "move_bodies.h"
 #include "note_impulses.h"
 #include "order_manifolds.h"
@@ -64,8 +63,10 @@ struct SweptContacts {
 
     void end_batch(StepReport& report) {
         ingot::end_batch(view, report);
-        remember_impulses(view);
-        if constexpr (View::rolls) remember_rolling(view, view.rolling, view.rolling_records);
+        if constexpr (View::rolls)
+            remember_impulses(view);
+        else
+            remember_impulses<SolverView>(view);
     }
 
 protected:
@@ -74,8 +75,6 @@ protected:
 private:
     void prepare(const ContactStep& step) {
         prepare_blocks(view, step.bodies);
-        if constexpr (View::rolls) prepare_rolling(view, step.bodies, view.rolling, view.rolling_records);
-        if constexpr (View::has_belts) prepare_belts(view, view.belts, view.belt_velocities);
         if constexpr (notes_impulses) clear_impulse_notes(view, step.notes);
         if constexpr (bounces)
             if (find_impact_chains(view)) list_members(view);

@@ -38,7 +38,7 @@ inline constexpr unsigned block_capacity_of = (static_cast<unsigned>(S::max_mani
 template <class S>
 struct ManifoldTraitsPart : AnchorPart<S, S::recycles_manifolds>, BodyPairPart<S, has_compounds<S>>,
                             S::broad_phase::template Memory<shape_capacity<S>, pair_capacity<S>>,
-                            S::solver::template Memory<S::max_bodies, S::max_manifolds> {};
+                            S::solver::template Memory<S::max_bodies, S::max_manifolds, S::rolling_resistance> {};
 
 /// What a solver works in that solves manifolds as blocks. The light solver brings all it needs.
 template <class S, bool present>

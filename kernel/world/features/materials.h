@@ -34,8 +34,6 @@ struct RollingResistance : Feature {
     static constexpr bool check() {
         static_assert(!S::rolling_resistance || stacks<S>,
                       "rolling resistance is of contacts with friction: set max_manifolds, or rolling_resistance = false");
-        static_assert(!has_materials<S> || !solves_directly<S>,
-                      "rolling resistance and surfaces that move are solved by sweeps: leave solver, or both of them, out");
         static_assert(!has_materials<S> || !S::continuous,
                       "fast bodies are followed where surfaces neither resist rolling nor move: set continuous = false, or both of them");
         return true;
