@@ -36,7 +36,8 @@ set(narrow_phase_shares manifold manifold_points contact_geometry contact_patch 
   manifold_anchors)
 set(query_shares candidates query_filter ray_on_shapes cast_ray)
 set(impulse_shares contact collide_shapes contact_rows impulse)
-set(constraint_shares block_solve contact_block block_rows solver_body solver_view material_view surface_materials row_flight impact_note)
+set(constraint_shares belts block_bodies block_rows block_solve contact contact_block friction impact_note laws material_view normals response rolling
+  row_flight row_pair rows solver_body solver_view surface_materials torsion visit)
 set(island_shares awake_tiles disjoint_sets rest_view)
 set(sleep_shares wake)
 set(events_shares contact_events pair_rules)
@@ -47,7 +48,7 @@ set(solver_sweeps_shares block_sweeps swept_contacts conjugate_gradients move_bo
 # solve_sequentially conducts the stages of its substeps, and sequential_impulses names it to scenes.
 set(solver_sequential_shares point_view point_rows move_point_bodies sweep_points solve_sequentially)
 # hybrid_islands conducts the stages, and calls the others of its room.
-set(solver_direct_shares direct_view hybrid_contacts hold_energy island_rows choose_islands normal_set sliding factor_rows solve_island solve_directly)
+set(solver_direct_shares direct_view hybrid_contacts hold_energy misfit island_rows choose_islands normal_set sliding factor_rows solve_island solve_directly)
 
 set(broken "")
 file(GLOB_RECURSE files RELATIVE ${HOUSE} ${HOUSE}/kernel/*.h ${HOUSE}/kernel/*.cpp ${HOUSE}/platform/*.h ${HOUSE}/platform/*.cpp)

@@ -35,7 +35,8 @@ struct Compose {
         (Parts::recall(solver, block_i, lane_i, kept), ...);
     }
     template <class View>
-    static INGOT_INLINE void remember([[maybe_unused]] const View& solver, [[maybe_unused]] int block_i, [[maybe_unused]] int lane_i, [[maybe_unused]] int record_i, [[maybe_unused]] scalar part) {
+    static INGOT_INLINE void remember([[maybe_unused]] const View& solver, [[maybe_unused]] int block_i, [[maybe_unused]] int lane_i,
+                                      [[maybe_unused]] int record_i, [[maybe_unused]] scalar part) {
         (Parts::remember(solver, block_i, lane_i, record_i, part), ...);
     }
     template <class Visit>

@@ -83,7 +83,7 @@ struct Normals {
     template <class Visit>
     static INGOT_INLINE void warm_start(Visit& at, BodyPairLanes& pair, scalar h) {
         const Row4 j = impulses_kept<Visit::rows>(at.solver, at.block, pair, h);
-        for (int row = 0; row < Visit::rows; ++row) {
+        for (int row = 0; row < Visit::rows; ++row) {  // bound: 4: block_rows
             NormalRow& to = at.block.row[row];
             store_if<Visit::whole>(to.j, at.active, j.at[row]);
             store_if<Visit::whole>(to.j_before, at.active, j.at[row]);
@@ -104,7 +104,8 @@ struct Normals {
         Row4 before, w;
         for (int row = 0; row < rows; ++row) {
             before.at[row] = load(block.row[row].j);
-            const lane speed = (rows == 1 && block.central ? approach : row_speed(block.row[row].levers, approach, pair)) - load(block.row[row].target);
+            const lane speed =
+                (rows == 1 && block.central ? approach : row_speed(block.row[row].levers, approach, pair)) - load(block.row[row].target);
             w.at[row] = rows == 1 ? speed : select(is_used(block, row), speed, lane{});
         }
         const mask none[block_rows] = {};
@@ -151,7 +152,7 @@ struct Normals {
     template <class View, class Each>
     static INGOT_INLINE void for_rows(const View& solver, int block_i, const Each& each) {
         auto& block = solver.blocks[block_i];
-        for (int row = 0; row < block.rows; ++row) {
+        for (int row = 0; row < block_rows && row < block.rows; ++row) {
             NormalRow& of = block.row[row];
             each(SeenRow{row, block.n, &of.levers, of.levers.k_A, of.levers.k_B, of.j, of.j_sweep, of.direction});
         }
@@ -222,7 +223,8 @@ private:
                     max(gather(solver.bodies, block.body_A, &SolverBody::dp).at[3], gather(solver.bodies, block.body_B, &SolverBody::dp).at[3]);
                 const lane allowance = splat<lane>(2 * h) * g;
                 for (int row = 0; row < rows; ++row) {
-                    const lane cut = impulse_after_impact(kept.at[row], load(block.row[row].j_before), allowance, load(block.K[Sym4::index(row, row)]));
+                    const lane cut =
+                        impulse_after_impact(kept.at[row], load(block.row[row].j_before), allowance, load(block.K[Sym4::index(row, row)]));
                     kept.at[row] = select(hit, cut, kept.at[row]);
                 }
             }

@@ -3,50 +3,13 @@
 
 #include "../../base/limits.h"
 #include "factor_rows.h"
+#include "misfit.h"
 #include "normal_set.h"
 #include "sliding.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
-
-/// By how much the laws of contact are missed.
-struct Misfit {
-    wide_scalar worst;  ///< m/s
-    wide_scalar merit;  ///< J; sum of squares over compliance
-
-    void add(wide_scalar impulse, wide_scalar K) {
-        worst = max(worst, abs(impulse) * K);
-        merit += impulse * impulse * K;
-    }
-};
-
-template <class Direct>
-Misfit misfit(const Direct& island) {
-    Misfit sum = {};
-    // bound: max_island of HybridIslands: larger islands are swept
-    for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
-        const ManifoldOf<Direct>& manifold = island.manifolds[manifold_i];
-        const DirectRow* const rows = island.rows + manifold_i * Direct::row_count;
-        // bound: 4: block_rows
-        for (int row = 0; row < manifold.points; ++row) {
-            if (!has(manifold.rows, row)) continue;
-            const wide_scalar wanted =
-                rows[row].j - (row_motion<false>(island, manifold, rows[row]) - rows[row].target) / rows[row].K;
-            sum.add(max(wanted, 0) - rows[row].j, rows[row].K);
-        }
-        const wide_scalar N = load_of(manifold, rows);
-        for (int pair_i = 0; pair_i < Direct::pair_count; ++pair_i) {  // bound: 2: friction and rolling
-            const int first = row_of_pair(pair_i);
-            if (!has(manifold.rows, first)) continue;
-            const PairOfImpulses t = projected_pair(island, manifold, rows + first, manifold.bound_of(pair_i) * N);
-            for (int axis = 0; axis < 2; ++axis) sum.add(t.at[axis] - rows[first + axis].j, rows[first + axis].K);
-        }
-        if (has(manifold.rows, torsion_row))
-            sum.add(projected_torsion(island, manifold, rows, manifold.mu * N * manifold.radius) - rows[torsion_row].j, rows[torsion_row].K);
-    }
-    return sum;
-}
 
 /// What bodies do without contacts.
 template <bool displaces, class Direct>
@@ -63,9 +26,9 @@ void set_free(const Direct& island) {
 template <bool displaces, class Direct>
 void add_up(const Direct& island) {
     set_free<displaces>(island);
-    for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
+    for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {  // bound: max_island of HybridIslands: larger islands are swept
         const ManifoldOf<Direct>& manifold = island.manifolds[manifold_i];
-        for (int row = 0; row < Direct::row_count; ++row) {
+        for (int row = 0; row < Direct::row_count; ++row) {  // bound: direct_rows and two of rolling
             if (!has(manifold.rows, row)) continue;
             DirectRow& at = island.rows[manifold_i * Direct::row_count + row];
             const wide_scalar j = at.j;
@@ -82,7 +45,7 @@ void begin_free(const SolverView& solver, Direct& island) {
     for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
         const ManifoldOf<Direct>& manifold = island.manifolds[manifold_i];
         const ContactBlock& block = solver.blocks[manifold.position / lanes];
-        for (int row = 0; row < manifold.points; ++row)
+        for (int row = 0; row < manifold.points; ++row)  // bound: 4: block_rows
             if (has(manifold.rows, row))
                 island.rows[manifold_i * Direct::row_count + row].target = static_cast<wide_scalar>(block.row[row].target[manifold.position % lanes]);
     }
@@ -218,7 +181,7 @@ wide_scalar solve_active(const Direct& island, wide_scalar settled) {
     }
 }
 
-/// Sticking friction (torsion, rolling resistance) beyond the cone slides, sliding friction within it sticks, what has no load has no friction; true if
+/// Sticking friction (torsion, rolling resistance) beyond the cone slides, sliding friction within it sticks, what has no load has none; true if
 /// something changed.
 template <class Direct>
 bool change_friction(const Direct& island, ManifoldOf<Direct>& manifold, DirectRow* rows, wide_scalar settled) {

@@ -30,7 +30,8 @@ INGOT_INLINE void go_on(scalar (&j)[lanes], scalar (&j_sweep)[lanes], scalar (&d
 template <bool whole, class View>
 INGOT_INLINE void extrapolate_visit(const View& solver, const Visit& visit, lane beta) {
     const mask live = lanes_of(visit.lane_bits);
-    ContactConstraint<View>::Given::for_rows(solver, visit.block, [&](const SeenRow& row) { go_on<whole>(row.j, row.j_sweep, row.direction, beta, live); });
+    ContactConstraint<View>::Given::for_rows(solver, visit.block,
+                                             [&](const SeenRow& row) { go_on<whole>(row.j, row.j_sweep, row.direction, beta, live); });
 }
 
 lane beta_of(const SolverView& solver, const Visit& visit) {

@@ -20,7 +20,7 @@ INGOT_INLINE bool visit_positions(const SolverView& solver, ContactBlock& block,
     if (!any(due.off)) return false;
     const Row4 q = Normals::push<rows>(block, due, limits::approach_slack * h, active);
     lane sum{};
-    for (int row = 0; row < rows; ++row) {
+    for (int row = 0; row < rows; ++row) {  // bound: 4: block_rows
         const lane push = select(due.off, q.at[row], lane{});
         turn_by_push(pair, block.row[row].levers, push);
         sum = sum + push;
