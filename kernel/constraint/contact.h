@@ -31,7 +31,8 @@ struct Compose {
         (Parts::prepare(solver, block_i, contacts), ...);
     }
     template <class View, class Kept>
-    static INGOT_INLINE void recall([[maybe_unused]] const View& solver, [[maybe_unused]] int block_i, [[maybe_unused]] int lane_i, [[maybe_unused]] const Kept& kept) {
+    static INGOT_INLINE void recall([[maybe_unused]] const View& solver, [[maybe_unused]] int block_i, [[maybe_unused]] int lane_i,
+                                    [[maybe_unused]] const Kept& kept) {
         (Parts::recall(solver, block_i, lane_i, kept), ...);
     }
     template <class View>
