@@ -28,8 +28,7 @@ bool is_at_rest(const BodyView& bodies, const SurfaceView& surfaces, const Vecto
 /// Immovable bodies have no motion to lose.
 void put_to_sleep(const BodyView& bodies, const RestView& rest, int slot) {
     const Place at = place_of(slot);
-    RestView::clear(rest.awake, slot);
-    RestView::set(rest.settling, slot);
+    rest.settle(slot);
     set_lane(bodies.rotation[at.tile].L, at.lane, Vector{});
     set_lane(bodies.translation[at.tile].v_CM, at.lane, Vector{});
     if (bodies.energy != nullptr) bodies.energy[at.tile].E_0[at.lane] = 0;
@@ -41,16 +40,16 @@ void put_to_sleep(const BodyView& bodies, const RestView& rest, int slot) {
 
 void fall_asleep(const BodyView& bodies, const SurfaceView& surfaces, const Vector& gravity, scalar h, const SleepLimits& limits,
                  const RestView& rest) {
-    for_slots(rest.awake, bodies.tile_count, [&](int slot) { rest.marks[slot] = 0; });
+    for_awake(rest, [&](int slot) { rest.marks[slot] = 0; });
     // A root whose island is not ready is marked.
-    for_slots(rest.awake, bodies.tile_count, [&](int slot) {
+    for_awake(rest, [&](int slot) {
         if (!is_dynamic(bodies, slot)) return;
         scalar& rest_time = rest.rest_time[slot];
         const scalar longer = rest_time + h;
         rest_time = !is_at_rest(bodies, surfaces, gravity, limits.speed, slot) ? 0 : longer < limits.time ? longer : limits.time;
         if (rest_time < limits.time) rest.marks[rest.root(slot)] = 1;
     });
-    for_slots(rest.awake, bodies.tile_count, [&](int slot) {
+    for_awake(rest, [&](int slot) {
         if (!is_dynamic(bodies, slot) || rest.marks[rest.root(slot)] == 0) put_to_sleep(bodies, rest, slot);
     });
 }
