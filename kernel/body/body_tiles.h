@@ -111,6 +111,11 @@ struct Place {
 };
 INGOT_INLINE constexpr Place place_of(int slot) { return {slot / lanes, slot % lanes}; }
 
+/// True for a body that can move: neither immovable nor frozen.
+INGOT_INLINE bool is_dynamic(const BodyView& bodies, int slot) {
+    return bodies.rotation[place_of(slot).tile].inv_I_scale[place_of(slot).lane] > 0;
+}
+
 } }  // namespace ingot
 
 #pragma GCC diagnostic pop

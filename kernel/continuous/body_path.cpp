@@ -30,8 +30,6 @@ bool is_fast(const Surface& surface, scalar travel, scalar angle) {
     return travel + spin > limits::fast_share * least_half_extent(surface.shape);
 }
 
-bool is_dynamic(const BodyView& bodies, Place at) { return bodies.translation[at.tile].inv_M[at.lane] > 0; }
-
 }  // namespace
 
 scalar least_half_extent(const Shape& shape) {
@@ -66,7 +64,7 @@ void begin_paths(const BodyView& bodies, const SurfaceView& surfaces, scalar h, 
         path.L = lane_of(bodies.rotation[at.tile].L, at.lane);
         path.until = 1;
         path.next = never;
-        path.fast = is_dynamic(bodies, at) && is_fast(surfaces.surfaces[slot], sqrt(length_sq(way)), sqrt(length_sq(turn)));
+        path.fast = is_dynamic(bodies, slot) && is_fast(surfaces.surfaces[slot], sqrt(length_sq(way)), sqrt(length_sq(turn)));
     }
 }
 
@@ -102,7 +100,7 @@ bool FastPairs::meets_hard(const BodyPair& pair, const Manifold& manifold) const
     for (int which = 0; which < 2; ++which) {
         const int slot = slots[which];
         const Place at = place_of(slot);
-        if (!paths[slot].fast && is_dynamic(bodies, at)) return false;
+        if (!paths[slot].fast && is_dynamic(bodies, slot)) return false;
         r[which] = lane_of(bodies.translation[at.tile].r_CM, at.lane);
         v[which] = lane_of(bodies.translation[at.tile].v_CM, at.lane);
         omega[which] = omega_of(bodies, slot);

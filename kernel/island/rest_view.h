@@ -71,12 +71,6 @@ private:
     }
 };
 
-/// True for a body that is neither immovable nor frozen, in a scene that translates.
-INGOT_INLINE bool is_dynamic(const BodyView& bodies, int slot) {
-    const Place at = place_of(slot);
-    return bodies.translation[at.tile].inv_M[at.lane] > 0;
-}
-
 /// Calls each(slot) for every lane of a tile whose bit is set, in the order of slots.
 template <class Each>
 INGOT_INLINE void for_lanes(int tile_i, unsigned lane_bits, const Each& each) {

@@ -14,11 +14,6 @@ namespace {
 
 bool is_zero(const Vector& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
 
-bool is_dynamic(const BodyView& bodies, int slot) {
-    const Place at = place_of(slot);
-    return bodies.rotation[at.tile].inv_I_scale[at.lane] > 0;
-}
-
 Vector inv_I_body_of(const BodyView& bodies, int slot) {
     const Place at = place_of(slot);
     const RotationTile& tile = bodies.rotation[at.tile];

@@ -58,6 +58,9 @@ struct Scene {
     using flight   = KickDriftKick;              ///< or another scheme of motion/forced_flight.h, for scenes with a field
 };
 
+template <class T>
+T& any_of();  // in types only: std::declval, which freestanding code has not
+
 template <class S>
 inline constexpr bool collides = S::max_contacts > 0;
 

@@ -15,9 +15,6 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-template <class T>
-T& any_of();  // in types only: std::declval, which freestanding code has not
-
 /// True for fields that name their numbers: see motion/force_field.h.
 template <class Field, class = void>
 inline constexpr bool names_its_numbers = false;

@@ -22,7 +22,7 @@ def counted(program, scene, steps):
     """Instructions of each step of a scene, and the last line that the program printed."""
     with tempfile.TemporaryDirectory() as folder:
         out = pathlib.Path(folder) / "out"
-        command = ["valgrind", "--tool=callgrind", f"--callgrind-out-file={out}", "--toggle-collect=*counted_step*", "--dump-after=*counted_step*",
+        command = ["valgrind", "--tool=callgrind", f"--callgrind-out-file={out}", "--toggle-collect=counted_step", "--dump-after=counted_step",
                    program, scene, str(steps)]
         run = subprocess.run(command, capture_output=True, text=True, check=True)
         numbers = []
@@ -39,7 +39,7 @@ def main():
     parser.add_argument("scenes", nargs="*", default=SCENES)
     parser.add_argument("--steps", type=int, default=60)
     parser.add_argument("--all", action="store_true", help="prints every step")
-    arguments = parser.parse_args()
+    arguments = parser.parse_intermixed_args()
     for scene in arguments.scenes:
         numbers, last = counted(arguments.program, scene, arguments.steps)
         if len(numbers) != arguments.steps:

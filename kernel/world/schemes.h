@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+// Schemes: how a scene's bodies get from one state to the next. Each has one verb, advance.
+#pragma once
+
+#include "../impulse/solve_contact_forces.h"
+#include "../motion/integrate_L.h"
+#include "../motion/integrate_r.h"
+#include "../motion/integrate_v.h"
+#include "../solver/sequential/move_point_bodies.h"
+#include "../solver/sweeps/move_bodies.h"
+#include "stages.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// Calls a stage for the bodies that move: all, or those that are awake.
+template <class S, class Stage>
+INGOT_INLINE void over_moving(Step<S>& now, const Stage& stage) {
+    if constexpr (S::sleeps)
+        over_awake_bodies(now.bodies, now.storage.rest_view(), stage);
+    else
+        stage(now.bodies);
+}
+
+/// Forces change the motion: L (Eq. 16) and v_CM (Eq. 14).
+template <class S>
+void kick(Step<S>& now) {
+    over_moving(now, [&now](const BodyView& some) {
+        integrate_L(some, now.h);
+        if constexpr (S::translates) integrate_v(some, now.h, now.storage.gravity);
+    });
+}
+
+/// The motion changes the places: A by the scene's rotation, r_CM (Eq. 1).
+template <class S>
+void drift(Step<S>& now) {
+    const FlightClock clock{now.storage.steps, now.storage.h_changes_to(now.h), now.h / 2};
+    over_moving(now, [&now, &clock](const BodyView& some) {
+        count(now.report.spins_clamped, S::rotation::integrate_A(some, now.h, clock));
+        if constexpr (S::translates) integrate_r(some, now.h, now.storage.gravity);
+    });
+}
+
+/// Listing 1: every right-hand side is of step n.
+struct AsPrinted {
+    template <class S>
+    static void advance(Step<S>& now) {
+        if constexpr (S::translates) {
+            drift_r(now.bodies, now.h);
+            integrate_v(now.bodies, now.h, now.storage.gravity);          // Eq. 14
+        }
+        integrate_A_listing1(now.bodies, now.h);                          // Eqs. 20, 18, 10, then Eq. 1
+        integrate_L(now.bodies, now.h);                                   // Eq. 16
+    }
+};
+
+/// Bodies that touch nothing.
+struct FreeFlight {
+    template <class S>
+    static void advance(Step<S>& now) {
+        kick(now);
+        drift(now);
+    }
+};
+
+/// The same after impacts without friction: contacts that stay carry what forces press into them.
+struct ImpulsiveMotion {
+    template <class S>
+    static void advance(Step<S>& now) {
+        kick(now);
+        solve_contact_forces(now.storage.contact_view(), now.bodies, now.h, now.report);
+        drift(now);
+    }
+};
+
+/// Kicks by a field and free flights, as the scene's flight has them.
+struct FieldFlight {
+    template <class S>
+    static void advance(Step<S>& now) {
+        auto& storage = now.storage;
+        const FlightClock clock{storage.steps, storage.h_changes_to(now.h)};
+        const auto forcing = storage.forcing(storage.gravity_or_none());
+        count(now.report.spins_clamped, S::flight::template fly<typename S::rotation>(now.bodies, forcing, now.h, clock));
+    }
+};
+
+/// Contacts with friction. The solver finds the motion at the end of the step and the mean forces that lead to it; then all bodies fly by the same
+/// rules, those that touch under these forces.
+struct ConstrainedMotion {
+    template <class S>
+    static void advance(Step<S>& now) {
+        auto& storage = now.storage;
+        over_moving(now, [](const BodyView& some) { refresh_inv_I_world(some); });  // Eq. 20
+        solve_contacts(now);
+        kick(now);
+        write_contact_motion(now.solver, now.bodies, storage.gravity, now.h);
+        drift(now);
+        turn_by_corrections(now.solver, now.bodies, now.h);
+    }
+
+private:
+    template <class S>
+    static void solve_contacts(Step<S>& now) {
+        auto& storage = now.storage;
+        const ManifoldView moving = storage.moving_manifolds();
+        now.solver = storage.contact_solver();
+        now.solver.pairs = moving.pairs;
+        now.solver.manifold_count = *moving.count;
+        storage.template solve_contacts<has_events<S>, S::bounces>(now.solver, now.bodies, storage.gravity, now.h, storage.impact_notes(),
+                                                                   now.report);
+        if constexpr (S::sleeps)
+            if (*moving.count == 0) now.report.sweeps = 0;  // over none: a world that was loaded asleep tells what the one that was saved tells
+    }
+};
+
+template <class S>
+constexpr auto scheme_of_scene() {
+    if constexpr (S::rotation::as_printed)
+        return AsPrinted{};
+    else if constexpr (flies_in_field<S>)
+        return FieldFlight{};
+    else if constexpr (stacks<S>)
+        return ConstrainedMotion{};
+    else if constexpr (collides<S>)
+        return ImpulsiveMotion{};
+    else
+        return FreeFlight{};
+}
+template <class S>
+using SchemeOf = decltype(scheme_of_scene<S>());
+
+} }  // namespace ingot

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+// The adaptors between step() and the stages: one a line of step(), in its order. Here, and in schemes.h, a scene is asked what it names; a stage
+// whose feature it does not name is empty. Stages themselves work on views and know no scene.
+#pragma once
+
+#include "../continuous/follow_fast_bodies.h"
+#include "../impulse/contact_rows.h"
+#include "../impulse/solve_impacts.h"
+#include "../motion/integrate_L.h"
+#include "../narrow_phase/find_manifolds.h"
+#include "world.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+struct NoSolver {};
+template <class S>
+constexpr auto solver_of_scene() {
+    if constexpr (stacks<S>)
+        return decltype(any_of<Storage<S>>().contact_solver()){};
+    else
+        return NoSolver{};
+}
+
+/// One step on its way through the stages: what it works on, and what it has to say.
+template <class S>
+struct Step {
+    Storage<S>& storage;
+    scalar h;            ///< s
+    BodyView bodies;
+    StepReport report{};
+    decltype(solver_of_scene<S>()) solver{};  ///< of contacts with friction: filled by SchemeOf<S>::advance, read by follow_fast_bodies
+
+    Step(Storage<S>& of, scalar seconds) : storage(of), h(seconds), bodies(of.bodies()) {}
+};
+
+/// False for an h that is no step: nothing changes then.
+template <class S>
+bool accepts_step(Step<S>& now) {
+    now.report.status = check_step(now.h);
+    return now.report.status == Status::ok;
+}
+
+/// True where nothing moves: the step is counted, and leaves the world as it was.
+template <class S>
+bool passes_asleep([[maybe_unused]] Step<S>& now) {
+    if constexpr (S::sleeps) {
+        auto& storage = now.storage;
+        if (!all_at_rest(storage.rest_view(), storage.bounds, now.bodies.tile_count)) return false;
+        if constexpr (has_events<S>) (void)storage.begin_events(now.report);
+        (void)storage.h_changes_to(now.h);
+        count(now.report.contacts, storage.manifold_count);
+        count(now.report.contacts_lost, storage.pairs_lost);
+        ++storage.steps;
+        return true;
+    }
+    return false;
+}
+
+/// Shapes of bodies that have several go where their bodies are.
+template <class S>
+void place_shapes([[maybe_unused]] Step<S>& now) {
+    if constexpr (has_compounds<S>) now.storage.place_all_shapes();
+}
+
+/// True when a body has left its fat AABB.
+template <class S>
+bool refresh_bounds(Step<S>& now, const BodyView& shapes) {
+    if constexpr (S::sleeps)
+        return refresh_active_bounds(shapes, now.storage.surface_view(), now.h, now.storage.rest_view(), now.storage.bounds);
+    else
+        return refresh_bounds(shapes, now.storage.surface_view(), now.h, now.storage.bounds);
+}
+
+/// Bounds of the step, and the pairs that may touch in it.
+///
+/// As a rule they are those of the last search, by fat AABBs, and some more. Where these have no room, pairs are searched for in every step, by its
+/// bounds alone: so what is lost does not depend on when fat AABBs were made, which a snapshot does not hold.
+template <class S>
+void find_pairs([[maybe_unused]] Step<S>& now) {
+    if constexpr (stacks<S>) {
+        auto& storage = now.storage;
+        const BodyView shapes = storage.shapes();
+        const PairList pairs = storage.pair_list();
+        const bool left = refresh_bounds(now, shapes);
+        if (left) storage.find_pairs(shapes, storage.bounds, pairs);
+        const bool crowded = *pairs.lost > 0;
+        if (crowded) {
+            shrink_bounds(shapes, storage.bounds);
+            storage.find_pairs(shapes, storage.bounds, pairs);
+        }
+        if (!left && !crowded) return;
+        if constexpr (has_compounds<S>) drop_pairs_of_one_body<S::max_shapes_of_body>(pairs);
+        match_records(storage.manifold_view(), pairs);
+    }
+}
+
+/// Which pairs are too fast for a step.
+template <class S>
+auto fast_pairs_of([[maybe_unused]] Step<S>& now) {
+    if constexpr (S::continuous)
+        return FastPairs{now.bodies, now.storage.surface_view(), now.storage.paths, now.h};
+    else
+        return NoFastPairs{};
+}
+
+/// Manifolds of the pairs that touch, or are near enough to; sensors note who is in them.
+template <class S>
+void find_manifolds([[maybe_unused]] Step<S>& now) {
+    if constexpr (stacks<S>) {
+        auto& storage = now.storage;
+        const ManifoldView manifolds = storage.manifold_view();
+        if constexpr (S::continuous) begin_paths(now.bodies, storage.surface_view(), now.h, storage.paths);
+        if constexpr (has_events<S> && has_sensors<S>) copy_list(storage.overlap_list(), storage.overlap_list_before());
+        update_manifolds<ShapesOf<S>, S::recycles_manifolds>(storage.shapes(), storage.surface_view(), storage.bounds, now.h,
+                                                             storage.pair_rules(now.report), storage.pair_list(), manifolds, now.report,
+                                                             fast_pairs_of(now));
+        if constexpr (has_compounds<S>) name_bodies<S::max_shapes_of_body>(manifolds, storage.body_pairs);
+    }
+}
+
+/// Islands of the step; those that sleep and can meet what moves wake, and the pairs that are to be solved are listed.
+template <class S>
+void wake_islands([[maybe_unused]] Step<S>& now) {
+    if constexpr (S::sleeps) {
+        auto& storage = now.storage;
+        const RestView rest = storage.rest_view();
+        const ManifoldView manifolds = storage.manifolds_of_bodies();
+        join_islands(now.bodies, rest, manifolds);
+        for (int tile_i = 0; tile_i < now.bodies.tile_count; ++tile_i) rest.settling[tile_i] = 0;
+        wake_met_islands(now.bodies, rest, manifolds);
+        list_awake_pairs(now.bodies, rest, manifolds, storage.awake_pairs, storage.awake_pair_count);
+    }
+}
+
+/// Impacts without friction, in scenes with max_contacts (Fig. 4).
+template <class S>
+void resolve_impacts([[maybe_unused]] Step<S>& now) {
+    if constexpr (collides<S>) {
+        const ContactView contacts = now.storage.contact_view();
+        const scalar rest_speed = limits::rest_speed_factor * now.h * sqrt(length_sq(now.storage.gravity));
+        find_contacts<typename S::shapes>(now.bodies, now.storage.surface_view(), contacts, now.report);
+        refresh_inv_I_world(now.bodies);                                  // Eq. 20
+        prepare_contact_rows(contacts, now.bodies);
+        solve_impacts(contacts, now.bodies, rest_speed, now.report);      // Fig. 4
+    }
+}
+
+/// The field joins what the user has summed since the last step (Eqs. 14, 16), where no flight integrates it.
+template <class S>
+void sum_forces([[maybe_unused]] Step<S>& now) {
+    if constexpr (has_field<S> && !flies_in_field<S>)
+        add_field_forces(now.bodies, now.storage.forcing(now.storage.gravity_or_none()), S::rotation::as_printed ? 0 : now.h / 2);
+}
+
+/// How fast points approach before contacts change it: events tell it.
+template <class S>
+void note_approaches([[maybe_unused]] Step<S>& now) {
+    if constexpr (has_events<S>) note_approaches(now.bodies, now.storage.gravity, now.h, now.storage.moving_manifolds(), now.storage.notes);
+}
+
+/// Fast bodies meet others within the step, impact by impact.
+template <class S>
+void follow_fast_bodies([[maybe_unused]] Step<S>& now) {
+    if constexpr (S::continuous) {
+        auto& storage = now.storage;
+        const auto meets = [&storage](int slot_A, int slot_B) { return storage.can_meet(slot_A, slot_B); };
+        const ContinuousCollision<decltype(meets)> collision = {now.bodies,    storage.surface_view(),  now.solver,
+                                                                storage.paths, {storage.gravity, now.h}, meets};
+        follow_fast_bodies<ShapesOf<S>, typename S::rotation, has_events<S>>(collision, now.report);
+    }
+}
+
+/// Islands of which all was at rest for long enough sleep from now on.
+template <class S>
+void fall_asleep([[maybe_unused]] Step<S>& now) {
+    if constexpr (S::sleeps)
+        fall_asleep(now.bodies, now.storage.surface_view(), now.storage.gravity, now.h, {S::sleep_speed, S::sleep_time}, now.storage.rest_view());
+}
+
+/// Ends, then begins, then hits, each in the order of slots: when the array is full, those that come later in this order are lost.
+template <class S>
+void tell_events([[maybe_unused]] Step<S>& now) {
+    if constexpr (has_events<S>) {
+        auto& storage = now.storage;
+        const EventList events = storage.begin_events(now.report);
+        const uint16_t tag = storage.world_tag;
+        const ManifoldView manifolds = storage.manifold_view();
+        const PairOfBodiesList before = storage.touching_list_before(), touching = storage.touching_list();
+        copy_list(touching, before);
+        if constexpr (S::sleeps) spread_notes(manifolds, storage.awake_pairs, storage.awake_pair_count, storage.notes);
+        find_touching(manifolds, storage.notes, storage.generation_of_shapes(storage.generation), before, touching);
+
+        emit_missing(before, touching, EventKind::end, tag, events);
+        if constexpr (has_sensors<S>) emit_missing(storage.overlap_list_before(), storage.overlap_list(), EventKind::leave, tag, events);
+        emit_begins(manifolds, storage.notes, before, touching, tag, events);
+        if constexpr (has_sensors<S>) emit_missing(storage.overlap_list(), storage.overlap_list_before(), EventKind::enter, tag, events);
+        emit_hits(manifolds, storage.notes, S::hit_speed, before, touching, tag, events);
+        if constexpr (has_compounds<S>) name_bodies<S::max_shapes_of_body>(events);
+    }
+}
+
+/// A body that froze cannot move any more: pairs are searched for anew, without those of which neither can. The compliance of such a pair is zero.
+template <class S>
+void invalidate_frozen_bounds([[maybe_unused]] Step<S>& now) {
+    if constexpr (stacks<S>)
+        for (int slot = 0; slot < now.storage.slots_used * S::max_shapes_of_body; ++slot)
+            if (is_frozen(now.bodies, slot / S::max_shapes_of_body)) invalidate_bounds(now.storage.bounds, slot);
+}
+
+/// The forces of the step are over. Bodies that it drove out of range stand still from now on.
+template <class S>
+void freeze_bad_bodies(Step<S>& now) {
+    if constexpr (S::rotation::as_printed || flies_in_field<S>) mark_runaway_spins(now.bodies);
+    clear_forces(now.bodies);
+    if (!any_bad_bodies(now.bodies)) return;
+    const int frozen = freeze_bad_bodies(now.bodies);
+    count(now.report.bodies_frozen, frozen);
+    if (frozen > 0) invalidate_frozen_bounds(now);
+}
+
+/// Time has passed, and queries find shapes where their bodies are now.
+template <class S>
+StepReport finish_step(Step<S>& now) {
+    place_shapes(now);
+    if constexpr (has_field<S>) now.storage.advance_time(now.h);
+    ++now.storage.steps;
+    return now.report;
+}
+
+} }  // namespace ingot
