@@ -243,13 +243,55 @@ constexpr SnapshotHeader expected_header() {
             0,              snapshot_parts<S>(), static_cast<uint32_t>(saved_field_size<S>())};
 }
 
+/// A pair in bytes, to be sorted where the snapshot is written.
+struct PairBytes {
+    uint8_t bytes[6];
+
+    uint32_t key() const { return static_cast<uint32_t>(bytes[0]) << 24 | static_cast<uint32_t>(bytes[1]) << 16 | bytes[2] * 256u | bytes[3]; }
+    BodyPair pair() const {
+        return {static_cast<uint16_t>(key() >> 16), static_cast<uint16_t>(key() & 0xffffu), static_cast<uint16_t>(bytes[4] * 256 + bytes[5])};
+    }
+};
+constexpr PairBytes bytes_of(const BodyPair& pair) {
+    const auto high = [](uint16_t number) { return static_cast<uint8_t>(number >> 8); };
+    const auto low = [](uint16_t number) { return static_cast<uint8_t>(number & 0xffu); };
+    return {{high(pair.body_A), low(pair.body_A), high(pair.body_B), low(pair.body_B), high(pair.record), low(pair.record)}};
+}
+
+template <class S>
+int saved_manifold_count([[maybe_unused]] const Storage<S>& storage) {
+    int count = 0;
+    if constexpr (stacks<S>) count = storage.manifold_count;
+    if constexpr (S::sleeps) count += storage.aside_count;
+    return count;
+}
+
+/// Calls each(pair) for all contacts in the order of slots: those of the step, and those that are put aside. These lie in no order: all are sorted at
+/// the end of the room that their contacts are going to be written to, which never reaches one that is still to be read.
+template <class S, class Each>
+void for_manifolds(const Storage<S>& storage, [[maybe_unused]] uint8_t* room, const Each& each) {
+    if constexpr (S::sleeps) {
+        const int count = saved_manifold_count(storage);
+        PairBytes* const sorted = reinterpret_cast<PairBytes*>(room + static_cast<size_t>(count) * (saved_manifold_size<S>() - sizeof(PairBytes)));
+        int listed = 0;
+        for (int pair_i = 0; pair_i < storage.manifold_count; ++pair_i) sorted[listed++] = bytes_of(storage.pairs[pair_i]);
+        for (int record_i = 0; record_i < storage.records_used; ++record_i) {
+            const BodyPair& aside = storage.pairs_aside[record_i];
+            if (aside.record != 0) sorted[listed++] = bytes_of({aside.body_A, aside.body_B, static_cast<uint16_t>(record_i)});
+        }
+        sort_by_key(sorted, count);
+        for (int pair_i = 0; pair_i < count; ++pair_i) each(sorted[pair_i].pair());
+    } else {
+        for (int pair_i = 0; pair_i < storage.manifold_count; ++pair_i) each(storage.pairs[pair_i]);
+    }
+}
+
 /// Contacts of the last step, in their order: their impulses are what the next step begins with.
 template <class S>
 void write_manifolds(ByteWriter& writer, const Storage<S>& storage) {
-    uint16_t count = storage.manifold_count;
+    uint16_t count = static_cast<uint16_t>(saved_manifold_count(storage));
     writer(count);
-    for (int pair_i = 0; pair_i < count; ++pair_i) {
-        const BodyPair& pair = storage.pairs[pair_i];
+    for_manifolds(storage, writer.next(), [&writer, &storage](const BodyPair& pair) {
         SavedManifold saved{pair.body_A, pair.body_B, storage.records[pair.record], {}};
         if constexpr (S::recycles_manifolds)  // what is not known is what the record had before
             if (storage.anchors[pair.record].margin > 0) saved.anchors = storage.anchors[pair.record];
@@ -262,7 +304,7 @@ void write_manifolds(ByteWriter& writer, const Storage<S>& storage) {
             Vector j_rolling = storage.rolling_records[pair.record].j;
             writer(j_rolling);
         }
-    }
+    });
 }
 
 /// Without storage it only checks. The search for pairs begins anew: what is zero in storage is outside of every bound.
@@ -362,8 +404,7 @@ template <class S>
 Result<size_t> save_snapshot(const World<S>& world, uint8_t* bytes, size_t room) {
     static_assert(!has_events<S>, "a snapshot holds no events: copy the world with memcpy, or set max_events = 0");
     const Storage<S>& storage = world.storage_;
-    size_t manifold_count = 0;
-    if constexpr (stacks<S>) manifold_count = storage.manifold_count;
+    const size_t manifold_count = static_cast<size_t>(saved_manifold_count(storage));
     size_t shape_count = 0;
     if constexpr (has_compounds<S>)
         for (int slot = 0; slot < storage.slots_used; ++slot) shape_count += static_cast<size_t>(shape_count_of(storage, slot));
@@ -494,8 +535,8 @@ Status read_body(ByteReader& reader, int slot, Storage<S>* to) {
         SavedRest rest{};
         rest.numbers(reader);
         if (!is_valid(rest, body, S::sleep_time)) return Status::bad_snapshot;
-        if (to != nullptr && rest.awake == 1) RestView::set(to->awake, slot);
-        if (to != nullptr && rest.awake == 2) RestView::set(to->settling, slot);
+        if (to != nullptr && rest.awake == 1) to->rest_view().wake(slot);
+        if (to != nullptr && rest.awake == 2) to->rest_view().settle(slot);
         if (to != nullptr) to->rest_time[slot] = rest.rest_time;
     }
     return Status::ok;
@@ -521,7 +562,10 @@ Status read_snapshot_contents(ByteReader reader, Storage<S>* to) {
     if constexpr (stacks<S>)
         if (status == Status::ok) status = read_manifolds<S>(reader, whole.slots_used, to);
     if constexpr (S::sleeps)
-        if (status == Status::ok && to != nullptr) join_all_islands(to->bodies(), to->rest_view(), to->manifold_view());
+        if (status == Status::ok && to != nullptr) {
+            join_all_islands(to->bodies(), to->rest_view(), to->manifold_view());
+            to->put_aside();
+        }
     if (status != Status::ok) return status;
     return reader.at_end() ? Status::ok : Status::bad_snapshot;
 }

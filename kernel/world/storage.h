@@ -5,6 +5,7 @@
 // lies in .bss and memcpy is its snapshot.
 #pragma once
 
+#include "../base/sort_in_tail.h"
 #include "../body/body_tiles.h"
 #include "../impulse/find_contacts.h"
 #include "../constraint/material_view.h"
@@ -181,10 +182,14 @@ struct BeltPart<S, false> {
     static void show_belts(BeltRows*&, const Vector*&) {}
 };
 
+template <class S, bool sleeps>
+struct BroadPhasePart : S::broad_phase::template AwakeMemory<shape_capacity<S>, pair_capacity<S>> {};
+template <class S>
+struct BroadPhasePart<S, false> : S::broad_phase::template Memory<shape_capacity<S>, pair_capacity<S>> {};
+
 /// What other traits add to contacts.
 template <class S>
-struct ManifoldTraitsPart : AnchorPart<S, S::recycles_manifolds>, BodyPairPart<S, has_compounds<S>>,
-                            S::broad_phase::template Memory<shape_capacity<S>, pair_capacity<S>>,
+struct ManifoldTraitsPart : AnchorPart<S, S::recycles_manifolds>, BodyPairPart<S, has_compounds<S> && !S::sleeps>, BroadPhasePart<S, S::sleeps>,
                             S::solver::template Memory<S::max_bodies, S::max_manifolds> {};
 
 /// What a solver works in that solves manifolds as blocks. The light solver brings all it needs.
@@ -293,8 +298,16 @@ struct SensorEventPart {
 template <class S>
 struct SensorEventPart<S, false> {};
 
+/// Of scenes that sleep, too: the list of pairs that touch holds those of the step alone.
 template <class S, bool present>
-struct EventPart : SensorEventPart<S, has_sensors<S>> {
+struct TouchAsidePart {
+    uint8_t touches_aside[static_cast<unsigned>(S::max_manifolds)] = {};  ///< by record that is put aside: 1 where its bodies touch
+};
+template <class S>
+struct TouchAsidePart<S, false> {};
+
+template <class S, bool present>
+struct EventPart : SensorEventPart<S, has_sensors<S>>, TouchAsidePart<S, S::sleeps> {
     static constexpr unsigned touching_capacity = static_cast<unsigned>(S::max_manifolds);
     Event events[static_cast<unsigned>(S::max_events)] = {};
     ImpactNote notes[touching_capacity] = {};
@@ -318,14 +331,24 @@ struct EventPart<S, false> {
 template <class S, bool present>
 struct SleepPart {
     static constexpr unsigned tiles = static_cast<unsigned>(tile_capacity<S>);
-    uint16_t awake[tiles] = {}, settling[tiles] = {};
-    scalar rest_time[static_cast<unsigned>(S::max_bodies)] = {};
-    uint16_t parent[tiles * lanes] = {};
-    uint8_t marks[tiles * lanes] = {};
-    BodyPair awake_pairs[static_cast<unsigned>(S::max_manifolds)] = {};
-    uint16_t awake_pair_count = 0;
+    static constexpr unsigned shape_slots = static_cast<unsigned>(shape_tile_capacity<S> * lanes);
+    static constexpr int tile_words = ActiveTiles::words_for(tile_capacity<S>), word_words = ActiveTiles::words_for(tile_words);
 
-    RestView rest_view() { return {awake, settling, rest_time, parent, marks}; }
+    uint32_t active_tiles[static_cast<unsigned>(tile_words)] = {}, active_words[static_cast<unsigned>(word_words)] = {};
+    scalar rest_time[static_cast<unsigned>(S::max_bodies)] = {};
+    uint16_t awake[tiles] = {}, settling[tiles] = {};
+    uint16_t parent[tiles * lanes] = {}, next_body[tiles * lanes] = {}, aside[tiles * lanes] = {};
+    BodyPair awake_pairs[static_cast<unsigned>(S::max_manifolds)] = {};  ///< between two steps: room to sort in
+    BodyPair pairs_aside[static_cast<unsigned>(S::max_manifolds)] = {};
+    uint16_t awake_pair_count = 0, aside_count = 0;
+    uint8_t marks[tiles * lanes] = {};
+    uint8_t search_flags[shape_slots] = {};
+    uint8_t bounds_are_made = 0;  ///< 0: no step was taken since the world began or was loaded
+
+    RestView rest_view() {
+        return {awake, settling, {active_tiles, active_words, word_words}, rest_time, parent, next_body, marks, aside, pairs_aside, &aside_count,
+                S::max_shapes_of_body};
+    }
     bool is_awake(int slot) const { return RestView::has(awake, slot); }
 };
 template <class S>
@@ -365,7 +388,7 @@ struct Storage : TranslationPart<S, S::translates>,
     auto pair_rules(StepReport& report) {
         using Rules = PairRules<decltype(this->filter_view()), decltype(this->sensor_view(generation, report))>;
         if constexpr (S::sleeps)
-            return RulesOfRest<Rules>{{this->filter_view(), this->sensor_view(generation, report)}, this->rest_view()};
+            return RulesOfRest<Rules>{{this->filter_view(), this->sensor_view(this->generation_of_shapes(generation), report)}, this->rest_view()};
         else
             return Rules{this->filter_view(), this->sensor_view(this->generation_of_shapes(generation), report)};
     }
@@ -378,6 +401,53 @@ struct Storage : TranslationPart<S, S::translates>,
     /// Shapes are where their bodies are.
     void place_all_shapes() {
         for (int slot = 0; slot < slots_used; ++slot) place_shapes(bodies(), compound_view(), slot);
+    }
+    /// The same for those of bodies that are awake or settling.
+    void place_active_shapes() {
+        for_active(this->rest_view(), [this](int slot) { place_shapes(bodies(), compound_view(), slot); });
+    }
+    SearchView search_view() { return {shapes(), surface_view(), this->bounds, this->search_flags}; }
+    SensorMarks sensor_marks() const {
+        if constexpr (has_sensors<S>) return this->is_sensor;
+        return nullptr;
+    }
+    /// Manifolds that have come back behind the first `sorted` take their place among those of the step, and those that touch their place among these.
+    void sort_in_woken(int sorted) {
+        const ManifoldView manifolds = this->manifold_view();
+        if constexpr (has_events<S>) {
+            const PairOfBodiesList touch = this->touching_list();
+            const uint32_t* generation_of = this->generation_of_shapes(generation);
+            const int touched = *touch.count;
+            for (int pair_i = sorted; pair_i < *manifolds.count; ++pair_i) {
+                const BodyPair& pair = manifolds.pairs[pair_i];
+                if (this->touches_aside[pair.record] == 0) continue;
+                this->touches_aside[pair.record] = 0;
+                write_pair(touch.pairs[(*touch.count)++],
+                           {pair.body_A, pair.body_B, generation_of[pair.body_A], generation_of[pair.body_B], false});
+            }
+            sort_in_tail(touch.pairs, touched, *touch.count, this->touching_before);
+        }
+        sort_in_tail(manifolds.pairs, sorted, *manifolds.count, this->awake_pairs);
+    }
+    /// Manifolds of what rests leave the lists of the step; touches_aside keeps which of them touch.
+    void put_aside() {
+        int touching_i = 0, kept = 0;
+        put_manifolds_aside(bodies(), this->rest_view(), this->manifold_view(), [&](int manifold_i, int record) {
+            if constexpr (has_events<S>) {
+                const PairOfBodiesList touch = this->touching_list();
+                const uint32_t key = this->pairs[manifold_i].key();
+                while (touching_i < *touch.count && touch.pairs[touching_i].key() < key)
+                    copy_item(touch.pairs[kept++], touch.pairs[touching_i++]);
+                const bool touches = touching_i < *touch.count && touch.pairs[touching_i].key() == key;
+                this->touches_aside[record] = touches ? 1 : 0;
+                if (touches) ++touching_i;
+            }
+        });
+        if constexpr (has_events<S>) {
+            const PairOfBodiesList touch = this->touching_list();
+            while (touching_i < *touch.count) copy_item(touch.pairs[kept++], touch.pairs[touching_i++]);
+            *touch.count = static_cast<uint16_t>(kept);
+        }
     }
     /// Contacts of the step by the slots of bodies.
     ManifoldView manifolds_of_bodies() {

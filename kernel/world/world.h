@@ -99,6 +99,7 @@ public:
             write_shape(slot, shape_i, with_shape(def, shapes[shape_i]), {place.r + Vector{}, nearest_rotation(place.A)});
         }
         place_shapes(storage_.bodies(), storage_.compound_view(), slot);
+        if constexpr (S::sleeps) begin_awake(storage_.rest_view(), slot);
         return {Status::ok, id_of(slot)};
     }
     template <unsigned N>
@@ -110,7 +111,8 @@ public:
     Status remove(BodyId id) {
         const Result<int> slot = find(id);
         if (!slot.ok()) return slot.status;
-        if constexpr (S::sleeps) wake_touching_and_leave(storage_.bodies(), storage_.rest_view(), storage_.manifold_view(), slot.value);
+        if constexpr (S::sleeps)
+            wakes([&](const ManifoldView& manifolds) { wake_touching_and_leave(storage_.bodies(), storage_.rest_view(), manifolds, slot.value); });
         ++storage_.generation[slot.value];
         if (slot.value < storage_.free_hint) storage_.free_hint = slot.value;
         set_identity_body(storage_.bodies(), slot.value);
@@ -123,6 +125,7 @@ public:
         storage_.reset_materials(slot.value);
         if constexpr (collides<S>) storage_.contact_count = 0;
         if constexpr (stacks<S>) invalidate_contacts(storage_.manifold_view(), storage_.pair_list(), storage_.bounds, slot.value);
+        if constexpr (S::sleeps) storage_.search_view().clear(slot.value, SearchFlag::searched);
         return Status::ok;
     }
 
@@ -158,7 +161,7 @@ public:
         if constexpr (has_compounds<S>) {
             const Status status = slot.ok() ? write_state(storage_.bodies(), slot.value, state) : slot.status;
             if (status == Status::ok) place_shapes(storage_.bodies(), storage_.compound_view(), slot.value);
-            return status;
+            return slot.ok() ? touched(slot.value, status) : status;
         }
         return slot.ok() ? touched(slot.value, write_state(storage_.bodies(), slot.value, state)) : slot.status;
     }
@@ -251,7 +254,8 @@ public:
         translation_only();
         const Status status = check_vector(gravity, limits::gravity_max);
         if constexpr (S::sleeps)
-            if (status == Status::ok && !same(storage_.gravity, gravity)) wake_all(storage_.bodies(), storage_.rest_view());
+            if (status == Status::ok && !same(storage_.gravity, gravity))
+                wakes([&](const ManifoldView& manifolds) { wake_all(storage_.bodies(), storage_.rest_view(), manifolds); });
         if (status == Status::ok) storage_.gravity = gravity + Vector{};
         return status;
     }
@@ -410,7 +414,8 @@ public:
     Status wake(BodyId id) {
         sleep_only();
         const Result<int> slot = find_movable(id);
-        if (slot.ok()) wake_island(storage_.bodies(), storage_.rest_view(), slot.value);
+        if (slot.ok())
+            wakes([&](const ManifoldView& manifolds) { wake_island(storage_.bodies(), storage_.rest_view(), manifolds, slot.value); });
         return slot.status;
     }
     /// Takes a body for one that was at rest for Scene::sleep_time: its island need not wait for it, and falls asleep in the next step if all of it
@@ -607,12 +612,21 @@ private:
             if constexpr (has_sensors<S>) storage_.is_sensor[shape_slot] = 0;
             set_identity_body(storage_.shapes(), shape_slot);
             invalidate_contacts(storage_.manifold_view(), storage_.pair_list(), storage_.bounds, shape_slot);
+            if constexpr (S::sleeps) storage_.search_view().clear(shape_slot, SearchFlag::searched);
         }
+    }
+    /// Every call that wakes: manifolds that come back take their place.
+    template <class Call>
+    void wakes(const Call& call) {
+        const int sorted = storage_.manifold_count;
+        call(storage_.manifold_view());
+        storage_.sort_in_woken(sorted);
     }
     /// Passes on the answer of a call, which wakes what sleeps where it did something.
     Status touched([[maybe_unused]] int slot, Status status) {
         if constexpr (S::sleeps)
-            if (status == Status::ok) wake_touching(storage_.bodies(), storage_.rest_view(), storage_.manifold_view(), slot);
+            if (status == Status::ok)
+                wakes([&](const ManifoldView& manifolds) { wake_touching(storage_.bodies(), storage_.rest_view(), manifolds, slot); });
         return status;
     }
     uint64_t hash_of(int slot, uint64_t hash) const {
@@ -683,11 +697,18 @@ private:
         if constexpr (has_compounds<S>) begin_shape_slots(slot);
         if (slot % lanes != 0) return;
         for (int lane_i = 0; lane_i < lanes; ++lane_i) set_identity_body(storage_.bodies(), slot + lane_i);
+        if constexpr (S::sleeps && !has_compounds<S>) empty_bounds(slot, slot + lanes - 1);
     }
     /// The same for the slots of its shapes.
     void begin_shape_slots(int slot) {
         const int first = slot * S::max_shapes_of_body, last = first + S::max_shapes_of_body - 1;
         for (int shape_slot = first; shape_slot <= last / lanes * lanes + lanes - 1; ++shape_slot) set_identity_body(storage_.shapes(), shape_slot);
+        if constexpr (S::sleeps) empty_bounds(first, last / lanes * lanes + lanes - 1);
+    }
+
+    /// Slots without a shape overlap nothing: a search that looks at what is awake makes no bounds for them.
+    void empty_bounds(int first, int last) {
+        for (int shape_slot = first; shape_slot <= last; ++shape_slot) invalidate_bounds(storage_.bounds, shape_slot);
     }
 
     Storage<S> storage_ = {};

@@ -61,7 +61,8 @@ void take_in_bodies(SolverView& solver, const BodyView& bodies, const Vector& gr
     solver.bodies[0] = {};
     solver.histories[0] = {};
     solver.body_count = 1;
-    for (int slot = 0; slot < bodies.tile_count * lanes; ++slot) solver.local_of[slot] = 0;
+    for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i)
+        solver.local_of[solver.pairs[manifold_i].body_A] = solver.local_of[solver.pairs[manifold_i].body_B] = 0;
     for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i) {
         (void)take_in(solver, bodies, gravity, h, solver.pairs[manifold_i].body_A);
         (void)take_in(solver, bodies, gravity, h, solver.pairs[manifold_i].body_B);
