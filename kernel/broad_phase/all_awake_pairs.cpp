@@ -21,7 +21,7 @@ void find_all_awake_pairs(const SearchView& search, const PairList& pairs) {
         const Vector low = lane_of(search.bounds[A.tile].fat_low, A.lane), high = lane_of(search.bounds[A.tile].fat_high, A.lane);
         if (!(low.x <= high.x)) continue;
         const bool A_searched = search.has(slot_A, SearchFlag::searched);
-        const bool A_moves = is_dynamic(search.shapes, slot_A);
+        const bool A_moves = search.moves(slot_A);
         for (int tile_B = A.tile; tile_B < search.shapes.tile_count; ++tile_B) {
             const BoundsTile& B = search.bounds[tile_B];
             unsigned found = A_searched ? all_lanes : searched_of(search, tile_B);

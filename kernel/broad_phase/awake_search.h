@@ -23,6 +23,8 @@ struct SearchView {
     BoundsTile* bounds;
     uint8_t* flags;  ///< by shape slot
 
+    /// A shape has the inv_M of its body; its inertia is none of it.
+    bool moves(int slot) const { return shapes.translation[place_of(slot).tile].inv_M[place_of(slot).lane] > 0; }
     bool has(int slot, int flag) const { return (flags[slot] & flag) != 0; }
     void set(int slot, int flag) const { flags[slot] = static_cast<uint8_t>(flags[slot] | flag); }
     void clear(int slot, int flag) const { flags[slot] = static_cast<uint8_t>(flags[slot] & ~flag); }
@@ -30,6 +32,8 @@ struct SearchView {
 
 /// Bounds of one shape in this step, as refresh_bounds. True when it has left its fat AABB.
 bool refresh_bounds_of(const SearchView& search, scalar h, int slot);
+/// Of a slot that holds no shape yet: such bounds overlap nothing.
+void empty_bounds(BoundsTile* bounds, int slot);
 /// A new fat AABB around its bounds.
 void fatten_bounds_of(const SearchView& search, int slot);
 

@@ -56,7 +56,7 @@ void replace(const SearchView& search, const KeptTreeView& tree, int slot) {
             for (int i = 0; i < leaf_bodies; ++i) set_leaf(tree.sorted.leaves[place / leaf_bodies], i, nothing, 0, false);
     }
     const int place = tree.place[slot] - 1;
-    set_leaf(tree.sorted.leaves[place / leaf_bodies], place % leaf_bodies, box, slot, is_dynamic(search.shapes, slot));
+    set_leaf(tree.sorted.leaves[place / leaf_bodies], place % leaf_bodies, box, slot, search.moves(slot));
     refit(tree.sorted, place / leaf_bodies);
 }
 
@@ -80,7 +80,7 @@ void test_leaf(const SearchView& search, const TreeBox& box, int slot, bool move
 void find_pairs_of(const SearchView& search, const SortedTreeView& tree, int slot, const PairList& pairs) {
     const TreeBox box = box_of(search.bounds, slot);
     if (!(box.low.x <= box.high.x)) return;
-    const bool moves = is_dynamic(search.shapes, slot);
+    const bool moves = search.moves(slot);
     for (int box_i = 1; box_i != 0;) {
         const bool meets = overlap(tree.boxes[box_i], box);
         if (meets && box_i < tree.leaf_places) {

@@ -30,7 +30,7 @@ struct SolverView {
     SolverBody* bodies;        ///< [0] stands for all that cannot move and for spare lanes
     SolverBodyHistory* histories;
     uint16_t* slot_of;         ///< by solver body
-    uint16_t* local_of;        ///< by body slot; 0: immovable, gone bad, or does not touch
+    uint16_t* local_of;        ///< by body slot, of bodies with a manifold; 0: immovable, or gone bad
     uint16_t* level_of_body;   ///< by solver body
     uint32_t* colours_of_body; ///< by solver body, within the level at hand
     int body_count;            ///< solver bodies in use, [0] included
@@ -43,6 +43,12 @@ struct SolverView {
     int substeps;              ///< of this step: limits::substeps, or limits::steady_substeps
     bool steady;               ///< nothing that touches has accelerated in this step
 };
+
+/// True for a body that is solved in this step. What local_of says of others is of an earlier one.
+inline bool is_taken_in(const SolverView& solver, int slot) {
+    const int local = solver.local_of[slot];
+    return local != 0 && local < solver.body_count && solver.slot_of[local] == slot;
+}
 
 /// Impulses are kept as they are in a step of limits::substeps substeps; a longer one has so many times as much.
 inline scalar shares_of_substep(const SolverView& solver) { return static_cast<scalar>(limits::substeps / solver.substeps); }

@@ -267,7 +267,7 @@ bool lay_all_paths(const ContinuousCollision<Meets>& collision, PairSubWorld& su
     for (int slot = 0; slot < collision.surfaces.slot_count; ++slot) {
         BodyPath& path = collision.paths[slot];
         const PathPoint begin = {path.r_CM, path.way, path.turn, path.A};
-        path.in_contact = collision.solver.local_of[slot] != 0;
+        path.in_contact = is_taken_in(collision.solver, slot);
         path.falls_free = !path.in_contact;
         path.until = 1;
         if (!is_valid(collision, slot)) {

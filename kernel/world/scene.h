@@ -200,8 +200,8 @@ constexpr bool check_scene() {
     static_assert(!has_events<S> || stacks<S>, "events are of contacts with friction: set max_manifolds, or max_events = 0");
     static_assert(S::hit_speed >= 0 && S::hit_speed <= limits::speed_runaway, "hits are told from a speed of 0 or more on: set hit_speed");
     static_assert(!S::sleeps || stacks<S>, "sleep is for scenes of contacts with friction: set max_manifolds, or sleeps = false");
-    static_assert(!S::sleeps || !has_field<S>, "a force_field does not let bodies sleep, for it may change: leave it out, or set sleeps = false");
-    static_assert(!S::sleeps || !has_compounds<S>, "bodies of several shapes do not sleep: set max_shapes_of_body = 1, or sleeps = false");
+    static_assert(!S::sleeps || !has_field<S> || S::force_field::is_steady,
+                  "bodies sleep in a force_field that does not change by itself: give it is_steady = true, or set sleeps = false");
     static_assert(S::sleep_speed >= 0 && S::sleep_speed <= limits::speed_runaway, "bodies at rest move at 0 m/s or more: set sleep_speed");
     static_assert(S::sleep_time >= 0 && S::sleep_time <= scalar(1e6), "bodies fall asleep after 0 to 1000000 s: set sleep_time");
     static_assert(flies_in_field<S> || S::flight::order == 2,

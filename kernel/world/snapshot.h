@@ -28,6 +28,7 @@ struct SavedWorld {
     uint32_t steps, slots_used, free_hint;
     Vector gravity;
     scalar h_before, t, t_low;
+    uint8_t field_changed;  ///< since the last step: what sleeps is to wake
 
     template <class Stream>
     constexpr void numbers(Stream& each) {
@@ -40,6 +41,7 @@ struct SavedWorld {
         if constexpr (has_field<S>) {
             each(t);
             each(t_low);
+            if constexpr (S::sleeps) each(field_changed);
         }
     }
 };
@@ -427,6 +429,7 @@ Result<size_t> save_snapshot(const World<S>& world, uint8_t* bytes, size_t room)
     if constexpr (has_field<S>) {
         whole.t = storage.t;
         whole.t_low = storage.t_low;
+        if constexpr (S::sleeps) whole.field_changed = storage.has_new_field() ? 1 : 0;
     }
     whole.numbers(writer);
     if constexpr (has_field<S>) const_cast<typename S::force_field&>(storage.field).numbers(writer);  // a writer only reads
@@ -471,7 +474,7 @@ bool is_valid(const SavedWorld<S>& world) {
     if (world.slots_used > static_cast<uint32_t>(S::max_bodies) || world.free_hint > world.slots_used) return false;
     if (S::translates && check_vector(world.gravity, limits::gravity_max) != Status::ok) return false;
     if (world.h_before != 0 && check_step(world.h_before) != Status::ok) return false;
-    return world.t >= 0 && is_finite(world.t) && is_finite(world.t_low);
+    return world.field_changed <= 1 && world.t >= 0 && is_finite(world.t) && is_finite(world.t_low);
 }
 
 /// Reads the numbers of the whole. Without storage it only checks.
@@ -493,6 +496,7 @@ Status read_whole(ByteReader& reader, SavedWorld<S>& whole, Storage<S>* to) {
     if constexpr (has_field<S>) {
         to->t = whole.t;
         to->t_low = whole.t_low;
+        if constexpr (S::sleeps) to->field_changed = whole.field_changed;
         to->field.numbers(reader);
     }
     for (int slot = 0; slot < to->bodies().tile_count * lanes; ++slot) set_identity_body(to->bodies(), slot);

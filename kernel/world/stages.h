@@ -40,16 +40,33 @@ bool accepts_step(Step<S>& now) {
     return now.report.status == Status::ok;
 }
 
+/// Another field is felt by all bodies. Its numbers are compared, not who asked for them: to read them wakes nobody.
+template <class S>
+void notice_field([[maybe_unused]] Step<S>& now) {
+    if constexpr (has_field<S> && S::sleeps) {
+        auto& storage = now.storage;
+        if (storage.has_new_field()) {
+            const int sorted = storage.manifold_count;
+            wake_all(now.bodies, storage.rest_view(), storage.manifold_view());
+            storage.sort_in_woken(sorted);
+        }
+        storage.field_changed = 0;
+        __builtin_memcpy(static_cast<void*>(&storage.field_before), static_cast<const void*>(&storage.field), sizeof storage.field);
+    }
+}
+
 /// True where nothing moves: the step is counted, and leaves the world as it was.
 template <class S>
 bool passes_asleep([[maybe_unused]] Step<S>& now) {
     if constexpr (S::sleeps) {
         auto& storage = now.storage;
+        notice_field(now);
         // Pairs that were lost are searched for again, without those that rest by now.
         if (storage.rest_view().active.any() || storage.bounds_are_made == 0 || storage.pairs_lost != 0) return false;
         if constexpr (has_events<S>) (void)storage.begin_events(now.report);
         (void)storage.h_changes_to(now.h);
         count(now.report.contacts, storage.aside_count);
+        if constexpr (has_field<S>) storage.advance_time(now.h);
         ++storage.steps;
         return true;
     }
@@ -183,7 +200,14 @@ void resolve_impacts([[maybe_unused]] Step<S>& now) {
 /// The field joins what the user has summed since the last step (Eqs. 14, 16), where no flight integrates it.
 template <class S>
 void sum_forces([[maybe_unused]] Step<S>& now) {
-    if constexpr (has_field<S> && !flies_in_field<S>)
+    if constexpr (has_field<S> && S::sleeps) {
+        auto& storage = now.storage;
+        const RestView rest = storage.rest_view();
+        rest.active.for_each([&](int tile_i) {
+            if (rest.awake[tile_i] != 0) add_field_forces_to(now.bodies, tile_i, storage.forcing(storage.gravity), now.h / 2);
+        });
+        note_pulls(now.bodies, rest, storage.gravity, storage.pull_sq);
+    } else if constexpr (has_field<S> && !flies_in_field<S>)
         add_field_forces(now.bodies, now.storage.forcing(now.storage.gravity_or_none()), S::rotation::as_printed ? 0 : now.h / 2);
 }
 
@@ -209,7 +233,8 @@ void follow_fast_bodies([[maybe_unused]] Step<S>& now) {
 template <class S>
 void fall_asleep([[maybe_unused]] Step<S>& now) {
     if constexpr (S::sleeps)
-        fall_asleep(now.bodies, now.storage.surface_view(), now.storage.gravity, now.h, {S::sleep_speed, S::sleep_time}, now.storage.rest_view());
+        fall_asleep(now.bodies, now.storage.surface_view(), now.storage.gravity, now.h, {S::sleep_speed, S::sleep_time}, now.storage.rest_view(),
+                    now.storage.pull_of_bodies());
 }
 
 /// Ends, then begins, then hits, each in the order of slots: when the array is full, those that come later in this order are lost.

@@ -83,6 +83,20 @@ struct FieldPart {
 template <class S>
 struct FieldPart<S, false> {};
 
+/// A field in which bodies sleep.
+template <class S, bool present>
+struct SteadyFieldPart {
+    typename S::force_field field_before = {};              ///< of the last step
+    scalar pull_sq[static_cast<unsigned>(S::max_bodies)] = {};  ///< (m s^-2)^2, of gravity and what the field and the user add, in this step
+    uint8_t field_changed = 0;                              ///< since the last step of a world that was saved then
+
+    const scalar* pull_of_bodies() const { return pull_sq; }
+};
+template <class S>
+struct SteadyFieldPart<S, false> {
+    static constexpr const scalar* pull_of_bodies() { return nullptr; }
+};
+
 template <class S, bool present>
 struct ContactPart {
     Contact contacts[static_cast<unsigned>(S::max_contacts)] = {};
@@ -359,6 +373,7 @@ struct Storage : TranslationPart<S, S::translates>,
                  CompensationPart<S, S::rotation::compensates>,
                  EnergyPart<S, S::rotation::returns_energy>,
                  FieldPart<S, has_field<S>>,
+                 SteadyFieldPart<S, has_field<S> && S::sleeps>,
                  SurfacePart<S, has_shapes<S>>,
                  CompoundPart<S, has_compounds<S>>,
                  ContactPart<S, collides<S>>,
@@ -428,6 +443,11 @@ struct Storage : TranslationPart<S, S::translates>,
             sort_in_tail(touch.pairs, touched, *touch.count, this->touching_before);
         }
         sort_in_tail(manifolds.pairs, sorted, *manifolds.count, this->awake_pairs);
+    }
+    /// True where the numbers of the field are not those of the last step.
+    bool has_new_field() const {
+        return this->field_changed != 0 ||
+               (this->bounds_are_made != 0 && __builtin_memcmp(&this->field, &this->field_before, sizeof this->field) != 0);
     }
     /// Manifolds of what rests leave the lists of the step; touches_aside keeps which of them touch.
     void put_aside() {

@@ -708,7 +708,7 @@ private:
 
     /// Slots without a shape overlap nothing: a search that looks at what is awake makes no bounds for them.
     void empty_bounds(int first, int last) {
-        for (int shape_slot = first; shape_slot <= last; ++shape_slot) invalidate_bounds(storage_.bounds, shape_slot);
+        for (int shape_slot = first; shape_slot <= last; ++shape_slot) ingot::empty_bounds(storage_.bounds, shape_slot);
     }
 
     Storage<S> storage_ = {};
