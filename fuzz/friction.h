@@ -622,8 +622,8 @@ private:
 
     /// m/s, that the last sweep leaves rows off by; `fastest`: m/s, what a body can go at.
     ///
-    /// SequentialImpulses leave alone what is off by ignored_speed, and correct the rows beside it by no more than settled_speed_of_points in the last
-    /// sweep, each normal once in each of the rounds. To both, what 4 epsilon of the fastest makes.
+    /// SequentialImpulses leave alone what is off by ignored_speed, and correct the rows beside it by no more than settled_speed_of_points in the
+    /// last sweep, each normal once in each of the rounds. To both, what 4 epsilon of the fastest makes.
     static double off_by(const StepReport& report, double fastest) {
         const double rounding = 4 * static_cast<double>(ingot::epsilon) * fastest;
         if constexpr (ingot::solves_pointwise<S>) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Contacts with friction that are solved point by point, by SequentialImpulses, with what a scene may name beside it. What is demanded: see friction.h. The
-// first byte chooses the scene.
+// Contacts with friction that are solved point by point, by SequentialImpulses, with what a scene may name beside it. What is demanded: see
+// friction.h. The first byte chooses the scene.
 //
 // Compiled once for each lane count. INGOT_FUZZ_RUN names the function.
 #include "friction.h"

@@ -12,7 +12,8 @@ Compile every unit that includes ingot.h, your own too, with
 
     -std=c++17 -fno-fast-math -ffp-contract=off -fno-math-errno        (32-bit x86: and -msse2 -mfpmath=sse)
 
-and, for vectors of more than 16 bytes, with -Wno-psabi: no vector crosses a call, so it does not matter how one would.
+and, for vectors of more than 16 bytes, with -Wno-psabi (no vector crosses a call, so it does not matter how one would), on x86 also with -mavx2:
+the templates of the step are compiled in your unit.
 
 A run with the same arguments writes the same bytes.
 """
@@ -107,7 +108,8 @@ def head_of(scalar, lanes):
     number = {line.split()[1]: line.split()[2] for line in read_lines("base/version.h") if re.match(r"#define INGOT_VERSION_\w+ \d", line)}
     version = ".".join(number["INGOT_VERSION_" + part] for part in ("MAJOR", "MINOR", "PATCH"))
     options = "-std=c++17 -fno-fast-math -ffp-contract=off -fno-math-errno"
-    if lanes * (8 if scalar == "double" else 4) > 16:
+    wide = lanes * (8 if scalar == "double" else 4) > 16
+    if wide:
         options += " -Wno-psabi"
     fixed = (("INGOT_LANES", lanes), ("INGOT_DOUBLE", 1 if scalar == "double" else 0))
     head = [
@@ -116,9 +118,10 @@ def head_of(scalar, lanes):
         "//",
         "// Compile every unit that includes this file with " + options + ",",
         "// on 32-bit x86 also with -msse2 -mfpmath=sse. The bits of results depend on it.",
-        "#pragma once",
-        "",
     ]
+    if wide:
+        head += ["//", "// On x86 compile every unit that includes this file with -mavx2 too: its vectors are of more than 16 bytes."]
+    head += ["#pragma once", ""]
     for macro, value in fixed:
         head += ["#if defined(%s) && %s != %d" % (macro, macro, value),
                  '#error "ingot: this bundle was generated for %s=%d"' % (macro, value),

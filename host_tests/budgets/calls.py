@@ -22,7 +22,7 @@ import call_graph  # noqa: E402
 import measure  # noqa: E402
 
 HERE = pathlib.Path(__file__).resolve().parent
-TABLE, SOURCE = HERE / "calls.csv", HERE / "public_calls.cpp"
+TABLE, SOURCE = HERE.parent / "tables" / "calls.csv", HERE / "public_calls.cpp"
 KERNEL = HERE.parents[1] / "kernel"
 COLUMNS = ("call", "core", "stack")
 PREFIX = "call_"
@@ -128,6 +128,7 @@ def main():
         parser.error("which build?")
 
     build = json.loads(arguments.build.read_text(encoding="utf-8"))
+    measure.take_tolerance(build)
     if build["compiler"] != measure.TABLE_COMPILER and (arguments.check or arguments.update):
         print("calls.csv is of gcc %s, this build of gcc %s: not compared" % (measure.TABLE_COMPILER, build["compiler"]))
         return measure.EXIT_SKIPPED

@@ -21,7 +21,7 @@ sys.dont_write_bytecode = True  # the source tree stays as it is
 import call_graph  # noqa: E402
 
 HERE = pathlib.Path(__file__).resolve().parent
-TABLE = HERE / "budgets.csv"
+TABLE = HERE.parent / "tables" / "budgets.csv"
 
 # Figures belong to a compiler, and to the libgcc that comes with it: with another they tell about that compiler, not about
 # ingot, and are not compared. A new one here means all rows made anew.
@@ -32,17 +32,23 @@ FIGURES = ("flash", "kernel_flash", "helpers_flash", "world_ram", "stack_compute
            "instructions_worst", "instructions_last")
 COLUMNS = KEY_COLUMNS + FIGURES
 
-# All figures repeat to the last digit, so the tolerances are not for noise but for people. 2 % of growth lets a bug be mended
-# without a change of the table; a helper of libgcc (500 bytes), or a square root a body, does not pass. It counts from the
-# table, not from the last commit, so that small steps do not add up unseen. Whoever saves more than 10 % writes it down: a
-# table that is far above the truth would let the savings be lost again.
-GROWTH_MAX = 0.02
+# All figures repeat to the last digit, so the tolerances are not for noise but for people. 5 % of growth lets a bug be mended
+# without a change of the table; the nightly run, where small steps have added up, lets 2 % pass (INGOT_BUDGET_GROWTH). It counts from the
+# table, not from the last commit. Whoever saves more than 10 % writes it down: a table that is far above the truth would let the savings
+# be lost again.
+GROWTH_MAX = 0.05
 SHRINKAGE_MAX = 0.10
 # sizeof is decided in headers and means snapshots of another layout: any change is a change of the table.
 EXACT = ("world_ram",)
 
 EXIT_SKIPPED = 77  # what ctest takes for "not run", see SKIP_RETURN_CODE
 RUN_SECONDS_MAX = 120  # of a firmware in the emulator; the longest takes 2
+
+
+def take_tolerance(build):
+    """What a build allows its figures to grow by."""
+    global GROWTH_MAX
+    GROWTH_MAX = build["growth_percent"] / 100
 
 
 class Failure(Exception):
@@ -161,7 +167,7 @@ def compare(rows, table):
 
 
 def print_rows(rows, table):
-    """One line a scene; below each figure what the table says, where that differs."""
+    """One line a scene; below each figure how far it is from the table's, where it is."""
     widths = [max(len(column), 10) for column in COLUMNS]
     line = lambda cells: "  ".join(str(cell).rjust(width) for cell, width in zip(cells, widths))
     print(line(COLUMNS))
@@ -169,7 +175,7 @@ def print_rows(rows, table):
         print(line([row[column] for column in COLUMNS]))
         budget = table.get((row["scene"], row["core"]))
         if budget and any(budget[figure] != row[figure] for figure in FIGURES):
-            print(line(["", "table"] + [budget[f] if budget[f] != row[f] else "" for f in FIGURES]))
+            print(line(["", "since the table"] + ["%+d" % (row[f] - budget[f]) if budget[f] != row[f] else "" for f in FIGURES]))
 
 
 def main():
@@ -184,6 +190,7 @@ def main():
 
     build = json.loads((arguments.build / "host_tests/budgets/budgets.json").read_text(encoding="utf-8"))
     build["emulator"] = build["emulator"].split(";")
+    take_tolerance(build)
     if build["compiler"] != TABLE_COMPILER and (arguments.check or arguments.update):
         print("budgets.csv is of gcc %s, this build of gcc %s: not compared" % (TABLE_COMPILER, build["compiler"]))
         return EXIT_SKIPPED

@@ -248,8 +248,8 @@ TEST(Reports, are_clean_when_no_count_is_raised) {
         EXPECT_TRUE(report.clean());
     }
     for (uint16_t StepReport::*const telling :
-         {&StepReport::bodies_frozen, &StepReport::spins_clamped, &StepReport::contacts_lost, &StepReport::pairs_untested, &StepReport::impacts_deferred,
-          &StepReport::sweeps_unfinished, &StepReport::overlaps_lost, &StepReport::events_lost}) {
+         {&StepReport::bodies_frozen, &StepReport::spins_clamped, &StepReport::contacts_lost, &StepReport::pairs_untested,
+          &StepReport::impacts_deferred, &StepReport::sweeps_unfinished, &StepReport::overlaps_lost, &StepReport::events_lost}) {
         report.*telling = 1;
         EXPECT_FALSE(report.clean());
         report.*telling = 0;

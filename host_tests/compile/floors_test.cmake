@@ -15,12 +15,15 @@ set(impulse_may base math body shape)
 set(constraint_may base math body shape broad_phase narrow_phase)
 set(island_may base math body broad_phase narrow_phase)
 set(sleep_may base math body shape broad_phase narrow_phase constraint island)
-set(solver_sweeps_may base math body narrow_phase constraint island)
+set(solver_may base body constraint)
+set(solver_sweeps_may base math body narrow_phase constraint island solver)
 set(solver_direct_may ${solver_sweeps_may} solver/sweeps)
-set(solver_sequential_may base math body narrow_phase constraint island)
+set(solver_sequential_may base math body narrow_phase constraint solver)
 set(events_may base math body broad_phase narrow_phase constraint)
-set(continuous_may base math body shape motion narrow_phase constraint solver/sweeps)
-set(world_may base math body shape motion broad_phase narrow_phase query impulse constraint island sleep solver/sweeps solver/direct solver/sequential
+set(continuous_may base math body shape motion narrow_phase constraint solver solver/sweeps)
+set(world_features_may base math body shape motion broad_phase narrow_phase impulse constraint island sleep solver/sweeps solver/direct
+  solver/sequential events continuous world)
+set(world_may world/features base math body shape motion broad_phase narrow_phase query impulse constraint island sleep solver solver/sweeps solver/direct solver/sequential
   events continuous)
 set(freestanding "stdint\\.h|stddef\\.h|float\\.h|limits\\.h")
 
@@ -34,16 +37,16 @@ set(narrow_phase_shares manifold manifold_points contact_geometry contact_patch 
 set(query_shares candidates query_filter ray_on_shapes cast_ray)
 set(impulse_shares contact collide_shapes contact_rows impulse)
 set(constraint_shares block_solve contact_block block_rows solver_body solver_view material_view surface_materials row_flight impact_note)
-set(island_shares awake_tiles rest_view)
+set(island_shares awake_tiles disjoint_sets rest_view)
 set(sleep_shares wake)
 set(events_shares contact_events pair_rules)
 set(continuous_shares body_path fast_pairs time_of_impact pair_sub_world)
-# solve_manifolds conducts the stages of a substep.
-set(solver_sweeps_shares conjugate_gradients move_bodies note_impulses order_manifolds predict_contacts sequence_impacts solve_velocities
-  sweep_positions sweep_velocities warm_start)
+# swept_contacts has the stages of a substep, for block_sweeps and hybrid_islands to conduct; plan_islands begins a batch.
+set(solver_sweeps_shares block_sweeps swept_contacts conjugate_gradients move_bodies note_impulses order_manifolds plan_islands predict_contacts
+  sequence_impacts solve_velocities sweep_positions sweep_velocities warm_start)
 # solve_sequentially conducts the stages of its substeps, and sequential_impulses names it to scenes.
 set(solver_sequential_shares point_view point_rows move_point_bodies sweep_points solve_sequentially)
-# solve_directly conducts the stages, and calls the others of its room.
+# hybrid_islands conducts the stages, and calls the others of its room.
 set(solver_direct_shares direct_view hold_energy island_rows choose_islands normal_set sliding factor_rows solve_island solve_directly)
 
 set(broken "")

@@ -41,7 +41,15 @@ struct Gusts : ingot::ForceField {
     ingot::Wrench operator()(const ingot::BodyMotion& body) const { return {body.v_CM * ingot::splat<ingot::lane>(body.t), {}}; }
 };
 
+#ifdef NOT_A_SCENE
+struct Wrong {
+#else
 struct Wrong : ingot::Scene {
+#endif
+#ifdef CONTACTS_WITHOUT_SHAPES
+    static constexpr bool translates = true;
+    static constexpr int max_manifolds = 4;
+#endif
 #ifdef NO_BODIES
     static constexpr int max_bodies = 0;
 #endif
@@ -86,6 +94,7 @@ struct Wrong : ingot::Scene {
 #ifdef CONTACTS_OF_MANIFOLDS
     static constexpr bool translates = true;
     static constexpr int max_manifolds = 4;
+    using shapes = ingot::Shapes<ingot::Sphere>;
 #endif
 #ifdef COLLIDES_BUT_DOES_NOT_TRANSLATE
     static constexpr int max_contacts = 4;
@@ -272,15 +281,6 @@ int main() {
 #endif
 #ifdef WAKE_WITHOUT_SLEEP
     (void)world.wake(id);
-#endif
-#ifdef SNAPSHOT_OF_EVENTS
-    struct Told : ingot::Scene {
-        static constexpr bool translates = true;
-        static constexpr int max_manifolds = 1, max_events = 1;
-    };
-    static ingot::World<Told> told;
-    static uint8_t bytes[4096];
-    (void)ingot::save_snapshot(told, bytes, sizeof bytes).ok();
 #endif
 #ifdef SHAPES_WITHOUT_COMPOUNDS
     (void)world.add({}, nullptr, 0);

@@ -126,7 +126,7 @@ Vector4d by_rounds(const Block& block) {
 
 /// Blocks of `lanes` problems, as the sweeps hold them.
 struct Laid {
-    scalar K[10][lanes] = {}, B[10][lanes] = {}, held[10][lanes] = {};
+    scalar K[10][lanes] = {}, count[lanes] = {}, cached[10][lanes] = {};
     Row4 w{}, before{};
     mask pulls[block_rows] = {};
 
@@ -139,8 +139,9 @@ struct Laid {
                 for (int c = row; c < block_rows; ++c) {
                     K[Sym4::index(row, c)][lane_i] = static_cast<scalar>(block.K(row, c));
                     const bool used = block.used(row) && block.used(c);
-                    B[Sym4::index(row, c)][lane_i] = held[Sym4::index(row, c)][lane_i] = used ? static_cast<scalar>(inverse(row, c)) : 0;
+                    cached[Sym4::index(row, c)][lane_i] = used ? static_cast<scalar>(inverse(row, c)) : 0;
                 }
+                if (block.used(row)) count[lane_i] += 1;
                 w_of[row][lane_i] = static_cast<scalar>(block.w(row));
                 before_of[row][lane_i] = static_cast<scalar>(block.before(row));
                 pulls_of[row][lane_i] = block.pulls[row] ? scalar(1) : scalar(0);
@@ -230,8 +231,9 @@ void solve_many(int points_least, bool some_pull) {
         }
         Laid laid(blocks);
         for (int visit_i = 0; visit_i < 3; ++visit_i) {
-            const Row4 l = some_pull ? ingot::solve_block<block_rows, false>(laid.K, laid.B, laid.held, laid.w, laid.before, laid.pulls, 0, active)
-                                     : ingot::solve_block<block_rows, true>(laid.K, laid.B, laid.held, laid.w, laid.before, laid.pulls, 0, active);
+            const Row4 l = some_pull
+                               ? ingot::solve_block<block_rows, false>(laid.K, laid.count, laid.cached, laid.w, laid.before, laid.pulls, 0, active)
+                               : ingot::solve_block<block_rows, true>(laid.K, laid.count, laid.cached, laid.w, laid.before, laid.pulls, 0, active);
             for (int lane_i = 0; lane_i < lanes; ++lane_i)
                 expect_solved(blocks[static_cast<std::size_t>(lane_i)], laid.solved(l, lane_i), tally, "block");
             if (::testing::Test::HasFailure()) return;
@@ -269,7 +271,7 @@ TEST(BlockSolve, of_one_row_is_a_projection) {
             round_to_scalar(blocks.back());
         }
         Laid laid(blocks);
-        const Row4 l = ingot::solve_block<1, true>(laid.K, laid.B, laid.held, laid.w, laid.before, laid.pulls, 0, active);
+        const Row4 l = ingot::solve_block<1, true>(laid.K, laid.count, laid.cached, laid.w, laid.before, laid.pulls, 0, active);
         for (int lane_i = 0; lane_i < lanes; ++lane_i) {
             const Block& block = blocks[static_cast<std::size_t>(lane_i)];
             const double exact = std::max(0.0, block.before(0) - block.w(0) / block.K(0, 0));

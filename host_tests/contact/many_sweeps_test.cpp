@@ -5,14 +5,16 @@
 
 #include <ingot/solver/sweeps/conjugate_gradients.h>
 #include <ingot/solver/sweeps/order_manifolds.h>
+#include <ingot/solver/sweeps/plan_islands.h>
 #include <ingot/solver/sweeps/predict_contacts.h>
+#include <ingot/solver/sweeps/solve_velocities.h>
 #include <ingot/constraint/prepare_blocks.h>
 #include <ingot/solver/sweeps/sweep_velocities.h>
 #include <ingot/solver/sweeps/warm_start.h>
-#include <ingot/body/auxiliary.h>
 #include <ingot/solver/sequential/move_point_bodies.h>
 #include <ingot/solver/sequential/sweep_points.h>
 
+#include "contact/pile.h"
 #include "contact/play.h"
 #include "reference/contact_reference.h"
 #include "reference/random_input.h"
@@ -29,46 +31,6 @@ using ingot_reference::FrictionPatch;
 using ingot_reference::RandomInput;
 
 constexpr double h = 1.0 / 240, reference_tolerance = 1e-11;
-
-/// Bodies and manifolds as a world would have them, and all the memory of the solver.
-struct Pile {
-    int bodies;
-    std::vector<ingot::RotationTile> rotation;
-    std::vector<ingot::TranslationTile> translation;
-    std::vector<BodyPair> pairs;
-    std::vector<ingot::ManifoldRecord> records;
-
-    std::vector<ingot::ContactBlock> blocks;
-    std::vector<ingot::Visit> visits;
-    std::vector<std::uint16_t> order, other_order, level_order, level, slot_of, local_of, level_of_body;
-    std::vector<ingot::SolverBody> solver_bodies;
-    std::vector<ingot::SolverBodyHistory> histories;
-    std::vector<std::uint32_t> colours;
-
-    explicit Pile(int body_count) : bodies(body_count) {
-        const std::size_t tiles = static_cast<std::size_t>((bodies + lanes - 1) / lanes);
-        rotation.resize(tiles);
-        translation.resize(tiles);
-        for (int slot = 0; slot < static_cast<int>(tiles) * lanes; ++slot) ingot::set_identity_body(view(), slot);
-    }
-    ingot::BodyView view() { return {rotation.data(), translation.data(), nullptr, nullptr, static_cast<int>(rotation.size())}; }
-
-    ingot::SolverView solver() {
-        const std::size_t manifolds = pairs.size(), room = 2 * manifolds + 2, locals = static_cast<std::size_t>(bodies) + 1;
-        blocks.assign(room, {});
-        visits.assign(2 * manifolds + room, {});
-        order.assign(room * lanes, 0);
-        for (auto* of_manifold : {&other_order, &level_order, &level}) of_manifold->assign(manifolds, 0);
-        for (auto* of_body : {&slot_of, &level_of_body}) of_body->assign(locals, 0);
-        local_of.assign(rotation.size() * lanes, 0);
-        solver_bodies.assign(locals, {});
-        histories.assign(locals, {});
-        colours.assign(locals, 0);
-        return {pairs.data(), records.data(), static_cast<int>(manifolds), blocks.data(), visits.data(), order.data(), level.data(),
-                other_order.data(), level_order.data(), solver_bodies.data(), histories.data(), slot_of.data(), local_of.data(), level_of_body.data(),
-                colours.data(), 0, 0, 0, 0, 0, 0, static_cast<int>(room) * lanes, 0, false, ingot::limits::substeps, false};
-    }
-};
 
 void put(scalar (&to)[4], const Eigen::Vector3d& value, double fourth) {
     for (int axis = 0; axis < 3; ++axis) to[axis] = static_cast<scalar>(value(axis));
@@ -177,6 +139,21 @@ void take_in(ingot::SolverView& solver, const ContactProblem& problem) {
     }
 }
 
+/// The islands of a pile that was taken in, and their sweeps, in which whatever changes makes active. A pile is one island, and new.
+void plan(ingot::SolverView& solver, const ingot::BodyView& bodies) {
+    ingot::find_levels(solver);
+    ingot::plan_islands(solver);
+    ASSERT_TRUE(ingot::begin_batch(solver, ingot::SweepPlan::small, bodies, {}));
+    ingot::prepare_blocks(solver, bodies);
+    ingot::predict_contacts(solver, static_cast<scalar>(h));
+    ingot::predict_bounces(solver, static_cast<scalar>(h));
+    ingot::warm_start(solver, static_cast<scalar>(h));  // impulses are 0 as yet: nothing is given
+    ingot::plan_sweeps(solver);
+    for (int island_i = 0; island_i < solver.island_count; ++island_i) solver.islands[island_i].settled = 0;
+    ingot::select_live(solver);
+    ingot::begin_sweeps(solver);
+}
+
 ContactSolution solution_of(const ingot::SolverView& solver, const ContactProblem& problem) {
     ContactSolution found;
     for (int slot = 0; slot < solver.body_count; ++slot) {
@@ -201,15 +178,12 @@ void expect_sweeps_meet_the_exact_solution(double mu_max) {
         if (!exact.converged) continue;  // friction on several sides may have no solution that Newton finds
         ingot::SolverView solver = twins.pile.solver();
         take_in(solver, twins.problem);
-        ingot::order_manifolds(solver);
-        ingot::prepare_blocks(solver, twins.pile.view());
-        ingot::predict_contacts(solver, static_cast<scalar>(h));
-        ingot::predict_bounces(solver, static_cast<scalar>(h));
-        ingot::warm_start(solver, static_cast<scalar>(h));  // impulses are 0 as yet: nothing is given
+        plan(solver, twins.pile.view());
+        ASSERT_EQ(solver.island_count, 1);
         constexpr int sweeps = 2000;
-        double residual = 0;
-        for (int sweep_i = 1; sweep_i <= sweeps; ++sweep_i)
-            residual = static_cast<double>(ingot::sweep_velocities(solver, sweep_i, sweep_i % 2 != 0, 0));
+        for (int sweep_i = 1; sweep_i <= sweeps; ++sweep_i) ingot::sweep_velocities(solver, sweep_i, sweep_i % 2 != 0);
+        ingot::measure_sweep(solver);
+        const auto residual = static_cast<double>(solver.islands[0].residual);
         const double bound = (residual + 12 * 4 * static_cast<double>(ingot::epsilon)) / (1 - 0.9) + reference_tolerance;
         const double distance = ingot_reference::velocity_distance(twins.problem, exact, solution_of(solver, twins.problem));
         worst = std::max(worst, distance);
@@ -244,13 +218,15 @@ TEST(Blocks, know_how_many_manifolds_are_central) {
         }
         ingot::SolverView solver = twins.pile.solver();
         take_in(solver, twins.problem);
-        ingot::order_manifolds(solver);
-        ingot::prepare_blocks(solver, twins.pile.view());
-        EXPECT_EQ(solver.central_count, central) << pile_i;
-        const int visits = solver.visit_count, levels = solver.level_count;
-        ingot::order_manifolds(solver);
+        plan(solver, twins.pile.view());
+        ASSERT_EQ(solver.island_count, 1);
+        EXPECT_EQ(solver.islands[0].central_count, central) << pile_i;
+        const int visits = solver.visit_count, levels = solver.islands[0].level_count;
+        plan(solver, twins.pile.view());
+        ASSERT_EQ(solver.island_count, 1);
         EXPECT_EQ(solver.visit_count, visits) << "what the view held before does not matter";
-        EXPECT_EQ(solver.level_count, levels);
+        EXPECT_EQ(solver.islands[0].level_count, levels);
+        EXPECT_EQ(solver.islands[0].central_count, central) << pile_i;
     }
 }
 
@@ -258,7 +234,8 @@ TEST(Blocks, know_how_many_manifolds_are_central) {
 double sum_by_lanes(const ingot::SolverView& solver) {
     double sum = 0;
     for (int position = 0; position < solver.lane_count; ++position)
-        if (solver.order[position] != ingot::no_manifold) sum += static_cast<double>(solver.blocks[position / lanes].change[position % lanes]);
+        if (ingot::manifold_at(solver, position) != ingot::no_manifold)
+            sum += static_cast<double>(solver.blocks[position / lanes].change[position % lanes]);
     return sum;
 }
 
@@ -266,12 +243,18 @@ double sum_by_lanes(const ingot::SolverView& solver) {
 struct LightPile {
     std::vector<ingot::PointBody> bodies;
     std::vector<ingot::PointContact> contacts;
-    ingot::PointView view;
+    std::vector<std::uint16_t> members, body_order;
+    ingot::PointView view{};
 
     explicit LightPile(Twins& twins)
-        : bodies(twins.pile.rotation.size() * lanes), contacts(twins.pile.pairs.size()),
-          view{twins.pile.pairs.data(), twins.pile.records.data(), static_cast<int>(twins.pile.pairs.size()), bodies.data(), contacts.data(), 0} {
+        : bodies(twins.pile.rotation.size() * lanes), contacts(twins.pile.pairs.size()), members(contacts.size()), body_order(bodies.size()) {
+        view.pairs = twins.pile.pairs.data(), view.records = twins.pile.records.data();
+        view.manifold_count = static_cast<int>(twins.pile.pairs.size());
+        view.bodies = bodies.data(), view.contacts = contacts.data(), view.members = members.data(), view.body_order = body_order.data();
         ingot::take_in_bodies(view, twins.pile.view(), {}, static_cast<scalar>(h));
+        ingot::list_islands(view);
+        EXPECT_EQ(ingot::next_island(view, -1), 1);
+        EXPECT_EQ(view.island.manifold_end, view.manifold_count) << "all of a pile is one island";
         for (std::size_t slot = 1; slot < twins.problem.bodies.size(); ++slot) {
             const ContactBody& body = twins.problem.bodies[slot];
             bodies[slot].velocity = {ingot_reference::to_vector(body.v_CM), ingot_reference::to_vector(body.omega),
@@ -415,20 +398,18 @@ TEST(ManySweeps, with_conjugate_gradients_lead_there_too) {
         for (const bool joined : {false, true}) {
             ingot::SolverView solver = twins.pile.solver();
             take_in(solver, twins.problem);
-            ingot::order_manifolds(solver);
-            ingot::prepare_blocks(solver, twins.pile.view());
-            ingot::predict_contacts(solver, static_cast<scalar>(h));
-            ingot::predict_bounces(solver, static_cast<scalar>(h));
-            ingot::warm_start(solver, static_cast<scalar>(h));
+            plan(solver, twins.pile.view());
+            ASSERT_EQ(solver.island_count, 1);
+            ingot::Island& island = solver.islands[0];
             scalar before = 0;
-            ingot::begin_sweeps(solver);
             for (int sweep_i = 1; sweep_i <= 8; ++sweep_i) {
-                (void)ingot::sweep_velocities(solver, sweep_i, sweep_i % 2 != 0, 0);
-                const scalar size = ingot::sum_of_changes(solver);
+                ingot::sweep_velocities(solver, sweep_i, sweep_i % 2 != 0);
+                ingot::measure_sweep(solver);
+                const scalar size = island.size;
                 EXPECT_NEAR(static_cast<double>(size), sum_by_lanes(solver), 64 * static_cast<double>(ingot::epsilon * size));
-                const scalar beta = sweep_i > 1 && size <= before && before > 0 ? size / before : 0;
+                island.beta = sweep_i > 1 && size <= before && before > 0 ? size / before : 0;
                 before = size;
-                if (joined && sweep_i < 8) ingot::extrapolate(solver, beta);
+                if (joined && sweep_i < 8) ingot::extrapolate(solver);
             }
             distance[joined] = ingot_reference::velocity_distance(twins.problem, exact, solution_of(solver, twins.problem));
         }

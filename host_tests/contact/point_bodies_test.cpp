@@ -32,9 +32,13 @@ struct Touching {
     ingot::BodyPair pair = {0, ingot::lanes + 1, 0};
     ingot::ManifoldRecord record{};
     ingot::PointContact contact{};
-    ingot::PointView view{&pair, &record, 1, bodies.data(), &contact, 0};
+    std::uint16_t member = 0, body_order[2] = {};
+    ingot::PointView view{};
+    int lowest = 0;  ///< slot of the lowest body of the first island
 
     Touching() {
+        view.pairs = &pair, view.records = &record, view.manifold_count = 1;
+        view.bodies = bodies.data(), view.contacts = &contact, view.members = &member, view.body_order = body_order;
         RandomInput random(1481);
         for (const int slot : slots) {
             ingot::BodyDef def = ingot_reference::definition(2, random.moments(2));
@@ -47,7 +51,11 @@ struct Touching {
         ingot::refresh_inv_I_world(tiles.view());
     }
     PointBody& body(int i) { return bodies[static_cast<std::size_t>(slots[i])]; }
-    void take_in() { ingot::take_in_bodies(view, tiles.view(), gravity, h); }
+    void take_in() {
+        ingot::take_in_bodies(view, tiles.view(), gravity, h);
+        ingot::list_islands(view);
+        lowest = ingot::next_island(view, -1);
+    }
     bool is_bad(int i) { return (tiles.rotation(slots[i]).bad >> (slots[i] % ingot::lanes) & 1u) != 0; }
 };
 
@@ -128,6 +136,7 @@ TEST(PointBodies, that_cannot_move_are_left_alone) {
         }
         ingot::refresh_inv_I_world(two.tiles.view());
         two.take_in();
+        EXPECT_EQ(two.lowest, movable < 0 ? two.view.slot_count : Touching::slots[movable]) << "an island of the one that can, or none";
         two.contact.radius = 7;
         two.record.j[0] = 1;
         ingot::begin_contacts(two.view, 1, h);

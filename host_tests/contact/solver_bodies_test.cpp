@@ -2,8 +2,10 @@
 // What the solver gives back to the bodies: motion that is finite, or none.
 #include <gtest/gtest.h>
 #include <ingot/solver/sweeps/move_bodies.h>
+#include <ingot/solver/sweeps/plan_islands.h>
 #include <ingot/body/auxiliary.h>
 
+#include <cstring>
 #include <limits>
 
 #include "reference/kernel_types.h"
@@ -29,7 +31,8 @@ struct Solved {
     ingot_stages::Tiles tiles{ingot::lanes + 2};
     ingot::SolverBody bodies[3] = {};
     ingot::SolverBodyHistory histories[3] = {};
-    std::uint16_t slot_of[3] = {0, 1, ingot::lanes + 1};
+    ingot::Island islands[2] = {};
+    std::uint16_t slot_of[3] = {0, 1, ingot::lanes + 1}, island_of[3] = {ingot::no_island, 0, 1}, batch_bodies[2] = {1, 2};
     Vector3d v[3], L[3], dp[3], L_sum[3];
 
     Solved() {
@@ -52,6 +55,9 @@ struct Solved {
         ingot::SolverView solver{};
         solver.bodies = bodies, solver.histories = histories, solver.slot_of = slot_of;
         solver.body_count = 3;
+        solver.islands = islands, solver.island_of = island_of, solver.batch_bodies = batch_bodies;
+        solver.island_count = solver.batch_body_count = 2;
+        for (ingot::Island& island : islands) island.in_batch = true;
         return solver;
     }
 };
@@ -119,7 +125,8 @@ TEST(SolverBodies, turn_by_what_dth_has_beyond_the_drift) {
     }
 }
 
-/// v and L change by a h and tau h, what they were is kept, and the fastest speed is known: sweeps end where its rounding is all that is left.
+/// v and L change by a h and tau h, what they were is kept, and each island knows its fastest speed: its sweeps end where the rounding of that is
+/// all that is left.
 TEST(SolverBodies, are_kicked_by_what_accelerates_them) {
     Solved solved;
     const Vector3d a(1, -2, 3), tau(-4, 5, 6);
@@ -128,7 +135,7 @@ TEST(SolverBodies, are_kicked_by_what_accelerates_them) {
             solved.histories[i].a[k] = static_cast<scalar>(i * a(k)), solved.histories[i].tau[k] = static_cast<scalar>(i * tau(k));
     ingot::SolverView solver = solved.view();
     ingot::kick_bodies(solver, h);
-    double fastest = 0;
+    double speed[3] = {};
     for (int i = 1; i < 3; ++i) {
         const ingot::SolverBody& body = solved.bodies[i];
         const Vector3d v(body.v_CM[0], body.v_CM[1], body.v_CM[2]), L(body.L[0], body.L[1], body.L[2]);
@@ -139,13 +146,46 @@ TEST(SolverBodies, are_kicked_by_what_accelerates_them) {
             EXPECT_EQ(solved.histories[i].v_begin[k], static_cast<scalar>(solved.v[i](k)));
             EXPECT_EQ(solved.histories[i].L_begin[k], static_cast<scalar>(solved.L[i](k)));
         }
-        fastest = std::max(fastest, v.norm());
+        speed[i] = v.norm();
     }
-    EXPECT_NEAR(static_cast<double>(solver.speed_max), fastest, 4 * eps);
+    const auto rounding = [&](int island_i) { return static_cast<double>(ingot::rounding_of_speeds(solved.islands[island_i])); };
+    for (int i = 1; i < 3; ++i) EXPECT_NEAR(rounding(i - 1), 4 * eps * speed[i], 16 * eps * eps) << "of its own body, " << i;
+
+    // Both in one island: the faster one counts.
+    solved.island_of[2] = 0;
+    for (int i = 1; i < 3; ++i)
+        for (int k = 0; k < 3; ++k) solved.histories[i].a[k] = 0;
+    ingot::kick_bodies(solver, h);
+    EXPECT_NEAR(rounding(0), 4 * eps * std::max(speed[1], speed[2]), 16 * eps * eps);
 
     solved.bodies[2].v_CM[0] = 2 * ingot::limits::rounding_speed_max;
     ingot::kick_bodies(solver, h);
-    EXPECT_EQ(solver.speed_max, ingot::limits::rounding_speed_max);
+    EXPECT_EQ(ingot::rounding_of_speeds(solved.islands[0]), 4 * ingot::epsilon * ingot::limits::rounding_speed_max);
+}
+
+/// Of a batch only its own bodies move: the others are at the end of their step already, or at its begin.
+TEST(SolverBodies, of_other_batches_are_left_alone) {
+    Solved solved;
+    for (int i = 1; i < 3; ++i)
+        for (int k = 0; k < 3; ++k) solved.histories[i].a[k] = solved.histories[i].tau[k] = 1;
+    ingot::SolverView solver = solved.view();
+    solved.islands[0].in_batch = false;
+    solved.islands[0].fastest_sq = 7;
+    solved.islands[0].steady = solved.islands[1].steady = true;
+    solved.batch_bodies[0] = 2;
+    solver.batch_body_count = 1;
+    solver.substeps = ingot::limits::substeps;
+    const ingot::SolverBody body[2] = {solved.bodies[1], solved.bodies[2]};
+    const ingot::SolverBodyHistory history[2] = {solved.histories[1], solved.histories[2]};
+    ingot::kick_bodies(solver, h);
+    ingot::drift_bodies(solver, solved.tiles.view(), h);
+    EXPECT_EQ(std::memcmp(&solved.bodies[1], &body[0], sizeof body[0]), 0);
+    EXPECT_EQ(std::memcmp(&solved.histories[1], &history[0], sizeof history[0]), 0);
+    EXPECT_EQ(solved.islands[0].fastest_sq, 7);
+    EXPECT_TRUE(solved.islands[0].steady);
+    EXPECT_NE(std::memcmp(&solved.bodies[2], &body[1], sizeof body[1]), 0);
+    EXPECT_NE(std::memcmp(&solved.histories[2], &history[1], sizeof history[1]), 0);
+    EXPECT_NE(solved.islands[1].fastest_sq, 0);
 }
 
 }  // namespace

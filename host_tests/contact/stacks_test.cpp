@@ -81,6 +81,24 @@ TEST(Tower, of_10_rests) {
     EXPECT_LE(scene.fastest(), rest_speed);
 }
 
+/// Steps as they come out of a clock that stutters, from a microsecond to a tenth of a second, in any order: the tower does not notice.
+TEST(Tower, of_10_stands_whatever_the_steps) {
+    auto scene = play<Tower<10>>();
+    ASSERT_TRUE(scene.sound());
+    const scalar steps[] = {scalar(1e-6), scalar(1e-5), scalar(1e-3), scalar(1) / 240, scalar(1) / 144, scalar(1) / 60, scalar(1) / 30, scalar(0.1)};
+    double seconds = 0;
+    for (int step_i = 0; seconds < 20; ++step_i) {
+        const int which = static_cast<int>(4 + 4 * scenes::scattered(step_i, 0));
+        (void)scene.step(steps[which]);
+        seconds += static_cast<double>(steps[which]);
+    }
+    figure("shift, mm", 1e3 * scene.shift());
+    figure("sink, mm", 1e3 * scene.sink());
+    EXPECT_TRUE(scene.reports().clean());
+    EXPECT_LE(scene.shift(), 0.02);
+    EXPECT_LE(scene.sink(), 0.02);
+}
+
 /// Impulses of the normals of each contact in the last substep, as a step of limits::substeps has them, N s: by the slots of its bodies, out
 /// of a snapshot.
 std::vector<double> loads_of_tower(const std::vector<uint8_t>& bytes, int height) {

@@ -85,7 +85,7 @@ def condition(branch, sources={}):
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("builds", nargs="+")
-    parser.add_argument("--exclusions", default=os.path.join(HERE, "exclusions.csv"))
+    parser.add_argument("--exclusions", default=os.path.join(os.path.dirname(HERE), "tables", "exclusions.csv"))
     parser.add_argument("--least", type=float, default=99.0, help="per cent of the sides that are not excluded")
     arguments = parser.parse_args()
 

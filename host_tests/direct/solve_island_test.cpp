@@ -3,12 +3,15 @@
 #include <gtest/gtest.h>
 #include <ingot/solver/sweeps/move_bodies.h>
 #include <ingot/solver/sweeps/order_manifolds.h>
+#include <ingot/solver/sweeps/plan_islands.h>
 #include <ingot/solver/sweeps/predict_contacts.h>
+#include <ingot/solver/sweeps/solve_velocities.h>
 #include <ingot/constraint/prepare_blocks.h>
 #include <ingot/solver/direct/factor_rows.h>
 #include <ingot/solver/direct/hold_energy.h>
 #include <ingot/solver/direct/island_rows.h>
 #include <ingot/solver/direct/choose_islands.h>
+#include <ingot/solver/direct/hybrid_islands.h>
 #include <ingot/solver/direct/solve_directly.h>
 #include <ingot/solver/direct/solve_island.h>
 #include <ingot/ingot.h>
@@ -146,8 +149,12 @@ struct RandomIsland {
         direct = storage.direct_view();
         const ingot::BodyView bodies = storage.bodies();
         ingot::take_in_bodies(solver, bodies, {}, static_cast<scalar>(h));
-        ingot::order_manifolds(solver);
-        solver.substeps = ingot::limits::substeps;
+        ingot::find_levels(solver);
+        ingot::plan_islands(solver);
+        // All contacts are new, and so few that all islands are of one plan.
+        for (int island_i = 0; island_i < solver.island_count; ++island_i) EXPECT_EQ(solver.islands[island_i].plan, ingot::SweepPlan::small);
+        EXPECT_TRUE(ingot::begin_batch(solver, ingot::SweepPlan::small, bodies, {}));
+        EXPECT_EQ(solver.substeps, ingot::limits::substeps);
         ingot::prepare_blocks(solver, bodies);
         ingot::predict_contacts(solver, static_cast<scalar>(h));
         ingot::predict_bounces(solver, static_cast<scalar>(h));
@@ -161,24 +168,31 @@ struct RandomIsland {
             direct.unsettled[record_i] = ingot::limits::unsettled_steps;
     }
 
-    void choose() {
+    /// Returns how many islands were chosen.
+    int choose() {
         for (auto& record : storage.records) record.substeps = 1;  // no contact is new
         ingot::StepReport report{};
-        EXPECT_GT(choose_islands(solver, direct, report), 0);
+        choose_islands(solver, direct, report);
         EXPECT_EQ(report.direct, 0);
+        ingot::begin_direct_batch(solver, direct);
+        int chosen = 0;
+        for (int island_i = 0; island_i < solver.island_count; ++island_i) chosen += is_chosen(island_i) ? 1 : 0;
+        EXPECT_EQ(direct.some_chosen, chosen > 0);
+        return chosen;
     }
+    bool is_chosen(int island_i) const { return direct.state[island_i] == ingot::IslandState::chosen; }
 
     /// The islands one by one: to the bodies' velocities, and, into `found`, what impulses did it.
     bool solve(ContactSolution& found, int work = 1 << 24, bool after_sweeps = false) {
-        choose();
+        EXPECT_GT(choose(), 0);
         for (const ContactBody& body : problem.bodies) {
             found.v_CM.push_back(body.v_CM);
             found.omega.push_back(body.omega);
         }
         bool solved = true;
-        for (int root = 1; root < solver.body_count; ++root) {
-            if (direct.state[root] != ingot::IslandState::chosen) continue;
-            ingot::load_rows(solver, storage.bodies(), direct, static_cast<uint16_t>(root));
+        for (int island_i = 0; island_i < solver.island_count; ++island_i) {
+            if (!is_chosen(island_i)) continue;
+            ingot::load_rows(solver, storage.bodies(), direct, island_i);
             direct.work_left = work;
             direct.uneven = true;  // impacts too
             fates.push_back(ingot::solve_island(solver, direct, static_cast<scalar>(h), after_sweeps));
@@ -321,11 +335,11 @@ TEST(DirectIsland, touches_nothing_beyond_its_end) {
     RandomInput random(9);
     for (int case_i = 0; case_i < 50; ++case_i) {
         RandomIsland island(random, random.integer(2, most_bodies), 1, 3);
-        island.choose();
+        EXPECT_GT(island.choose(), 0);
         const ingot::DirectView& direct = island.direct;
-        for (int root = 1; root < island.solver.body_count; ++root) {
-            if (direct.state[root] != ingot::IslandState::chosen) continue;
-            ingot::load_rows(island.solver, island.storage.bodies(), island.direct, static_cast<uint16_t>(root));
+        for (int island_i = 0; island_i < island.solver.island_count; ++island_i) {
+            if (!island.is_chosen(island_i)) continue;
+            ingot::load_rows(island.solver, island.storage.bodies(), island.direct, island_i);
             const int count = direct.manifold_count;
             // Left over from another: four points on the island's own bodies, that carry and slide.
             for (int manifold_i = count; manifold_i < direct.manifold_capacity; ++manifold_i) {
@@ -358,6 +372,7 @@ TEST(DirectIsland, touches_nothing_beyond_its_end) {
         RandomIsland island(random, random.integer(2, most_bodies), 1, 3);
         for (auto& record : island.storage.records) record.substeps = 1;
         const auto body_count = static_cast<std::size_t>(island.solver.body_count);
+        const auto island_count = static_cast<std::size_t>(island.solver.island_count);
         const ingot::FreeMotion motion = {{1, 2, 3}, {4, 5, 6}};
         std::vector<ingot::FreeMotion> free_motion(body_count + 4, motion);
         std::vector<ingot::IslandState> fate(body_count + 4, ingot::IslandState::left_to_sweeps);
@@ -365,11 +380,14 @@ TEST(DirectIsland, touches_nothing_beyond_its_end) {
         island.direct.state = fate.data();
         ingot::StepReport report{};
         const auto h = static_cast<scalar>(ingot::limits::substeps * RandomIsland::h);
-        ingot::solve_directly<false>(island.solver, island.direct, island.storage.bodies(), {}, h, nullptr, report);
+        ingot::HybridContacts<ingot::SolverView, false, true> contacts(island.solver, island.direct);
+        ingot::conduct_substeps(contacts, {island.storage.bodies(), {}, h, nullptr}, report);
         ASSERT_EQ(static_cast<std::size_t>(island.solver.body_count), body_count);
+        ASSERT_EQ(static_cast<std::size_t>(island.solver.island_count), island_count);
         EXPECT_NE(free_motion[1].v_CM[2], motion.v_CM[2]) << "an island was chosen";
-        for (std::size_t body_i = body_count; body_i < fate.size(); ++body_i) {
-            EXPECT_EQ(fate[body_i], ingot::IslandState::left_to_sweeps) << case_i;
+        for (std::size_t island_i = 0; island_i < fate.size(); ++island_i)
+            EXPECT_EQ(fate[island_i] == ingot::IslandState::left_to_sweeps, island_i >= island_count) << case_i;
+        for (std::size_t body_i = body_count; body_i < free_motion.size(); ++body_i) {
             for (int axis = 0; axis < 3; ++axis) {
                 EXPECT_EQ(free_motion[body_i].v_CM[axis], motion.v_CM[axis]) << case_i;
                 EXPECT_EQ(free_motion[body_i].L[axis], motion.L[axis]) << case_i;
@@ -378,46 +396,125 @@ TEST(DirectIsland, touches_nothing_beyond_its_end) {
     }
 }
 
-/// Islands that are solved are left out of the sweeps, and nobody else. Who stays keeps its number among those of its colour: sums of sweeps go by
-/// it, so that they are the same for any lanes.
+/// Islands that are solved are left out of the sweeps, and nobody else. Who stays is where it was, and is added to the same one of its island's
+/// sums: they are the same for any lanes and any neighbours.
 TEST(DirectIsland, that_is_solved_is_left_out_of_the_sweeps) {
     RandomInput random(10);
     int cut = 0;
-    // By manifold: the block and lane that are visited, and its number of its colour.
+    // By manifold: the block and lane that are visited, and which of the sums it is added to.
     using Visits = std::vector<std::vector<std::array<int, 3>>>;
-    const auto visits_of = [](const ingot::SolverView& solver) {
-        Visits visits(static_cast<std::size_t>(solver.manifold_count));
-        for (int visit_i = 0; visit_i < solver.visit_count; ++visit_i) {
-            const ingot::Visit visit = solver.visits[visit_i];
-            int number = visit.first;
+    const auto visits_of = [](const ingot::SolverView& solver, const ingot::Visit* visits, int count) {
+        Visits found(static_cast<std::size_t>(solver.manifold_count));
+        for (int visit_i = 0; visit_i < count; ++visit_i) {
+            const ingot::Visit visit = visits[visit_i];
+            const ingot::ContactBlock& block = solver.blocks[visit.block];
             for (int lane_i = 0; lane_i < ingot::lanes; ++lane_i) {
-                const uint16_t manifold_i = solver.blocks[visit.block].manifold[lane_i];
+                const uint16_t manifold_i = block.manifold[lane_i];
                 if ((visit.lane_bits >> lane_i & 1u) == 0 || manifold_i == ingot::no_manifold) continue;  // spare lanes join a visit
-                visits[manifold_i].push_back({visit.block, lane_i, number++});
+                EXPECT_EQ(block.island[lane_i], ingot::island_of_manifold(solver, manifold_i));
+                // A visit that names an island is added up as one vector.
+                EXPECT_TRUE(visit.island == ingot::no_island || visit.island == block.island[lane_i]);
+                const int sum_i = visit.island == ingot::no_island ? block.sum_i[lane_i] : block.sum_i[0] + lane_i;
+                found[manifold_i].push_back({visit.block, lane_i, sum_i});
             }
         }
-        return visits;
+        return found;
     };
     for (int case_i = 0; case_i < 300; ++case_i) {
         RandomIsland island(random, most_bodies, 1, 3);
-        island.choose();
-        for (int root = 1; root < island.solver.body_count; ++root)
-            island.direct.state[root] = random.integer(0, 1) == 0 ? ingot::IslandState::solved : ingot::IslandState::chosen;
-        const Visits all = visits_of(island.solver), left = visits_of(ingot::left_to_sweeps(island.solver, island.direct));
-        int solved = 0;
+        ingot::SolverView& solver = island.solver;
+        for (int island_i = 0; island_i < solver.island_count; ++island_i) solver.islands[island_i].sweeps_on = random.integer(0, 1) == 0;
+        const auto is_on = [&](std::size_t manifold_i) {
+            return solver.islands[ingot::island_of_manifold(solver, static_cast<int>(manifold_i))].sweeps_on;
+        };
+        ingot::select_live(solver);
+        const Visits all = visits_of(solver, solver.visits, solver.visit_count), left = visits_of(solver, solver.live, solver.live_count);
+        int off = 0;
         for (std::size_t manifold_i = 0; manifold_i < all.size(); ++manifold_i) {
-            const uint16_t above = island.solver.local_of[island.solver.pairs[manifold_i].body_B];  // the one that moves
-            const bool is_solved = island.direct.state[island.direct.root[above]] == ingot::IslandState::solved;
-            solved += is_solved ? 1 : 0;
+            off += is_on(manifold_i) ? 0 : 1;
             ASSERT_EQ(all[manifold_i].size(), 1u);
-            if (is_solved)
-                EXPECT_TRUE(left[manifold_i].empty()) << case_i;
-            else
+            if (is_on(manifold_i))
                 EXPECT_EQ(left[manifold_i], all[manifold_i]) << case_i;
+            else
+                EXPECT_TRUE(left[manifold_i].empty()) << case_i;
         }
-        cut += solved > 0 && solved < island.solver.manifold_count ? 1 : 0;
+        cut += off > 0 && off < solver.manifold_count ? 1 : 0;
     }
     EXPECT_GT(cut, 50);
+
+    // Before the sweeps, and at the positions: those that are solved, and no others.
+    int solved = 0, unsolved = 0;
+    for (int case_i = 0; case_i < 300; ++case_i) {
+        RandomIsland island(random, most_bodies, 1, 3);
+        EXPECT_GT(island.choose(), 0);
+        ingot::SolverView& solver = island.solver;
+        for (int island_i = 0; island_i < solver.island_count; ++island_i) solver.islands[island_i].residual = 7;  // of the substep before
+        ingot::plan_sweeps(solver);
+        ingot::solve_before_sweeps(solver, island.direct, island.storage.bodies(), static_cast<scalar>(RandomIsland::h));
+        std::vector<ingot::IslandState> state(island.direct.state, island.direct.state + solver.island_count);
+        for (std::size_t i = 0; i < state.size(); ++i) {
+            EXPECT_EQ(solver.islands[i].sweeps_on, state[i] != ingot::IslandState::solved) << case_i;
+            EXPECT_EQ(solver.islands[i].residual, 0) << "what is not swept tells nothing of sweeps";
+            ++(state[i] == ingot::IslandState::solved ? solved : unsolved);
+        }
+        ingot::place_islands(solver, island.direct, island.storage.bodies(), static_cast<scalar>(RandomIsland::h));
+        for (std::size_t i = 0; i < state.size(); ++i) {
+            EXPECT_TRUE(state[i] == ingot::IslandState::solved || solver.islands[i].sweeps_on) << case_i;
+            EXPECT_EQ(island.direct.state[i] == ingot::IslandState::chosen, state[i] != ingot::IslandState::swept) << "once more in the next substep";
+        }
+    }
+    EXPECT_GT(solved, 20);
+    EXPECT_GT(unsolved, 10);
+}
+
+/// What an attempt may spend does not depend on whether its island is at hand already, with a factor of the attempt before, or was put away for
+/// another island: else whom it shares the world with would decide whether it is solved.
+TEST(DirectIsland, spends_the_same_at_hand_and_put_away) {
+    RandomInput random(12);
+    int attempts = 0, had_factor = 0;
+    for (int case_i = 0; case_i < 100; ++case_i) {
+        RandomIsland island(random, random.integer(2, most_bodies), 0, 3);
+        EXPECT_GT(island.choose(), 0);
+        for (int island_i = 0; island_i < island.solver.island_count; ++island_i) {
+            if (!island.is_chosen(island_i)) continue;
+            const auto begin = [&](int work) {
+                island.direct.uneven = true;
+                island.direct.work_left = work;
+            };
+            const auto solve = [&] { return ingot::solve_island(island.solver, island.direct, static_cast<scalar>(RandomIsland::h), false); };
+            ingot::load_rows(island.solver, island.storage.bodies(), island.direct, island_i);
+            begin(1 << 24);
+            if (solve() != ingot::IslandState::solved) continue;
+            const std::vector<ingot::SolverBody> bodies(island.solver.bodies, island.solver.bodies + island.solver.body_count);
+            const std::vector<ingot::ContactBlock> blocks(island.solver.blocks, island.solver.blocks + island.solver.block_count);
+            int spent[2];
+            ingot::IslandState state[2], without[2];
+            for (const bool put_away : {false, true}) {
+                std::copy(bodies.begin(), bodies.end(), island.solver.bodies);
+                std::copy(blocks.begin(), blocks.end(), island.solver.blocks);
+                if (put_away) ingot::load_rows(island.solver, island.storage.bodies(), island.direct, island_i);
+                had_factor += island.direct.factored ? 1 : 0;
+                begin(1 << 24);
+                state[put_away] = solve();
+                spent[put_away] = (1 << 24) - island.direct.work_left;
+            }
+            EXPECT_EQ(spent[0], spent[1]) << case_i;
+            EXPECT_EQ(state[0], state[1]) << case_i;
+            // And with less than that it is not solved, either way.
+            for (const bool put_away : {false, true}) {
+                std::copy(bodies.begin(), bodies.end(), island.solver.bodies);
+                std::copy(blocks.begin(), blocks.end(), island.solver.blocks);
+                if (put_away) ingot::load_rows(island.solver, island.storage.bodies(), island.direct, island_i);
+                begin(spent[0] - 1);
+                without[put_away] = solve();
+            }
+            EXPECT_EQ(without[0], without[1]) << case_i;
+            EXPECT_TRUE(spent[0] == 0 || without[0] == ingot::IslandState::chosen) << case_i;
+            ++attempts;
+        }
+    }
+    EXPECT_GT(attempts, 50);
+    EXPECT_GT(had_factor, 50);
 }
 
 /// With sliding friction there are two factors in place of one, and an entry is made of couplings with two directions: four times the work.
@@ -426,10 +523,10 @@ TEST(DirectIsland, counts_the_work_of_sliding) {
     int counted = 0;
     for (int case_i = 0; case_i < 50; ++case_i) {
         RandomIsland island(random, random.integer(2, 4), 1, 1);
-        island.choose();
-        for (int root = 1; root < island.solver.body_count; ++root) {
-            if (island.direct.state[root] != ingot::IslandState::chosen) continue;
-            ingot::load_rows(island.solver, island.storage.bodies(), island.direct, static_cast<uint16_t>(root));
+        EXPECT_GT(island.choose(), 0);
+        for (int island_i = 0; island_i < island.solver.island_count; ++island_i) {
+            if (!island.is_chosen(island_i)) continue;
+            ingot::load_rows(island.solver, island.storage.bodies(), island.direct, island_i);
             int work[2];
             for (const bool slides : {false, true}) {
                 for (int manifold_i = 0; manifold_i < island.direct.manifold_count; ++manifold_i) {
@@ -459,9 +556,9 @@ TEST(DirectIsland, is_left_as_it_is_where_another_attempt_gains_nothing) {
         RandomIsland island(random, random.integer(2, most_bodies), 1, 3);
         ContactSolution found;
         if (!island.solve(found)) continue;
-        for (int root = 1; root < island.solver.body_count; ++root) {
-            if (island.direct.state[root] != ingot::IslandState::chosen) continue;
-            ingot::load_rows(island.solver, island.storage.bodies(), island.direct, static_cast<uint16_t>(root));
+        for (int island_i = 0; island_i < island.solver.island_count; ++island_i) {
+            if (!island.is_chosen(island_i)) continue;
+            ingot::load_rows(island.solver, island.storage.bodies(), island.direct, island_i);
             island.direct.work_left = 1 << 24;
             island.direct.uneven = true;
             const std::vector<ingot::SolverBody> before(island.solver.bodies, island.solver.bodies + island.solver.body_count);
@@ -557,12 +654,10 @@ TEST(DirectIsland, holds_its_energy) {
     int scaled = 0, kept = 0;
     for (int case_i = 0; case_i < 200; ++case_i) {
         RandomIsland island(random, 2, 1, 3);
-        ingot::StepReport report{};
-        for (auto& record : island.storage.records) record.substeps = 1;
-        if (choose_islands(island.solver, island.direct, report) == 0) continue;
-        int root = 1;
-        while (island.direct.state[root] != ingot::IslandState::chosen) ++root;
-        ingot::load_rows(island.solver, island.storage.bodies(), island.direct, static_cast<uint16_t>(root));
+        if (island.choose() == 0) continue;
+        int island_i = 0;
+        while (!island.is_chosen(island_i)) ++island_i;
+        ingot::load_rows(island.solver, island.storage.bodies(), island.direct, island_i);
         ingot::SolverBody& body = island.solver.bodies[island.direct.bodies[1].body_i];
         const double M = 1 / static_cast<double>(body.v_CM[3]), share = random.real(-3, 3);
         const auto energy = [&] {

@@ -2,24 +2,31 @@
 # SPDX-License-Identifier: MIT
 """Every loop of kernel/ and what bounds it.
 
-    loops.py            checks: fails when a loop is in neither list, or a row of a list fits none
-    loops.py --list     prints all loops with their bounds
+    loops.py [<folder>]            checks: fails when a loop has no bound, or a comment bounds no loop
+    loops.py [<folder>] --list     prints all loops with their bounds
 
-A loop is counted when its header says `from; i < limit; ++i` (or <=, !=, a step, or downwards to a constant) and nothing in it changes i: limit, as it
-stands in the source, has a row in limits.csv, which says for its file what it is at most (the same name may count something else in the next
-file); numbers and constants of limits.h are their own bounds. A loop over an array (`for (x : array)`) needs no row. Any other loop has a row of
-its own in loops.csv: file, header, times (how many loops of this file have this header), bound, reason.
+A loop is counted when its header says `from; i < limit; ++i` (or <=, !=, a step, or downwards to a constant) and nothing in it changes i. Limits that
+are numbers, constants, or made of them, and arrays (`for (x : array)`) are their own bounds. Any other limit is bounded by a comment in the line
+of the loop, or above it, which holds for all counted loops of the file with this limit:
+
+    for (int i = 0; i < solver.body_count; ++i) {  // bound: max_bodies
+
+Any other loop has a comment of its own, and the comment says why it ends:
+
+    // bound: max_manifolds: begin becomes end, which is after it
+    while (begin < solver.manifold_count) {
 """
 import collections
-import csv
 import os
 import re
 import sys
 
-HERE = os.path.dirname(os.path.abspath(__file__))
-ROOT = os.path.dirname(os.path.dirname(HERE))
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
-Loop = collections.namedtuple("Loop", "file line header limit")
+Loop = collections.namedtuple("Loop", "file line header limit last_line")
+CONSTANT = re.compile(r"\bconstexpr\s+(?:[\w:]+\s+)*?(\w+)\s*=")
+VARIABLE = re.compile(r"(?<!constexpr )(?:\b(?:int|unsigned|auto|u?int\d+_t|size_t)\b[\s&*]+)(\w+)")
+BOUND = re.compile(r"//.*?\bbound: (.+)")
 
 
 def without_comments(text):
@@ -90,57 +97,89 @@ def loops_of(path):
     for match in re.finditer(r"\b(for|while)\s*\(|\bdo\s*\{", text):
         line = text.count("\n", 0, match.start()) + 1
         if match.group(0).startswith("do"):
-            yield Loop(name, line, "do", None)
+            yield Loop(name, line, "do", None, line)
             continue
         at = match.end() - 1
         end = closing(text, at, "()")
+        last_line = text.count("\n", 0, end) + 1
         header = " ".join(text[at + 1:end - 1].split())
         if match.group(1) == "while":
             if text[end:].lstrip().startswith(";") and text[:match.start()].rstrip().endswith("}"):
                 continue  # of do
-            yield Loop(name, line, "while " + header, None)
+            yield Loop(name, line, "while " + header, None, last_line)
         else:
             body = body_of(text, end)
-            yield Loop(name, line, "for " + header, limit_of(header, body))
+            yield Loop(name, line, "for " + header, limit_of(header, body), last_line)
 
 
-def rows_of(name):
-    if "--without-lists" in sys.argv:
-        return []  # for the test that what is not listed is noticed
-    with open(os.path.join(HERE, name)) as file:
-        return list(csv.DictReader(line for line in file if not line.startswith("#")))
+def constants_of(paths):
+    """Names that are constants wherever they are declared."""
+    constants, variables = set(), set()
+    for path in paths:
+        with open(path) as file:
+            text = without_comments(file.read())
+        constants |= set(CONSTANT.findall(text))
+        variables |= set(VARIABLE.findall(text))
+    return constants - variables
+
+
+def bounds_of(path):
+    """Bounds by the number of their line; those in a comment of its own are of the line below it."""
+    with open(path) as file:
+        lines = file.read().split("\n")
+    bounds = {}
+    for number, line in enumerate(lines):
+        found = BOUND.search(line)
+        if found:
+            while lines[number].strip().startswith("//"):
+                number += 1
+            bounds[number + 1] = found[1].strip()
+    return bounds
+
+
+def is_constant(limit, constants):
+    limit = re.sub(r"\bsizeof(\([^()]*\)| \w+)", "0", limit)
+    words = re.findall(r"[A-Za-z_][\w:]*", limit)
+    return all(word == "lanes" or word.startswith("limits::") or word.split("::")[-1] in constants for word in words) and not re.search(r"[.\[>?]", limit)
+
+
+def bounded(path, constants):
+    """The loops of a file as [(loop, bound or None)], and the lines of comments that bound none."""
+    loops, bounds, used = list(loops_of(path)), bounds_of(path), set()
+    own, of_limit = {}, {}
+    for loop in loops:
+        for line in range(loop.line, loop.last_line + 1):
+            if line in bounds and line not in used:
+                used.add(line)
+                own[loop] = bounds[line]
+                of_limit.setdefault(loop.limit, bounds[line])
+                break
+    told = []
+    for loop in loops:
+        bound = own.get(loop)
+        if bound is None and loop.limit is not None:
+            bound = (loop.limit or "the array") if is_constant(loop.limit, constants) else of_limit.get(loop.limit)
+        told.append((loop, bound))
+    return told, ["%s:%d: bounds no loop" % (os.path.relpath(path, ROOT), line) for line in sorted(set(bounds) - used)]
 
 
 def main():
-    paths = sorted(os.path.join(directory, name) for directory, _, names in os.walk(os.path.join(ROOT, "kernel")) for name in names if name.endswith((".h", ".cpp")))
-    loops = [loop for path in paths for loop in loops_of(path)]
-    limits = {(row["file"], row["limit"]): row["bound"] for row in rows_of("limits.csv")}
-    others = {(row["file"], row["header"]): row for row in rows_of("loops.csv")}
-    unknown, used = [], collections.Counter()
-    for loop in loops:
-        if loop.limit is None:
-            key = (loop.file, loop.header)
-            used[key] += 1
-            bound = others[key]["bound"] + ": " + others[key]["reason"] if key in others else None
-        elif loop.limit == "" or re.fullmatch(r"(?:\d+|lanes|[ +*-]|limits::\w+|sizeof\(?[ \w]+\)?)+", loop.limit):
-            bound = loop.limit or "the array"
-        else:
-            key = (loop.file, loop.limit)
-            used[key] += 1
-            bound = limits.get(key)
-        if bound is None:
-            unknown.append("%s:%d: %s: %s" % (loop.file, loop.line, loop.header, "no row in loops.csv" if loop.limit is None else
-                                             "no row in limits.csv for " + loop.limit))
-        if "--list" in sys.argv:
+    folder = next((argument for argument in sys.argv[1:] if not argument.startswith("--")), os.path.join(ROOT, "kernel"))
+    paths = sorted(os.path.join(directory, name) for directory, _, names in os.walk(folder) for name in names if name.endswith((".h", ".cpp")))
+    constants = constants_of(paths)
+    loops, faults = [], []
+    for path in paths:
+        told, stray = bounded(path, constants)
+        loops += told
+        faults += ["%s:%d: %s: no bound: say `// bound: <what>`%s" % (loop.file, loop.line, loop.header, ", and why it ends" if loop.limit is None else
+                                                                  " of " + loop.limit) for loop, bound in told if bound is None] + stray
+    if "--list" in sys.argv:
+        for loop, bound in loops:
             print("%s:%d: %s: %s" % (loop.file, loop.line, loop.header, bound))
-    stale = ["limits.csv: %s: %s bounds no loop" % key for key in limits if not used[key]]
-    for key, row in others.items():
-        if used[key] != int(row["times"]):
-            stale.append("loops.csv: %s: %s stands there %d times" % (*key, used[key]))
-    counted = sum(loop.limit is not None for loop in loops)
+    counted = sum(loop.limit is not None for loop, _ in loops)
     print("%d loops: %d counted, %d with a reason of their own" % (len(loops), counted, len(loops) - counted))
-    if unknown or stale or not loops:
-        sys.exit("\n".join(unknown + stale))
+    if faults or not loops:
+        sys.exit("\n".join(faults))
 
 
 if __name__ == "__main__":

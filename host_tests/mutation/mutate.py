@@ -316,7 +316,7 @@ def killer(number, cases, budget):
 def read_reviewed():
     """Whether a mutant is one of survivors.csv."""
     pieces = collections.defaultdict(list)
-    with open(os.path.join(HERE, "survivors.csv")) as file:
+    with open(os.path.join(os.path.dirname(HERE), "tables", "survivors.csv")) as file:
         for row in csv.DictReader(line for line in file if not line.startswith("#")):
             pieces[row["file"], row["original"], row["mutant"]].append(row["line"])
 

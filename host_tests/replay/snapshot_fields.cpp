@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
+// What stands where is the kernel's own account of it, feature by feature: here nothing of it is written down again.
 #include "replay/snapshot_fields.h"
 
-#include <ingot/world/snapshot_bytes.h>
+#include <ingot/world/snapshot.h>
 
 #include <cstring>
+#include <type_traits>
 
 namespace replay {
 
 namespace {
 
-/// Takes the fields off the bytes one by one, under the name of what they belong to.
+/// Takes the fields off the bytes one by one, under the names that the kernel gives its numbers. Reals are as wide as the snapshot says.
 class Reader {
 public:
     Reader(const std::vector<uint8_t>& bytes, size_t from, size_t to, SnapshotFields& into)
@@ -17,13 +19,20 @@ public:
 
     void at_slot(int slot) { slot_ = slot; }
 
-    uint64_t integer(const char* name, unsigned size) { return add(name, size, false); }
-    void real(const std::string& name) { (void)add(name, into_.doubles ? 8 : 4, true); }
-    void vector(const std::string& name) {
-        for (const char* axis : {".x", ".y", ".z"}) real(name + axis);
+    template <class T, class = std::enable_if_t<std::is_unsigned_v<T>>>
+    void operator()(const char* name, T& number) {
+        number = static_cast<T>(add(name, sizeof number, false));
     }
-    void matrix(const std::string& name) {
-        for (const char* column : {".c0", ".c1", ".c2"}) vector(name + column);
+    void operator()(const std::string& name, ingot::scalar&) { (void)add(name, into_.doubles ? 8 : 4, true); }
+    void operator()(const std::string& name, ingot::Vector& v) {
+        (*this)(name + ".x", v.x);
+        (*this)(name + ".y", v.y);
+        (*this)(name + ".z", v.z);
+    }
+    void operator()(const std::string& name, ingot::Matrix& m) {
+        (*this)(name + ".c0", m.c0);
+        (*this)(name + ".c1", m.c1);
+        (*this)(name + ".c2", m.c2);
     }
     bool at_end() const { return next_ == end_ && !overrun_; }
     bool overrun() const { return overrun_; }
@@ -53,86 +62,24 @@ private:
     bool overrun_ = false;
 };
 
-using Part = ingot::SnapshotPart;
+bool has(uint32_t parts, uint32_t part) { return (parts & part) != 0; }
 
-void read_material(Reader& in, unsigned parts) {
-    if ((parts & Part::rolling) != 0) in.real("rolling_resistance");
-    if ((parts & Part::belts) != 0) in.vector("surface_velocity");
+/// The numbers of all features of the parts that stand in one place.
+template <class Level>
+void read_numbers(Reader& in, uint32_t parts) {
+    ingot::Features::over_all([&](auto feature) {
+        typename Level::template Numbers<decltype(feature)> numbers{};
+        if (has(parts, decltype(feature)::part)) numbers.numbers(in, parts);
+    });
 }
 
-void read_body(Reader& in, unsigned parts) {
-    (void)in.integer("flags", 1);
-    in.matrix("A");
-    in.vector("L");
-    in.vector("tau_T");
-    in.vector("inv_I_ratio");
-    in.real("inv_I_scale");
-    if ((parts & Part::compensation) != 0) in.matrix("A_low");
-    if ((parts & Part::energy) != 0) in.real("E_0");
-    if ((parts & Part::translation) != 0) {
-        in.vector("r_CM");
-        in.vector("v_CM");
-        in.vector("F_T");
-        in.real("inv_M");
-    }
-    const bool several = (parts & Part::compounds) != 0;
-    const uint64_t shape_count = several ? in.integer("shapes", 1) : (parts & Part::surfaces) != 0 ? 1 : 0;
-    for (uint64_t shape_i = 0; shape_i < shape_count; ++shape_i) {
-        (void)in.integer("shape.kind", 1);
-        in.vector("shape.size");
-        in.real("shape.offset");
-        in.real("restitution");
-        in.real("friction");
-        if (!several) read_material(in, parts);
-        if (!several) continue;
-        in.vector("shape.r");
-        in.matrix("shape.A");
-        if ((parts & Part::sensors) != 0) (void)in.integer("sensor", 1);
-        read_material(in, parts);
-    }
-    if ((parts & Part::filters) != 0) {
-        (void)in.integer("filter.category", 4);
-        (void)in.integer("filter.mask", 4);
-    }
-    if ((parts & Part::sensors) != 0 && !several) (void)in.integer("sensor", 1);
-    if ((parts & Part::sleep) != 0) {
-        (void)in.integer("awake", 1);
-        in.real("rest_time");
-    }
-}
-
-void read_anchors(Reader& in) {
-    for (int axis = 0; axis < 3; ++axis) {
-        for (int point_i = 0; point_i < ingot::Manifold::points_max; ++point_i) in.real("on_A");
-        for (int point_i = 0; point_i < ingot::Manifold::points_max; ++point_i) in.real("on_B");
-    }
-    for (int point_i = 0; point_i < ingot::Manifold::points_max; ++point_i) in.real("found_at");
-    in.vector("n_A");
-    in.vector("n_B");
-    in.real("margin");
-}
-
-void read_manifold(Reader& in, uint16_t parts) {
-    (void)in.integer("body_A", 2);
-    (void)in.integer("body_B", 2);
-    (void)in.integer("points", 2);
-    in.vector("n");
-    for (int point_i = 0; point_i < ingot::Manifold::points_max; ++point_i) {
-        in.vector("P");
-        in.real("separation");
-        (void)in.integer("feature", 4);
-        in.real("j");
-        in.real("j_before");
-    }
-    in.real("mu");
-    in.real("e");
-    in.vector("j_friction");
-    in.vector("j_reference");
-    in.real("j_torsion");
-    (void)in.integer("substeps", 2);
-    if ((parts & Part::anchors) != 0) read_anchors(in);
-    if ((parts & Part::unsettled) != 0) (void)in.integer("unsettled", 1);
-    if ((parts & Part::rolling) != 0) in.vector("j_rolling");
+void read_body(Reader& in, uint32_t parts) {
+    ingot::SavedBody body{};
+    body.numbers(in, parts);
+    uint8_t shape_count = 1;
+    if (has(parts, ingot::Compounds::part)) in("shapes", shape_count);
+    for (int shape_i = 0; shape_i < shape_count; ++shape_i) read_numbers<ingot::OfShape>(in, parts);
+    read_numbers<ingot::OfBody>(in, parts);
 }
 
 }  // namespace
@@ -160,29 +107,32 @@ std::string read_fields(const std::vector<uint8_t>& bytes, SnapshotFields& snaps
     if (header.format != ingot::snapshot_format) return "a snapshot of another format";
 
     snapshot = {};
-    snapshot.doubles = (header.parts & Part::doubles) != 0;
+    const uint32_t parts = header.parts;
+    snapshot.doubles = has(parts, ingot::SnapshotPart::doubles);
     snapshot.signature = header.signature;
     Reader in(bytes, header_size, bytes.size() - checksum_size, snapshot);
-    (void)in.integer("world_tag", 2);
-    (void)in.integer("steps", 4);
-    const uint64_t slots_used = in.integer("slots_used", 4);
-    (void)in.integer("free_hint", 4);
-    if ((header.parts & Part::translation) != 0) in.vector("gravity");
-    if ((header.parts & Part::energy) != 0) in.real("h_before");
-    if ((header.parts & Part::field) != 0) {
-        in.real("t");
-        in.real("t_low");
-        for (uint32_t byte_i = 0; byte_i < header.field_size && !in.overrun(); ++byte_i) (void)in.integer("force_field", 1);
-    }
-    for (uint64_t slot = 0; slot < slots_used && !in.overrun(); ++slot) {
+    ingot::SavedWorld whole{};
+    whole.numbers(in);
+    read_numbers<ingot::OfWorld>(in, parts);
+    uint8_t byte_of_field = 0;
+    for (uint32_t byte_i = 0; byte_i < header.field_size && !in.overrun(); ++byte_i) in("force_field", byte_of_field);
+    for (uint32_t slot = 0; slot < whole.slots_used && !in.overrun(); ++slot) {
         in.at_slot(static_cast<int>(slot));
-        if (in.integer("generation", 4) % 2 == 1) read_body(in, header.parts);
+        uint32_t generation = 0;
+        in("generation", generation);
+        if (generation % 2 == 1) read_body(in, parts);
     }
-    if ((header.parts & Part::manifolds) != 0) {
-        in.at_slot(-1);
-        const uint64_t manifolds = in.integer("manifolds", 2);
-        for (uint64_t manifold_i = 0; manifold_i < manifolds && !in.overrun(); ++manifold_i) read_manifold(in, header.parts);
-    }
+    in.at_slot(-1);
+    uint16_t manifolds = 0;
+    if (has(parts, ingot::Manifolds::part)) in("manifolds", manifolds);
+    for (int manifold_i = 0; manifold_i < manifolds && !in.overrun(); ++manifold_i) read_numbers<ingot::OfManifold>(in, parts);
+    ingot::Features::over_all([&](auto feature) {
+        using F = decltype(feature);
+        uint16_t entries = 0;
+        if (F::has_entries && has(parts, F::part)) in("entries", entries);
+        typename F::OfEntry entry{};
+        for (int entry_i = 0; entry_i < entries && !in.overrun(); ++entry_i) entry.numbers(in, parts);
+    });
     return in.at_end() ? "" : "a snapshot whose counts do not fit its length";
 }
 

@@ -126,7 +126,7 @@ std::vector<Section> all_sections(const Rows& rows) {
          "Microcontrollers",
          {"The same source as firmware on emulated cores. Instructions are executed ones, counted by the emulator: exact, but "
           "not cycles. Flash counts what the scene adds to a firmware of "
-          "nothing, soft float included. Measured by the cross builds and kept in `host_tests/report/methods.csv`, which their "
+          "nothing, soft float included. Measured by the cross builds and kept in `host_tests/tables/methods.csv`, which their "
           "tests check."},
          {},
          {cores_table(rows), scenes_table(rows)}},

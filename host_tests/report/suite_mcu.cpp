@@ -8,7 +8,7 @@ namespace report {
 using ingot_reference::CsvTable;
 
 std::vector<FlopCount> read_flops() {
-    const CsvTable table(INGOT_REPORT_DIR, "flops.csv");
+    const CsvTable table(INGOT_TABLES_DIR, "flops.csv");
     std::vector<FlopCount> counts;
     for (std::size_t row = 0; row < table.row_count(); ++row) {
         counts.push_back({table.text(row, "method"), table.text(row, "scalar"), static_cast<int>(table.number(row, "rate")),
@@ -19,8 +19,8 @@ std::vector<FlopCount> read_flops() {
 }
 
 void run_mcu(Rows& rows) {
-    const CsvTable scenes(INGOT_BUDGETS_DIR, "budgets.csv");
-    const CsvTable methods(INGOT_REPORT_DIR, "methods.csv");
+    const CsvTable scenes(INGOT_TABLES_DIR, "budgets.csv");
+    const CsvTable methods(INGOT_TABLES_DIR, "methods.csv");
     const auto add_columns = [&](const CsvTable& table, std::size_t row, const std::string& case_name,
                                  const std::string& method) {
         for (const std::string& column : table.columns()) {

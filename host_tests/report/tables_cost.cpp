@@ -60,11 +60,11 @@ Table throughput_table(const Rows& rows) {
 }
 
 Table cores_table(const Rows& rows) {
-    Table table{"One body on three cores",
+    Table table{"One body on two cores",
                 "One body that only turns (book case, 60 Hz), the whole public step, float. Instructions a step: mean, and on "
                 "the Cortex-M4F the worst of 1000. Flash and RAM in bytes; the world is all the "
                 "RAM there is but the stack.",
-                {{"method", "instructions, M0", "M4F", "M4F, worst", "M7", "flash, M0", "M4F", "M7", "RAM of the world"}}};
+                {{"method", "instructions, M0", "M4F", "M4F, worst", "flash, M0", "M4F", "RAM of the world"}}};
     for (const MethodInfo& info : method_infos()) {
         const auto at = [&](const char* core, const char* metric) {
             return number_text(on_core(rows, "book", info.name, core, metric), "%.0f");
@@ -72,8 +72,7 @@ Table cores_table(const Rows& rows) {
         const char* const mean = "instructions_per_body_step";
         if (at("cortex-m4f", mean).empty()) continue;
         table.cells.push_back({info.name, at("cortex-m0", mean), at("cortex-m4f", mean), at("cortex-m4f", "instructions_worst"),
-                               at("cortex-m7", mean), at("cortex-m0", "flash"), at("cortex-m4f", "flash"),
-                               at("cortex-m7", "flash"), at("cortex-m4f", "world_ram")});
+                               at("cortex-m0", "flash"), at("cortex-m4f", "flash"), at("cortex-m4f", "world_ram")});
     }
     return table;
 }

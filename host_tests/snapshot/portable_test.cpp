@@ -125,7 +125,7 @@ TEST(Portable, numbers_go_from_the_lowest_byte_up) {
     EXPECT_EQ(bytes[20], bytes.size() & 0xff);
     EXPECT_EQ(bytes[21], bytes.size() >> 8);
     const uint8_t tag_and_steps[] = {0x34, 0x12, 0x02, 0x01, 0x00, 0x00};
-    EXPECT_EQ(memcmp(bytes.data() + 30, tag_and_steps, sizeof tag_and_steps), 0);
+    EXPECT_EQ(memcmp(bytes.data() + 32, tag_and_steps, sizeof tag_and_steps), 0);
 }
 
 }  // namespace

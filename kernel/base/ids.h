@@ -9,10 +9,14 @@ namespace ingot { inline namespace INGOT_ABI {
 ///
 /// `generation` counts the additions and removals of its slot: odd while a body lives there, so an id outlives its body
 /// without ever naming another. A slot whose counter is used up is not given out again.
+///
+/// An id says nothing else of its world than the tag, and a world that was given none has the tag 0: of two worlds of one tag, each takes the ids of
+/// the other for its own where slot and generation fit. A world holds no pointer and knows of no other, so nothing can tell: who has two worlds gives
+/// each a tag.
 struct BodyId {
-    uint16_t slot;
-    uint16_t world_tag;     ///< World::set_tag; tells apart the ids of several worlds of one scene
-    uint32_t generation;
+    uint16_t slot{};
+    uint16_t world_tag{};   ///< World::set_tag; tells apart the ids of several worlds of one scene
+    uint32_t generation{};
 
     constexpr bool operator==(const BodyId& other) const {
         return slot == other.slot && world_tag == other.world_tag && generation == other.generation;

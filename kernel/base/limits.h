@@ -34,6 +34,8 @@ inline constexpr scalar spin_runaway  = scalar(1e9);   ///< rad/s
 // Tolerances of input.
 /// Largest entry of |A^T A - 1| that is taken for a rotation; it is then made orthonormal at the door.
 inline constexpr scalar orthogonality = scalar(1e-2);
+/// The same of a rotation that was one at the door, however it has turned since: a snapshot with more is none of ours.
+inline constexpr scalar orthogonality_kept = 1024 * epsilon;
 /// Relative excess of one moment over the sum of the other two that is taken for rounding (a flat plate has none to spare).
 inline constexpr scalar triangle_inequality = scalar(1e-5);
 /// | |n|^2 - 1 | of a direction; the direction is used as it is given.
@@ -67,14 +69,14 @@ inline constexpr int sweeps = 3;                  ///< over all contacts in a su
 /// loads find their way. A stack of boxes would shift twice as far.
 inline constexpr int sweeps_of_balls = 2;
 inline constexpr int sweeps_of_new = 12;        ///< while more than a quarter of the contacts are younger than four steps
-inline constexpr int small_island = 64;          ///< a world with no more of them is swept by the two that follow
+inline constexpr int small_island = 64;          ///< an island with no more of them is swept by the two that follow
 inline constexpr int sweeps_of_small = 64;          ///< the most sweeps of a substep there
 inline constexpr scalar settled_speed_of_small = scalar(2e-7);  ///< m/s; settled_speed there
 /// m/s; a sweep that corrects no speed by more than this is the last of its substep. Contacts at rest then cost one sweep. What is left adds up to
 /// less than 0.1 mm in a minute. In a longer substep so much more: it is an acceleration.
 inline constexpr scalar settled_speed = scalar(1.5e-6);
 /// m/s; what fast bodies round a solve is not waited for, but no more than at this speed: in float 4 epsilon of it are half of sleep_speed, and what
-/// is at rest elsewhere in the same world must stay so.
+/// is at rest elsewhere in the same island must stay so.
 inline constexpr scalar rounding_speed_max = 1000;
 inline constexpr scalar active_share = scalar(0.5);     ///< of settled_speed: contacts of bodies that a sweep stirs by more are visited by the next
 /// Where nothing that touches accelerates by more than this share of what gravity and forces give it, a step is cut into fewer
@@ -128,7 +130,7 @@ inline constexpr int direct_sets_max = 16;                  ///< tried in a solv
 inline constexpr int direct_refinements_max = 12;                  ///< of a solve
 inline constexpr int direct_refinements_of_sliding = 1;            ///< of one with sliding friction, which is not linear
 inline constexpr int direct_newton_steps_max = 6;                  ///< with the same set, where something slides
-/// Multiplications that the attempts at all islands may spend on factors: before the sweeps of a substep, after them, and for positions,
+/// Multiplications that the attempts at an island may spend on factors: before the sweeps of a substep, after them, and for positions,
 /// each. 40 cubes on each other take 40000. What takes more is swept.
 inline constexpr int direct_work_max = 200000;
 inline constexpr double direct_diagonal = 1e-12;             ///< added to the diagonal, as a fraction of it: rows that depend on each other

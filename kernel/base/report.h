@@ -24,23 +24,25 @@ struct DirectBits {
 /// What a step has to say. Nothing is lost silently: a full array, a body taken out of the motion, an iteration that
 /// stopped at its bound each have a count here, which stops at 65535.
 struct [[nodiscard]] StepReport {
-    Status status;               ///< bad_step: the step was refused and nothing has changed
-    uint8_t direct;              ///< DirectBits
+    Status status{};             ///< bad_step: the step was refused and nothing has changed
+    uint8_t direct{};            ///< DirectBits
 
-    uint16_t bodies_frozen;      ///< driven out of range in this step: they stand still, see World::is_frozen
-    uint16_t spins_clamped;      ///< turned by the largest angle a step allows instead of omega h: lower h
-    uint16_t contacts;           ///< contacts found
-    uint16_t contacts_lost;      ///< shallower than those kept, and no room: raise Scene::max_contacts
-    uint16_t pairs_untested;     ///< pairs of shapes that overlap by their bounds, and for which the kernel has no test yet
-    uint16_t impact_waves;       ///< rounds of simultaneous impacts that were resolved
+    uint16_t bodies_frozen{};    ///< driven out of range in this step: they stand still, see World::is_frozen
+    uint16_t spins_clamped{};    ///< turned by the largest angle a step allows instead of omega h: lower h
+    uint16_t contacts{};         ///< contacts found
+    /// no room: raise Scene::max_manifolds, or max_contacts in a scene of impacts without friction; pairs_lost are among them
+    uint16_t contacts_lost{};
+    uint16_t pairs_lost{};       ///< of contacts_lost, pairs whose bounds overlap: raise Scene::max_pairs
+    uint16_t pairs_untested{};   ///< pairs of shapes that overlap by their bounds, and for which the kernel has no test yet
+    uint16_t impact_waves{};     ///< rounds of simultaneous impacts that were resolved
     /// contacts still approaching after limits::impact_waves_max or impacts_of_contact, fast bodies that wait for the next step where they met
     /// something
-    uint16_t impacts_deferred;
-    uint16_t sweeps;             ///< sweeps over contacts, in all
-    uint16_t overlaps_lost;      ///< bodies in a sensor, and no room: raise Scene::max_overlaps
-    scalar residual;             ///< m/s; the largest speed that the last sweep over manifolds still corrected
-    uint16_t sweeps_unfinished;  ///< solves that stopped at limits::contact_sweeps_max
-    uint16_t events_lost;        ///< no room: raise Scene::max_events
+    uint16_t impacts_deferred{};
+    uint16_t sweeps{};           ///< sweeps over contacts in all substeps: the most that an island took
+    uint16_t overlaps_lost{};    ///< bodies in a sensor, and no room: raise Scene::max_overlaps
+    scalar residual{};           ///< m/s; the largest speed that the last sweep over manifolds still corrected
+    uint16_t sweeps_unfinished{};  ///< solves that stopped at limits::contact_sweeps_max
+    uint16_t events_lost{};      ///< no room: raise Scene::max_events
 
     /// True when the step did all it was asked for, in full.
     constexpr bool clean() const {
@@ -49,5 +51,11 @@ struct [[nodiscard]] StepReport {
                overlaps_lost == 0 && events_lost == 0 && (direct & DirectBits::refused) == 0;
     }
 };
+
+/// An island tells how many sweeps it took, and what the last of them still corrected: the most count.
+inline void note_sweeps(StepReport& report, int sweeps, scalar residual) {
+    if (sweeps > report.sweeps) report.sweeps = static_cast<uint16_t>(sweeps < 65535 ? sweeps : 65535);
+    if (residual > report.residual) report.residual = residual;
+}
 
 } }  // namespace ingot

@@ -13,7 +13,7 @@ Vector omega_of(const BodyView& bodies, int slot) {
 }
 
 void refresh_inv_I_world(const BodyView& bodies) {
-    for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) {
+    for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) {  // bound: max_bodies / lanes, rounded up
         const RotationTile& tile = bodies.rotation[tile_i];
         const Vec3<lane> inv_I_body = load(tile.inv_I_ratio) * load(tile.inv_I_scale);
         store(bodies.translation[tile_i].inv_I_world, inverse_inertia_world(load(tile.A), inv_I_body));

@@ -41,7 +41,9 @@ ScaledInverseInertia scaled_inverse_inertia(const Vector& I_body) {
     const Vector J = {1 / I_body.x, 1 / I_body.y, 1 / I_body.z};
     const scalar sum = J.x + J.y + J.z;
     scalar scale = 1;  // bounded: inertia_min .. inertia_max keeps the sum within 2^-62 .. 2^63
+    // bound: 63: the sum is within 2^-62 .. 2^63: inertia_min .. inertia_max
     while (scale < sum) scale *= 2;
+    // bound: 62: the sum is within 2^-62 .. 2^63: inertia_min .. inertia_max
     while (scale * scalar(0.5) >= sum) scale *= scalar(0.5);
     return {J * (1 / scale), scale};
 }

@@ -10,10 +10,10 @@ namespace ingot { inline namespace INGOT_ABI {
 /// The primary state of a body (Hecker 1997): the body frame has its origin at the centre of mass and lies along the
 /// principal axes of inertia.
 struct BodyState {
-    Vector r_CM;                               ///< m, world
-    Vector v_CM;                               ///< m/s, world
+    Vector r_CM{};                             ///< m, world
+    Vector v_CM{};                             ///< m/s, world
     Matrix A = identity_matrix<scalar>();      ///< body to world
-    Vector L;                                  ///< kg m^2/s, world, about the centre of mass
+    Vector L{};                                ///< kg m^2/s, world, about the centre of mass
 };
 
 /// Errors: not_finite, bad_mass, bad_inertia (a moment outside limits::inertia_min .. inertia_max, larger than the sum of

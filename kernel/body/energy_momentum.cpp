@@ -32,6 +32,7 @@ Vector angular_momentum_of(const BodyView& bodies, int slot) {
 
 scalar kinetic_energy_of_all(const BodyView& bodies) {
     scalar sum = 0;
+    // bound: max_bodies, rounded up to whole tiles
     for (int slot = 0; slot < bodies.tile_count * lanes; ++slot) sum += kinetic_energy_of(bodies, slot);
     return sum;
 }

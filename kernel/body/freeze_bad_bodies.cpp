@@ -6,6 +6,7 @@ namespace ingot { inline namespace INGOT_ABI {
 namespace {
 
 void zero_rows(scalar (*rows)[lanes], int lane_i, int count) {
+    // bound: 9: numbers of a matrix
     for (int row_i = 0; row_i < count; ++row_i) rows[row_i][lane_i] = 0;
 }
 
@@ -30,7 +31,7 @@ void make_immovable(const BodyView& bodies, Place at) {
 
 int freeze_bad_bodies(const BodyView& bodies) {
     int count = 0;
-    for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) {
+    for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) {  // bound: max_bodies / lanes, rounded up
         RotationTile& tile = bodies.rotation[tile_i];
         if (bodies.translation != nullptr) tile.bad = static_cast<uint16_t>(tile.bad | bodies.translation[tile_i].bad);
         if (tile.bad == 0) continue;

@@ -14,7 +14,7 @@ int freeze_bad_bodies(const BodyView& bodies);
 
 /// True when a body is marked: freeze_bad_bodies may have something to do.
 inline bool any_bad_bodies(const BodyView& bodies) {
-    for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) {
+    for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) {  // bound: max_bodies / lanes, rounded up
         if (bodies.rotation[tile_i].bad != 0) return true;
         if (bodies.translation != nullptr && bodies.translation[tile_i].bad != 0) return true;
     }

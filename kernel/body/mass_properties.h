@@ -20,22 +20,22 @@ namespace ingot { inline namespace INGOT_ABI {
 
 /// Mass, centre of mass and inertia of a solid, all in the frame its user models it in.
 struct MassDistribution {
-    scalar M;                ///< kg
-    Vector r_CM;             ///< m, centre of mass in the user's frame
-    SymmetricMatrix I;       ///< kg m^2, about the centre of mass, along the user's axes
+    scalar M{};              ///< kg
+    Vector r_CM{};           ///< m, centre of mass in the user's frame
+    SymmetricMatrix I{};     ///< kg m^2, about the centre of mass, along the user's axes
 };
 
 /// The same in the body frame of the kernel: origin at the centre of mass, axes along the principal axes.
 struct MassProperties {
-    scalar M;            ///< kg
-    Vector I_body;       ///< kg m^2, principal moments
-    Vector r_CM;         ///< m, centre of mass in the user's frame: keeps that frame reachable
+    scalar M{};          ///< kg
+    Vector I_body{};     ///< kg m^2, principal moments
+    Vector r_CM{};       ///< m, centre of mass in the user's frame: keeps that frame reachable
     Matrix A_principal = identity_matrix<scalar>();  ///< columns are the principal axes in the user's frame; a rotation
 };
 
 /// A triangle of a mesh: indices of its vertices, counter-clockwise as seen from outside the solid.
 struct MeshTriangle {
-    int a, b, c;
+    int a{}, b{}, c{};
 };
 
 namespace solids {
@@ -233,7 +233,7 @@ constexpr uint64_t signed_edge_hash(int a, int b) {
 /// Cost: one pass, no memory, about 20 integer operations an edge.
 constexpr bool is_closed(const MeshTriangle* triangles, int triangle_count) {
     uint64_t sum = 0;
-    for (int i = 0; i < triangle_count; ++i) {
+    for (int i = 0; i < triangle_count; ++i) {  // bound: the argument of the caller, who owns the mesh; not in the step
         const MeshTriangle& t = triangles[i];
         sum += signed_edge_hash(t.a, t.b) + signed_edge_hash(t.b, t.c) + signed_edge_hash(t.c, t.a);
     }
@@ -242,7 +242,7 @@ constexpr bool is_closed(const MeshTriangle* triangles, int triangle_count) {
 
 constexpr Status check_mesh(const Vector* vertices, int vertex_count, const MeshTriangle* triangles, int triangle_count) {
     if (vertices == nullptr || triangles == nullptr || vertex_count < 4 || triangle_count < 4) return Status::bad_shape;
-    for (int i = 0; i < vertex_count; ++i) {
+    for (int i = 0; i < vertex_count; ++i) {  // bound: the argument of the caller, who owns the mesh; not in the step
         const Vector& v = vertices[i];
         if (!is_finite(v)) return Status::not_finite;
         if (!(abs(v.x) <= limits::position_max && abs(v.y) <= limits::position_max && abs(v.z) <= limits::position_max))

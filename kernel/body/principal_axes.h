@@ -39,7 +39,7 @@ struct Tensor {
 /// 1.7e-3, 1.5e-6, 1.1e-12, 7e-25.
 constexpr scalar sqrt_of_1_to_2(scalar x) {
     scalar root = (1 + x) / 2;
-    for (int step_i = 0; step_i < (INGOT_DOUBLE ? 4 : 3); ++step_i) root = (root + x / root) / 2;
+    for (int step_i = 0; step_i < (INGOT_DOUBLE ? 4 : 3); ++step_i) root = (root + x / root) / 2;  // bound: 4
     return root;
 }
 

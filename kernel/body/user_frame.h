@@ -18,14 +18,14 @@ namespace ingot { inline namespace INGOT_ABI {
 
 /// Where the user's frame is.
 struct UserPose {
-    Vector r;                                ///< m, its origin, world
+    Vector r{};                              ///< m, its origin, world
     Matrix A = identity_matrix<scalar>();    ///< its axes: user's frame to world; a rotation
 };
 
 /// How the user's frame moves.
 struct UserMotion {
-    Vector v;      ///< m/s, of its origin, world
-    Vector omega;  ///< rad/s, world
+    Vector v{};    ///< m/s, of its origin, world
+    Vector omega{};  ///< rad/s, world
 };
 
 /// The pose of the user's frame, from the state of the body: A = A_body A_principal^T, r = r_CM - A r_CM_user (Eq. 11).

@@ -5,6 +5,7 @@ namespace ingot { inline namespace INGOT_ABI {
 
 void find_all_pairs(const BodyView& bodies, const BoundsTile* bounds, const PairList& pairs) {
     *pairs.count = *pairs.lost = 0;
+    // bound: max_bodies max_shapes_of_body, rounded up to whole tiles: the view of all shapes
     for (int slot_A = 0; slot_A < bodies.tile_count * lanes; ++slot_A) {
         const Place A = place_of(slot_A);
         const Vector low = lane_of(bounds[A.tile].fat_low, A.lane), high = lane_of(bounds[A.tile].fat_high, A.lane);
@@ -12,6 +13,7 @@ void find_all_pairs(const BodyView& bodies, const BoundsTile* bounds, const Pair
         const lane low_x = splat<lane>(low.x), low_y = splat<lane>(low.y), low_z = splat<lane>(low.z);
         const lane high_x = splat<lane>(high.x), high_y = splat<lane>(high.y), high_z = splat<lane>(high.z);
         const bool A_moves = bodies.translation[A.tile].inv_M[A.lane] > 0;
+        // bound: max_bodies max_shapes_of_body / lanes, rounded up: the view of all shapes
         for (int tile_B = A.tile; tile_B < bodies.tile_count; ++tile_B) {
             const BoundsTile& B = bounds[tile_B];
             const mask along_x = both(load(B.fat_low[0]) <= high_x, low_x <= load(B.fat_high[0]));
@@ -21,6 +23,7 @@ void find_all_pairs(const BodyView& bodies, const BoundsTile* bounds, const Pair
             if (!any(overlap)) continue;
             unsigned found = bits(A_moves ? overlap : both(overlap, load(bodies.translation[tile_B].inv_M) > lane{}));
             if (tile_B == A.tile) found &= ~((2u << A.lane) - 1u);
+            // bound: lanes: found has a bit a lane
             for (int lane_B = 0; found != 0; ++lane_B, found >>= 1)
                 if ((found & 1u) != 0) pairs.add(slot_A, tile_B * lanes + lane_B);
         }

@@ -16,6 +16,7 @@ void find_all_awake_pairs(const SearchView& search, const PairList& pairs);
 
 /// `using broad_phase = ingot::AllPairs;`, for up to a few hundred bodies.
 struct AllPairs {
+    static constexpr const char* name = "all_pairs";
     template <int max_bodies, int max_pairs>
     struct Memory {
         void find_pairs(const BodyView& bodies, const BoundsTile* bounds, const PairList& pairs) { find_all_pairs(bodies, bounds, pairs); }

@@ -29,6 +29,7 @@ void invalidate_bounds(BoundsTile* bounds, int slot) {
 
 bool refresh_bounds(const BodyView& bodies, const SurfaceView& surfaces, scalar h, BoundsTile* bounds) {
     mask left = splat<lane>(1) < lane{};
+    // bound: max_bodies max_shapes_of_body / lanes, rounded up: the view of all shapes
     for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) {
         BoundsTile& tile = bounds[tile_i];
         for (int lane_i = 0; lane_i < lanes; ++lane_i) {

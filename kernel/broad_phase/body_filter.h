@@ -7,8 +7,8 @@ namespace ingot { inline namespace INGOT_ABI {
 
 /// Whom a body meets: two bodies meet when each is of a category that the other's mask names.
 struct BodyFilter {
-    uint32_t category;  ///< bits: what the body is
-    uint32_t mask;      ///< bits: what it meets
+    uint32_t category{};  ///< bits: what the body is
+    uint32_t mask{};    ///< bits: what it meets
 };
 
 /// Bodies that say nothing else are of the first category and meet all.

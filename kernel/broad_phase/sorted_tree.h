@@ -61,11 +61,13 @@ void find_due_pairs_by_tree(const SearchView& search, const KeptTreeView& tree, 
 
 /// `using broad_phase = ingot::SortedTree;`, for hundreds to tens of thousands of bodies.
 struct SortedTree {
+    static constexpr const char* name = "sorted_tree";
     template <int max_bodies, int max_pairs>
     struct Memory {
         static constexpr int leaf_count = (max_bodies + leaf_bodies - 1) / leaf_bodies;
         static constexpr int places() {
             int n = 1;
+            // bound: log2(max_bodies max_shapes_of_body): n doubles; computed by the compiler
             while (n < leaf_count) n *= 2;
             return n;
         }

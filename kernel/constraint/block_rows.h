@@ -137,7 +137,7 @@ INGOT_INLINE PairImpulse solve_pair(Pair& pair, lane u_1, lane u_2, lane limit, 
 }
 
 /// True where a manifold has that point.
-INGOT_INLINE mask is_used(const ContactBlock& block, int row) { return load(block.B[Sym4::index(row, row)]) > lane{}; }
+INGOT_INLINE mask is_used(const ContactBlock& block, int row) { return load(block.count) > splat<lane>(static_cast<scalar>(row)); }
 
 INGOT_INLINE mask bounces(const ContactRow& row) { return load(row.landing) < splat<lane>(limits::unbounded); }
 

@@ -2,6 +2,7 @@
 // The four normals of a manifold as one complementarity problem, in lanes.
 #pragma once
 
+#include "../base/limits.h"
 #include "../math/vec3.h"
 
 #pragma GCC diagnostic push
@@ -35,7 +36,7 @@ INGOT_INLINE void store(scalar (&rows)[10][lanes], const Sym4& m) {
 /// The inverse of a positive definite matrix, by the symmetric sweep operator. Cost: 4 divisions, about 120 flops.
 template <int rows>
 INGOT_INLINE Sym4 inverse(Sym4 m) {
-    for (int pivot = 0; pivot < rows; ++pivot) {
+    for (int pivot = 0; pivot < rows; ++pivot) {  // bound: 4: block_rows
         const lane inv = splat<lane>(1) / m(pivot, pivot);
         lane column[block_rows];
         for (int row = 0; row < rows; ++row) column[row] = m(row, pivot);
@@ -116,19 +117,32 @@ INGOT_INLINE Attempt solve_with(const scalar (&K_rows)[10][lanes], const scalar 
     return attempt;
 }
 
+/// The inverse of the compliance of the rows in use, which are the first ones; zero for the others. Where there are more than one, with
+/// limits::block_diagonal times the diagonal: four points have rank 3, and two that all but coincide have rank 1.
+template <int rows>
+INGOT_INLINE Sym4 inverse_of_used(const Sym4& K, lane count) {
+    const lane one = splat<lane>(1), factor = select(count > one, splat<lane>(limits::block_diagonal), one);
+    Sym4 stiffened = K;
+    for (int row = 0; row < rows; ++row) stiffened(row, row) = K(row, row) * factor;
+    Sym4 all = inverse<rows>(stiffened);
+    for (int row = 0; row < rows; ++row)
+        for (int c = row; c < rows; ++c) all(row, c) = select(count > splat<lane>(static_cast<scalar>(c)), all(row, c), lane{});
+    return all;
+}
+
 /// The search for the rows that are out: from none, the most negative is dropped from the inverse by a rank-one change while there is one.
 template <int rows>
-INGOT_RARE Row4 drop_rows(const Sym4& K, const Sym4& B, Sym4& left, const Row4& w, const Row4& before, const mask (&pulls)[block_rows]) {
+INGOT_RARE Row4 drop_rows(const Sym4& K, lane count, Sym4& left, const Row4& w, const Row4& before, const mask (&pulls)[block_rows]) {
     const lane one = splat<lane>(1);
+    left = inverse_of_used<rows>(K, count);
     Row4 l;
     lane lowest{};
     for (int row = 0; row < rows; ++row) {
         lane d{};
-        for (int c = 0; c < rows; ++c) d = d + B(row, c) * w.at[c];
+        for (int c = 0; c < rows; ++c) d = d + left(row, c) * w.at[c];
         l.at[row] = before.at[row] - d;
         lowest = min(lowest, select(pulls[row], lane{}, l.at[row]));
     }
-    left = B;
     mask negative = lowest < lane{}, dropped[block_rows] = {};
     const mask was_negative = negative;
     for (int drop_i = 0; drop_i < rows && any(negative); ++drop_i) {
@@ -175,20 +189,19 @@ INGOT_RARE Row4 drop_rows(const Sym4& K, const Sym4& B, Sym4& left, const Row4& 
 
 /// l >= 0 with w + K (l - before) >= 0 and one of the two zero in each row. A row that `pulls` takes any sign.
 ///
-/// K is the compliance of the rows, B the inverse of K with 1.01 of its diagonal, `cached_inverse` the inverse without the rows that were
-/// out at the last visit: when they still are, its product with w is the answer. Else the search begins anew; with `hold`, cached_inverse
-/// keeps what it finds. Rows that are not used have zero rows in B and cached_inverse, 1 on the diagonal of K, and w = 0; with or without
-/// them, the others come out the same to the bit.
+/// K is the compliance of the rows, `cached_inverse` inverse_of_used without the rows that were out at the last visit: when they still are,
+/// its product with w is the answer. Else the search begins anew; with `hold`, cached_inverse keeps what it finds. Rows that are not used
+/// have zero rows in cached_inverse, 1 on the diagonal of K, and w = 0; with or without them, the others come out the same to the bit.
 /// slack: speed, or length, at which a row that is out may approach unnoticed. Bound: 4 drops, 6 rounds.
 /// Source: active set by symmetric sweeps; the cached inverse, and the start over, are ours.
 template <int rows, bool hold>
-INGOT_INLINE Row4 solve_block(const scalar (&K_rows)[10][lanes], const scalar (&B_rows)[10][lanes], scalar (&cached_inverse)[10][lanes],
+INGOT_INLINE Row4 solve_block(const scalar (&K_rows)[10][lanes], const scalar (&count)[lanes], scalar (&cached_inverse)[10][lanes],
                               const Row4& w, const Row4& before, const mask (&pulls)[block_rows], scalar slack, mask active) {
     Attempt attempt = solve_with<rows>(K_rows, cached_inverse, w, before, pulls, slack);
     attempt.fails = both(attempt.fails, active);
     if (!any(attempt.fails)) return attempt.l;
     Sym4 left;
-    const Row4 found = drop_rows<rows>(load_sym4(K_rows), load_sym4(B_rows), left, w, before, pulls);
+    const Row4 found = drop_rows<rows>(load_sym4(K_rows), load(count), left, w, before, pulls);
     for (int row = 0; row < rows; ++row) attempt.l.at[row] = select(attempt.fails, found.at[row], attempt.l.at[row]);
     if constexpr (hold)
         for (int row = 0; row < rows; ++row)

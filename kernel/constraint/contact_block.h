@@ -49,6 +49,8 @@ struct TorsionRow {
 struct ContactBlock {
     uint16_t body_A[lanes], body_B[lanes];  ///< of SolverBody
     uint16_t manifold[lanes];               ///< no_manifold in a spare lane
+    uint16_t island[lanes];                 ///< of SolverView::islands
+    uint8_t sum_i[lanes];                   ///< which of the eight sums of its island its change is added to
     int rows;                               ///< 1 where no manifold of the block has more points, else block_rows
     bool central;                           ///< one row, and no normal has a lever: balls
     scalar inv_M_A[lanes], inv_M_B[lanes];  ///< kg^-1
@@ -56,9 +58,11 @@ struct ContactBlock {
     scalar mu[lanes], e[lanes];             ///< friction, restitution
     scalar substeps[lanes];                 ///< the manifold has lived
     scalar change[lanes];                   ///< J, of the sweep: sum of (change of impulse)^2 times compliance
+    scalar fastest[lanes];                  ///< m/s, of the sweep: the largest speed that it corrected
     FrictionPair friction;
-    scalar K[10][lanes], B[10][lanes];      ///< compliance of the normals, and its inverse with 1.01 of the diagonal
-    scalar cached_inverse[10][lanes];                 ///< B without the rows that were out at the last visit; see solve_block
+    scalar count[lanes];                    ///< of its points
+    scalar K[10][lanes];                    ///< compliance of the normals
+    scalar cached_inverse[10][lanes];       ///< and its inverse without the rows that were out at the last visit; see solve_block
     ContactRow row[block_rows];             ///< what blocks of one row do not use comes last
     TorsionRow torsion;
 };

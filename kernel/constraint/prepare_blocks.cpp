@@ -55,14 +55,13 @@ struct Collected {
     scalar n[3][lanes], P[block_rows][3][lanes], used[block_rows][lanes], separation[block_rows][lanes];
 };
 
-/// Names the manifolds and bodies of a block, and collects them. A body that is 0 to the solver is all zero here too; between two of them there
+/// Names the bodies of a block, and collects them. A body that is 0 to the solver is all zero here too; between two of them there
 /// is nothing to solve: the lane is as if it had no points.
-void collect(const SolverView& solver, const BodyView& bodies, int block_i, ContactBlock& block, Collected& in) {
+void collect(const SolverView& solver, const BodyView& bodies, ContactBlock& block, Collected& in) {
     block.rows = 1;
     for (int lane_i = 0; lane_i < lanes; ++lane_i) {
-        const uint16_t manifold_i = solver.order[block_i * lanes + lane_i];
+        const uint16_t manifold_i = block.manifold[lane_i];
         const ManifoldRecord& record = record_of(solver, manifold_i);
-        block.manifold[lane_i] = manifold_i;
         block.body_A[lane_i] = block.body_B[lane_i] = 0;
         block.mu[lane_i] = record.mu;
         block.e[lane_i] = record.e;
@@ -75,7 +74,7 @@ void collect(const SolverView& solver, const BodyView& bodies, int block_i, Cont
         if (block.body_B[lane_i] != 0) in.B.put(lane_i, bodies, pair.body_B);
         if (record.manifold.count > 1) block.rows = block_rows;
         if (block.body_A[lane_i] == 0 && block.body_B[lane_i] == 0) continue;  // one has gone bad
-        for (int row = 0; row < record.manifold.count; ++row) {
+        for (int row = 0; row < record.manifold.count; ++row) {  // bound: 4: Manifold::points_max
             in.used[row][lane_i] = 1;
             in.separation[row][lane_i] = record.manifold.points[row].separation;
             set_lane(in.P[row], lane_i, record.manifold.points[row].P);
@@ -101,7 +100,7 @@ LaneContacts vectors_of(const Collected& in, int rows) {
     contacts.inv_M = contacts.A.inv_M + contacts.B.inv_M;
     contacts.n = load(in.n);
     tangents(contacts.n, contacts.t_1, contacts.t_2);
-    for (int row = 0; row < rows; ++row) {
+    for (int row = 0; row < rows; ++row) {  // bound: 4: block_rows
         contacts.P[row] = load(in.P[row]);
         contacts.used[row] = load(in.used[row]);
         contacts.separation[row] = load(in.separation[row]);
@@ -137,16 +136,9 @@ INGOT_INLINE mask is_central(const LaneContacts& contacts) {
     return both(passes(contacts.A), passes(contacts.B));
 }
 
-int count_of(mask m) {
-    const auto lane_bits = static_cast<unsigned>(bits(m));
-    int count = 0;
-    for (int lane_i = 0; lane_i < lanes; ++lane_i) count += static_cast<int>(lane_bits >> lane_i & 1u);
-    return count;
-}
-
-/// Levers of the normals, their compliance and its inverse. Returns how many manifolds are central.
+/// Levers of the normals, their compliance and its inverse. Returns which manifolds are central.
 template <int rows>
-INGOT_INLINE int prepare_normals(ContactBlock& block, const LaneContacts& contacts) {
+INGOT_INLINE mask prepare_normals(ContactBlock& block, const LaneContacts& contacts) {
     const lane one = splat<lane>(1);
     const mask alone = rows > 1 ? contacts.used[1] == lane{} : one > lane{};
     const mask central = both(alone, is_central(contacts));
@@ -166,21 +158,17 @@ INGOT_INLINE int prepare_normals(ContactBlock& block, const LaneContacts& contac
         for (int c = row; c < rows; ++c)
             K(row, c) =
                 select(both(there[row], there[c]), compliance(block.row[row].levers, block.row[c].levers, contacts.inv_M), row == c ? one : lane{});
-    const mask singular = rows > 1 ? there[1] : one < lane{};  // four points have rank 3, and two that all but coincide have rank 1
-    const lane factor = select(singular, splat<lane>(limits::block_diagonal), one);
-    Sym4 stiffened = K;
-    for (int row = 0; row < rows; ++row) stiffened(row, row) = K(row, row) * factor;
-    const Sym4 B = inverse<rows>(stiffened);
+    lane count{};
+    for (int row = 0; row < rows; ++row) count = count + contacts.used[row];
+    const Sym4 all = inverse_of_used<rows>(K, count);
+    store(block.count, count);
     for (int row = 0; row < rows; ++row) {
         for (int c = row; c < rows; ++c) {
-            const int entry = Sym4::index(row, c);
-            const lane inverse_entry = select(both(there[row], there[c]), B(row, c), lane{});
-            store(block.K[entry], K(row, c));
-            store(block.B[entry], inverse_entry);
-            store(block.cached_inverse[entry], inverse_entry);
+            store(block.K[Sym4::index(row, c)], K(row, c));
+            store(block.cached_inverse[Sym4::index(row, c)], all(row, c));
         }
     }
-    return count_of(both(central, there[0]));
+    return both(central, there[0]);
 }
 
 /// Where friction takes hold: the mean of the points, of which those beyond the margin count less and less, and how far they are from it.
@@ -233,7 +221,7 @@ INGOT_INLINE void prepare_torsion(TorsionRow& torsion, const LaneContacts& conta
 /// The impulses of the step before; friction's as components of what they were in the world.
 void recall(const SolverView& solver, ContactBlock& block, int lane_i, const ManifoldRecord& record) {
     const scalar share = shares_of_substep(solver);
-    for (int row = 0; row < block.rows; ++row) {
+    for (int row = 0; row < block.rows; ++row) {  // bound: 4: block_rows
         block.row[row].j[lane_i] = record.j[row] * share;
         block.row[row].j_before[lane_i] = record.j_before[row] * share;
     }
@@ -246,11 +234,15 @@ void recall(const SolverView& solver, ContactBlock& block, int lane_i, const Man
     block.substeps[lane_i] = static_cast<scalar>(age_of(record));
 }
 
-/// Returns how many of its manifolds are central.
-int prepare_block(const SolverView& solver, const BodyView& bodies, int block_i) {
+void count_central(const SolverView& solver, const ContactBlock& block, mask central) {
+    for (unsigned lane_i = 0, left = bits(central); left != 0; ++lane_i, left >>= 1)  // bound: lanes: central has a bit a lane
+        if ((left & 1u) != 0) ++solver.islands[block.island[lane_i]].central_count;
+}
+
+void prepare_block(const SolverView& solver, const BodyView& bodies, int block_i) {
     ContactBlock& block = solver.blocks[block_i];
     Collected in{};
-    collect(solver, bodies, block_i, block, in);
+    collect(solver, bodies, block, in);
     const LaneContacts contacts = vectors_of(in, block.rows);
     store(block.inv_M_A, contacts.A.inv_M);
     store(block.inv_M_B, contacts.B.inv_M);
@@ -258,19 +250,19 @@ int prepare_block(const SolverView& solver, const BodyView& bodies, int block_i)
     store(block.t_1, contacts.t_1);
     store(block.t_2, contacts.t_2);
 
-    const int central_count = block.rows == 1 ? prepare_normals<1>(block, contacts) : prepare_normals<block_rows>(block, contacts);
+    const mask central = block.rows == 1 ? prepare_normals<1>(block, contacts) : prepare_normals<block_rows>(block, contacts);
     const Middle middle = middle_of(contacts, block.rows);
     prepare_friction(block.friction, contacts, middle.P);
     prepare_torsion(block.torsion, contacts, middle.radius);
     for (int lane_i = 0; lane_i < lanes; ++lane_i) recall(solver, block, lane_i, record_of(solver, block.manifold[lane_i]));
-    return central_count;
+    count_central(solver, block, central);
 }
 
 }  // namespace
 
-void prepare_blocks(SolverView& solver, const BodyView& bodies) {
-    solver.central_count = 0;
-    for (int block_i = 0; block_i < solver.block_count; ++block_i) solver.central_count += prepare_block(solver, bodies, block_i);
+void prepare_blocks(const SolverView& solver, const BodyView& bodies) {
+    // bound: max_manifolds, rounded up to whole blocks
+    for (int block_i = 0; block_i < solver.block_count; ++block_i) prepare_block(solver, bodies, block_i);
 }
 
 void remember_impulses(const SolverView& solver) {
@@ -280,11 +272,11 @@ void remember_impulses(const SolverView& solver) {
         const ContactBlock& block = solver.blocks[block_i];
         for (int lane_i = 0; lane_i < lanes; ++lane_i) {
             const uint16_t manifold_i = block.manifold[lane_i];
-            if (manifold_i == no_manifold) continue;
+            if (manifold_i == no_manifold || solver.islands[block.island[lane_i]].begins_again) continue;
             ManifoldRecord& record = solver.records[solver.pairs[manifold_i].record];
             const scalar substeps = block.substeps[lane_i];
             const auto age = static_cast<uint16_t>(substeps < substeps_max ? substeps : substeps_max);
-            record.substeps = solver.steady ? static_cast<uint16_t>(age | steady_bit) : age;
+            record.substeps = solver.islands[block.island[lane_i]].steady ? static_cast<uint16_t>(age | steady_bit) : age;
             for (int row = 0; row < record.manifold.count; ++row) {
                 record.j[row] = block.row[row].j[lane_i] * part;
                 record.j_before[row] = block.row[row].j_before[lane_i] * part;

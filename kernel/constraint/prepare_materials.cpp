@@ -37,7 +37,7 @@ void prepare_compliance(RollingRows& rolling, const ContactBlock& block, const S
 
 void prepare_rolling(const SolverView& solver, const BodyView& bodies, RollingRows* rolling, const RollingRecord* records) {
     const scalar share = shares_of_substep(solver);
-    for (int block_i = 0; block_i < solver.block_count; ++block_i) {
+    for (int block_i = 0; block_i < solver.block_count; ++block_i) {  // bound: max_manifolds, rounded up to whole blocks
         const ContactBlock& block = solver.blocks[block_i];
         RollingRows& rows = rolling[block_i];
         prepare_compliance(rows, block, inv_I_of(solver, bodies, block.body_A), inv_I_of(solver, bodies, block.body_B));
@@ -69,7 +69,7 @@ void remember_rolling(const SolverView& solver, const RollingRows* rolling, Roll
         const ContactBlock& block = solver.blocks[block_i];
         for (int lane_i = 0; lane_i < lanes; ++lane_i) {
             const uint16_t manifold_i = block.manifold[lane_i];
-            if (manifold_i == no_manifold) continue;
+            if (manifold_i == no_manifold || solver.islands[block.island[lane_i]].begins_again) continue;
             const RollingRows& rows = rolling[block_i];
             records[solver.pairs[manifold_i].record].j =
                 (lane_of(block.t_1, lane_i) * rows.j[0][lane_i] + lane_of(block.t_2, lane_i) * rows.j[1][lane_i]) * part;

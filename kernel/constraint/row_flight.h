@@ -39,7 +39,7 @@ INGOT_INLINE BlockFlight flight_of(const SolverView& solver, const ContactBlock&
     const lane apart = dot(n, displaced.linear_A - displaced.linear_B);
     const lane approach = dot(n, motion.linear_A - motion.linear_B), pull = dot(n, forces.linear_A - forces.linear_B);
     BlockFlight flight{};
-    for (int row = 0; row < block.rows; ++row)
+    for (int row = 0; row < block.rows; ++row)  // bound: 4: block_rows
         flight.row[row] = {separation_now(block, row, apart, displaced), row_speed(block.row[row].levers, approach, motion),
                            row_speed(block.row[row].levers, pull, forces)};
     return flight;

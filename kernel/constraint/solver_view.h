@@ -8,10 +8,47 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
+/// How the step of an island is cut and swept, in the order in which they come. A steady one that turns out not to be begins again with
+/// the plan that follows.
+enum class SweepPlan : uint8_t {
+    small_steady,  ///< limits::steady_substeps; few contacts, swept upwards until they are settled
+    small,         ///< limits::substeps
+    large_steady,  ///< limits::steady_substeps; a few sweeps, up and down the levels in turn
+    large,         ///< limits::substeps
+    solved,        ///< nothing is left to do
+};
+inline constexpr int sweep_plans = 4;
+
+/// Bodies that touch, directly or through others that can move: what one of them does depends on these alone. All that the solver decides,
+/// it decides for an island.
+struct Island {
+    static constexpr int sum_count = 8;
+
+    uint16_t manifold_count, new_count, steady_count;  ///< manifolds; those younger than four steps; those that were steady
+    uint16_t central_count;  ///< manifolds whose normals go through both centres of mass
+    uint16_t level_count;    ///< the longest way to the ground, in contacts
+    uint16_t member_begin, member_count;  ///< of its manifolds in SolverView::members
+    uint16_t group, in_group;             ///< for its sums: the colour at hand, and how many of it came before
+    SweepPlan plan;
+    bool in_batch;    ///< solved in the batch at hand
+    bool begins_again;
+    bool steady;      ///< nothing in it has accelerated in this step
+    bool has_chains;  ///< impacts may cause impacts
+    bool sweeps_on;   ///< not settled yet in this substep
+    bool at_bound;    ///< its sweeps ended at their bound
+    int sweeps_max, sweeps;  ///< of a substep; of the step so far
+    scalar fastest_sq;       ///< m^2/s^2, of its bodies in this substep
+    scalar settled;          ///< m/s; a sweep that corrects no speed by more is its last
+    scalar residuals[lanes], residual;  ///< m/s, that the last sweep corrected; the largest of its lanes
+    scalar size, size_before, beta;  ///< J, of a sweep; conjugate gradients
+    scalar sums[sum_count];          ///< size is their sum: it does not depend on lanes
+};
+inline constexpr uint16_t no_island = 65535;
+
 /// Lanes of one block that are solved together: they share no body that can move.
 struct Visit {
     uint16_t block, lane_bits;
-    uint16_t first;  ///< of its first manifold: how many of the same colour come before
+    uint16_t island;  ///< of all its lanes, where these are the whole block and begin a row of sums; else no_island
 };
 
 struct SolverView {
@@ -21,36 +58,55 @@ struct SolverView {
     ManifoldRecord* records;   ///< of the pairs
     int manifold_count;
 
-    ContactBlock* blocks;      ///< room for manifold capacity / lanes, rounded up
-    Visit* visits;             ///< room for manifold capacity + blocks
-    uint16_t* order;           ///< of manifolds, by level and colour: what each lane of each block holds, or no_manifold
-    uint16_t* level;           ///< by manifold
-    uint16_t *other_order, *level_order;  ///< for sorting
-
     SolverBody* bodies;        ///< [0] stands for all that cannot move and for spare lanes
     SolverBodyHistory* histories;
     uint16_t* slot_of;         ///< by solver body
-    uint16_t* local_of;        ///< by body slot, of bodies with a manifold; 0: immovable, or gone bad
+    uint16_t* local_of;        ///< by slot of a body that touches; 0: immovable, or gone bad. Others: see takes_part
     uint16_t* level_of_body;   ///< by solver body
     uint32_t* colours_of_body; ///< by solver body, within the level at hand
+    uint16_t* island_of;       ///< by solver body
     int body_count;            ///< solver bodies in use, [0] included
-    int visit_count, block_count;
-    int central_count;         ///< manifolds whose normals go through both centres of mass
-    int level_count;           ///< the longest way to the ground, in contacts
-    int lane_count, lane_capacity;  ///< of all blocks
-    scalar speed_max;          ///< m/s, of the bodies in this substep, up to limits::rounding_speed_max
-    bool some_hit;             ///< a body was hit in the substep before
-    int substeps;              ///< of this step: limits::substeps, or limits::steady_substeps
-    bool steady;               ///< nothing that touches has accelerated in this step
-};
+    uint16_t *island_at, *level;  ///< by manifold: its island, or no_island; its distance from the ground, in contacts
+    Island* islands;           ///< room for one of each body that can move
+    int island_count;
 
-/// True for a body that is solved in this step. What local_of says of others is of an earlier one.
-inline bool is_taken_in(const SolverView& solver, int slot) {
-    const int local = solver.local_of[slot];
-    return local != 0 && local < solver.body_count && solver.slot_of[local] == slot;
-}
+    // Of the batch at hand: islands with one plan.
+    ContactBlock* blocks;      ///< room for manifold capacity / lanes, rounded up
+    Visit *visits, *some_visits;  ///< room for manifold capacity + blocks
+    const Visit* live;            ///< those whose islands are not settled yet: visits, or some of them
+    uint16_t *members, *sorted;  ///< manifolds: island by island, as positions in the blocks; for sorting
+    uint8_t* colour;             ///< by manifold
+    uint16_t* batch_bodies;    ///< solver bodies
+    int visit_count, live_count, block_count, batch_body_count;
+    int lane_count, lane_capacity;  ///< of all blocks
+    SweepPlan plan;
+    int substeps;              ///< of the step
+    bool some_hit;             ///< a body was hit in the substep before
+    bool some_bounce;          ///< a manifold has restitution
+};
 
 /// Impulses are kept as they are in a step of limits::substeps substeps; a longer one has so many times as much.
 inline scalar shares_of_substep(const SolverView& solver) { return static_cast<scalar>(limits::substeps / solver.substeps); }
+
+/// Whether the body of a slot is one of the solver's; local_of keeps what it says of others from earlier steps.
+inline bool takes_part(const SolverView& solver, int slot) {
+    const uint16_t body_i = solver.local_of[slot];
+    return body_i != 0 && body_i < solver.body_count && solver.slot_of[body_i] == slot;
+}
+
+/// A manifold's body that can move; 0: none can.
+inline uint16_t dynamic_body(const SolverView& solver, int manifold_i) {
+    const uint16_t A = solver.local_of[solver.pairs[manifold_i].body_A];
+    return A != 0 ? A : solver.local_of[solver.pairs[manifold_i].body_B];
+}
+
+/// The manifold at a position in the blocks.
+inline uint16_t manifold_at(const SolverView& solver, int position) { return solver.blocks[position / lanes].manifold[position % lanes]; }
+
+/// Calls each(body_i) for the bodies of the batch.
+template <class Each>
+INGOT_INLINE void for_bodies(const SolverView& solver, const Each& each) {
+    for (int i = 0; i < solver.batch_body_count; ++i) each(static_cast<int>(solver.batch_bodies[i]));  // bound: max_bodies + 1
+}
 
 } }  // namespace ingot

@@ -4,7 +4,7 @@
 namespace ingot { inline namespace INGOT_ABI {
 
 void mix_rolling_levers(const ManifoldView& manifolds, const scalar* lever_of_shape, RollingRecord* of_record) {
-    for (int pair_i = 0; pair_i < *manifolds.count; ++pair_i) {
+    for (int pair_i = 0; pair_i < *manifolds.count; ++pair_i) {  // bound: max_manifolds
         const BodyPair& pair = manifolds.pairs[pair_i];
         const scalar A = lever_of_shape[pair.body_A], B = lever_of_shape[pair.body_B];
         RollingRecord& record = of_record[pair.record];

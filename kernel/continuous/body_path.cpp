@@ -51,7 +51,7 @@ PlacedShape place_on_path(const BodyPath& path, const Shape& shape, scalar t) {
 }
 
 void begin_paths(const BodyView& bodies, const SurfaceView& surfaces, scalar h, BodyPath* paths) {
-    for (int slot = 0; slot < surfaces.slot_count; ++slot) {
+    for (int slot = 0; slot < surfaces.slot_count; ++slot) {  // bound: max_bodies
         const Place at = place_of(slot);
         const Vector way = lane_of(bodies.translation[at.tile].v_CM, at.lane) * h, turn = omega_of(bodies, slot) * h;
         BodyPath& path = paths[slot];
@@ -109,6 +109,7 @@ bool FastPairs::meets_hard(const BodyPair& pair, const Manifold& manifold) const
         if (paths[slot].fast) least_fast = min(least_fast, extent);
     }
     const scalar deep = limits::skin_share * least_fast;
+    // bound: 4: Manifold::points_max
     for (int point_i = 0; point_i < manifold.count; ++point_i) {
         if (manifold.points[point_i].separation < -deep) return false;
         const Vector& P = manifold.points[point_i].P;

@@ -4,7 +4,7 @@
 
 #include "../base/report.h"
 #include "../solver/sweeps/move_bodies.h"
-#include "../solver/sweeps/solve_manifolds.h"
+#include "../solver/sweeps/block_sweeps.h"
 #include "../body/auxiliary.h"
 #include "../narrow_phase/find_manifolds.h"
 #include "../motion/flight_clock.h"
@@ -39,6 +39,7 @@ INGOT_INLINE bool is_solved(const SolverView& solver, int slot_A, int slot_B) {
     const uint16_t low = static_cast<uint16_t>(slot_A < slot_B ? slot_A : slot_B), high = static_cast<uint16_t>(slot_A < slot_B ? slot_B : slot_A);
     const uint32_t key = BodyPair{low, high, no_record}.key();
     int from = 0, to = solver.manifold_count;
+    // bound: log2(max_manifolds) + 1: to - from is halved each turn
     while (from < to) {
         const int middle = from + (to - from) / 2;
         if (solver.pairs[middle].key() < key)
@@ -69,6 +70,7 @@ void find_next(const ContinuousCollision<Meets>& collision, int slot) {
     BodyPath& path = collision.paths[slot];
     path.next = path.until < 1 ? path.until : never;
     path.next_slot = static_cast<uint16_t>(slot);
+    // bound: max_bodies
     for (int other = 0; other < collision.surfaces.slot_count; ++other) consider(collision, slot, other);
 }
 
@@ -200,7 +202,7 @@ bool solve_pair_for(const ContinuousCollision<Meets>& collision, PairSubWorld& s
     SolverView solver = sub_world.solver(collision.solver);
     ImpactNote note{};
     sub_world.keep_forces();
-    solve_manifolds<notes_impulses, true>(solver, two, collision.clock.gravity, h, &note, report);
+    solve_by_sweeps<notes_impulses, true>(solver, {two, collision.clock.gravity, h, &note}, report);
     integrate_L(two, h);
     integrate_v(two, h, collision.clock.gravity);
     write_contact_motion(solver, two, collision.clock.gravity, h);
@@ -267,7 +269,7 @@ bool lay_all_paths(const ContinuousCollision<Meets>& collision, PairSubWorld& su
     for (int slot = 0; slot < collision.surfaces.slot_count; ++slot) {
         BodyPath& path = collision.paths[slot];
         const PathPoint begin = {path.r_CM, path.way, path.turn, path.A};
-        path.in_contact = is_taken_in(collision.solver, slot);
+        path.in_contact = takes_part(collision.solver, slot);
         path.falls_free = !path.in_contact;
         path.until = 1;
         if (!is_valid(collision, slot)) {
@@ -303,6 +305,8 @@ void follow_fast_bodies(const ContinuousCollision<Meets>& collision, StepReport&
         if (collision.paths[slot].fast) find_next(collision, slot);
 
     int impacts = 0;
+    // bound: (limits::path_parts_max + 1) max_bodies + 2 limits::impacts_in_step_max: a path that ends took 1 / path_parts_max of the step
+    // or more; impacts are counted; a body that waits is fast no more, and an impact makes one more fast at most
     for (int slot_A = first_of_all(collision); slot_A >= 0; slot_A = first_of_all(collision)) {
         const BodyPath& A = collision.paths[slot_A];
         const int slot_B = A.next_slot;

@@ -63,8 +63,8 @@ SolverView PairSubWorld::solver(const SolverView& done) {
     own.records = &record;
     own.manifold_count = 1;
     own.local_of = local_of;
-    own.body_count = own.visit_count = own.block_count = own.lane_count = 0;
-    own.some_hit = false;
+    for (uint16_t& local : local_of) local = 0;
+    own.body_count = own.island_count = 0;
     return own;
 }
 
@@ -75,6 +75,7 @@ void PairSubWorld::set_manifold(const Manifold& manifold) {
 
 bool PairSubWorld::carries() const {
     bool some = false;
+    // bound: 4: Manifold::points_max
     for (int point_i = 0; point_i < record.manifold.count; ++point_i) some = some || record.j[point_i] > 0;
     return some;
 }

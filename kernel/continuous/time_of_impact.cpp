@@ -88,6 +88,7 @@ scalar time_of_impact(const BodyPath& path_A, const Shape& A, const BodyPath& pa
         if (touching) {
             A_now.shape = core_of(A, skins);
             nearest = closest_points(A_now, now.B);
+            // bound: limits::skins_max: ++skins
             while (approach_i == 0 && !is_clear(A_now, now.B, nearest, gap) && skins < limits::skins_max) {
                 A_now.shape = core_of(A, ++skins);
                 nearest = closest_points(A_now, now.B);

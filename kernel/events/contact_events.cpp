@@ -34,6 +34,7 @@ ImpactNote note_of(const Mover& A, const Mover& B, scalar h, const Manifold& man
     ImpactNote note{};
     const Vector& n = manifold.n;
     const scalar a = dot(n, B.a - A.a);
+    // bound: 4: Manifold::points_max
     for (int point_i = 0; point_i < manifold.count; ++point_i) {
         const ManifoldPoint& point = manifold.points[point_i];
         const Vector v_A = A.v_CM + cross(A.omega, point.P - A.r_CM), v_B = B.v_CM + cross(B.omega, point.P - B.r_CM);
@@ -62,6 +63,7 @@ struct Finger {
     int at = 0;
 
     bool finds(const PairOfBodies& pair) {
+        // bound: max_overlaps or max_manifolds: over the whole walk: at only grows
         while (at < *list.count && list.pairs[at].key() < pair.key()) ++at;
         return at < *list.count && list.pairs[at].same_bodies(pair);
     }
@@ -77,7 +79,7 @@ Event event_of(EventKind kind, const PairOfBodies& pair, uint16_t world_tag, con
 }  // namespace
 
 void note_approaches(const BodyView& bodies, const Vector& gravity, scalar h, const ManifoldView& manifolds, ImpactNote* notes) {
-    for (int manifold_i = 0; manifold_i < *manifolds.count; ++manifold_i) {
+    for (int manifold_i = 0; manifold_i < *manifolds.count; ++manifold_i) {  // bound: max_manifolds
         const BodyPair& pair = manifolds.pairs[manifold_i];
         const Mover A = mover(bodies, gravity, pair.body_A), B = mover(bodies, gravity, pair.body_B);
         write_note(notes[manifold_i], note_of(A, B, h, manifold_of(manifolds, manifold_i)));
@@ -99,7 +101,7 @@ void find_touching(const ManifoldView& manifolds, const ImpactNote* notes, const
 
 void emit_missing(const PairOfBodiesList& before, const PairOfBodiesList& now, EventKind kind, uint16_t world_tag, const EventList& events) {
     Finger finger{now};
-    for (int pair_i = 0; pair_i < *before.count; ++pair_i) {
+    for (int pair_i = 0; pair_i < *before.count; ++pair_i) {  // bound: max_overlaps or max_manifolds
         const PairOfBodies& pair = before.pairs[pair_i];
         if (!finger.finds(pair)) events.add({kind, 0, 0, name_A(pair, world_tag), name_B(pair, world_tag), {}, {}, 0});
     }
@@ -109,9 +111,10 @@ void emit_begins(const ManifoldView& manifolds, const ImpactNote* notes, const P
                  uint16_t world_tag, const EventList& events) {
     Finger finger{before};
     int manifold_i = 0;
-    for (int pair_i = 0; pair_i < *touching.count; ++pair_i) {
+    for (int pair_i = 0; pair_i < *touching.count; ++pair_i) {  // bound: max_overlaps or max_manifolds
         const PairOfBodies& pair = touching.pairs[pair_i];
         if (finger.finds(pair)) continue;
+        // bound: max_manifolds: over the whole walk: the pair is in the list, and manifold_i only grows
         while (manifolds.pairs[manifold_i].key() < pair.key()) ++manifold_i;  // it is there
         events.add(event_of(EventKind::begin, pair, world_tag, manifold_of(manifolds, manifold_i), notes[manifold_i]));
     }
@@ -123,6 +126,7 @@ void emit_hits(const ManifoldView& manifolds, const ImpactNote* notes, scalar hi
     int manifold_i = 0;
     for (int pair_i = 0; pair_i < *touching.count; ++pair_i) {
         PairOfBodies& pair = touching.pairs[pair_i];
+        // bound: max_manifolds: over the whole walk: the pair is in the list, and manifold_i only grows
         while (manifolds.pairs[manifold_i].key() < pair.key()) ++manifold_i;
         const ImpactNote& note = notes[manifold_i];
         pair.hit = note.carried && note.speed > hit_speed;

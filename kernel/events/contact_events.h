@@ -19,12 +19,12 @@ enum class EventKind : uint8_t {
 };
 
 struct Event {
-    EventKind kind;
-    uint8_t shape_A, shape_B;  ///< which of their shapes, where a body has several; else 0
-    BodyId A, B;
-    Vector P;      ///< m, world, of the point that met fastest, at the begin of the step; begin and hit
-    Vector n;      ///< unit, from B to A; begin and hit
-    scalar speed;  ///< m/s, at which A and B approached each other along n at P, just before they met; begin and hit
+    EventKind kind{};
+    uint8_t shape_A{}, shape_B{};  ///< which of their shapes, where a body has several; else 0
+    BodyId A{}, B{};
+    Vector P{};    ///< m, world, of the point that met fastest, at the begin of the step; begin and hit
+    Vector n{};    ///< unit, from B to A; begin and hit
+    scalar speed{};  ///< m/s, at which A and B approached each other along n at P, just before they met; begin and hit
 };
 
 /// By members, as write_pair: an event has gaps.
@@ -41,8 +41,8 @@ INGOT_INLINE void write_event(Event& to, const Event& event) {
 
 /// The events of a step, for reading: valid until the next step. `for (const ingot::Event& event : world.events())`.
 struct EventView {
-    const Event* first;
-    int count;
+    const Event* first{};
+    int count{};
 
     const Event* begin() const { return first; }
     const Event* end() const { return first + count; }
@@ -67,7 +67,7 @@ struct EventList {
 /// Events of shape slots become events of bodies and the numbers of their shapes.
 template <int shapes_of_body>
 void name_bodies(const EventList& events) {
-    for (int event_i = 0; event_i < *events.count; ++event_i) {
+    for (int event_i = 0; event_i < *events.count; ++event_i) {  // bound: max_events
         Event& event = events.events[event_i];
         event.shape_A = static_cast<uint8_t>(event.A.slot % shapes_of_body);
         event.shape_B = static_cast<uint8_t>(event.B.slot % shapes_of_body);
@@ -90,6 +90,7 @@ void find_touching(const ManifoldView& manifolds, const ImpactNote* notes, const
                    const PairOfBodiesList& touching);
 
 INGOT_INLINE void copy_list(const PairOfBodiesList& from, const PairOfBodiesList& to) {
+    // bound: max_overlaps or max_manifolds
     for (int pair_i = 0; pair_i < *from.count; ++pair_i) to.pairs[pair_i] = from.pairs[pair_i];
     *to.count = *from.count;
 }

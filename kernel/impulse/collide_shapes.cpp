@@ -15,6 +15,7 @@ void ContactSink::add(const Vector& n, const Vector& lever_A, const Vector& leve
     } else {
         count(*lost);
         index = 0;
+        // bound: max_contacts
         for (int contact_i = 1; contact_i < contacts.capacity; ++contact_i)
             if (contacts.contacts[contact_i].separation > contacts.contacts[index].separation) index = contact_i;
         if (separation >= contacts.contacts[index].separation) return;

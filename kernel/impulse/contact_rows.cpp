@@ -47,7 +47,7 @@ scalar magnitude_of(const Vector& a, const Vector& b) { return abs(a.x * b.x) + 
 }  // namespace
 
 void prepare_contact_rows(const ContactView& contacts, const BodyView& bodies) {
-    for (int contact_i = 0; contact_i < *contacts.count; ++contact_i) {
+    for (int contact_i = 0; contact_i < *contacts.count; ++contact_i) {  // bound: max_contacts
         Contact& c = contacts.contacts[contact_i];
         const scalar inv_M_A = inv_M_of(bodies, c.body_A), inv_M_B = inv_M_of(bodies, c.body_B);
         if (!(inv_M_A > 0)) c.lever_A = {};
@@ -64,6 +64,7 @@ void prepare_contact_rows(const ContactView& contacts, const BodyView& bodies) {
 int manifold_end(const ContactView& contacts, int first) {
     const Contact& c = contacts.contacts[first];
     int end = first + 1;
+    // bound: max_contacts: ++end
     while (end < *contacts.count && contacts.contacts[end].body_A == c.body_A && contacts.contacts[end].body_B == c.body_B) ++end;
     return end;
 }
@@ -125,6 +126,7 @@ void extrapolate(Contact& c, scalar beta, const BodyView& bodies) {
 /// Sweeps over the contacts of one pair, joined by conjugate gradients, until they agree. Returns: the sweeps it took; 1 when
 /// they agreed already.
 int settle_manifold(Contact* first, int count, scalar slack, const BodyView& bodies) {
+    // bound: 4: contacts of one pair, Manifold::points_max a pair
     for (int contact_i = 0; contact_i < count; ++contact_i) first[contact_i].direction = 0;
     scalar size_before = 0;
     for (int sweep_i = 1; sweep_i <= limits::contact_sweeps_max; ++sweep_i) {
@@ -154,6 +156,7 @@ SweepOutcome solve_active_contacts(const ContactView& contacts, const BodyView& 
         // Rows that rounding keeps from the last digit are taken as they are.
         const scalar slack = sweep_i < limits::contact_sweeps_max / 4 ? 1 : limits::contact_slack;
         bool settled = true;
+        // bound: max_contacts: end is after first: each pair has a contact
         for (int first = 0, end = 0; first < *contacts.count; first = end) {
             end = manifold_end(contacts, first);
             if (settle_manifold(&contacts.contacts[first], end - first, slack, bodies) > 1) settled = false;

@@ -36,7 +36,8 @@ void collide_pair(const Placed& A, const Placed& B, ContactSink& sink, StepRepor
 template <class Shapes>
 void find_contacts(const BodyView& bodies, const SurfaceView& surfaces, const ContactView& contacts, StepReport& report) {
     *contacts.count = 0;
-    for (int slot_A = 0; slot_A < surfaces.slot_count; ++slot_A) {
+    for (int slot_A = 0; slot_A < surfaces.slot_count; ++slot_A) {  // bound: max_bodies
+        // bound: max_bodies: next_touchable returns no less than what it is given
         for (int slot_B = next_touchable(bodies, surfaces, slot_A, slot_A + 1); slot_B < surfaces.slot_count;
              slot_B = next_touchable(bodies, surfaces, slot_A, slot_B + 1)) {
             const bool swap = surfaces.surfaces[slot_A].shape.kind == ShapeKind::half_space;

@@ -7,11 +7,11 @@ namespace ingot { inline namespace INGOT_ABI {
 
 /// What Figure 4 needs to know of a body that collides at a point P. An immovable body has inv_M = 0, inv_I_world = 0.
 struct CollidingBody {
-    scalar inv_M;                 ///< kg^-1
-    SymmetricMatrix inv_I_world;  ///< kg^-1 m^-2, world axes
-    Vector v_CM;                  ///< m/s
-    Vector omega;                 ///< rad/s, world axes
-    Vector r_P;                   ///< m, from the centre of mass to P, world axes
+    scalar inv_M{};               ///< kg^-1
+    SymmetricMatrix inv_I_world{};  ///< kg^-1 m^-2, world axes
+    Vector v_CM{};                ///< m/s
+    Vector omega{};               ///< rad/s, world axes
+    Vector r_P{};                 ///< m, from the centre of mass to P, world axes
 };
 
 /// The impulse between two bodies that collide at a point P without friction.

@@ -19,7 +19,7 @@ void add_force(const BodyView& bodies, int slot, const Vector& F, const Vector& 
 }  // namespace
 
 void solve_contact_forces(const ContactView& contacts, const BodyView& bodies, scalar h, StepReport& report) {
-    for (int contact_i = 0; contact_i < *contacts.count; ++contact_i) {
+    for (int contact_i = 0; contact_i < *contacts.count; ++contact_i) {  // bound: max_contacts
         Contact& c = contacts.contacts[contact_i];
         c.tolerance = tolerance_of(c, normal_speed(c, bodies));
         c.active = true;

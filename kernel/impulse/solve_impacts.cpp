@@ -14,6 +14,7 @@ namespace {
 int begin_wave_of_pair(Contact* first, int count, const BodyView& bodies, scalar rest_speed) {
     int approaching = 0;
     scalar fastest = 0;
+    // bound: 4: contacts of one pair, Manifold::points_max a pair
     for (int contact_i = 0; contact_i < count; ++contact_i) {
         Contact& c = first[contact_i];
         const NormalSpeed speed = normal_speed(c, bodies);
@@ -31,6 +32,7 @@ int begin_wave_of_pair(Contact* first, int count, const BodyView& bodies, scalar
 /// Makes the contacts that approach the next wave; returns how many there are.
 int begin_wave(const ContactView& contacts, const BodyView& bodies, scalar rest_speed) {
     int approaching = 0;
+    // bound: max_contacts: end is after first: each pair has a contact
     for (int first = 0, end = 0; first < *contacts.count; first = end) {
         end = manifold_end(contacts, first);
         approaching += begin_wave_of_pair(&contacts.contacts[first], end - first, bodies, rest_speed);
@@ -47,6 +49,7 @@ void solve_impacts(const ContactView& contacts, const BodyView& bodies, scalar r
         count(report.sweeps, outcome.sweeps);
         if (!outcome.finished) count(report.sweeps_unfinished);
         count(report.impact_waves);
+        // bound: max_contacts
         for (int contact_i = 0; contact_i < *contacts.count; ++contact_i)
             contacts.contacts[contact_i].j_total += contacts.contacts[contact_i].j;
         // Among close-packed bodies impacts go to and fro: in the second half of the waves they bounce no more.

@@ -16,7 +16,7 @@ void join(const RestView& rest, int A, int B) {
     const int root_A = rest.root(A), root_B = rest.root(B);
     if (root_A == root_B) return;
     const int low = root_A < root_B ? root_A : root_B, high = root_A < root_B ? root_B : root_A;
-    rest.parent[high] = static_cast<uint16_t>(low);
+    rest.islands().join(low, high);
     swap(rest.next_body[low], rest.next_body[high]);
     if (rest.aside[high] == 0) return;
     if (rest.aside[low] != 0)

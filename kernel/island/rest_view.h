@@ -9,6 +9,7 @@
 #include "../body/body_tiles.h"
 #include "../broad_phase/body_pairs.h"
 #include "active_tiles.h"
+#include "disjoint_sets.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -50,17 +51,13 @@ struct RestView {
     /// The body of a shape's slot: the same slot, where each has one shape.
     INGOT_INLINE int body_of(int shape_slot) const { return shapes_of_body == 1 ? shape_slot : shape_slot / shapes_of_body; }
 
-    /// The body that stands for the island. Halves the path on its way, so that the next way is shorter.
-    int root(int slot) const {
-        while (parent[slot] != slot) {
-            parent[slot] = parent[parent[slot]];
-            slot = parent[slot];
-        }
-        return slot;
-    }
+    DisjointSets islands() const { return {parent}; }
+    /// The body that stands for the island.
+    int root(int slot) const { return islands().root(slot); }
     /// The body of the slot is an island of its own.
     void make_alone(int slot) const {
-        parent[slot] = next_body[slot] = static_cast<uint16_t>(slot);
+        islands().make_set(slot);
+        next_body[slot] = static_cast<uint16_t>(slot);
         aside[slot] = 0;
     }
 

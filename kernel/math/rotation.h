@@ -45,6 +45,7 @@ constexpr scalar orthogonality_error(const Matrix& A) {
     const Vector columns[3] = {A.c0, A.c1, A.c2};
     scalar worst = 0;
     for (int i = 0; i < 3; ++i)
+        // bound: 2: of a symmetric matrix
         for (int k = 0; k <= i; ++k) {
             const scalar entry = abs(dot(columns[i], columns[k]) - (i == k ? 1 : 0));
             worst = entry > worst ? entry : worst;

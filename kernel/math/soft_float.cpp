@@ -18,6 +18,7 @@ Bits shifted_right(Bits x, int shift) { return x >> shift | ((x << (32 - shift))
 
 /// The float next to m 2^(exponent - bias - 31), ties to even. m is not zero; its lowest bit stands for all below it.
 __attribute__((noinline)) Bits rounded(Bits sign, int exponent, Bits m) {
+    // bound: 31: a number that is not 0 is shifted up
     for (; (m & sign_bit) == 0; m <<= 1) --exponent;
     if (exponent >= exponent_of_infinity) return sign | infinity;
     if (exponent <= 0) {
@@ -37,6 +38,7 @@ struct Parts {
 INGOT_INLINE Parts normal_parts_of(Bits x) {
     Parts p = {exponent_of(x), fraction_of(x)};
     if (p.exponent != 0) return {p.exponent, p.m | leading_one};
+    // bound: 23: a number that is not 0 is shifted up
     for (p.exponent = 1; p.m < leading_one; p.m <<= 1) --p.exponent;
     return p;
 }

@@ -36,6 +36,7 @@ scalar sqrt_by_digits(scalar x) {
     Bits significand = b & (hidden_bit - 1);
     if (exponent == 0) {  // denormal: shift the leading one into place
         exponent = 1;
+        // bound: 52: a number that is not 0 is shifted up
         while ((significand & hidden_bit) == 0) {
             significand <<= 1;
             --exponent;
@@ -48,6 +49,7 @@ scalar sqrt_by_digits(scalar x) {
     // Digits of sqrt(significand * 2^fraction_bits), one more than is kept, so that the last one rounds.
     significand <<= 1;
     Bits root = 0, twice_root = 0;
+    // bound: 54: a bit falls out each turn
     for (Bits digit = hidden_bit << 1; digit != 0; digit >>= 1) {
         const Bits trial = twice_root + digit;
         if (trial <= significand) {

@@ -7,6 +7,7 @@
 #include <stdint.h>
 
 #include "../base/config.h"
+#include "lanes.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -45,6 +46,12 @@ struct OwnDouble {
 using wide_scalar = OwnDouble;
 #else
 using wide_scalar = double;
+#endif
+
+#if !INGOT_DOUBLE || defined(INGOT_DOUBLES_ADD_WRONGLY)  // else they are those of the scalar: lanes.h
+inline wide_scalar max(wide_scalar a, wide_scalar b) { return a > b ? a : b; }
+inline wide_scalar abs(wide_scalar a) { return a < 0 ? -a : a; }
+inline wide_scalar clamp(wide_scalar x, wide_scalar limit) { return x > limit ? limit : x < -limit ? -limit : x; }
 #endif
 
 } }  // namespace ingot

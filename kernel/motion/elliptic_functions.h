@@ -21,6 +21,7 @@ class JacobiOf {
 public:
     explicit JacobiOf(scalar mc) {
         scalar a = 1, g = sqrt(mc);
+        // bound: limits::agm_steps_max: only the header changes count_
         for (; count_ < limits::agm_steps_max; ++count_) {
             a_[count_] = a;
             g_[count_] = g;
@@ -37,6 +38,7 @@ public:
         // Beside a zero of sn the square of the cotangent would overflow, and sn is its slope, 1, times the way there: to rounding.
         if (abs(phase.sin) <= epsilon * epsilon) return {phase.sin / mean_, phase.cos, 1};
         scalar cotangent = phase.cos / phase.sin, c = mean_ * cotangent, dn = 1;
+        // bound: limits::agm_steps_max
         for (int step_i = count_; step_i >= 0; --step_i) {
             cotangent *= c;
             c *= dn;

@@ -87,6 +87,7 @@ scalar angle_about_L(const Polhode& polhode, const JacobiOf& jacobi, int referen
     const int pieces = 1 + static_cast<int>(abs(u) * 2);
     const scalar piece = u / static_cast<scalar>(pieces), half_time = h / static_cast<scalar>(2 * pieces);
     scalar sum = 0;
+    // bound: 1 + 2 limits::elliptic_turn_max
     for (int piece_i = 0; piece_i < pieces; ++piece_i) {
         for (int point_i = 0; point_i < gauss_points; ++point_i) {
             const int i = point_i / 2;
@@ -144,7 +145,7 @@ Matrix exact_turn(const Matrix& A, const Vector& inv_I_body, const Vector& L, sc
 
 int ExactElliptic::integrate_A(const BodyView& bodies, scalar h, const FlightClock& clock) {
     int clamped_count = 0;
-    for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) {
+    for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) {  // bound: max_bodies / lanes, rounded up
         RotationTile& tile = bodies.rotation[tile_i];
         for (int lane_i = 0; lane_i < lanes; ++lane_i) {
             if (!(tile.inv_I_scale[lane_i] > 0)) continue;

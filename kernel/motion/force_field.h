@@ -62,9 +62,13 @@ INGOT_INLINE Vec3<lane> splat(const Vector& v) { return {splat<lane>(v.x), splat
 ///     };
 ///
 /// A field that is to go into portable snapshots (world/snapshot.h) hands out its numbers, one by one: scalars, vectors, matrices and
-/// unsigned integers of 8 to 64 bits.
+/// unsigned integers of 8 to 64 bits. A name before them tells the field from another with as many numbers: their worlds refuse each other's
+/// snapshots.
 ///
-///         template <class Each> constexpr void numbers(Each& each) { each(k); }
+///         template <class Each> constexpr void numbers(Each& each) {
+///             each.name("buoy");
+///             each(k);
+///         }
 ///
 /// Only + - * / sqrt, and select() in place of branches, keep the bits equal on all targets. A field that gives NaN or infinity
 /// makes the body freeze, see World::is_frozen. What it gives to immovable bodies counts nothing.

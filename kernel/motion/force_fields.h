@@ -13,7 +13,7 @@ namespace ingot { inline namespace INGOT_ABI {
 
 /// 1/|d|^3 and 1/|d|^5 of a distance; 0 at zero distance.
 struct InversePowers {
-    lane cubed, fifth;
+    lane cubed{}, fifth{};
 };
 INGOT_INLINE InversePowers inverse_powers(const Vec3<lane>& d) {
     const lane d_sq = length_sq(d);
@@ -27,11 +27,12 @@ INGOT_INLINE InversePowers inverse_powers(const Vec3<lane>& d) {
 struct PointMassGravity : ForceField {
     static constexpr bool is_steady = true;
     static constexpr bool depends_on_velocity = false;
-    scalar mu;      ///< m^3 s^-2, gravitational constant times the mass
-    Vector centre;  ///< m, world
+    scalar mu{};    ///< m^3 s^-2, gravitational constant times the mass
+    Vector centre{};  ///< m, world
 
     template <class Each>
     constexpr void numbers(Each& each) {
+        each.name("point_mass_gravity");
         each(mu);
         each(centre);
     }
@@ -47,11 +48,12 @@ struct PointMassGravity : ForceField {
 struct GravityGradient : ForceField {
     static constexpr bool is_steady = true;
     static constexpr bool depends_on_velocity = false;
-    scalar mu;      ///< m^3 s^-2
-    Vector centre;  ///< m, world
+    scalar mu{};    ///< m^3 s^-2
+    Vector centre{};  ///< m, world
 
     template <class Each>
     constexpr void numbers(Each& each) {
+        each.name("gravity_gradient");
         each(mu);
         each(centre);
     }
@@ -67,11 +69,12 @@ struct GravityGradient : ForceField {
 /// Drag of a thick fluid: F = -c v_CM, tau = -c_turn omega.
 struct LinearDrag : ForceField {
     static constexpr bool is_steady = true;
-    scalar c;       ///< N s/m
-    scalar c_turn;  ///< N m s/rad
+    scalar c{};     ///< N s/m
+    scalar c_turn{};  ///< N m s/rad
 
     template <class Each>
     constexpr void numbers(Each& each) {
+        each.name("linear_drag");
         each(c);
         each(c_turn);
     }
@@ -84,11 +87,12 @@ struct LinearDrag : ForceField {
 /// Drag of a thin fluid: F = -c |v_CM| v_CM, tau = -c_turn |omega| omega.
 struct QuadraticDrag : ForceField {
     static constexpr bool is_steady = true;
-    scalar c;       ///< N s^2/m^2, half of density, area and drag coefficient
-    scalar c_turn;  ///< N m s^2/rad^2
+    scalar c{};     ///< N s^2/m^2, half of density, area and drag coefficient
+    scalar c_turn{};  ///< N m s^2/rad^2
 
     template <class Each>
     constexpr void numbers(Each& each) {
+        each.name("quadratic_drag");
         each(c);
         each(c_turn);
     }
@@ -102,12 +106,13 @@ struct QuadraticDrag : ForceField {
 struct Spring : ForceField {
     static constexpr bool is_steady = true;
     static constexpr bool depends_on_velocity = false;
-    scalar k;       ///< N/m
-    Vector r_body;  ///< m, body axes, from the centre of mass
-    Vector anchor;  ///< m, world
+    scalar k{};     ///< N/m
+    Vector r_body{};  ///< m, body axes, from the centre of mass
+    Vector anchor{};  ///< m, world
 
     template <class Each>
     constexpr void numbers(Each& each) {
+        each.name("spring");
         each(k);
         each(r_body);
         each(anchor);
@@ -123,13 +128,14 @@ struct Spring : ForceField {
 /// The same with a damper beside the spring: F = -k (P - anchor) - c v_P.
 struct SpringDamper : ForceField {
     static constexpr bool is_steady = true;
-    scalar k;       ///< N/m
-    scalar c;       ///< N s/m
-    Vector r_body;  ///< m, body axes, from the centre of mass
-    Vector anchor;  ///< m, world
+    scalar k{};     ///< N/m
+    scalar c{};     ///< N s/m
+    Vector r_body{};  ///< m, body axes, from the centre of mass
+    Vector anchor{};  ///< m, world
 
     template <class Each>
     constexpr void numbers(Each& each) {
+        each.name("spring_damper");
         each(k);
         each(c);
         each(r_body);
@@ -148,11 +154,12 @@ struct SpringDamper : ForceField {
 struct MagneticDipole : ForceField {
     static constexpr bool is_steady = true;
     static constexpr bool depends_on_velocity = false;
-    Vector m_body;  ///< A m^2, body axes
-    Vector B;       ///< T, world
+    Vector m_body{};  ///< A m^2, body axes
+    Vector B{};     ///< T, world
 
     template <class Each>
     constexpr void numbers(Each& each) {
+        each.name("magnetic_dipole");
         each(m_body);
         each(B);
     }
@@ -165,11 +172,12 @@ struct MagneticDipole : ForceField {
 struct WeightAboutPoint : ForceField {
     static constexpr bool is_steady = true;
     static constexpr bool depends_on_velocity = false;
-    Vector r_body;  ///< m, body axes, from the fixed point to the centre of mass
-    Vector weight;  ///< N, world: {0, 0, -M g}
+    Vector r_body{};  ///< m, body axes, from the fixed point to the centre of mass
+    Vector weight{};  ///< N, world: {0, 0, -M g}
 
     template <class Each>
     constexpr void numbers(Each& each) {
+        each.name("weight_about_point");
         each(r_body);
         each(weight);
     }
@@ -184,17 +192,19 @@ struct ThrusterTable : ForceField {
     static constexpr bool is_steady = true;
     static constexpr bool depends_on_velocity = false;
     struct Thruster {
-        Vector r_body;  ///< m, body axes, from the centre of mass
-        Vector F_body;  ///< N, body axes, at full throttle
-        scalar throttle[static_cast<unsigned>((bodies + lanes - 1) / lanes * lanes)];  ///< by slot of the body, 0 .. 1
+        Vector r_body{};  ///< m, body axes, from the centre of mass
+        Vector F_body{};  ///< N, body axes, at full throttle
+        scalar throttle[static_cast<unsigned>((bodies + lanes - 1) / lanes * lanes)]{};  ///< by slot of the body, 0 .. 1
     };
-    Thruster thruster[static_cast<unsigned>(thrusters)];
+    Thruster thruster[static_cast<unsigned>(thrusters)]{};
 
     template <class Each>
     constexpr void numbers(Each& each) {
+        each.name("thruster_table");
         for (Thruster& one : thruster) {
             each(one.r_body);
             each(one.F_body);
+            // bound: max_bodies: the argument of a table of thrusters
             for (int body_i = 0; body_i < bodies; ++body_i) each(one.throttle[body_i]);  // not of spare lanes
         }
     }
@@ -214,8 +224,8 @@ template <class First, class Second>
 struct BothFields : ForceField {
     static constexpr bool is_steady = First::is_steady && Second::is_steady;
     static constexpr bool depends_on_velocity = First::depends_on_velocity || Second::depends_on_velocity;
-    First first;
-    Second second;
+    First first{};
+    Second second{};
 
     template <class Each>
     constexpr void numbers(Each& each) {

@@ -21,7 +21,7 @@ namespace ingot { inline namespace INGOT_ABI {
 /// v_CM and L after h seconds at a place that does not change; explicit midpoint where the field depends on them.
 template <class Field>
 void kick(const BodyView& bodies, const Forcing<Field>& forcing, scalar h, scalar t) {
-    for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) {
+    for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) {  // bound: max_bodies / lanes, rounded up
         const ForcedTile tile(bodies, tile_i);
         const TileState from = tile.state();
         Kick rates = tile.kick_at(from, t, forcing);

@@ -4,7 +4,7 @@
 namespace ingot { inline namespace INGOT_ABI {
 
 void integrate_L(const BodyView& bodies, scalar h) {
-    for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) {
+    for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) {  // bound: max_bodies / lanes, rounded up
         RotationTile& tile = bodies.rotation[tile_i];
         const Vec3<lane> tau_T = load(tile.tau_T);
         const auto kicked = abs(tau_T.x) + abs(tau_T.y) + abs(tau_T.z) > lane{};

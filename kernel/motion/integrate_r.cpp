@@ -16,7 +16,7 @@ INGOT_INLINE void store_position(TranslationTile& tile, const Vec3<lane>& r) {
 
 void integrate_r(const BodyView& bodies, scalar h, const Vector& gravity) {
     const lane step = splat<lane>(h), half_step = splat<lane>(h * scalar(0.5));
-    for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) {
+    for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) {  // bound: max_bodies / lanes, rounded up
         TranslationTile& tile = bodies.translation[tile_i];
         const Vec3<lane> v_mid = load(tile.v_CM) - acceleration(tile, gravity) * half_step;
         store_position(tile, load(tile.r_CM) + v_mid * step);

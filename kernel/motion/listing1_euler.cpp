@@ -6,7 +6,7 @@
 namespace ingot { inline namespace INGOT_ABI {
 
 void integrate_A_listing1(const BodyView& bodies, scalar h) {
-    for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) {
+    for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) {  // bound: max_bodies / lanes, rounded up
         RotationTile& tile = bodies.rotation[tile_i];
         const Mat3<lane> A = load(tile.A);
         const Vec3<lane> inv_I_body = load(tile.inv_I_ratio) * load(tile.inv_I_scale);

@@ -35,7 +35,7 @@ struct DiscreteMoserVeselov {
     static_assert(substeps_max == 1 || substeps_max == 2 || substeps_max == 4 || substeps_max == 8 || substeps_max == 16,
                   "substeps_max is 1, 2, 4, 8 or 16");
     static constexpr const char* name = "moser_veselov";
-    static constexpr int order = order_;
+    static constexpr int order = order_, substeps = substeps_max;
     static constexpr bool as_printed = false;
     static constexpr bool compensates = compensate;
     static constexpr bool returns_energy = energy_return;

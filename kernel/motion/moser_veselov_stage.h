@@ -54,6 +54,7 @@ INGOT_INLINE Vec3<lane> solve_turn(const Vec3<lane>& j, const Vec3<lane>& y, lan
     Vec3<lane> c = q;
     mask unsettled = splat<lane>(1) > lane{};
     int sweeps_left = limits::sweeps_max;
+    // bound: limits::sweeps_max: sweeps_left falls each turn
     do {
         const lane al = splat<lane>(1) + dot(c, c);
         const Vec3<lane> next = q * al + scaled(k, Vec3<lane>{c.y * c.z, c.z * c.x, c.x * c.y}), step = next - c;
@@ -85,6 +86,7 @@ INGOT_INLINE Substeps substeps_for(lane angle_sq, scalar h, int substeps_max) {
     const scalar angle_max = limits::spin_runaway * h;
     Substeps of{one, one, one < one, angle_sq <= splat<lane>(angle_max * angle_max), 1};
     scalar limit = limits::angle_per_substep, doubled = 2;
+    // bound: log2(substeps_max): most doubles
     for (int most = 2; most <= substeps_max; most *= 2, doubled *= 2, limit *= 2) {
         const mask beyond = angle_sq > splat<lane>(limit * limit);
         of.n = select(beyond, splat<lane>(doubled), of.n);
@@ -104,7 +106,7 @@ int integrate_A_moser_veselov(const BodyView& bodies, scalar h, const FlightCloc
     constexpr scalar far_sq = limits::angle_per_substep * limits::angle_per_substep;
     const bool polar_step = clock.steps % limits::polar_interval == 0;
     int clamped_count = 0;
-    for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) {
+    for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) {  // bound: max_bodies / lanes, rounded up
         RotationTile& tile = bodies.rotation[tile_i];
         const Vec3<lane> j = load(tile.inv_I_ratio);
         // integrate_L has marked what a torque drives; L is never -0, so that L less no torque is L to the bit.
@@ -151,6 +153,7 @@ int integrate_A_moser_veselov(const BodyView& bodies, scalar h, const FlightCloc
 
         mask turning = good;
         scalar taken = 0;
+        // bound: substeps_max: left at substep_i == substeps, a power of two up to substeps_max
         for (int substep_i = 1;; ++substep_i) {
             const lane H = dot(y, w) * splat<lane>(scalar(0.5)), C = length_sq(y) * splat<lane>(scalar(0.5));
             Vec3<lane> c = solve_turn<order>(j, y, H, C);

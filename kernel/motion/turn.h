@@ -81,6 +81,7 @@ INGOT_INLINE Vec3<lane> rodrigues(const Vec3<lane>& u) {
 
 INGOT_INLINE int count_bits(uint16_t b) {
     int count = 0;
+    // bound: 16: a bit falls out each turn
     for (; b != 0; b = static_cast<uint16_t>(b & (b - 1u))) ++count;
     return count;
 }
@@ -88,7 +89,7 @@ INGOT_INLINE int count_bits(uint16_t b) {
 /// The frame of the methods that keep nothing but A: turned(A, inv_I_body, L of mid-step) gives the new A of a tile.
 template <class Turned>
 INGOT_INLINE void integrate_tiles(const BodyView& bodies, const FlightClock& clock, const Turned& turned) {
-    for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) {
+    for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) {  // bound: max_bodies / lanes, rounded up
         RotationTile& tile = bodies.rotation[tile_i];
         const Mat3<lane> A = load(tile.A);
         const Vec3<lane> inv_I_body = load(tile.inv_I_ratio) * load(tile.inv_I_scale);

@@ -40,6 +40,7 @@ void clip(const Polygon& from, bool along_y, scalar sign, scalar limit, uint8_t 
     to.count = 0;
     int last = from.count - 1;
     scalar last_over = last >= 0 ? sign * along[last] - limit : 0;
+    // bound: 8: corners of a rectangle that is clipped four times
     for (int i = 0; i < from.count; ++i) {
         const scalar over = sign * along[i] - limit;
         const bool inside = over <= 0, last_inside = last_over <= 0;
@@ -277,6 +278,7 @@ void face_points(const PlacedShape& A, const PlacedShape& B, const BestAxis& bes
     const scalar to_n = of_A ? scalar(-1) : scalar(1);  // n is this times `up`
     Candidate candidates[8];
     int count = 0;
+    // bound: Patch::corners_max
     for (int i = 0; i < polygon->count; ++i) {
         const scalar s = polygon->z[i];
         if (!(s <= margin)) continue;
@@ -299,6 +301,7 @@ INGOT_INLINE bool lies_flat(const PlacedShape& A, const PlacedShape& B, const Be
 INGOT_INLINE bool inside_both(const PlacedShape& A, const PlacedShape& B, const BestAxis& best, const Manifold& manifold) {
     const Vector n = cross(column(A.A, (best.edge - first_edge_axis) / 3), column(B.A, (best.edge - first_edge_axis) % 3));
     const scalar cos = abs(dot(n, manifold.n)) / sqrt(length_sq(n)), least = best.separation - limits::edge_preference * best.smallest;
+    // bound: 4: Manifold::points_max
     for (int i = 0; i < manifold.count; ++i)
         if (manifold.points[i].separation < 0 && manifold.points[i].separation * cos < least) return false;
     return true;

@@ -78,6 +78,7 @@ void look_at_faces(const PlacedShape& of, const PlacedShape& other, bool of_A, S
     }
     const Polyhedron p = polyhedron_of(of);
     if (p.hull == nullptr) return;
+    // bound: 2 limits::hull_vertices_max - 4
     for (int i = 0; i < p.hull->face_count; ++i) look(p.hull->faces[i].n, i);
 }
 
@@ -87,13 +88,16 @@ void look_at_edge_pairs(const PlacedShape& A, const PlacedShape& B, Search& sear
     const Vector d = A.r - B.r;
     scalar side[2 * limits::hull_vertices_max];  // of the faces of B seen along an edge of A
     const int faces_B = b.hull->face_count < 2 * limits::hull_vertices_max ? b.hull->face_count : 2 * limits::hull_vertices_max;
+    // bound: 3 limits::hull_vertices_max - 6
     for (int i = 0; i < a.hull->edge_count; ++i) {
         const HullEdge& edge_A = a.hull->edges[i];
         const Vector p = A.A * a.vertex(edge_A.a), u = A.A * (a.vertex(edge_A.b) - a.vertex(edge_A.a));
         const Vector left_A = A.A * a.hull->faces[edge_A.face_left].n, right_A = A.A * a.hull->faces[edge_A.face_right].n;
         const Vector u_B = transpose_times(B.A, u);
         const scalar u_sq = length_sq(u);
+        // bound: 2 limits::hull_vertices_max
         for (int k = 0; k < faces_B; ++k) side[k] = dot(b.hull->faces[k].n, u_B);
+        // bound: 3 limits::hull_vertices_max - 6
         for (int j = 0; j < b.hull->edge_count; ++j) {
             const HullEdge& edge_B = b.hull->edges[j];
             const scalar c = side[edge_B.face_left], e = side[edge_B.face_right];
@@ -121,6 +125,7 @@ void look_at_edges_across(const PlacedShape& s, const Vector& u, const PlacedSha
     if (p.hull == nullptr) return;
     const Vector u_body = transpose_times(s.A, u);
     const bool is_A = &s == &A;
+    // bound: 3 limits::hull_vertices_max - 6
     for (int i = 0; i < p.hull->edge_count; ++i) {
         const HullEdge& edge = p.hull->edges[i];
         const Vector e = p.vertex(edge.b) - p.vertex(edge.a);
@@ -183,6 +188,7 @@ bool touch(const PlacedShape& A, const PlacedShape& B, const Search& search, sca
     overlay(patch_A, patch_B, slack, round ? limits::round_aside * smallest : slack, found);
 
     scalar least = scalar_max;
+    // bound: Found::room, twice limits::cap_corners
     for (int i = 0; i < found.count; ++i)
         least = found.candidates[i].separation < least ? found.candidates[i].separation : least;
     // Nothing on top of each other, or not the deepest: one point.

@@ -99,6 +99,7 @@ namespace {
 uint32_t corners_against(const ConvexHull& hull, const Vector& n) {
     int lowest = 0;
     scalar least = 2;
+    // bound: 2 limits::hull_vertices_max - 4
     for (int face_i = 0; face_i < hull.face_count; ++face_i) {
         const scalar up = dot(hull.faces[face_i].n, n);
         if (up < least) {
@@ -108,6 +109,7 @@ uint32_t corners_against(const ConvexHull& hull, const Vector& n) {
     }
     const HullFace& face = hull.faces[lowest];
     uint32_t corners = 0;
+    // bound: limits::hull_vertices_max
     for (int i = 0; i < face.loop_count; ++i) corners |= 1u << hull.loops[face.loop_first + i];
     return corners;
 }
@@ -123,6 +125,7 @@ void collide_hull_half_space(const PlacedShape& A, const PlacedShape& B, scalar 
     const ContactFrame frame = frame_about(face.n, A.r - face.n * face.height);
     Candidate candidates[limits::hull_vertices_max];
     int count = 0;
+    // bound: limits::hull_vertices_max
     for (int i = 0; i < A.hull->vertex_count && count < limits::hull_vertices_max; ++i) {
         const Vector& p = A.hull->vertices[i];
         const scalar s = face.height + dot(n, p);
@@ -135,6 +138,7 @@ void collide_hull_half_space(const PlacedShape& A, const PlacedShape& B, scalar 
     // what touches, and whatever corner is lowest.
     if (count == A.hull->vertex_count) {
         int lowest = 0;
+        // bound: limits::hull_vertices_max
         for (int i = 1; i < count; ++i)
             if (candidates[i].separation < candidates[lowest].separation) lowest = i;
         const uint32_t kept = corners_against(*A.hull, n) | 1u << lowest;

@@ -81,6 +81,7 @@ void polyhedron_patch(const PlacedShape& s, const Vector& centre, const Vector& 
     const Vector t = transpose_times(s.A, towards);
     int face = 0;
     scalar facing = -scalar_max;
+    // bound: 2 limits::hull_vertices_max - 4
     for (int i = 0; i < p.hull->face_count; ++i) {
         const scalar c = dot(p.hull->faces[i].n, t);
         if (!(c > facing)) continue;
@@ -90,6 +91,7 @@ void polyhedron_patch(const PlacedShape& s, const Vector& centre, const Vector& 
     if (facing >= limits::facing_cos) {
         const HullFace& f = p.hull->faces[face];
         const int step = (f.loop_count + Patch::corners_max - 1) / Patch::corners_max;  // of faces of more corners, every other
+        // bound: limits::hull_vertices_max
         for (int k = 0; k < f.loop_count; k += step)
             add_corner(centre + s.A * p.vertex(p.hull->loops[f.loop_first + k]), frame, patch);
         patch.face = face;
@@ -98,6 +100,7 @@ void polyhedron_patch(const PlacedShape& s, const Vector& centre, const Vector& 
     }
     int corner = 0;
     scalar furthest = -scalar_max;
+    // bound: limits::hull_vertices_max
     for (int i = 0; i < p.hull->vertex_count; ++i) {
         const scalar along = dot(p.vertex(i), t);
         if (!(along > furthest)) continue;
@@ -106,6 +109,7 @@ void polyhedron_patch(const PlacedShape& s, const Vector& centre, const Vector& 
     }
     int edge = -1;
     scalar flattest = limits::facing_sin * limits::facing_sin;
+    // bound: 3 limits::hull_vertices_max - 6
     for (int i = 0; i < p.hull->edge_count; ++i) {
         const HullEdge& e = p.hull->edges[i];
         if (e.a != corner && e.b != corner) continue;
@@ -150,6 +154,7 @@ namespace {
 /// True where (x, y) is inside the polygon, or outside by no more than the slack.
 bool inside(const Patch& polygon, scalar turn, scalar slack, scalar x, scalar y) {
     int last = polygon.count - 1;
+    // bound: Patch::corners_max
     for (int i = 0; i < polygon.count; ++i) {
         const scalar e_x = polygon.x[i] - polygon.x[last], e_y = polygon.y[i] - polygon.y[last];
         const scalar off = turn * (e_x * (y - polygon.y[last]) - e_y * (x - polygon.x[last]));
@@ -200,10 +205,12 @@ void overlay_polygons(const Patch& A, const Patch& B, scalar slack, Found& found
     const scalar turn_A = turn_of(A), turn_B = turn_of(B);
     const bool polygon_A = A.count >= 3, polygon_B = B.count >= 3;
     if (polygon_B)
+        // bound: Patch::corners_max
         for (int i = 0; i < A.count; ++i)
             if (inside(B, turn_B, slack, A.x[i], A.y[i]))
                 found.add(A.x[i], A.y[i], A.z[i], B.height(A.x[i], A.y[i]), corner_of_A | pair(i, 0));
     if (polygon_A)
+        // bound: Patch::corners_max
         for (int i = 0; i < B.count; ++i)
             if (inside(A, turn_A, slack, B.x[i], B.y[i]))
                 found.add(B.x[i], B.y[i], A.height(B.x[i], B.y[i]), B.z[i], corner_of_B | pair(0, i));
@@ -212,6 +219,7 @@ void overlay_polygons(const Patch& A, const Patch& B, scalar slack, Found& found
     const Patch &line = walk_A ? A : B, &polygon = walk_A ? B : A;
     const scalar turn = walk_A ? turn_B : turn_A;
     const int lines = line.count >= 3 ? line.count : 1;
+    // bound: Patch::corners_max
     for (int i = 0; i < lines; ++i) {
         const int next = i + 1 < line.count ? i + 1 : 0;
         scalar low, high;

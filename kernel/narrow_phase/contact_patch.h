@@ -44,6 +44,7 @@ struct Found {
         const scalar bottom = z_A - radius_A, top = z_B + radius_B;
         const scalar s = bottom - top < gap ? gap : bottom - top;  // beyond the rim of a face its plane goes on
         if (!(s <= margin) || count >= room) return;
+        // bound: Found::room, twice limits::cap_corners
         for (int i = 0; i < count; ++i) {
             const scalar d_x = candidates[i].x - x, d_y = candidates[i].y - y;
             if (d_x * d_x + d_y * d_y <= nearby_sq) return;

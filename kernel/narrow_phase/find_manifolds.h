@@ -145,7 +145,7 @@ INGOT_INLINE void keep_manifold(const Manifold& found, Manifold& kept) {
 /// The same contacts as the solver knows them: by bodies, where pairs are of shape slots.
 template <int shapes_of_body>
 void name_bodies(const ManifoldView& manifolds, BodyPair* body_pairs) {
-    for (int pair_i = 0; pair_i < *manifolds.count; ++pair_i) {
+    for (int pair_i = 0; pair_i < *manifolds.count; ++pair_i) {  // bound: max_manifolds
         const BodyPair& pair = manifolds.pairs[pair_i];
         body_pairs[pair_i] = {static_cast<uint16_t>(pair.body_A / shapes_of_body), static_cast<uint16_t>(pair.body_B / shapes_of_body), pair.record};
     }
@@ -160,6 +160,7 @@ template <class Shapes, bool renews, class Rules, class FastPairs = NoFastPairs>
 void update_manifolds(const BodyView& bodies, const SurfaceView& surfaces, const BoundsTile* bounds, scalar h, const Rules& rules,
                       const PairList& found, const ManifoldView& manifolds, StepReport& report, const FastPairs& fast_pairs = {}) {
     *manifolds.count = 0;
+    // bound: max_pairs and the pairs of shapes of one body: pairs_with_own of scene.h
     for (int pair_i = 0; pair_i < *found.count; ++pair_i) {
         BodyPair& pair = found.pairs[pair_i];
         const bool has_record = pair.record != no_record;

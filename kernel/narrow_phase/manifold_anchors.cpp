@@ -11,6 +11,7 @@ constexpr int points = Manifold::points_max;
 
 /// A times each of four columns. Loops over four numbers: compilers make one instruction of each.
 void turn(const Matrix& A, const scalar (&from)[3][points], scalar (&to)[3][points]) {
+    // bound: 4: Manifold::points_max
     for (int i = 0; i < points; ++i) to[0][i] = A.c0.x * from[0][i] + A.c1.x * from[1][i] + A.c2.x * from[2][i];
     for (int i = 0; i < points; ++i) to[1][i] = A.c0.y * from[0][i] + A.c1.y * from[1][i] + A.c2.y * from[2][i];
     for (int i = 0; i < points; ++i) to[2][i] = A.c0.z * from[0][i] + A.c1.z * from[1][i] + A.c2.z * from[2][i];
@@ -28,6 +29,7 @@ void anchor(const BodyFrame& A, const BodyFrame& B, const Manifold& manifold, sc
     anchors.margin = margin;
     anchors.n_A = transpose_times(A.A, manifold.n);
     anchors.n_B = transpose_times(B.A, manifold.n);
+    // bound: 4: Manifold::points_max
     for (int point_i = 0; point_i < manifold.count; ++point_i) {
         const ManifoldPoint& point = manifold.points[point_i];
         const Vector half_gap = manifold.n * (point.separation * scalar(0.5));

@@ -17,6 +17,7 @@ struct Choice {
 
     bool has(int i) const {
         bool found = false;
+        // bound: 32: candidates of a manifold
         for (int k = 0; k < count; ++k) found |= chosen[k] == i;
         return found;
     }
@@ -77,6 +78,7 @@ void keep_points(const Candidate* candidates, int count, const ContactFrame& fra
     if (count > Manifold::points_max) choice = spanning(candidates, count, tolerance, before);
     manifold.n = frame.n;
     manifold.count = choice.count;
+    // bound: 4: Manifold::points_max
     for (int i = 0; i < choice.count; ++i) {
         const Candidate& p = candidates[choice.chosen[i]];
         const Vector P = frame.origin + (frame.e_x * p.x + frame.e_y * p.y + frame.n * p.z);

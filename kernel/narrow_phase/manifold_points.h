@@ -37,6 +37,7 @@ INGOT_INLINE Before remember(const Manifold* manifold) {
     if (manifold == nullptr) return before;
     before.n = manifold->n;
     before.count = manifold->count < Manifold::points_max ? manifold->count : Manifold::points_max;
+    // bound: 4: Manifold::points_max
     for (int i = 0; i < before.count; ++i) before.features[i] = manifold->points[i].feature;
     return before;
 }

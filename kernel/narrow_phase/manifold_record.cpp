@@ -5,8 +5,9 @@ namespace ingot { inline namespace INGOT_ABI {
 
 void match_records(const ManifoldView& manifolds, const PairList& found) {
     int found_i = 0;
-    for (int held_i = 0; held_i < *manifolds.count; ++held_i) {
+    for (int held_i = 0; held_i < *manifolds.count; ++held_i) {  // bound: max_manifolds
         BodyPair& held = manifolds.pairs[held_i];
+        // bound: pairs_with_own of scene.h: over the whole walk: found_i only grows
         while (found_i < *found.count && found.pairs[found_i].key() < held.key()) ++found_i;
         if (found_i < *found.count && found.pairs[found_i].key() == held.key())
             found.pairs[found_i].record = held.record;
@@ -37,6 +38,7 @@ void give_back(const ManifoldView& manifolds, uint16_t& record) {
 }
 
 void invalidate_contacts(const ManifoldView& manifolds, const PairList& found, BoundsTile* bounds, int slot) {
+    // bound: max_pairs and the pairs of shapes of one body: pairs_with_own of scene.h
     for (int pair_i = 0; pair_i < *found.count; ++pair_i) {
         BodyPair& pair = found.pairs[pair_i];
         if (pair.body_A == slot || pair.body_B == slot) pair.record = no_record;
@@ -57,9 +59,11 @@ void invalidate_contacts(const ManifoldView& manifolds, const PairList& found, B
 void carry_impulses(ManifoldRecord& record, const Manifold& next) {
     const Manifold& before = record.manifold;
     bool same = next.count == before.count;
+    // bound: 4: Manifold::points_max
     for (int point_i = 0; point_i < before.count; ++point_i) same = same && before.points[point_i].feature == next.points[point_i].feature;
     if (same) return;
     scalar j[Manifold::points_max] = {}, j_before[Manifold::points_max] = {};
+    // bound: 4: Manifold::points_max
     for (int point_i = 0; point_i < next.count; ++point_i) {
         for (int old_i = 0; old_i < before.count; ++old_i) {
             if (before.points[old_i].feature != next.points[point_i].feature) continue;

@@ -18,6 +18,7 @@ Vector core_support(const PlacedShape& s, const Vector& d) {
             const ConvexHull& hull = *s.hull;
             int best = 0;
             scalar furthest = dot(hull.vertices[0], d);
+            // bound: limits::hull_vertices_max
             for (int i = 1; i < hull.vertex_count; ++i) {
                 const scalar along = dot(hull.vertices[i], d);
                 if (!(along > furthest)) continue;
@@ -103,7 +104,7 @@ void reduce_triangle(Simplex& s, int i, int j, int k) {
 
 Vector point_of(const Simplex& s, Vector Corner::*part) {
     Vector p{};
-    for (int i = 0; i < s.count; ++i) p += s.corners[i].*part * s.weight[i];
+    for (int i = 0; i < s.count; ++i) p += s.corners[i].*part * s.weight[i];  // bound: 4
     return p;
 }
 
@@ -180,7 +181,7 @@ Nearest nearest_cores(const PlacedShape& A, const PlacedShape& B, scalar enough,
         if (simplex.count > 0) {
             if (!(length_v - gap > limits::nearest_accuracy * length_v)) break;
             bool known = false;
-            for (int i = 0; i < simplex.count; ++i) known |= length_sq(simplex.corners[i].w - w) <= 0;
+            for (int i = 0; i < simplex.count; ++i) known |= length_sq(simplex.corners[i].w - w) <= 0;  // bound: 4
             if (known) break;
         }
         const scalar w_size = abs(a.x) + abs(a.y) + abs(a.z) + abs(b.x) + abs(b.y) + abs(b.z);

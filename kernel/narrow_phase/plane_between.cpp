@@ -15,6 +15,7 @@ Vector face_towards(const PlacedShape& s, const Vector& n) {
     if (s.shape.kind == ShapeKind::cylinder && 2 * u.z * u.z > 1) return s.A.c2;
     if (s.shape.kind == ShapeKind::hull) {
         int best = 0;
+        // bound: 2 limits::hull_vertices_max - 4
         for (int face_i = 1; face_i < s.hull->face_count; ++face_i)
             if (dot(s.hull->faces[face_i].n, u) > dot(s.hull->faces[best].n, u)) best = face_i;
         return s.A * s.hull->faces[best].n;

@@ -51,6 +51,7 @@ template <class Look>
 INGOT_INLINE void look_along(const BodyView& bodies, const SurfaceView& surfaces, const MovingBall& ball, const Look& look) {
     const scalar way_sq = length_sq(ball.way), inv_way_sq = way_sq > 0 ? 1 / way_sq : 0;
     const scalar roundings = 8 * epsilon * (abs(ball.way.x) + abs(ball.way.y) + abs(ball.way.z));
+    // bound: max_bodies max_shapes_of_body / lanes, rounded up: the view of all shapes
     for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) {
         const BallsOfTile balls = balls_of_tile(surfaces, tile_i);
         if ((balls.there | balls.everywhere) == 0) continue;
@@ -61,6 +62,7 @@ INGOT_INLINE void look_along(const BodyView& bodies, const SurfaceView& surfaces
         const lane slack = (abs(c.x) + abs(c.y) + abs(c.z)) * splat<lane>(8 * epsilon) + splat<lane>(roundings);
         const lane reach = (balls.radius + splat<lane>(ball.radius)) * splat<lane>(1 + limits::flatness) + slack;
         unsigned found = (bits(away_sq <= reach * reach) & balls.there) | balls.everywhere;
+        // bound: lanes: found has a bit a lane
         for (int slot = tile_i * lanes; found != 0; ++slot, found >>= 1)
             if ((found & 1u) != 0) look(slot);
     }
@@ -78,6 +80,7 @@ INGOT_INLINE void look_about(const BodyView& bodies, const SurfaceView& surfaces
         const lane reach = balls.radius * splat<lane>(1 + limits::flatness) + splat<lane>(distance) + slack;
         const mask near = both(reach >= lane{}, length_sq(c) <= reach * reach);
         unsigned found = (bits(near) & balls.there) | balls.everywhere;
+        // bound: lanes: found has a bit a lane
         for (int slot = tile_i * lanes; found != 0; ++slot, found >>= 1)
             if ((found & 1u) != 0) look(slot);
     }

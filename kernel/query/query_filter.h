@@ -17,22 +17,22 @@ struct QueryFilter {
 
 /// What a cast meets first.
 struct QueryHit {
-    BodyId body;      ///< the null id: it meets none
-    scalar fraction;  ///< of the way, 0 .. 1; 1 if it meets none
-    Vector P;         ///< m, world: on the body; the end of the way if it meets none
-    Vector n;         ///< unit, away from the body; where the way begins inside, against the motion; zero if it meets none
-    int shape;        ///< which of the body's shapes, where it has several; else 0
+    BodyId body{};    ///< the null id: it meets none
+    scalar fraction{};  ///< of the way, 0 .. 1; 1 if it meets none
+    Vector P{};       ///< m, world: on the body; the end of the way if it meets none
+    Vector n{};       ///< unit, away from the body; where the way begins inside, against the motion; zero if it meets none
+    int shape{};      ///< which of the body's shapes, where it has several; else 0
 
     constexpr bool found() const { return body.generation != 0; }
 };
 
 /// The body nearest to a point.
 struct QueryNearest {
-    BodyId body;      ///< the null id: none is near enough
-    scalar distance;  ///< m, from its surface; negative inside
-    Vector P;         ///< m, world: on its surface
-    Vector n;         ///< unit, out of the body
-    int shape;        ///< which of the body's shapes, where it has several; else 0
+    BodyId body{};    ///< the null id: none is near enough
+    scalar distance{};  ///< m, from its surface; negative inside
+    Vector P{};       ///< m, world: on its surface
+    Vector n{};       ///< unit, out of the body
+    int shape{};      ///< which of the body's shapes, where it has several; else 0
 
     constexpr bool found() const { return body.generation != 0; }
 };

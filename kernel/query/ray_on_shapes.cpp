@@ -131,6 +131,7 @@ RayEntry ray_on_half_space(const Shape& half_space, const LocalRay& ray) {
 
 RayEntry ray_on_hull(const ConvexHull& hull, const LocalRay& ray) {
     Stretch stretch = whole_line;
+    // bound: 2 limits::hull_vertices_max - 4
     for (int face_i = 0; face_i < hull.face_count; ++face_i) {
         const HullFace& face = hull.faces[face_i];
         stretch.cut(dot(face.n, ray.o) - face.offset, dot(face.n, ray.d), length_of_ray(ray.d), face.n);

@@ -12,6 +12,7 @@ void place_shapes(const BodyView& bodies, const CompoundView& compounds, int slo
     const Vector r_CM = lane_of(body.r_CM, from.lane), v_CM = lane_of(body.v_CM, from.lane), omega = omega_of(bodies, slot);
 
     const int first = slot * compounds.shapes_of_body;
+    // bound: max_shapes_of_body from first on
     for (int shape_slot = first; shape_slot < first + compounds.shapes_of_body; ++shape_slot) {
         if (compounds.surfaces[shape_slot].shape.kind == ShapeKind::none) continue;
         const ShapePlace& place = compounds.places[shape_slot];

@@ -36,8 +36,8 @@ struct ShapeDef {
 
 /// Where a shape is in the frame of its body: centre of mass and principal axes.
 struct ShapePlace {
-    Vector r;  ///< m
-    Matrix A;  ///< shape to body
+    Vector r{};  ///< m
+    Matrix A{};  ///< shape to body
 };
 
 /// The place of a part in the frame of the body that has this mass.
@@ -64,6 +64,7 @@ void place_shapes(const BodyView& bodies, const CompoundView& compounds, int slo
 template <int shapes_of_body, class PairList>
 void drop_pairs_of_one_body(const PairList& found) {
     int kept = 0;
+    // bound: max_pairs and the pairs of shapes of one body: pairs_with_own of scene.h
     for (int pair_i = 0; pair_i < *found.count; ++pair_i)
         if (found.pairs[pair_i].body_A / shapes_of_body != found.pairs[pair_i].body_B / shapes_of_body) found.pairs[kept++] = found.pairs[pair_i];
     *found.count = static_cast<uint16_t>(kept);

@@ -8,33 +8,33 @@ namespace ingot { inline namespace INGOT_ABI {
 
 /// A face: all points of the hull have n . r <= offset.
 struct HullFace {
-    Vector n;             ///< unit, outward
-    scalar offset;        ///< m
-    uint8_t loop_first;   ///< its corners in ConvexHull::loops, counter-clockwise as seen from outside
-    uint8_t loop_count;
+    Vector n{};           ///< unit, outward
+    scalar offset{};      ///< m
+    uint8_t loop_first{};  ///< its corners in ConvexHull::loops, counter-clockwise as seen from outside
+    uint8_t loop_count{};
 };
 
 /// An edge from vertex a to vertex b, with face_left on the left as seen from outside.
 struct HullEdge {
-    uint8_t a, b, face_left, face_right;
+    uint8_t a{}, b{}, face_left{}, face_right{};
 };
 
 /// Views of constant arrays; the frame is the hull's own. Made by HullOf::view(), see hull_of_points.h.
 struct ConvexHull {
-    const Vector* vertices;
-    const HullFace* faces;
-    const HullEdge* edges;
-    const uint8_t* loops;
-    uint8_t vertex_count, face_count, edge_count;
-    Vector centre;   ///< m, a point well inside
-    scalar radius;   ///< m, of the ball about the origin that holds the hull
-    scalar inner_radius;  ///< m, of the ball about the centre that the hull holds
+    const Vector* vertices{};
+    const HullFace* faces{};
+    const HullEdge* edges{};
+    const uint8_t* loops{};
+    uint8_t vertex_count{}, face_count{}, edge_count{};
+    Vector centre{};  ///< m, a point well inside
+    scalar radius{};  ///< m, of the ball about the origin that holds the hull
+    scalar inner_radius{};  ///< m, of the ball about the centre that the hull holds
 };
 
 /// The hulls of a scene, in flash. A body has the number of its hull, no pointer: so a world can be copied, and read by another machine.
 struct HullTable {
-    const ConvexHull* hulls;
-    int count;
+    const ConvexHull* hulls{};
+    int count{};
 };
 
 /// The hulls of a scene that names none.

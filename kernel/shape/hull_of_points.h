@@ -71,12 +71,14 @@ struct Wrapping {
     constexpr int add_loop(const Point& n, int start) {
         const int first = face_count == 0 ? 0 : loop_first[face_count];
         int corners = 0, at = start;
+        // bound: limits::hull_vertices_max: refused at corners >= N
         do {
             if (first + corners >= 6 * N || corners >= N) return 0;
             loops[first + corners++] = static_cast<uint8_t>(at);
             int next = -1;
             Point to{};
             double to_length = 0;
+            // bound: limits::hull_vertices_max
             for (int q = 0; q < N; ++q) {
                 const Point d = points[q] - points[at];
                 const double distance = length(d);
@@ -117,8 +119,10 @@ struct Wrapping {
 
     /// The face with the edge from a to b, or -1.
     constexpr int face_with(int a, int b) const {
+        // bound: 2 limits::hull_vertices_max - 4
         for (int face_i = 0; face_i < face_count; ++face_i) {
             const int first = loop_first[face_i], end = loop_first[face_i + 1];
+            // bound: 6 limits::hull_vertices_max: part of the loops of a hull
             for (int k = first; k < end; ++k)
                 if (loops[k] == a && loops[k + 1 < end ? k + 1 : first] == b) return face_i;
         }
@@ -229,6 +233,7 @@ constexpr Result<HullOf<room>> convex_hull(const Vector (&points)[room]) {
         Point sum{};
         for (int i = 0; i < N; ++i) {
             bool used = false;
+            // bound: 6 limits::hull_vertices_max
             for (int k = 0; k < loops_end; ++k) used = used || wrapping.loops[k] == i;
             if (!used) continue;
             renamed[i] = hull.vertex_count;
@@ -240,11 +245,13 @@ constexpr Result<HullOf<room>> convex_hull(const Vector (&points)[room]) {
         const Point centre = wrapping.points[0] + sum * (1.0 / hull.vertex_count);
         hull.centre = {static_cast<scalar>(centre.x), static_cast<scalar>(centre.y), static_cast<scalar>(centre.z)};
 
+        // bound: 2 limits::hull_vertices_max - 4
         for (int face_i = 0; face_i < wrapping.face_count; ++face_i) {
             const int first = wrapping.loop_first[face_i], end = wrapping.loop_first[face_i + 1];
             // The vector area: for a polygon that is flat but for rounding the best normal (Newell).
             Point area{};
             const Point& origin = wrapping.points[wrapping.loops[first]];
+            // bound: limits::hull_vertices_max: ++k
             for (int k = first + 1; k + 1 < end; ++k)
                 area =
                     area + cross(wrapping.points[wrapping.loops[k]] - origin, wrapping.points[wrapping.loops[k + 1]] - origin);
@@ -286,6 +293,7 @@ constexpr Result<HullOf<room>> convex_hull(const Vector (&points)[room]) {
 template <unsigned room>
 constexpr Result<HullOf<room>> convex_hull_of_body(const Vector (&points)[room], const MassProperties& mass) {
     Vector in_body[room] = {};
+    // bound: limits::hull_vertices_max: the array of the caller
     for (unsigned i = 0; i < room; ++i) in_body[i] = transpose_times(mass.A_principal, points[i] - mass.r_CM);
     return convex_hull(in_body);
 }
@@ -294,9 +302,11 @@ constexpr Result<HullOf<room>> convex_hull_of_body(const Vector (&points)[room],
 constexpr Result<MassDistribution> solid_hull(scalar density, const ConvexHull& hull) {
     MeshTriangle triangles[2 * limits::hull_vertices_max - 4] = {};
     int count = 0;
+    // bound: 2 limits::hull_vertices_max - 4
     for (int face_i = 0; face_i < hull.face_count; ++face_i) {
         const HullFace& face = hull.faces[face_i];
         const uint8_t* loop = hull.loops + face.loop_first;
+        // bound: limits::hull_vertices_max: ++k
         for (int k = 1; k + 1 < face.loop_count && count < 2 * limits::hull_vertices_max - 4; ++k)
             triangles[count++] = {loop[0], loop[k], loop[k + 1]};
     }

@@ -9,10 +9,10 @@ namespace ingot { inline namespace INGOT_ABI {
 
 /// A shape and where it is, as the narrow phase and the queries take it.
 struct PlacedShape {
-    Shape shape;
-    Vector r;                ///< m, world position of the origin of the shape's own frame
-    Matrix A;                ///< shape to world, orthonormal
-    const ConvexHull* hull;  ///< for ShapeKind::hull; else null
+    Shape shape{};
+    Vector r{};              ///< m, world position of the origin of the shape's own frame
+    Matrix A = identity_matrix<scalar>();  ///< shape to world, orthonormal
+    const ConvexHull* hull = nullptr;  ///< for ShapeKind::hull; else null
 };
 
 } }  // namespace ingot

@@ -13,32 +13,32 @@ enum class ShapeKind : uint8_t { none, sphere, capsule, box, cylinder, hull, hal
 /// The surface of a body in its own frame (origin at the centre of mass, principal axes). Made from Sphere, Box, HalfSpace,
 /// Capsule, Cylinder or Hull.
 struct Shape {
-    ShapeKind kind;
+    ShapeKind kind{};
     /// sphere: radius, 0, 0; box: half extents; half space: outward unit normal; capsule, cylinder: radius, half length, 0;
     /// hull: radius of the ball about the origin that holds it, its number in Scene::hulls, 0
-    Vector size;
-    scalar offset;  ///< half space: distance of its face from the origin along the normal; else 0
+    Vector size{};
+    scalar offset{};  ///< half space: distance of its face from the origin along the normal; else 0
 };
 
 /// A ball about the centre of mass. radius in m, limits::size_min .. size_max.
 struct Sphere {
     static constexpr ShapeKind kind = ShapeKind::sphere;
-    scalar radius;
+    scalar radius{};
     constexpr operator Shape() const { return {kind, {radius, 0, 0}, 0}; }
 };
 
 /// A box about the centre of mass, along the principal axes. half_extents in m, each limits::size_min .. size_max.
 struct Box {
     static constexpr ShapeKind kind = ShapeKind::box;
-    Vector half_extents;
+    Vector half_extents{};
     constexpr operator Shape() const { return {kind, half_extents, 0}; }
 };
 
 /// All points with normal . r <= offset: solid ground; a wall. For immovable bodies only.
 struct HalfSpace {
     static constexpr ShapeKind kind = ShapeKind::half_space;
-    Vector normal;
-    scalar offset;
+    Vector normal{};
+    scalar offset{};
     constexpr operator Shape() const { return {kind, normal, offset}; }
 };
 
@@ -46,14 +46,14 @@ struct HalfSpace {
 /// limits::size_min .. size_max.
 struct Capsule {
     static constexpr ShapeKind kind = ShapeKind::capsule;
-    scalar radius, half_length;
+    scalar radius{}, half_length{};
     constexpr operator Shape() const { return {kind, {radius, half_length, 0}, 0}; }
 };
 
 /// A cylinder about the origin, its axis along z. radius and half_length in m, each limits::size_min .. size_max.
 struct Cylinder {
     static constexpr ShapeKind kind = ShapeKind::cylinder;
-    scalar radius, half_length;
+    scalar radius{}, half_length{};
     constexpr operator Shape() const { return {kind, {radius, half_length, 0}, 0}; }
 };
 
@@ -61,7 +61,7 @@ struct Cylinder {
 /// radius of the ball about the origin that holds it is ConvexHull::radius, limits::size_min .. size_max. See hull_of.
 struct Hull {
     static constexpr ShapeKind kind = ShapeKind::hull;
-    scalar radius;
+    scalar radius{};
     int form = 0;
     constexpr operator Shape() const { return {kind, {radius, static_cast<scalar>(form), 0}, 0}; }
 };

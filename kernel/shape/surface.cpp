@@ -32,7 +32,7 @@ bool reaches(const Face& face, const Vector& r_CM, scalar radius) { return dot(f
 
 /// next_touchable for a half space.
 int next_at_face(const BodyView& bodies, const SurfaceView& surfaces, const Face& face, int from) {
-    for (int slot_B = from; slot_B < surfaces.slot_count; ++slot_B) {
+    for (int slot_B = from; slot_B < surfaces.slot_count; ++slot_B) {  // bound: max_bodies
         const Surface& B = surfaces.surfaces[slot_B];
         if (B.shape.kind == ShapeKind::none || B.shape.kind == ShapeKind::half_space) continue;
         if (reaches(face, r_CM_at(bodies, slot_B), B.bounding_radius) && can_move(bodies, slot_B)) return slot_B;

@@ -35,7 +35,7 @@ bool end_settling(const SearchView& search, const RestView& rest, SensorMarks is
 /// Pairs that are searched for no more leave the list.
 void drop_resting_pairs(const SearchView& search, const PairList& pairs);
 
-/// The manifolds of bodies that rest are put aside, to come back when their island wakes. told(manifold_i, record) hears of each, in their order.
+/// The manifolds of bodies that rest are put aside, to come back when their island wakes. told(pair) hears of each, in their order.
 /// Cost: a walk along the manifolds of the step.
 template <class Told>
 void put_manifolds_aside(const BodyView& bodies, const RestView& rest, const ManifoldView& manifolds, const Told& told) {
@@ -47,7 +47,7 @@ void put_manifolds_aside(const BodyView& bodies, const RestView& rest, const Man
             manifolds.pairs[kept++] = pair;
             continue;
         }
-        told(manifold_i, pair.record);
+        told(pair);
         const int root = rest.root(body), first = rest.aside[root];
         const uint16_t here = static_cast<uint16_t>(pair.record + 1);
         BodyPair& aside = rest.pairs_aside[pair.record];

@@ -26,6 +26,9 @@ namespace ingot { inline namespace INGOT_ABI {
 ///         using shapes = ingot::Shapes<ingot::Box, ingot::HalfSpace>;
 ///     };
 ///     static ingot::World<Crates> world;                // .bss; no constructor runs; memcpy is a snapshot
+///
+/// A trait that is misspelt, `max_bodys`, is a member of your own that nobody asks for, and a compiler cannot know that it was meant for one:
+/// assert what matters, static_assert(Crates::max_bodies == 10).
 struct Scene {
     static constexpr int  max_bodies   = 1;      ///< 1 .. 65536
     static constexpr bool translates   = false;
@@ -58,6 +61,19 @@ struct Scene {
     using flight   = KickDriftKick;              ///< or another scheme of motion/forced_flight.h, for scenes with a field
 };
 
+template <bool is_scene, class S>
+struct SceneOrNone {
+    using type = S;
+};
+template <class S>
+struct SceneOrNone<false, S> {
+    static_assert(__is_base_of(Scene, S), "a scene inherits what it does not name: struct Crates : ingot::Scene");
+    using type = Scene;  // so that the sentence is not followed by a line for every trait
+};
+/// The scene of World<S>: S, or, behind a sentence, the least scene, where S is none.
+template <class S>
+using SceneOf = typename SceneOrNone<__is_base_of(Scene, S), S>::type;
+
 template <class T>
 T& any_of();  // in types only: std::declval, which freestanding code has not
 
@@ -81,6 +97,7 @@ template <class S>
 inline constexpr HullTable hulls_of = table_of(S::hulls);
 template <class S>
 constexpr bool are_hulls() {
+    // bound: the hulls that the scene names
     for (int form = 0; form < hulls_of<S>.count; ++form)
         if (!(hulls_of<S>.hulls[form].face_count >= 4 && hulls_of<S>.hulls[form].radius > 0)) return false;
     return true;
@@ -147,69 +164,5 @@ inline constexpr bool has_field = is_field<typename S::force_field>;
 /// constant over the step.
 template <class S>
 inline constexpr bool flies_in_field = has_field<S> && !has_shapes<S> && !S::rotation::as_printed;
-
-/// Turns a scene that contradicts itself into a sentence.
-template <class S>
-constexpr bool check_scene() {
-    static_assert(S::max_bodies >= 1 && S::max_bodies <= 65536, "a scene holds 1 to 65536 bodies: set max_bodies");
-    static_assert(S::max_contacts >= 0 && S::max_contacts <= 65535, "a scene holds 0 to 65535 contacts: set max_contacts");
-    static_assert(S::max_manifolds >= 0 && S::max_manifolds <= 65534, "a scene holds 0 to 65534 manifolds: set max_manifolds");
-    static_assert(!(collides<S> && stacks<S>),
-                  "a scene has impacts without friction, max_contacts, or contacts with friction, max_manifolds: set one of them");
-    static_assert(!stacks<S> || (S::max_pairs >= 0 && S::max_pairs <= 65535 && 2 * S::max_manifolds <= 65535 + S::max_pairs),
-                  "a scene holds up to 65535 pairs, twice max_manifolds unless it says otherwise: set max_pairs");
-    static_assert(!stacks<S> || S::max_bodies <= 65535, "bodies with contacts are up to 65535: set max_bodies");
-    static_assert(!stacks<S> || !S::rotation::as_printed, "Listing 1 has no contacts with friction: name another rotation, or max_contacts");
-    static_assert(!stacks<S> || S::translates, "bodies that touch move: set translates = true, or max_manifolds = 0");
-    static_assert(!collides<S> || S::translates, "bodies that collide move: set translates = true, or max_contacts = 0");
-    static_assert(!S::shapes::has(ShapeKind::hull) || stacks<S>, "hulls are for contacts with friction: set max_manifolds, or name no Hull");
-    static_assert(!S::shapes::has(ShapeKind::hull) || hulls_of<S>.count > 0, "a scene with Hull among its shapes says which: set hulls");
-    static_assert(S::shapes::has(ShapeKind::hull) || hulls_of<S>.count == 0, "a scene with hulls has Hull among its shapes: set shapes");
-    static_assert(are_hulls<S>(), "one of the hulls is none: ask convex_hull for the status");
-    static_assert(S::max_shapes_of_body >= 1 && S::max_shapes_of_body <= 255, "a body has 1 to 255 shapes: set max_shapes_of_body");
-    static_assert(!has_compounds<S> || stacks<S>,
-                  "several shapes of a body are for contacts with friction: set max_manifolds, or max_shapes_of_body = 1");
-    static_assert(!has_compounds<S> || (S::max_bodies <= 65535 && S::max_shapes_of_body <= 65535 / S::max_bodies),
-                  "a scene holds up to 65535 shapes, max_shapes_of_body for each body: lower it, or max_bodies");
-    static_assert(!has_compounds<S> || pairs_with_own<S> <= 65535,
-                  "a scene holds up to 65535 pairs of shapes, those within each body among them: lower max_pairs, max_bodies or max_shapes_of_body");
-    static_assert(S::bounces || stacks<S>, "impacts without friction bounce: set max_manifolds, or bounces = true");
-    static_assert(S::bounces || !solves_directly<S>, "a solver that picks itself lets bodies bounce: name BlockSweeps, or set bounces = true");
-    static_assert(!solves_pointwise<S> || stacks<S>, "SequentialImpulses is for contacts with friction: set max_manifolds, or name no solver");
-    static_assert(!solves_pointwise<S> || !S::bounces, "SequentialImpulses lets nothing bounce: set bounces = false, or name BlockSweeps");
-    static_assert(!solves_pointwise<S> || !S::continuous, "SequentialImpulses follows no fast bodies: name BlockSweeps, or set continuous = false");
-    static_assert(!solves_pointwise<S> || !has_materials<S>,
-                  "SequentialImpulses solves plain friction: name BlockSweeps, or leave rolling_resistance and surface_velocities out");
-    static_assert(!S::filters || stacks<S>, "filters are for contacts with friction: set max_manifolds, or filters = false");
-    static_assert(!S::continuous || stacks<S>,
-                  "fast bodies are followed in scenes of contacts with friction: set max_manifolds, or continuous = false");
-    static_assert(!S::continuous || (!has_compounds<S> && !S::shapes::has(ShapeKind::hull)),
-                  "fast bodies are followed where each has one shape, and none is a hull: set continuous = false");
-    static_assert(!S::continuous || !S::sleeps, "fast bodies are followed where nothing sleeps: set continuous or sleeps = false");
-    static_assert(!S::rolling_resistance || stacks<S>,
-                  "rolling resistance is of contacts with friction: set max_manifolds, or rolling_resistance = false");
-    static_assert(!S::surface_velocities || stacks<S>,
-                  "surfaces that move need contacts with friction: set max_manifolds, or surface_velocities = false");
-    static_assert(!has_materials<S> || !solves_directly<S>,
-                  "rolling resistance and surfaces that move are solved by sweeps: leave solver, or both of them, out");
-    static_assert(!has_materials<S> || !S::continuous,
-                  "fast bodies are followed where surfaces neither resist rolling nor move: set continuous = false, or both of them");
-    static_assert(S::max_overlaps >= 0 && S::max_overlaps <= 65535, "a scene notes 0 to 65535 overlaps with sensors: set max_overlaps");
-    static_assert(!has_sensors<S> || stacks<S>, "sensors are for scenes of contacts with friction: set max_manifolds, or max_overlaps = 0");
-    static_assert(S::max_events >= 0 && S::max_events <= 65535, "a scene tells 0 to 65535 events in a step: set max_events");
-    static_assert(!has_events<S> || stacks<S>, "events are of contacts with friction: set max_manifolds, or max_events = 0");
-    static_assert(S::hit_speed >= 0 && S::hit_speed <= limits::speed_runaway, "hits are told from a speed of 0 or more on: set hit_speed");
-    static_assert(!S::sleeps || stacks<S>, "sleep is for scenes of contacts with friction: set max_manifolds, or sleeps = false");
-    static_assert(!S::sleeps || !has_field<S> || S::force_field::is_steady,
-                  "bodies sleep in a force_field that does not change by itself: give it is_steady = true, or set sleeps = false");
-    static_assert(S::sleep_speed >= 0 && S::sleep_speed <= limits::speed_runaway, "bodies at rest move at 0 m/s or more: set sleep_speed");
-    static_assert(S::sleep_time >= 0 && S::sleep_time <= scalar(1e6), "bodies fall asleep after 0 to 1000000 s: set sleep_time");
-    static_assert(flies_in_field<S> || S::flight::order == 2,
-                  "a flight of order 4 is for scenes with a force_field, without contacts, and not for Listing 1: leave it out");
-    static_assert(S::flight::takes_velocities || !S::force_field::depends_on_velocity,
-                  "this flight takes no field that depends on velocity: name CommutatorFree4 or KickDriftKick");
-    static_assert(__is_trivially_copyable(typename S::force_field), "a force_field is made of plain numbers: memcpy keeps it");
-    return true;
-}
 
 } }  // namespace ingot

@@ -105,10 +105,8 @@ private:
         now.solver = storage.contact_solver();
         now.solver.pairs = moving.pairs;
         now.solver.manifold_count = *moving.count;
-        storage.template solve_contacts<has_events<S>, S::bounces>(now.solver, now.bodies, storage.gravity, now.h, storage.impact_notes(),
-                                                                   now.report);
-        if constexpr (S::sleeps)
-            if (*moving.count == 0) now.report.sweeps = 0;  // over none: a world that was loaded asleep tells what the one that was saved tells
+        const ContactStep step{now.bodies, storage.gravity, now.h, storage.impact_notes()};
+        storage.template solve_contacts<has_events<S>, S::bounces>(now.solver, step, now.report);
     }
 };
 
@@ -127,5 +125,11 @@ constexpr auto scheme_of_scene() {
 }
 template <class S>
 using SchemeOf = decltype(scheme_of_scene<S>());
+
+/// From this state to the next, by the scheme of the scene.
+template <class S>
+void advance(Step<S>& now) {
+    SchemeOf<S>::advance(now);
+}
 
 } }  // namespace ingot

@@ -82,9 +82,13 @@ bool is_within(const Matrix& m, scalar limit) {
 
 }  // namespace
 
+bool is_kept_rotation(const Matrix& A) {
+    return check_rotation(A) == Status::ok && orthogonality_error(A) <= limits::orthogonality_kept;
+}
+
 uint64_t snapshot_checksum(const uint8_t* bytes, size_t size) {
     uint64_t sum = size;
-    for (size_t byte_i = 0; byte_i < size; byte_i += 8) {
+    for (size_t byte_i = 0; byte_i < size; byte_i += 8) {  // bound: the bytes of a snapshot
         const uint64_t word = word_at(bytes + byte_i, size - byte_i);
         sum = (sum ^ word) * 0x9e3779b97f4a7c15u;  // odd: one to one
         sum ^= sum >> 32;                          // what multiplication moved up comes down
@@ -156,7 +160,7 @@ void write_saved_body(const BodyView& bodies, int slot, const SavedBody& body) {
 
 bool is_valid(const SavedBody& body, bool translates) {
     if (body.flags > (SavedBody::kicked | SavedBody::frozen)) return false;
-    if (check_rotation(body.A) != Status::ok || !is_within(body.A_low, limits::orthogonality)) return false;
+    if (!is_kept_rotation(body.A) || !is_within(body.A_low, limits::orthogonality_kept)) return false;
     if (!is_within(body.tau_T, limits::torque_max)) return false;
     if (!(body.E_0 >= 0) || !is_finite(body.E_0)) return false;
     if (translates) {

@@ -20,10 +20,17 @@ using ScalarBits = uint64_t;
 using ScalarBits = uint32_t;
 #endif
 
-/// Takes numbers, vectors and matrices apart into what a stream knows: unsigned integers.
+/// Takes numbers, vectors and matrices apart into what a stream knows: unsigned integers. Numbers have names: the bytes do without, host_tests/replay
+/// reads them.
 template <class Stream>
 class NumberStream {
 public:
+    template <class T>
+    __attribute__((always_inline)) constexpr void operator()(const char*, T& number) {
+        (*this)(number);
+    }
+    /// Of the numbers that follow, all together: what tells one force_field from another with as many numbers.
+    static constexpr void name(const char*) {}
     constexpr void operator()(uint8_t& number) { stream().integer(number); }
     constexpr void operator()(uint16_t& number) { stream().integer(number); }
     constexpr void operator()(uint32_t& number) { stream().integer(number); }
@@ -110,10 +117,9 @@ private:
     bool overrun_ = false;
 };
 
-/// Bits of SnapshotHeader::parts.
+/// Bits of SnapshotHeader::parts that the records below look at. The others stand at their features.
 struct SnapshotPart {
-    static constexpr uint16_t doubles = 1, translation = 2, compensation = 4, energy = 8, field = 16, surfaces = 32, manifolds = 64, anchors = 128,
-                              filters = 256, sensors = 512, compounds = 1024, unsettled = 2048, sleep = 4096, rolling = 8192, belts = 16384;
+    static constexpr uint32_t doubles = 1, translation = 2, compensation = 4, energy = 8, manifolds = 64, anchors = 128;
 };
 
 /// What comes first in a snapshot, whatever its scene.
@@ -123,7 +129,7 @@ struct SnapshotHeader {
     uint16_t determinism;  ///< INGOT_DETERMINISM_VERSION: what A_low and E_0 mean belongs to it
     uint64_t signature;    ///< of the scene: see scene_signature
     uint32_t length;       ///< bytes in all, checksum included
-    uint16_t parts;        ///< which numbers follow: for tools that do not know the scene; see SnapshotPart
+    uint32_t parts;        ///< which numbers follow: for tools that do not know the scene; see SnapshotPart and Feature::part
     uint32_t field_size;   ///< bytes of the numbers of the force field
 
     template <class Stream>
@@ -141,7 +147,7 @@ struct SnapshotHeader {
 /// The bytes 89 'i' 'n' 'g' 'o' 't' 0d 0a: not text, and spoilt by what takes it for text.
 inline constexpr uint64_t snapshot_magic = 0x0a0d746f676e6989u;
 /// Raised whenever the bytes after the header get another meaning.
-inline constexpr uint16_t snapshot_format = 2;
+inline constexpr uint16_t snapshot_format = 3;
 inline constexpr size_t snapshot_checksum_size = 8;
 
 constexpr size_t snapshot_header_size() {
@@ -161,20 +167,20 @@ struct SavedBody {
     scalar inv_I_scale, inv_M, E_0;
 
     template <class Stream>
-    constexpr void numbers(Stream& each, bool translates, bool compensates, bool returns_energy) {
-        each(flags);
-        each(A);
-        each(L);
-        each(tau_T);
-        each(inv_I_ratio);
-        each(inv_I_scale);
-        if (compensates) each(A_low);
-        if (returns_energy) each(E_0);
-        if (!translates) return;
-        each(r_CM);
-        each(v_CM);
-        each(F_T);
-        each(inv_M);
+    constexpr void numbers(Stream& each, uint32_t parts) {
+        each("flags", flags);
+        each("A", A);
+        each("L", L);
+        each("tau_T", tau_T);
+        each("inv_I_ratio", inv_I_ratio);
+        each("inv_I_scale", inv_I_scale);
+        if ((parts & SnapshotPart::compensation) != 0) each("A_low", A_low);
+        if ((parts & SnapshotPart::energy) != 0) each("E_0", E_0);
+        if ((parts & SnapshotPart::translation) == 0) return;
+        each("r_CM", r_CM);
+        each("v_CM", v_CM);
+        each("F_T", F_T);
+        each("inv_M", inv_M);
     }
 };
 
@@ -186,13 +192,14 @@ struct SavedSurface {
 
     template <class Stream>
     constexpr void numbers(Stream& each) {
-        each(kind);
-        each(size);
-        each(offset);
-        each(e);
-        each(mu);
+        each("shape.kind", kind);
+        each("shape.size", size);
+        each("shape.offset", offset);
+        each("restitution", e);
+        each("friction", mu);
     }
 };
+constexpr Shape shape_of(const SavedSurface& surface) { return {static_cast<ShapeKind>(surface.kind), surface.size, surface.offset}; }
 
 /// Whether one living body sleeps, in scenes with sleep. Its island is known from the manifolds. Who is due is told from who is not: a
 /// manifold that was found at rest and is then renewed from its anchors is the same but for rounding, and not to the bit.
@@ -202,8 +209,8 @@ struct SavedRest {
 
     template <class Stream>
     constexpr void numbers(Stream& each) {
-        each(awake);
-        each(rest_time);
+        each("awake", awake);
+        each("rest_time", rest_time);
     }
 };
 
@@ -215,37 +222,52 @@ struct SavedManifold {
 
     template <class Stream>
     constexpr void numbers(Stream& each, bool has_anchors) {
-        each(body_A);
-        each(body_B);
+        each("body_A", body_A);
+        each("body_B", body_B);
         uint16_t count = static_cast<uint16_t>(record.manifold.count);
-        each(count);
+        each("points", count);
         record.manifold.count = count;
-        each(record.manifold.n);
+        each("n", record.manifold.n);
         for (int point_i = 0; point_i < Manifold::points_max; ++point_i) {
             ManifoldPoint& point = record.manifold.points[point_i];
-            each(point.P);
-            each(point.separation);
-            each(point.feature);
-            each(record.j[point_i]);
-            each(record.j_before[point_i]);
+            each("P", point.P);
+            each("separation", point.separation);
+            each("feature", point.feature);
+            each("j", record.j[point_i]);
+            each("j_before", record.j_before[point_i]);
         }
-        each(record.mu);
-        each(record.e);
-        each(record.j_friction);
-        each(record.j_reference);
-        each(record.j_torsion);
-        each(record.substeps);
+        each("mu", record.mu);
+        each("e", record.e);
+        each("j_friction", record.j_friction);
+        each("j_reference", record.j_reference);
+        each("j_torsion", record.j_torsion);
+        each("substeps", record.substeps);
         if (!has_anchors) return;
         for (int axis = 0; axis < 3; ++axis) {
-            for (scalar& number : anchors.on_A[axis]) each(number);
-            for (scalar& number : anchors.on_B[axis]) each(number);
+            for (scalar& number : anchors.on_A[axis]) each("on_A", number);
+            for (scalar& number : anchors.on_B[axis]) each("on_B", number);
         }
-        for (scalar& number : anchors.separation) each(number);
-        each(anchors.n_A);
-        each(anchors.n_B);
-        each(anchors.margin);
+        for (scalar& number : anchors.separation) each("found_at", number);
+        each("n_A", anchors.n_A);
+        each("n_B", anchors.n_B);
+        each("margin", anchors.margin);
     }
 };
+
+/// A pair in bytes, to be sorted where the snapshot is written.
+struct PairBytes {
+    uint8_t bytes[6];
+
+    uint32_t key() const { return static_cast<uint32_t>(bytes[0]) << 24 | static_cast<uint32_t>(bytes[1]) << 16 | bytes[2] * 256u | bytes[3]; }
+    BodyPair pair() const {
+        return {static_cast<uint16_t>(key() >> 16), static_cast<uint16_t>(key() & 0xffffu), static_cast<uint16_t>(bytes[4] * 256 + bytes[5])};
+    }
+};
+constexpr PairBytes bytes_of(const BodyPair& pair) {
+    const auto high = [](uint16_t number) { return static_cast<uint8_t>(number >> 8); };
+    const auto low = [](uint16_t number) { return static_cast<uint8_t>(number & 0xffu); };
+    return {{high(pair.body_A), low(pair.body_A), high(pair.body_B), low(pair.body_B), high(pair.record), low(pair.record)}};
+}
 
 /// 64 bits. A change within the eight bytes of one round, so of any one byte, always changes it: each round maps both what came
 /// before and its eight bytes one to one. Cost: a multiplication for eight bytes.
@@ -258,6 +280,8 @@ Status check_snapshot_envelope(const uint8_t* bytes, size_t size, const Snapshot
 SavedBody saved_body(const BodyView& bodies, int slot);
 void write_saved_body(const BodyView& bodies, int slot, const SavedBody& body);
 
+/// True for a rotation as the kernel keeps it: see limits::orthogonality_kept.
+bool is_kept_rotation(const Matrix& A);
 /// True for what the body of a world can have become: numbers finite and within their ranges, A a rotation, the moments those
 /// of a solid; an immovable or frozen body without motion and forces.
 bool is_valid(const SavedBody& body, bool translates);

@@ -28,7 +28,7 @@ struct Step {
     scalar h;            ///< s
     BodyView bodies;
     StepReport report{};
-    decltype(solver_of_scene<S>()) solver{};  ///< of contacts with friction: filled by SchemeOf<S>::advance, read by follow_fast_bodies
+    decltype(solver_of_scene<S>()) solver{};  ///< of contacts with friction: filled by advance, read by follow_fast_bodies
 
     Step(Storage<S>& of, scalar seconds) : storage(of), h(seconds), bodies(of.bodies()) {}
 };
@@ -45,11 +45,8 @@ template <class S>
 void notice_field([[maybe_unused]] Step<S>& now) {
     if constexpr (has_field<S> && S::sleeps) {
         auto& storage = now.storage;
-        if (storage.has_new_field()) {
-            const int sorted = storage.manifold_count;
-            wake_all(now.bodies, storage.rest_view(), storage.manifold_view());
-            storage.sort_in_woken(sorted);
-        }
+        if (SteadyField::changed(storage))
+            wake_by(storage, [&](const ManifoldView& manifolds) { wake_all(now.bodies, storage.rest_view(), manifolds); });
         storage.field_changed = 0;
         __builtin_memcpy(static_cast<void*>(&storage.field_before), static_cast<const void*>(&storage.field), sizeof storage.field);
     }
@@ -161,6 +158,7 @@ void find_manifolds([[maybe_unused]] Step<S>& now) {
         update_manifolds<ShapesOf<S>, S::recycles_manifolds>(storage.shapes(), storage.surface_view(), storage.bounds, now.h,
                                                              storage.pair_rules(now.report), storage.pair_list(), manifolds, now.report,
                                                              fast_pairs_of(now));
+        count(now.report.pairs_lost, storage.pairs_lost);
         if constexpr (S::sleeps)
             count(now.report.contacts, storage.aside_count);
         else if constexpr (has_compounds<S>)
@@ -178,7 +176,7 @@ void wake_islands([[maybe_unused]] Step<S>& now) {
         const int in_step = *manifolds.count;
         join_islands(now.bodies, rest, manifolds);
         wake_met_islands(now.bodies, rest, manifolds);
-        storage.sort_in_woken(in_step);
+        sort_in_woken(storage, in_step);
         if (end_settling(storage.search_view(), rest, storage.sensor_marks())) drop_resting_pairs(storage.search_view(), storage.pair_list());
         list_awake_pairs(now.bodies, rest, manifolds, storage.awake_pairs, storage.awake_pair_count);
     }
@@ -262,7 +260,7 @@ void tell_events([[maybe_unused]] Step<S>& now) {
 /// What rests is put aside: no step looks at it until it wakes.
 template <class S>
 void put_aside([[maybe_unused]] Step<S>& now) {
-    if constexpr (S::sleeps) now.storage.put_aside();
+    if constexpr (S::sleeps) put_aside(now.storage);
 }
 
 /// A body that froze cannot move any more: pairs are searched for anew, without those of which neither can. The compliance of such a pair is zero.
@@ -270,10 +268,12 @@ template <class S>
 void invalidate_frozen_bounds([[maybe_unused]] Step<S>& now) {
     if constexpr (S::sleeps)
         for_active(now.storage.rest_view(), [&now](int slot) {
+            // bound: max_shapes_of_body
             for (int shape_slot = slot * S::max_shapes_of_body; shape_slot < (slot + 1) * S::max_shapes_of_body; ++shape_slot)
                 if (is_frozen(now.bodies, slot)) invalidate_bounds(now.storage.bounds, shape_slot);
         });
     else if constexpr (stacks<S>)
+        // bound: max_bodies max_shapes_of_body
         for (int slot = 0; slot < now.storage.slots_used * S::max_shapes_of_body; ++slot)
             if (is_frozen(now.bodies, slot / S::max_shapes_of_body)) invalidate_bounds(now.storage.bounds, slot);
 }

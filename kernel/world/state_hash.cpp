@@ -23,6 +23,7 @@ uint64_t hash_number(uint64_t hash, scalar x) {
 
 /// A lane of so many rows, one after the other.
 uint64_t hash_rows(uint64_t hash, const scalar* first, int rows) {
+    // bound: 9: numbers of a matrix
     for (int row_i = 0; row_i < rows; ++row_i) hash = hash_number(hash, first[row_i * lanes]);
     return hash;
 }

@@ -14,7 +14,7 @@ namespace ingot { inline namespace INGOT_ABI {
 /// Bound:   every loop is bounded by a capacity of the scene or a number in base/limits.h.
 template <class S>
 StepReport step(World<S>& world, scalar h) {
-    Step<S> now{world.storage_, h};
+    Step now{world.storage_, h};
     if (!accepts_step(now) || passes_asleep(now)) return now.report;
 
     place_shapes(now);               // of bodies that have several
@@ -24,7 +24,7 @@ StepReport step(World<S>& world, scalar h) {
     resolve_impacts(now);            // Fig. 4, without friction
     sum_forces(now);                 // Eqs. 14, 16, and the field
     note_approaches(now);            // events: how fast they meet
-    SchemeOf<S>::advance(now);       // contacts with friction; Eqs. 10, 18, 20; Eq. 1
+    advance(now);                    // contacts with friction; Eqs. 10, 18, 20; Eq. 1
     follow_fast_bodies(now);         // impacts within the step
     fall_asleep(now);
     tell_events(now);

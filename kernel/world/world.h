@@ -21,16 +21,16 @@ namespace ingot { inline namespace INGOT_ABI {
 
 /// One contact of the last step, as World::contact tells it.
 struct ContactInfo {
-    BodyId A, B;
-    Vector n;           ///< unit normal from B to A, world
-    scalar separation;  ///< m, at the begin of the step; negative where the shapes overlap
-    scalar j;           ///< N s, given to A along n, and to B against it, in the step
+    BodyId A{}, B{};
+    Vector n{};         ///< unit normal from B to A, world
+    scalar separation{};  ///< m, at the begin of the step; negative where the shapes overlap
+    scalar j{};         ///< N s, given to A along n, and to B against it, in the step
 };
 
 /// A body that was in a sensor in the last step.
 struct OverlapInfo {
-    BodyId sensor, visitor;
-    int sensor_shape, visitor_shape;  ///< which of their shapes, where a body has several; else 0
+    BodyId sensor{}, visitor{};
+    int sensor_shape{}, visitor_shape{};  ///< which of their shapes, where a body has several; else 0
 };
 
 /// All there is of a simulated world: one object of a size known at compile time, which holds no pointer.
@@ -41,8 +41,9 @@ struct OverlapInfo {
 /// Every call that can be refused answers with a Status, in every build, and has then left the world bitwise unchanged.
 /// Calls that take a BodyId answer stale_id (removed, null, never given out) or foreign_id (of a world with another tag).
 /// Units are SI; vectors and points are in world axes unless they say body. Cost is O(1) unless said.
-template <class S>
+template <class User>
 class World {
+    using S = SceneOf<User>;
     static_assert(check_scene<S>(), "");
 
 public:
@@ -64,14 +65,8 @@ public:
         if (slot == max_bodies) return {Status::no_room, {}};
 
         write_slot(slot, def);
-        if constexpr (has_compounds<S>) {
-            write_shape(slot, 0, def, {{}, identity_matrix<scalar>()});
-            place_shapes(storage_.bodies(), storage_.compound_view(), slot);
-        } else {
-            if constexpr (has_shapes<S>) write_surface(storage_.surfaces[slot], def);
-            if constexpr (has_sensors<S>) storage_.is_sensor[slot] = def.sensor ? 1 : 0;
-        }
-        if constexpr (S::sleeps) begin_awake(storage_.rest_view(), slot);
+        write_shape(slot, 0, def, {{}, identity_matrix<scalar>()});
+        if constexpr (has_compounds<S>) place_shapes(storage_.bodies(), storage_.compound_view(), slot);
         return {Status::ok, id_of(slot)};
     }
 
@@ -80,11 +75,12 @@ public:
     /// Errors: those of add, for the definition and each shape; out_of_range (fewer than one; a place beyond limits::position_max), no_room (more
     ///         than max_shapes_of_body), bad_shape (one that is none; a definition with a shape), not_a_rotation (an A, or mass.A_principal).
     Result<BodyId> add(const BodyDef& def, const ShapeDef* shapes, int shape_count) {
-        compounds_only();
+        static_assert(compounds_only());
         Status status = check_mass_frame(def.mass);
         if (def.shape.kind != ShapeKind::none) status = Status::bad_shape;
         if (shapes == nullptr || shape_count < 1) status = Status::out_of_range;
         if (shape_count > S::max_shapes_of_body) status = Status::no_room;
+        // bound: max_shapes_of_body: more are refused before
         for (int shape_i = 0; shape_i < shape_count && status == Status::ok; ++shape_i) {
             status = check_place(shapes[shape_i], def.mass);
             if (status == Status::ok) status = check_add(with_shape(def, shapes[shape_i]));
@@ -99,7 +95,6 @@ public:
             write_shape(slot, shape_i, with_shape(def, shapes[shape_i]), {place.r + Vector{}, nearest_rotation(place.A)});
         }
         place_shapes(storage_.bodies(), storage_.compound_view(), slot);
-        if constexpr (S::sleeps) begin_awake(storage_.rest_view(), slot);
         return {Status::ok, id_of(slot)};
     }
     template <unsigned N>
@@ -111,21 +106,15 @@ public:
     Status remove(BodyId id) {
         const Result<int> slot = find(id);
         if (!slot.ok()) return slot.status;
-        if constexpr (S::sleeps)
-            wakes([&](const ManifoldView& manifolds) { wake_touching_and_leave(storage_.bodies(), storage_.rest_view(), manifolds, slot.value); });
+        Features::over_named<S>([&](auto feature) { decltype(feature)::before_removal(storage_, slot.value); });
         ++storage_.generation[slot.value];
         if (slot.value < storage_.free_hint) storage_.free_hint = slot.value;
         set_identity_body(storage_.bodies(), slot.value);
-        if constexpr (has_compounds<S>) {
-            storage_.set_generation_of_shapes(slot.value, storage_.generation[slot.value]);
-            remove_shapes(slot.value);
-            return Status::ok;
-        }
-        if constexpr (has_shapes<S>) storage_.surfaces[slot.value] = {};
-        storage_.reset_materials(slot.value);
-        if constexpr (collides<S>) storage_.contact_count = 0;
-        if constexpr (stacks<S>) invalidate_contacts(storage_.manifold_view(), storage_.pair_list(), storage_.bounds, slot.value);
-        if constexpr (S::sleeps) storage_.search_view().clear(slot.value, SearchFlag::searched);
+        storage_.set_generation_of_shapes(slot.value, storage_.generation[slot.value]);
+        // bound: max_shapes_of_body
+        for (int shape_slot = slot.value * S::max_shapes_of_body; shape_slot < (slot.value + 1) * S::max_shapes_of_body; ++shape_slot)
+            Features::over_named<S>([&](auto feature) { decltype(feature)::forget_shape(storage_, shape_slot); });
+        Features::over_named<S>([&](auto feature) { decltype(feature)::forget_body(storage_, slot.value); });
         return Status::ok;
     }
 
@@ -140,7 +129,7 @@ public:
     /// Bodies that live in the world. Cost: O(max_bodies).
     int body_count() const {
         int count = 0;
-        for (int slot = 0; slot < storage_.slots_used; ++slot) count += lives(slot) ? 1 : 0;
+        for (int slot = 0; slot < storage_.slots_used; ++slot) count += lives(slot) ? 1 : 0;  // bound: max_bodies
         return count;
     }
 
@@ -168,7 +157,7 @@ public:
 
     /// Mass, kg, to the rounding of two divisions; 0 for an immovable body.
     Result<scalar> mass(BodyId id) const {
-        translation_only();
+        static_assert(translation_only());
         const Result<int> slot = find(id);
         if (!slot.ok()) return {slot.status, 0};
         const Place at = place_of(slot.value);
@@ -188,7 +177,7 @@ public:
 
     /// A force F, N, at the world point P, m: F_T += F, tau_T += (P - r_CM) x F (Eqs. 14 and 16).
     Status add_force(BodyId id, const Vector& F, const Vector& P) {
-        translation_only();
+        static_assert(translation_only());
         const Result<int> slot = find(id);
         if (!slot.ok()) return slot.status;
         const Status status = check_vector(P, limits::position_max);
@@ -198,7 +187,7 @@ public:
 
     /// A force at the centre of mass, N: it does not turn the body.
     Status add_central_force(BodyId id, const Vector& F) {
-        translation_only();
+        static_assert(translation_only());
         const Result<int> slot = find(id);
         return slot.ok() ? touched(slot.value, accumulate_force(storage_.bodies(), slot.value, F, {})) : slot.status;
     }
@@ -214,7 +203,7 @@ public:
 
     /// An impulse j, N s, at the world point P, m: v_CM += j / M, L += (P - r_CM) x j.
     Status apply_impulse(BodyId id, const Vector& j, const Vector& P) {
-        translation_only();
+        static_assert(translation_only());
         const Result<int> slot = find(id);
         if (!slot.ok()) return slot.status;
         const Status status = check_vector(P, limits::position_max);
@@ -224,7 +213,7 @@ public:
 
     /// An impulse through the centre of mass, N s.
     Status apply_central_impulse(BodyId id, const Vector& j) {
-        translation_only();
+        static_assert(translation_only());
         const Result<int> slot = find(id);
         return slot.ok() ? touched(slot.value, accumulate_impulse(storage_.bodies(), slot.value, j, {})) : slot.status;
     }
@@ -239,7 +228,7 @@ public:
     /// Returns: the impulse, N s; 0 when the points separate.
     /// Errors:  not_finite, out_of_range, bad_direction, bad_restitution, immovable (both), frozen (either).
     Result<scalar> collide(BodyId id_A, BodyId id_B, const Vector& P, const Vector& n, scalar e) {
-        translation_only();
+        static_assert(translation_only());
         const Result<int> slot_A = find(id_A), slot_B = find(id_B);
         if (!slot_A.ok() || !slot_B.ok()) return {slot_A.ok() ? slot_B.status : slot_A.status, 0};
         if (slot_A.value == slot_B.value) return {Status::bad_shape, 0};
@@ -251,31 +240,31 @@ public:
 
     /// Gravity of all bodies, m s^-2. Errors: not_finite, out_of_range (limits::gravity_max).
     Status set_gravity(const Vector& gravity) {
-        translation_only();
+        static_assert(translation_only());
         const Status status = check_vector(gravity, limits::gravity_max);
         if constexpr (S::sleeps)
             if (status == Status::ok && !same(storage_.gravity, gravity))
-                wakes([&](const ManifoldView& manifolds) { wake_all(storage_.bodies(), storage_.rest_view(), manifolds); });
+                wake_by(storage_, [this](const ManifoldView& manifolds) { wake_all(storage_.bodies(), storage_.rest_view(), manifolds); });
         if (status == Status::ok) storage_.gravity = gravity + Vector{};
         return status;
     }
     Vector gravity() const {
-        translation_only();
+        static_assert(translation_only());
         return storage_.gravity;
     }
 
     /// The field of the scene, to read its numbers and to set them; they are taken as they are.
     typename S::force_field& force_field() {
-        field_only();
+        static_assert(field_only());
         return storage_.field;
     }
     const typename S::force_field& force_field() const {
-        field_only();
+        static_assert(field_only());
         return storage_.field;
     }
     /// Sum of all h, s, of a world with a field: its BodyMotion::t at the begin of the next step.
     scalar time() const {
-        field_only();
+        static_assert(field_only());
         return storage_.t;
     }
 
@@ -306,11 +295,11 @@ public:
     // Contacts of the last step, 0 <= index < contact_count().
 
     int contact_count() const {
-        contacts_only();
+        static_assert(contacts_only());
         return storage_.contact_count;
     }
     Result<ContactInfo> contact(int index) const {
-        contacts_only();
+        static_assert(contacts_only());
         if (index < 0 || index >= storage_.contact_count) return {Status::out_of_range, {}};
         const Contact& c = storage_.contacts[index];
         return {Status::ok, {id_of(c.body_A), id_of(c.body_B), c.n, c.separation, c.j_total}};
@@ -319,14 +308,14 @@ public:
     // Whom a body meets, in scenes with filters: two bodies do when each is of a category that the other's mask names.
 
     Result<BodyFilter> filter(BodyId id) const {
-        filters_only();
+        static_assert(filters_only());
         const Result<int> slot = find(id);
         if (!slot.ok()) return {slot.status, {}};
         return {Status::ok, storage_.filters[slot.value]};
     }
     /// From the next step on; what touched and may no longer loses its contact then.
     Status set_filter(BodyId id, const BodyFilter& filter) {
-        filters_only();
+        static_assert(filters_only());
         const Result<int> slot = find(id);
         if (slot.ok()) storage_.filters[slot.value] = filter;
         return slot.ok() ? touched(slot.value, Status::ok) : slot.status;
@@ -340,7 +329,7 @@ public:
     /// counts. A ball of radius R slows by (5/7) g lever / R as it rolls on flat ground, and stays where it is up to tan(alpha) = lever / R.
     /// A tyre on a road: 1 % of its radius; steel on steel: half a millimetre; a ball on grass: a tenth of its radius.
     Status set_rolling_resistance(BodyId id, scalar lever, int shape_i = 0) {
-        rolling_only();
+        static_assert(rolling_only());
         const Result<int> shape_slot = find_shape(id, shape_i);
         if (!shape_slot.ok()) return shape_slot.status;
         if (!is_finite(lever)) return Status::not_finite;
@@ -349,7 +338,7 @@ public:
         return touched(shape_slot.value / S::max_shapes_of_body, Status::ok);
     }
     Result<scalar> rolling_resistance(BodyId id, int shape_i = 0) const {
-        rolling_only();
+        static_assert(rolling_only());
         const Result<int> shape_slot = find_shape(id, shape_i);
         if (!shape_slot.ok()) return {shape_slot.status, 0};
         return {Status::ok, storage_.rolling_levers[shape_slot.value]};
@@ -359,7 +348,7 @@ public:
     /// drawn along by friction, and comes to rest on the belt; the body itself does not move, but for what pushes back. Of a velocity only what
     /// lies along the surface counts. Up to limits::speed_max.
     Status set_surface_velocity(BodyId id, const Vector& velocity, int shape_i = 0) {
-        belts_only();
+        static_assert(belts_only());
         const Result<int> shape_slot = find_shape(id, shape_i);
         if (!shape_slot.ok()) return shape_slot.status;
         const Status status = check_vector(velocity, limits::speed_max);
@@ -368,7 +357,7 @@ public:
         return touched(shape_slot.value / S::max_shapes_of_body, Status::ok);
     }
     Result<Vector> surface_velocity(BodyId id, int shape_i = 0) const {
-        belts_only();
+        static_assert(belts_only());
         const Result<int> shape_slot = find_shape(id, shape_i);
         if (!shape_slot.ok()) return {shape_slot.status, {}};
         return {Status::ok, storage_.surface_velocities[shape_slot.value]};
@@ -378,11 +367,11 @@ public:
     // Full: those that come first in this order are kept, the others count in StepReport::overlaps_lost.
 
     int overlap_count() const {
-        sensors_only();
+        static_assert(sensors_only());
         return storage_.overlap_count;
     }
     Result<OverlapInfo> overlap(int index) const {
-        sensors_only();
+        static_assert(sensors_only());
         if (index < 0 || index >= storage_.overlap_count || index >= S::max_overlaps) return {Status::out_of_range, {}};
         const PairOfBodies& pair = storage_.overlaps[index];
         return {Status::ok, {first_id(pair), second_id(pair), number_of_shape(pair.body_A), number_of_shape(pair.body_B)}};
@@ -394,7 +383,7 @@ public:
     /// counts in StepReport::events_lost; who touches whom is kept all the same, so an end may come without its begin.
     /// A body that is removed ends its contacts in the next step, under the id it had.
     EventView events() const {
-        events_only();
+        static_assert(events_only());
         return {storage_.events, storage_.event_count};
     }
 
@@ -406,36 +395,36 @@ public:
 
     /// False for bodies that cannot move, and for ids of none.
     bool is_asleep(BodyId id) const {
-        sleep_only();
+        static_assert(sleep_only());
         const Result<int> slot = find(id);
         return slot.ok() && sleeps_in(slot.value);
     }
     /// Wakes the island of a body. Errors: immovable, frozen.
     Status wake(BodyId id) {
-        sleep_only();
+        static_assert(sleep_only());
         const Result<int> slot = find_movable(id);
         if (slot.ok())
-            wakes([&](const ManifoldView& manifolds) { wake_island(storage_.bodies(), storage_.rest_view(), manifolds, slot.value); });
+            wake_by(storage_, [&](const ManifoldView& manifolds) { wake_island(storage_.bodies(), storage_.rest_view(), manifolds, slot.value); });
         return slot.status;
     }
     /// Takes a body for one that was at rest for Scene::sleep_time: its island need not wait for it, and falls asleep in the next step if all of it
     /// is at rest. So what is put down at rest is asleep from the start. Errors: immovable, frozen.
     Status sleep(BodyId id) {
-        sleep_only();
+        static_assert(sleep_only());
         const Result<int> slot = find_movable(id);
         if (slot.ok()) storage_.rest_time[slot.value] = S::sleep_time;
         return slot.status;
     }
     /// Bodies that sleep. Cost: O(max_bodies).
     int asleep_count() const {
-        sleep_only();
+        static_assert(sleep_only());
         int count = 0;
         for (int slot = 0; slot < storage_.slots_used; ++slot) count += lives(slot) && sleeps_in(slot) ? 1 : 0;
         return count;
     }
     /// Islands that sleep. Cost: O(max_bodies).
     int asleep_island_count() const {
-        sleep_only();
+        static_assert(sleep_only());
         int count = 0;
         for (int slot = 0; slot < storage_.slots_used; ++slot) count += lives(slot) && sleeps_in(slot) && storage_.parent[slot] == slot ? 1 : 0;
         return count;
@@ -448,7 +437,7 @@ public:
     /// The first body on the way of a ray from a point, m. See QueryHit.
     /// Errors: not_finite, out_of_range (beyond limits::position_max), bad_direction (a way shorter than limits::size_min).
     Result<QueryHit> cast_ray(const Vector& from, const Vector& way, const QueryFilter& filter = {}) const {
-        shapes_only();
+        static_assert(shapes_only());
         const Result<int> except = slot_of_exception(filter);
         const Status status = except.ok() ? check_way(from, way) : except.status;
         if (status != Status::ok) return {status, {}};
@@ -459,7 +448,7 @@ public:
     /// The first body on the way of a shape that does not turn, m; it stops short of it by limits::cast_gap. See QueryHit.
     /// Errors: those of cast_ray, of check_shape and check_rotation; bad_shape (none, a half space, a hull without its form).
     Result<QueryHit> cast_shape(const PlacedShape& shape, const Vector& way, const QueryFilter& filter = {}) const {
-        shapes_only();
+        static_assert(shapes_only());
         const Result<int> except = slot_of_exception(filter);
         Status status = except.ok() ? check_query_shape(shape) : except.status;
         if (status == Status::ok) status = check_way(shape.r, way);
@@ -473,7 +462,7 @@ public:
     /// Returns: how many there are. More than capacity: those of the lowest slots are kept.
     /// Errors:  those of cast_shape; out_of_range (a capacity below zero).
     Result<int> find_overlaps(const PlacedShape& shape, BodyId* found, int capacity, const QueryFilter& filter = {}) const {
-        shapes_only();
+        static_assert(shapes_only());
         const Result<int> except = slot_of_exception(filter);
         Status status = except.ok() ? check_query_shape(shape) : except.status;
         if (status == Status::ok && capacity < 0) status = Status::out_of_range;
@@ -495,7 +484,7 @@ public:
     /// The body whose surface is nearest to a point, no further away than `within`, m. See QueryNearest.
     /// Errors: not_finite, out_of_range (beyond limits::position_max; within below zero).
     Result<QueryNearest> find_nearest(const Vector& point, scalar within, const QueryFilter& filter = {}) const {
-        shapes_only();
+        static_assert(shapes_only());
         const Result<int> except = slot_of_exception(filter);
         Status status = except.ok() ? check_vector(point, limits::position_max) : except.status;
         if (status == Status::ok && !is_finite(within)) status = Status::not_finite;
@@ -520,7 +509,8 @@ public:
     /// Steps taken so far.
     uint32_t step_count() const { return storage_.steps; }
 
-    /// Tells the ids of this world from those of another of the same scene. Errors: not_empty, once a body was added.
+    /// Tells the ids of this world from those of another: they are then foreign_id there. Set it in every world of a program that has two, before
+    /// anything is added: worlds of one tag take each other's ids, see BodyId. Errors: not_empty, once a body was added.
     Status set_tag(uint16_t tag) {
         if (storage_.slots_used != 0) return Status::not_empty;
         storage_.world_tag = tag;
@@ -535,43 +525,54 @@ private:
     template <class Any>
     friend Status load_snapshot(World<Any>& world, const uint8_t* bytes, size_t size);
 
-    static constexpr void translation_only() {
+    static constexpr bool translation_only() {
         static_assert(S::translates, "this scene names no translation: set translates = true");
+        return true;
     }
-    static constexpr void field_only() {
+    static constexpr bool field_only() {
         static_assert(has_field<S>, "this scene names no field: set force_field");
+        return true;
     }
-    static constexpr void contacts_only() {
+    static constexpr bool contacts_only() {
         static_assert(collides<S>, "this scene names no contacts: set max_contacts");
+        return true;
     }
 
-    static constexpr void filters_only() {
+    static constexpr bool filters_only() {
         static_assert(S::filters, "this scene names no filters: set filters = true");
+        return true;
     }
-    static constexpr void sensors_only() {
+    static constexpr bool sensors_only() {
         static_assert(has_sensors<S>, "this scene names no sensors: set max_overlaps");
+        return true;
     }
 
-    static constexpr void events_only() {
+    static constexpr bool events_only() {
         static_assert(has_events<S>, "this scene names no events: set max_events");
+        return true;
     }
 
-    static constexpr void sleep_only() {
+    static constexpr bool sleep_only() {
         static_assert(S::sleeps, "bodies of this scene do not sleep: set sleeps = true");
+        return true;
     }
-    static constexpr void compounds_only() {
+    static constexpr bool compounds_only() {
         static_assert(has_compounds<S>, "bodies of this scene have one shape: set max_shapes_of_body");
+        return true;
     }
 
-    static constexpr void rolling_only() {
+    static constexpr bool rolling_only() {
         static_assert(S::rolling_resistance, "shapes of this scene roll freely: set rolling_resistance = true");
+        return true;
     }
-    static constexpr void belts_only() {
+    static constexpr bool belts_only() {
         static_assert(S::surface_velocities, "surfaces of this scene do not move: set surface_velocities = true");
+        return true;
     }
 
-    static constexpr void shapes_only() {
+    static constexpr bool shapes_only() {
         static_assert(has_shapes<S>, "this scene keeps no shapes: set max_manifolds or max_contacts");
+        return true;
     }
 
     /// All that World::add asks of a body of one shape.
@@ -580,10 +581,10 @@ private:
         if constexpr (has_shapes<S>) status = check_surface(def);
         if (status == Status::ok) status = check_definition(def, S::translates, has_shapes<S> && S::shapes::has(def.shape.kind));
         if (status == Status::ok && !ShapesOf<S>::names_its_hull(def.shape)) status = Status::bad_shape;
-        if constexpr (has_shapes<S> && !S::filters)
-            if (def.filter.category != meets_all.category || def.filter.mask != meets_all.mask) status = Status::not_in_scene;
-        if constexpr (has_shapes<S> && !has_sensors<S>)
-            if (def.sensor) status = Status::not_in_scene;
+        Features::over_all([&](auto feature) {
+            const Status of_feature = decltype(feature)::template check_def<S>(def);
+            if (of_feature != Status::ok) status = of_feature;
+        });
         if constexpr (has_shapes<S> && !S::bounces)
             if (def.restitution > 0) status = Status::not_in_scene;
         return status;
@@ -594,44 +595,23 @@ private:
         storage_.free_hint = slot + 1;
         ++storage_.generation[slot];
         write_body(storage_.bodies(), slot, def);
-        if constexpr (S::filters) storage_.filters[slot] = def.filter;
-        if constexpr (has_compounds<S>) storage_.set_generation_of_shapes(slot, storage_.generation[slot]);
+        storage_.set_generation_of_shapes(slot, storage_.generation[slot]);
+        Features::over_named<S>([&](auto feature) { decltype(feature)::begin_body(storage_, slot, def); });
     }
     void write_shape(int slot, int shape_i, const BodyDef& def, const ShapePlace& place) {
         const int shape_slot = slot * S::max_shapes_of_body + shape_i;
-        write_surface(storage_.surfaces[shape_slot], def);
-        storage_.surfaces[shape_slot].bounding_radius = radius_about_body(def.shape, place);
-        storage_.shape_places[shape_slot] = place;
-        if constexpr (has_sensors<S>) storage_.is_sensor[shape_slot] = def.sensor ? 1 : 0;
-    }
-    void remove_shapes(int slot) {
-        for (int shape_slot = slot * S::max_shapes_of_body; shape_slot < (slot + 1) * S::max_shapes_of_body; ++shape_slot) {
-            storage_.surfaces[shape_slot] = {};
-            storage_.shape_places[shape_slot] = {};
-            storage_.reset_materials(shape_slot);
-            if constexpr (has_sensors<S>) storage_.is_sensor[shape_slot] = 0;
-            set_identity_body(storage_.shapes(), shape_slot);
-            invalidate_contacts(storage_.manifold_view(), storage_.pair_list(), storage_.bounds, shape_slot);
-            if constexpr (S::sleeps) storage_.search_view().clear(shape_slot, SearchFlag::searched);
-        }
-    }
-    /// Every call that wakes: manifolds that come back take their place.
-    template <class Call>
-    void wakes(const Call& call) {
-        const int sorted = storage_.manifold_count;
-        call(storage_.manifold_view());
-        storage_.sort_in_woken(sorted);
+        Features::over_named<S>([&](auto feature) { decltype(feature)::begin_shape(storage_, shape_slot, def, place); });
     }
     /// Passes on the answer of a call, which wakes what sleeps where it did something.
     Status touched([[maybe_unused]] int slot, Status status) {
         if constexpr (S::sleeps)
             if (status == Status::ok)
-                wakes([&](const ManifoldView& manifolds) { wake_touching(storage_.bodies(), storage_.rest_view(), manifolds, slot); });
+                wake_by(storage_, [&](const ManifoldView& manifolds) { wake_touching(storage_.bodies(), storage_.rest_view(), manifolds, slot); });
         return status;
     }
     uint64_t hash_of(int slot, uint64_t hash) const {
         hash = hash_body(storage_.bodies(), slot, hash);
-        if constexpr (S::sleeps) hash = hash_rest(storage_.is_awake(slot), storage_.rest_time[slot], hash);
+        Features::over_named<S>([&](auto feature) { hash = decltype(feature)::hash_body(storage_, slot, hash); });
         return hash;
     }
     bool sleeps_in(int slot) const { return is_dynamic(storage_.bodies(), slot) && !storage_.is_awake(slot); }
@@ -664,7 +644,7 @@ private:
     static int number_of_shape(int shape_slot) { return shape_slot == no_slot ? 0 : shape_slot % S::max_shapes_of_body; }
     BodyId id_of_shape(int shape_slot) const { return shape_slot == no_slot ? BodyId{} : id_of(body_of(shape_slot)); }
 
-    bool lives(int slot) const { return (storage_.generation[slot] & 1u) != 0; }
+    bool lives(int slot) const { return storage_.lives(slot); }
 
     BodyId id_of(int slot) const { return {static_cast<uint16_t>(slot), storage_.world_tag, storage_.generation[slot]}; }
 
@@ -686,6 +666,7 @@ private:
 
     /// The lowest slot that is free and whose generation is not used up; max_bodies if there is none.
     int free_slot() const {
+        // bound: itself
         for (int slot = storage_.free_hint; slot < max_bodies; ++slot)
             if (!lives(slot) && storage_.generation[slot] != UINT32_MAX - 1) return slot;
         return max_bodies;
@@ -702,12 +683,14 @@ private:
     /// The same for the slots of its shapes.
     void begin_shape_slots(int slot) {
         const int first = slot * S::max_shapes_of_body, last = first + S::max_shapes_of_body - 1;
+        // bound: max_shapes_of_body and lanes
         for (int shape_slot = first; shape_slot <= last / lanes * lanes + lanes - 1; ++shape_slot) set_identity_body(storage_.shapes(), shape_slot);
         if constexpr (S::sleeps) empty_bounds(first, last / lanes * lanes + lanes - 1);
     }
 
     /// Slots without a shape overlap nothing: a search that looks at what is awake makes no bounds for them.
     void empty_bounds(int first, int last) {
+        // bound: max_shapes_of_body and lanes
         for (int shape_slot = first; shape_slot <= last; ++shape_slot) ingot::empty_bounds(storage_.bounds, shape_slot);
     }
 

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""What each shape, solver and feature takes on a Cortex-M4F: the rows of footprint.csv and the tables of ../FOOTPRINT.md.
+"""What each shape, solver and feature takes on a Cortex-M4F: the rows of footprint.csv and the tables of FOOTPRINT.md.
 
     footprint.py <footprint.json> --update    measures, writes both and prints the tables
     footprint.py <footprint.json> --check     measures, and fails where footprint.csv is stale
-    footprint.py --check                      fails where ../FOOTPRINT.md is not what the tables of figures make it
+    footprint.py --check                      fails where FOOTPRINT.md is not what the tables of figures make it
     footprint.py --update                     writes it from them, and measures nothing
 
 The table of cores stands in the project's README too, for three scenes.
@@ -23,8 +23,9 @@ sys.path.insert(0, str(HERE.parent))
 import calls  # noqa: E402
 import measure  # noqa: E402
 
-WORST_STEPS = HERE.parent / "worst_steps" / "worst_steps.csv"
-TABLE, PAGE = HERE / "footprint.csv", HERE.parent / "FOOTPRINT.md"
+TABLES = HERE.parent.parent / "tables"
+WORST_STEPS = TABLES / "worst_steps.csv"
+TABLE, PAGE = TABLES / "footprint.csv", TABLES / "FOOTPRINT.md"
 README = HERE.parents[2] / "README.md"
 MARK_BEGIN, MARK_END = "<!-- written by footprint.py -->\n", "<!-- end -->\n"
 FIGURES = ("flash", "world_ram")
@@ -58,7 +59,7 @@ MACHINES = {"world": "impacts without friction, and free bodies", "numbers": "tw
 WORST_HEAD = """
 ## Slowest steps
 
-Figures of `worst_steps/worst_steps.csv`: instructions of a step on a Cortex-M4F, of all steps of the fuzzers' corpora and of `fuzz/slow`. These are
+Figures of `worst_steps.csv`: instructions of a step on a Cortex-M4F, of all steps of the fuzzers' corpora and of `fuzz/slow`. These are
 random calls with numbers at every edge, of up to seven bodies, in steps of up to 1 s, and inputs that a fuzzer found by looking for slow steps. The median
 is over all steps, most of them of a world where little touches, and over those with contacts.
 
@@ -125,13 +126,14 @@ def table_of_worst_steps(source):
 def table_of_calls(stacks):
     """Deepest first; calls that take the same share a row."""
     names = list(dict.fromkeys(name for name, _ in stacks))
+    cores = [core for core in CORES if any(of == core for _, of in stacks)]
     names_of = {}
     for name in names:
-        names_of.setdefault(tuple(stacks.get((name, core), 0) for core in CORES), []).append(name)
+        names_of.setdefault(tuple(stacks.get((name, core), 0) for core in cores), []).append(name)
     rows = sorted(names_of.items(), reverse=True, key=lambda row: row[0])
     large = [row for row in rows if max(row[0]) > CALLS_STACK_MIN]
     small = [row for row in rows if max(row[0]) <= CALLS_STACK_MIN]
-    cells = [("call",) + tuple(CORES.values())]
+    cells = [("call",) + tuple(CORES[core] for core in cores)]
     cells += [(", ".join("`%s`" % name for name in same),) + tuple("%d" % stack for stack in figures) for figures, same in large]
     if small:
         count = sum(len(same) for _, same in small)
@@ -184,6 +186,7 @@ def main():
 
     build = json.loads(arguments.build.read_text(encoding="utf-8"))
     build["emulator"] = build["emulator"].split(";")
+    measure.take_tolerance(build)
     if build["compiler"] != measure.TABLE_COMPILER:
         print("footprint.csv is of gcc %s, this build of gcc %s: not compared" % (measure.TABLE_COMPILER, build["compiler"]))
         return 1 if arguments.update else 0

@@ -25,7 +25,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent))
 import measure  # noqa: E402
 
-TABLE = HERE / "worst_steps.csv"
+TABLE = HERE.parent.parent / "tables" / "worst_steps.csv"
 FUZZ = HERE.parents[2] / "fuzz"
 ALL = "all"  # the scenes of a machine taken together
 KEY_COLUMNS = ("machine", "scene")
@@ -96,10 +96,10 @@ def row_of(machine, scene, steps):
 
 
 def rows_of(machine, steps):
-    """A row for each scene that took a step, and one for all of them."""
+    """A row for each scene that took a step, and one for all of them. Scenes that are one another but for the rotation share that one."""
     if not steps:
         raise measure.Failure("%s took no step" % machine)
-    scenes = sorted({step[2] for step in steps})
+    scenes = sorted({step[2] for step in steps if "<" not in step[2]})
     return [row_of(machine, scene, [step for step in steps if step[2] == scene]) for scene in scenes] + [row_of(machine, ALL, steps)]
 
 
@@ -153,6 +153,7 @@ def main():
     arguments = parser.parse_args()
 
     build = json.loads(arguments.build.read_text(encoding="utf-8"))
+    measure.take_tolerance(build)
     emulator = build["emulator"].split(";")
     if build["compiler"] != measure.TABLE_COMPILER and (arguments.check or arguments.update):
         print("worst_steps.csv is of gcc %s, this build of gcc %s: not compared" % (measure.TABLE_COMPILER, build["compiler"]))

@@ -20,7 +20,7 @@ class Figures(unittest.TestCase):
 
     def test_a_row_for_each_scene_and_one_for_all(self):
         rows = worst_steps.rows_of("friction", worst_steps.steps_of(PRINTED))
-        self.assertEqual([row["scene"] for row in rows], ["Hall", "YardWith<Splitting<6>>", "all"])
+        self.assertEqual([row["scene"] for row in rows], ["Hall", "all"])
         of_all = rows[-1]
         self.assertEqual((of_all["inputs"], of_all["steps"], of_all["median"], of_all["p99"], of_all["worst"]), (2, 5, 30, 40, 40))
         self.assertEqual((of_all["worst_input"], of_all["worst_step"], of_all["worst_contacts"]), ("a", 2, 2))  # the first of two
@@ -40,9 +40,9 @@ class Check(unittest.TestCase):
         return worst_steps.compare([{"machine": "friction", "scene": scene, "worst": worst} for scene, worst in rows], self.TABLE, ["friction"])
 
     def test_tolerances_are_those_of_the_budgets(self):
-        self.assertEqual(self.complaints(("Hall", 1020)), [])
+        self.assertEqual(self.complaints(("Hall", 1050)), [])
         self.assertEqual(self.complaints(("Hall", 900)), [])
-        self.assertIn("friction, Hall: worst grew from 1000 to 1021", self.complaints(("Hall", 1021))[0])
+        self.assertIn("friction, Hall: worst grew from 1000 to 1051", self.complaints(("Hall", 1051))[0])
         self.assertIn("friction, Hall: worst shrank from 1000 to 899", self.complaints(("Hall", 899))[0])
 
     def test_scenes_that_come_or_go_are_named(self):

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""What each rotation method costs on a core: the rows of ../methods.csv, and on Cortex-M0 those of ../flops.csv.
+"""What each rotation method costs on a core: the rows of methods.csv, and on Cortex-M0 those of flops.csv.
 
     measure_methods.py <methods.json>             prints the figures
     measure_methods.py <methods.json> --check     the same, and fails where the tables are stale
@@ -26,7 +26,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent.parent / "budgets"))
 import measure  # noqa: E402
 
-METHODS, FLOPS = HERE.parent / "methods.csv", HERE.parent / "flops.csv"
+METHODS, FLOPS = HERE.parent.parent / "tables" / "methods.csv", HERE.parent.parent / "tables" / "flops.csv"
 METHOD_FIGURES = ("flash", "kernel_flash", "world_ram", "instructions_per_body_step", "instructions_worst")
 FLOP_FIGURES = ("adds", "muls", "divs", "roots")
 
@@ -93,6 +93,7 @@ def main():
     arguments = parser.parse_args()
     build = json.loads(arguments.build.read_text(encoding="utf-8"))
     build["emulator"] = build["emulator"].split(";")
+    measure.take_tolerance(build)
     if build["compiler"] != measure.TABLE_COMPILER and (arguments.check or arguments.update):
         print("the tables are of gcc %s, this build of gcc %s: not compared" % (measure.TABLE_COMPILER, build["compiler"]))
         return 0

@@ -39,7 +39,7 @@ struct SlideDirection {
 struct DirectManifold {
     wide_scalar mu, radius;      ///< m; |torsion| <= mu radius N
     SlideDirection slip;    ///< that sliding rows were factored with
-    uint16_t position;      ///< in solver.order: block and lane
+    uint16_t position;      ///< block and lane: see manifold_at
     uint16_t body[2];       ///< of DirectBody
     uint16_t first;         ///< manifold of the island, the first that shares a body with this one
     uint16_t active_begin;  ///< the first of its active rows
@@ -91,18 +91,15 @@ struct DirectView {
     int manifold_capacity, entry_capacity;
 
     FreeMotion* free_motion;  ///< by solver body
-    uint16_t* root;           ///< by solver body: the body that names its island
-    uint16_t* size;           ///< by root: manifolds
-    uint16_t* begin;          ///< by root, of the island in members
-    IslandState* state;         ///< by root
+    IslandState* state;       ///< by island
     uint16_t* local;          ///< by solver body: of DirectBody
-    uint16_t* members;        ///< positions in solver.order, island by island
     uint8_t* unsettled;       ///< by record: steps in a row that ended with sweeps at their bound
-    Visit* visits;            ///< what is left to the sweeps
 
     int manifold_count, body_count, active_count, entry_count;  ///< of the island at hand
-    int loaded_root;                                            ///< 0: none
+    int loaded_island;                                          ///< -1: none
+    bool some_chosen;  ///< of the batch
     bool factored, some_slide;
+    bool paid;      ///< the factor at hand has been taken from work_left in this attempt
     bool uneven;    ///< bodies of limits::direct_mass_ratio touch
     int work_left;  ///< multiplications that the attempt at hand may still spend on factors; see limits::direct_work_max
 };

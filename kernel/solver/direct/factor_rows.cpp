@@ -28,11 +28,13 @@ wide_scalar coupling(const DirectView& island, const DirectManifold& m, const Di
 bool list_rows(DirectView& island) {
     int count = 0;
     uint32_t entry_count = 0;
+    // bound: max_island of HybridIslands: larger islands are swept
     for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
         DirectManifold& manifold = island.manifolds[manifold_i];
         manifold.factored = manifold.active;
         manifold.active_begin = static_cast<uint16_t>(count);
         const int begin = island.manifolds[manifold.first].active_begin;
+        // bound: direct_rows: only a member named row is written, of an active row
         for (int row = 0; row < direct_rows; ++row) {
             if ((manifold.active >> row & 1u) == 0) continue;
             DirectActive& active = island.active[count];
@@ -53,8 +55,10 @@ bool list_rows(DirectView& island) {
 wide_scalar sum_of_products(const wide_scalar* a, const wide_scalar* b, int count) {
     wide_scalar sums[4] = {};
     int i = 0;
+    // bound: 6 max_island / 4: count is at most the active rows of an island
     for (; i + 4 <= count; i += 4)
         for (int k = 0; k < 4; ++k) sums[k] += a[i + k] * b[i + k];
+    // bound: 3: what fours leave
     for (; i < count; ++i) sums[0] += a[i] * b[i];
     return (sums[0] + sums[1]) + (sums[2] + sums[3]);
 }
@@ -69,11 +73,13 @@ bool is_factored(const DirectView& island) {
 }
 
 void factor_symmetric(const DirectView& island) {
+    // bound: 6 max_island: three normals, two of friction and a twist of each manifold
     for (int i = 0; i < island.active_count; ++i) {
         DirectActive& active = island.active[i];
         const DirectRow& row = island.rows[active.row];
         const DirectManifold& manifold = island.manifolds[active.row / direct_rows];
         wide_scalar* const u = island.entries + active.offset;  // u[c - begin]
+        // bound: 6 max_island: active rows of an island
         for (int c = active.begin; c < i; ++c) {
             const DirectActive& before = island.active[c];
             const DirectManifold& other = island.manifolds[before.row / direct_rows];
@@ -152,10 +158,19 @@ int work_of_factor(const DirectView& island) {
     return island.some_slide ? 4 * work : work;  // two factors, with entries of several couplings each
 }
 
+/// Takes the work of the factor at hand from what is left, unless this attempt has: of one that the attempt before left, too. Whether it is there
+/// depends on who else is solved directly; what an attempt may do must not. False: there is not so much left.
+bool pay(DirectView& island) {
+    if (!island.paid) island.work_left -= work_of_factor(island);
+    island.paid = true;
+    if (island.work_left < 0) island.factored = false;
+    return island.factored;
+}
+
 }  // namespace
 
 bool factor_rows(DirectView& island) {
-    if (is_factored(island)) return true;
+    if (is_factored(island)) return pay(island);
     island.factored = list_rows(island);
     island.some_slide = false;
     for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
@@ -165,8 +180,8 @@ bool factor_rows(DirectView& island) {
     }
     if (island.some_slide) island.factored = island.factored && 2 * island.entry_count <= island.entry_capacity;
     if (!island.factored) return false;
-    island.work_left -= work_of_factor(island);
-    if (island.work_left < 0) return island.factored = false;
+    island.paid = false;
+    if (!pay(island)) return false;
     island.some_slide ? factor_general(island) : factor_symmetric(island);
     return true;
 }
@@ -181,6 +196,7 @@ void solve_factored(const DirectView& island) {
     const wide_scalar* const columns = island.entries + (island.some_slide ? island.entry_count : 0);
     if (!island.some_slide)
         for (int i = 0; i < island.active_count; ++i) island.active[i].x *= island.active[i].inv_pivot;
+    // bound: 6 max_island: three normals, two of friction and a twist of each manifold
     for (int i = island.active_count - 1; i >= 0; --i) {
         DirectActive& active = island.active[i];
         if (island.some_slide) active.x *= active.inv_pivot;

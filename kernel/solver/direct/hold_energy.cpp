@@ -9,9 +9,11 @@ namespace ingot { inline namespace INGOT_ABI {
 namespace {
 
 bool some_bounce(const SolverView& solver, const DirectView& island) {
+    // bound: max_island of HybridIslands: larger islands are swept
     for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
         const DirectManifold& manifold = island.manifolds[manifold_i];
         const ContactBlock& block = solver.blocks[manifold.position / lanes];
+        // bound: 4: block_rows
         for (int row = 0; row < manifold.points; ++row)
             if (has(manifold.rows, row) && block.row[row].landing[manifold.position % lanes] < limits::unbounded) return true;
     }
@@ -26,6 +28,7 @@ DirectVector free_L(const DirectView& island, const DirectBody& body) { return i
 void hold_energy(const SolverView& solver, const DirectView& island) {
     // The energy of the free motion and `share` of the change is E + share along + share^2 across.
     wide_scalar along = 0, across = 0;
+    // bound: max_island + 2: manifolds join at most one body more than they are; and what cannot move
     for (int body_i = 1; body_i < island.body_count; ++body_i) {
         const DirectBody& body = island.bodies[body_i];
         const SolverBody& now = solver.bodies[body.body_i];

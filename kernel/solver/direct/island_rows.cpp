@@ -46,8 +46,8 @@ void load_manifold(const SolverView& solver, DirectView& direct, DirectManifold&
         record.manifold.count > 1 ? static_cast<wide_scalar>(block.torsion.radius[lane_i]) : 0;  // of one point: rounding
     manifold.points = static_cast<uint8_t>(record.manifold.count > 1 ? block_rows : 1);   // whatever it shares its block with
     manifold.rows = 0;
-    for (int row = 0; row < block.rows; ++row) {
-        if (!(block.B[Sym4::index(row, row)][lane_i] > 0)) continue;
+    for (int row = 0; row < block.rows; ++row) {  // bound: 4: block_rows
+        if (!(static_cast<scalar>(row) < block.count[lane_i])) continue;
         const DirectVector P = in_double(record.manifold.points[row].P), none = {};
         load_row(direct, manifold, rows[row], n,
                  manifold.body[0] != 0 ? cross(P - direct.bodies[manifold.body[0]].r_CM, n) : none,
@@ -69,17 +69,18 @@ void load_manifold(const SolverView& solver, DirectView& direct, DirectManifold&
 
 }  // namespace
 
-void load_rows(const SolverView& solver, const BodyView& bodies, DirectView& direct, uint16_t root) {
-    direct.loaded_root = root;
+void load_rows(const SolverView& solver, const BodyView& bodies, DirectView& direct, int island_i) {
+    const Island& island = solver.islands[island_i];
+    direct.loaded_island = island_i;
     direct.factored = false;
     direct.uneven = false;
-    direct.manifold_count = direct.size[root];
+    direct.manifold_count = island.member_count;
     direct.body_count = 1;
     direct.bodies[0] = {};
     direct.local[0] = 0;
-    for (int manifold_i = 0; manifold_i < direct.manifold_count; ++manifold_i) {
+    for (int manifold_i = 0; manifold_i < direct.manifold_count; ++manifold_i) {  // bound: max_manifolds
         DirectManifold& manifold = direct.manifolds[manifold_i];
-        manifold.position = direct.members[direct.begin[root] + manifold_i];
+        manifold.position = solver.members[island.member_begin + manifold_i];
         const ContactBlock& block = solver.blocks[manifold.position / lanes];
         const uint16_t body_A = block.body_A[manifold.position % lanes], body_B = block.body_B[manifold.position % lanes];
         take_in(solver, bodies, direct, body_A);
@@ -91,7 +92,7 @@ void load_rows(const SolverView& solver, const BodyView& bodies, DirectView& dir
         load_manifold(solver, direct, manifold, direct.rows + manifold_i * direct_rows);
 
         manifold.first = static_cast<uint16_t>(manifold_i);
-        for (int before = 0; before < manifold_i; ++before) {
+        for (int before = 0; before < manifold_i; ++before) {  // bound: max_island: manifolds of an island before one
             const DirectManifold& other = direct.manifolds[before];
             bool shared = false;
             for (const uint16_t mine : manifold.body)

@@ -6,8 +6,8 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// Copies the rows of an island out of the blocks, once a step: they do not change within it.
-void load_rows(const SolverView& solver, const BodyView& bodies, DirectView& direct, uint16_t root);
+/// Copies the rows of an island out of the blocks, once a batch: they do not change within it.
+void load_rows(const SolverView& solver, const BodyView& bodies, DirectView& direct, int island_i);
 
 inline bool has(uint8_t bits, int row) { return (bits >> row & 1u) != 0; }
 
@@ -16,7 +16,7 @@ template <class Visitor>
 void for_impulses(const SolverView& solver, const DirectManifold& manifold, Visitor visit) {
     ContactBlock& block = solver.blocks[manifold.position / lanes];
     const int lane_i = manifold.position % lanes;
-    for (int row = 0; row < manifold.points; ++row)
+    for (int row = 0; row < manifold.points; ++row)  // bound: 4: block_rows
         if (has(manifold.rows, row)) visit(row, block.row[row].j[lane_i], block.row[row].j_sweep[lane_i]);
     for (int axis = 0; axis < 2; ++axis)
         if (has(manifold.rows, friction_row + axis)) visit(friction_row + axis, block.friction.j[axis][lane_i], block.friction.j_sweep[axis][lane_i]);

@@ -9,15 +9,13 @@ namespace ingot { inline namespace INGOT_ABI {
 
 inline constexpr int normals_max = 3;  ///< of a manifold that are active: points of one plane have no more independent normals
 
-inline wide_scalar max(wide_scalar a, wide_scalar b) { return a > b ? a : b; }
-inline wide_scalar abs(wide_scalar a) { return a < 0 ? -a : a; }
-inline wide_scalar clamp(wide_scalar x, wide_scalar limit) { return x > limit ? limit : x < -limit ? -limit : x; }
 inline void set_bit(uint8_t& bits, int row, bool on) {
     bits = static_cast<uint8_t>(on ? bits | 1u << row : bits & ~(1u << row));
 }
 
 inline int active_normals(const DirectManifold& manifold) {
     int count = 0;
+    // bound: 4: block_rows
     for (int row = 0; row < manifold.points; ++row) count += has(manifold.active, row) ? 1 : 0;
     return count;
 }

@@ -17,6 +17,7 @@ wide_scalar square_root(wide_scalar x) {
 
 wide_scalar load_of(const DirectManifold& manifold, const DirectRow* rows) {
     wide_scalar N = 0;
+    // bound: 4: block_rows
     for (int row = 0; row < manifold.points; ++row)
         if (has(manifold.rows, row)) N += rows[row].j;
     return max(N, 0);

@@ -23,9 +23,11 @@ struct Misfit {
 
 Misfit misfit(const DirectView& island) {
     Misfit sum = {};
+    // bound: max_island of HybridIslands: larger islands are swept
     for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
         const DirectManifold& manifold = island.manifolds[manifold_i];
         const DirectRow* const rows = island.rows + manifold_i * direct_rows;
+        // bound: 4: block_rows
         for (int row = 0; row < manifold.points; ++row) {
             if (!has(manifold.rows, row)) continue;
             const wide_scalar wanted =
@@ -46,6 +48,7 @@ Misfit misfit(const DirectView& island) {
 /// What bodies do without contacts.
 template <bool displaces>
 void set_free(const DirectView& island) {
+    // bound: max_island + 2: manifolds join at most one body more than they are; and what cannot move
     for (int body_i = 1; body_i < island.body_count; ++body_i) {
         DirectBody& body = island.bodies[body_i];
         body.linear = displaces ? DirectVector{} : in_double(island.free_motion[body.body_i].v_CM);
@@ -110,7 +113,7 @@ void begin_solve(const SolverView& solver, DirectView& island) {
 /// Takes friction, or torsion, out or in. What carries nothing gives nothing.
 void set_friction(const DirectView& island, DirectManifold& manifold, DirectRow* rows, int first, int end, bool loaded,
                   bool slides) {
-    for (int row = first; row < end; ++row) {
+    for (int row = first; row < end; ++row) {  // bound: direct_rows
         set_bit(manifold.active, row, loaded);
         set_bit(manifold.sliding, row, loaded && slides);
         if (!loaded && rows[row].j != 0) give<false>(island, manifold, rows[row], -rows[row].j);
@@ -182,8 +185,10 @@ wide_scalar left_of(const DirectView& island, int row_i) {
 template <bool displaces>
 wide_scalar solve_active(const DirectView& island, wide_scalar settled) {
     const int passes = island.some_slide ? limits::direct_refinements_of_sliding : limits::direct_refinements_max;
+    // bound: limits::direct_refinements_max: left at pass_i == passes, which is that or less
     for (int pass_i = 0;; ++pass_i) {
         wide_scalar worst = 0;
+        // bound: 6 max_island: three normals, two of friction and a twist of each manifold
         for (int i = 0; i < island.active_count; ++i) {
             DirectActive& active = island.active[i];
             active.x = left_of<displaces>(island, active.row);
@@ -260,6 +265,7 @@ void write_back(const SolverView& solver, const DirectView& island) {
 }  // namespace
 
 IslandState solve_island(const SolverView& solver, DirectView& island, scalar h, bool after_sweeps) {
+    island.paid = false;
     begin_free(solver, island);
     if (has_impact(solver, island, h)) return IslandState::left_to_sweeps;
     begin_solve(solver, island);
@@ -341,6 +347,7 @@ wide_scalar farthest(const DirectView& island) {
 }  // namespace
 
 bool place_island(const SolverView& solver, DirectView& island, scalar h) {
+    island.paid = false;
     if (!begin_placing(solver, island, h)) return true;
     set_free<true>(island);
     for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {

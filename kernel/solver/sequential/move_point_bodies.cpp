@@ -35,15 +35,14 @@ void take_in_point_body(PointBody& body, const BodyView& bodies, const Vector& g
     PointMotion at_end = velocity;
     add_motion(at_end, forces, h);
     if (!is_valid(at_end)) return mark_lane_bad(bodies.rotation[at.tile].bad, at.lane);
-    body = {lane_of(translation.r_CM, at.lane), inv_M, inv_I_world, forces, velocity, {}, velocity, false};
+    body = {lane_of(translation.r_CM, at.lane), inv_M, inv_I_world, forces, velocity, {}, velocity, false, static_cast<uint16_t>(slot)};
 }
 
 /// What a substep begins with: forces change the velocity of a body for h seconds, or it changes again by what it changed in the substep before.
 scalar begin_substep(const PointView& solver, bool again, scalar h) {
     scalar fastest_sq = 0;
-    for (int slot = 0; slot < solver.slot_count; ++slot) {
-        PointBody& body = solver.bodies[slot];
-        if (!(body.inv_M > 0)) continue;
+    for (int i = 0; i < solver.body_count; ++i) {  // bound: max_bodies + 1
+        PointBody& body = solver.bodies[solver.body_slots[i]];
         const PointMotion before = body.begin;
         body.begin = body.velocity;
         if (again) {
@@ -61,15 +60,56 @@ scalar begin_substep(const PointView& solver, bool again, scalar h) {
 
 void take_in_bodies(PointView& solver, const BodyView& bodies, const Vector& gravity, scalar h) {
     solver.slot_count = bodies.tile_count * lanes;
-    for (int slot = 0; slot < solver.slot_count; ++slot) {
+    for (int slot = 0; slot < solver.slot_count; ++slot) {  // bound: max_bodies
         solver.bodies[slot].inv_M = 0;  // of a body that does not move, nothing else is looked at
         solver.bodies[slot].hit = false;
     }
-    for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i) {
+    for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i) {  // bound: max_manifolds
         const BodyPair& pair = solver.pairs[manifold_i];
         take_in_point_body(solver.bodies[pair.body_A], bodies, gravity, h, pair.body_A);
         take_in_point_body(solver.bodies[pair.body_B], bodies, gravity, h, pair.body_B);
     }
+}
+
+namespace {
+
+/// The root of a body's tree, in the bodies themselves: see DisjointSets.
+int root_of(const PointView& solver, int slot) {
+    PointBody* const bodies = solver.bodies;
+    while (bodies[slot].root != slot) {  // bound: max_bodies: slot falls each turn, for a root is never higher
+        bodies[slot].root = bodies[bodies[slot].root].root;
+        slot = bodies[slot].root;
+    }
+    return slot;
+}
+
+bool takes_part(const PointView& solver, int slot) { return solver.bodies[slot].inv_M > 0; }
+
+}  // namespace
+
+void join_bodies(const PointView& solver) {
+    for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i) {
+        const BodyPair& pair = solver.pairs[manifold_i];
+        if (!takes_part(solver, pair.body_A) || !takes_part(solver, pair.body_B)) continue;
+        const int A = root_of(solver, pair.body_A), B = root_of(solver, pair.body_B);
+        solver.bodies[A < B ? B : A].root = static_cast<uint16_t>(A < B ? A : B);
+    }
+    for (int slot = 0; slot < solver.slot_count; ++slot)
+        if (takes_part(solver, slot)) solver.bodies[slot].root = static_cast<uint16_t>(root_of(solver, slot));
+}
+
+int next_island(PointView& solver, int slot) {
+    ++slot;
+    while (slot < solver.slot_count && !(takes_part(solver, slot) && solver.bodies[slot].root == slot)) ++slot;  // bound: max_bodies: ++slot
+    solver.member_count = solver.body_count = 0;
+    const auto has = [&](int of) { return takes_part(solver, of) && solver.bodies[of].root == slot; };
+    for (int of = slot; of < solver.slot_count; ++of)
+        if (has(of)) solver.body_slots[solver.body_count++] = static_cast<uint16_t>(of);
+    for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i) {
+        const BodyPair& pair = solver.pairs[manifold_i];
+        if (has(pair.body_A) || has(pair.body_B)) solver.members[solver.member_count++] = static_cast<uint16_t>(manifold_i);
+    }
+    return slot;
 }
 
 scalar kick_bodies(const PointView& solver, scalar h) { return begin_substep(solver, false, h); }
@@ -78,9 +118,8 @@ scalar kick_again(const PointView& solver) { return begin_substep(solver, true, 
 
 SubstepOfPoints drift_bodies(const PointView& solver, scalar h) {
     SubstepOfPoints substep = {false, true};
-    for (int slot = 0; slot < solver.slot_count; ++slot) {
-        PointBody& body = solver.bodies[slot];
-        if (!(body.inv_M > 0)) continue;
+    for (int i = 0; i < solver.body_count; ++i) {
+        PointBody& body = solver.bodies[solver.body_slots[i]];
         const Vector change = body.velocity.linear - body.begin.linear, spun = body.velocity.moment - body.begin.moment;
         const scalar forced = sqrt(length_sq(body.forces.linear)) * h, steady_change = limits::steady_acceleration * forced + limits::settled_speed;
         const scalar change_sq = length_sq(change), spin_sq = dot(spun, body.velocity.angular - body.begin.angular) * body.inv_M;

@@ -10,6 +10,13 @@ namespace ingot { inline namespace INGOT_ABI {
 /// bad and is to the others as if it could not move: what it does must not reach those that touch it.
 void take_in_bodies(PointView& solver, const BodyView& bodies, const Vector& gravity, scalar h);
 
+/// Finds the islands: bodies that touch, directly or through others that can move.
+void join_bodies(const PointView& solver);
+
+/// Takes the next island after the body of a slot in hand: all that follows is asked for its bodies and manifolds alone.
+/// Returns: the slot of its lowest body; slot_count after the last. Cost: a look at all manifolds and bodies.
+int next_island(PointView& solver, int slot);
+
 /// The kick of a substep of h seconds by forces. Returns the speed of the fastest body, m/s, up to limits::rounding_speed_max.
 scalar kick_bodies(const PointView& solver, scalar h);
 

@@ -27,6 +27,7 @@ struct PointBody {
     PointMotion displacement;  ///< since the step began
     PointMotion begin;         ///< velocity at the begin of the substep
     bool hit;         ///< in the substep: its velocity changed by more than forces explain
+    uint16_t root;    ///< slot of the lowest body of its island
 };
 
 /// What a manifold gives: A gets it, B the opposite.
@@ -52,7 +53,10 @@ struct PointView {
     int manifold_count;
     PointBody* bodies;        ///< by body slot
     PointContact* contacts;   ///< by place in pairs
+    uint16_t* members;        ///< manifolds of the island at hand, in the order of pairs
+    uint16_t* body_slots;     ///< of its bodies
     int slot_count;           ///< bodies looked at
+    int member_count, body_count;
 };
 
 } }  // namespace ingot

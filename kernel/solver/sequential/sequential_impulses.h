@@ -14,6 +14,7 @@ namespace ingot { inline namespace INGOT_ABI {
 /// Cortex-M4F: 7 KB, where they take 20. Time at rest is less than theirs. What begins to move takes up to four times as much, for they
 /// solve the points of a manifold at once.
 struct SequentialImpulses {
+    static constexpr const char* name = "sequential_impulses";
     static constexpr bool is_direct = false, is_pointwise = true;
 
     template <int max_bodies, int max_manifolds>
@@ -21,12 +22,14 @@ struct SequentialImpulses {
         PointBody point_bodies[static_cast<unsigned>((max_bodies + lanes - 1) / lanes * lanes)] = {};
         PointContact point_contacts[static_cast<unsigned>(max_manifolds)] = {};
 
+        uint16_t members[static_cast<unsigned>(max_manifolds)] = {}, body_slots[static_cast<unsigned>(max_bodies)] = {};
+
         PointView solver_of(const BodyPair* pairs, ManifoldRecord* records, int manifold_count) {
-            return {pairs, records, manifold_count, point_bodies, point_contacts, 0};
+            return {pairs, records, manifold_count, point_bodies, point_contacts, members, body_slots, 0, 0, 0};
         }
         template <bool notes_impulses, bool>
-        void solve_contacts(PointView& solver, const BodyView& bodies, const Vector& gravity, scalar h, ImpactNote* notes, StepReport& report) {
-            solve_points<notes_impulses>(solver, bodies, gravity, h, notes, report);
+        void solve_contacts(PointView& solver, const ContactStep& step, StepReport& report) {
+            solve_sequentially<notes_impulses>(solver, step, report);
         }
     };
 };

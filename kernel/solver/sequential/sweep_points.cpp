@@ -15,7 +15,6 @@ struct PointVisit {
     ManifoldRecord& record;
     PointContact& contact;
 
-    INGOT_INLINE bool moves() const { return pair.A.inv_M > 0 || pair.B.inv_M > 0; }
     INGOT_INLINE const Vector& n() const { return record.manifold.n; }
     INGOT_INLINE int count() const { return record.manifold.count; }
     INGOT_INLINE const Vector& P(int point_i) const { return record.manifold.points[point_i].P; }
@@ -52,7 +51,7 @@ scalar compliance_of_friction(const PointVisit& visit) {
 
 scalar load_on(const PointVisit& visit) {
     scalar sum = 0;
-    for (int point_i = 0; point_i < visit.count(); ++point_i) sum += visit.record.j[point_i];
+    for (int point_i = 0; point_i < visit.count(); ++point_i) sum += visit.record.j[point_i];  // bound: 4: Manifold::points_max
     return sum;
 }
 
@@ -173,7 +172,7 @@ void visit_positions(const PointVisit& visit, scalar h) {
 }
 
 void scale_impulses(ManifoldRecord& record, scalar share) {
-    for (int point_i = 0; point_i < record.manifold.count; ++point_i) record.j[point_i] *= share;
+    for (int point_i = 0; point_i < record.manifold.count; ++point_i) record.j[point_i] *= share;  // bound: 4: Manifold::points_max
     record.j_friction = record.j_friction * share;
     record.j_torsion *= share;
 }
@@ -232,13 +231,11 @@ void go_on(const PointVisit& visit, scalar beta) {
     give(visit, j, along.friction * beta, along.torsion * beta);
 }
 
-/// Calls a stage for the manifolds of bodies that move.
+/// Calls a stage for the manifolds of the island at hand.
 template <class Stage>
 void over_manifolds(const PointView& solver, bool forward, const Stage& stage) {
-    for (int i = 0; i < solver.manifold_count; ++i) {
-        const PointVisit visit = visit_of(solver, forward ? i : solver.manifold_count - 1 - i);
-        if (visit.moves()) stage(visit);
-    }
+    // bound: max_manifolds
+    for (int i = 0; i < solver.member_count; ++i) stage(visit_of(solver, solver.members[forward ? i : solver.member_count - 1 - i]));
 }
 
 }  // namespace

@@ -19,50 +19,78 @@ INGOT_INLINE void go_on(scalar (&now)[4], scalar (&before)[4], scalar (&P)[4], s
     for (int i = 0; i < 4; ++i) now[i] = before[i] = next[i];
 }
 
-/// The same for the impulses of a row.
-INGOT_INLINE void go_on(scalar (&j)[lanes], scalar (&j_sweep)[lanes], scalar (&direction)[lanes], lane beta) {
+/// The same for the impulses of a row, in the lanes that are live; `whole`: in all.
+template <bool whole>
+INGOT_INLINE void go_on(scalar (&j)[lanes], scalar (&j_sweep)[lanes], scalar (&direction)[lanes], lane beta, mask live) {
     const lane now = load(j), along = beta * load(direction) + (now - load(j_sweep)), next = now + beta * along;
-    store(direction, along);
-    store(j, next);
-    store(j_sweep, next);
+    store_if<whole>(direction, live, along);
+    store_if<whole>(j, live, next);
+    store_if<whole>(j_sweep, live, next);
+}
+
+template <bool whole, class View>
+INGOT_INLINE void extrapolate_visit(const View& solver, const Visit& visit, lane beta) {
+    ContactBlock& block = solver.blocks[visit.block];
+    const mask live = lanes_of(visit.lane_bits);
+    // bound: 4: block_rows
+    for (int row = 0; row < block.rows; ++row) go_on<whole>(block.row[row].j, block.row[row].j_sweep, block.row[row].direction, beta, live);
+    for (int axis = 0; axis < 2; ++axis)
+        go_on<whole>(block.friction.j[axis], block.friction.j_sweep[axis], block.friction.direction[axis], beta, live);
+    if (block.rows > 1) go_on<whole>(block.torsion.j, block.torsion.j_sweep, block.torsion.direction, beta, live);
+    if constexpr (View::rolls) {
+        RollingRows& rolling = solver.rolling[visit.block];
+        for (int axis = 0; axis < 2; ++axis) go_on<whole>(rolling.j[axis], rolling.j_sweep[axis], rolling.direction[axis], beta, live);
+    }
+}
+
+lane beta_of(const SolverView& solver, const Visit& visit) {
+    if (visit.island != no_island) return splat<lane>(solver.islands[visit.island].beta);
+    const ContactBlock& block = solver.blocks[visit.block];
+    scalar of_lanes[lanes];
+    for (int lane_i = 0; lane_i < lanes; ++lane_i)
+        of_lanes[lane_i] = block.island[lane_i] == no_island ? 0 : solver.islands[block.island[lane_i]].beta;
+    return load(of_lanes);
 }
 
 }  // namespace
 
 void begin_sweeps(const SolverView& solver) {
-    for (int body_i = 1; body_i < solver.body_count; ++body_i) {
+    for_bodies(solver, [&](int body_i) {
         const SolverBody& body = solver.bodies[body_i];
         SolverBodyHistory& history = solver.histories[body_i];
         for (int i = 0; i < 4; ++i) history.v_sweep[i] = body.v_CM[i];
         for (int i = 0; i < 4; ++i) history.L_sweep[i] = body.L[i];
-    }
+    });
 }
 
 template <class View>
-void extrapolate(const View& solver, scalar beta) {
-    const lane beta_of_rows = splat<lane>(beta);
-    for (int block_i = 0; block_i < solver.block_count; ++block_i) {
-        ContactBlock& block = solver.blocks[block_i];
-        for (int row = 0; row < block.rows; ++row) go_on(block.row[row].j, block.row[row].j_sweep, block.row[row].direction, beta_of_rows);
-        for (int axis = 0; axis < 2; ++axis)
-            go_on(block.friction.j[axis], block.friction.j_sweep[axis], block.friction.direction[axis], beta_of_rows);
-        if (block.rows > 1) go_on(block.torsion.j, block.torsion.j_sweep, block.torsion.direction, beta_of_rows);
-        if constexpr (View::rolls) {
-            RollingRows& rolling = solver.rolling[block_i];
-            for (int axis = 0; axis < 2; ++axis) go_on(rolling.j[axis], rolling.j_sweep[axis], rolling.direction[axis], beta_of_rows);
-        }
+void extrapolate(const View& solver) {
+    uint16_t island_before = no_island;
+    lane beta{};
+    for (int visit_i = 0; visit_i < solver.live_count; ++visit_i) {  // bound: max_manifolds: a run has one visit or more
+        const Visit visit = solver.live[visit_i];
+        if (visit.island == no_island || visit.island != island_before) beta = beta_of(solver, visit);
+        island_before = visit.island;
+        if (is_all(visit.lane_bits))
+            extrapolate_visit<true>(solver, visit, beta);
+        else
+            extrapolate_visit<false>(solver, visit, beta);
     }
-    for (int body_i = 1; body_i < solver.body_count; ++body_i) {
+    const Island* island = nullptr;
+    island_before = no_island;
+    for_bodies(solver, [&](int body_i) {
+        if (solver.island_of[body_i] != island_before) island = &solver.islands[island_before = solver.island_of[body_i]];
+        if (!island->sweeps_on) return;
         SolverBody& body = solver.bodies[body_i];
         SolverBodyHistory& history = solver.histories[body_i];
-        go_on(body.v_CM, history.v_sweep, history.P_v, beta);
-        go_on(body.L, history.L_sweep, history.P_L, beta);
-    }
+        go_on(body.v_CM, history.v_sweep, history.P_v, island->beta);
+        go_on(body.L, history.L_sweep, history.P_L, island->beta);
+    });
 }
 
 // The linker takes the one that the scene calls. Belts have no impulses of their own.
-template void extrapolate(const SolverView&, scalar);
-template void extrapolate(const RollingView&, scalar);
-template void extrapolate(const RollingBeltView&, scalar);
+template void extrapolate(const SolverView&);
+template void extrapolate(const RollingView&);
+template void extrapolate(const RollingBeltView&);
 
 } }  // namespace ingot

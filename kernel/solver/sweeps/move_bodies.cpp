@@ -26,33 +26,48 @@ bool stays_in_range(const RotationTile& rotation, const Vector& v_CM, const Vect
     return is_within_runaway(spin_of(lane_of(rotation.A, lane_i), lane_of(rotation.inv_I_ratio, lane_i) * scale, L));
 }
 
+/// A body at the begin of a step, and what acts on it.
+struct BodyMotion {
+    Vector v_CM, L, a, tau;
+    scalar inv_M;
+};
+BodyMotion motion_of(const BodyView& bodies, const Vector& gravity, int slot) {
+    const Place at = place_of(slot);
+    const TranslationTile& translation = bodies.translation[at.tile];
+    const RotationTile& rotation = bodies.rotation[at.tile];
+    const scalar inv_M = translation.inv_M[at.lane];
+    return {lane_of(translation.v_CM, at.lane), lane_of(rotation.L, at.lane), lane_of(translation.F_T, at.lane) * inv_M + gravity,
+            lane_of(rotation.tau_T, at.lane), inv_M};
+}
+
+void begin_body(const SolverView& solver, int body_i, const BodyMotion& motion) {
+    SolverBody& body = solver.bodies[body_i];
+    SolverBodyHistory& history = solver.histories[body_i];
+    body = {};
+    history = {};
+    set4(body.v_CM, motion.v_CM, motion.inv_M);
+    set4(body.L, motion.L);
+    set4(body.dp, {}, sqrt(length_sq(motion.a)));
+    set4(history.a, motion.a);
+    set4(history.tau, motion.tau);
+}
+
 /// The solver's own body of a slot; 0 for one that cannot move, or that has gone bad: what it does must not reach those that touch it.
 uint16_t take_in(SolverView& solver, const BodyView& bodies, const Vector& gravity, scalar h, int slot) {
     const Place at = place_of(slot);
     const scalar inv_M = bodies.translation[at.tile].inv_M[at.lane];
     if (!(inv_M > 0)) return 0;
-    if (solver.local_of[slot] != 0) return solver.local_of[slot];
+    if (takes_part(solver, slot)) return solver.local_of[slot];
     RotationTile& rotation = bodies.rotation[at.tile];
-    const Vector v_CM = lane_of(bodies.translation[at.tile].v_CM, at.lane), L = lane_of(rotation.L, at.lane);
-    const Vector a = lane_of(bodies.translation[at.tile].F_T, at.lane) * inv_M + gravity, tau = lane_of(rotation.tau_T, at.lane);
-    if (!stays_in_range(rotation, v_CM + a * h, L + tau * h, at.lane)) {
+    const BodyMotion motion = motion_of(bodies, gravity, slot);
+    if (!stays_in_range(rotation, motion.v_CM + motion.a * h, motion.L + motion.tau * h, at.lane)) {
         mark_lane_bad(rotation.bad, at.lane);
         return 0;
     }
     const int local = solver.body_count++;
-    solver.local_of[slot] = static_cast<uint16_t>(local);
     solver.slot_of[local] = static_cast<uint16_t>(slot);
-
-    SolverBody& body = solver.bodies[local];
-    SolverBodyHistory& history = solver.histories[local];
-    body = {};
-    history = {};
-    set4(body.v_CM, v_CM, inv_M);
-    set4(body.L, L);
-    set4(body.dp, {}, sqrt(length_sq(a)));
-    set4(history.a, a);
-    set4(history.tau, tau);
-    return solver.local_of[slot];
+    begin_body(solver, local, motion);
+    return static_cast<uint16_t>(local);
 }
 
 }  // namespace
@@ -61,33 +76,38 @@ void take_in_bodies(SolverView& solver, const BodyView& bodies, const Vector& gr
     solver.bodies[0] = {};
     solver.histories[0] = {};
     solver.body_count = 1;
-    for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i)
-        solver.local_of[solver.pairs[manifold_i].body_A] = solver.local_of[solver.pairs[manifold_i].body_B] = 0;
-    for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i) {
-        (void)take_in(solver, bodies, gravity, h, solver.pairs[manifold_i].body_A);
-        (void)take_in(solver, bodies, gravity, h, solver.pairs[manifold_i].body_B);
+    for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i) {  // bound: max_manifolds
+        const BodyPair& pair = solver.pairs[manifold_i];
+        solver.local_of[pair.body_A] = take_in(solver, bodies, gravity, h, pair.body_A);
+        solver.local_of[pair.body_B] = take_in(solver, bodies, gravity, h, pair.body_B);
     }
 }
 
-void kick_bodies(SolverView& solver, scalar h) {
-    scalar fastest_sq = 0;
-    for (int body_i = 1; body_i < solver.body_count; ++body_i) {
+void take_in_again(const SolverView& solver, const BodyView& bodies, const Vector& gravity) {
+    for_bodies(solver, [&](int body_i) { begin_body(solver, body_i, motion_of(bodies, gravity, solver.slot_of[body_i])); });
+}
+
+void kick_bodies(const SolverView& solver, scalar h) {
+    for (int island_i = 0; island_i < solver.island_count; ++island_i)  // bound: max_bodies
+        if (solver.islands[island_i].in_batch) solver.islands[island_i].fastest_sq = 0;
+    for_bodies(solver, [&](int body_i) {
         SolverBody& body = solver.bodies[body_i];
         SolverBodyHistory& history = solver.histories[body_i];
         for (int i = 0; i < 4; ++i) history.v_begin[i] = body.v_CM[i];  // the fourth of a and tau is 0
         for (int i = 0; i < 4; ++i) history.L_begin[i] = body.L[i];
         for (int i = 0; i < 4; ++i) body.v_CM[i] = body.v_CM[i] + history.a[i] * h;
         for (int i = 0; i < 4; ++i) body.L[i] = body.L[i] + history.tau[i] * h;
+        scalar& fastest_sq = solver.islands[solver.island_of[body_i]].fastest_sq;
         fastest_sq = max(fastest_sq, length_sq(vector_of(body.v_CM)));
-    }
-    solver.speed_max = min(sqrt(fastest_sq), limits::rounding_speed_max);
+    });
 }
 
 void drift_bodies(SolverView& solver, const BodyView& bodies, scalar h) {
     solver.some_hit = false;
-    for (int body_i = 1; body_i < solver.body_count; ++body_i) {
+    for_bodies(solver, [&](int body_i) {
         SolverBody& body = solver.bodies[body_i];
         SolverBodyHistory& history = solver.histories[body_i];
+        Island& island = solver.islands[solver.island_of[body_i]];
         const Place at = place_of(solver.slot_of[body_i]);
         const Vector v = vector_of(body.v_CM), change = v - vector_of(history.v_begin), L = vector_of(body.L);
         const scalar smooth = 2 * h * body.dp[3];
@@ -97,16 +117,16 @@ void drift_bodies(SolverView& solver, const BodyView& bodies, scalar h) {
         const Vector turn = inv_I_world * L * h, spun = L - vector_of(history.L_begin);
         solver.some_hit = solver.some_hit || hit;
         const scalar steady_change = limits::steady_acceleration * body.dp[3] * h + limits::settled_speed;
-        solver.steady = solver.steady && length_sq(change) + dot(spun, inv_I_world * spun) * body.v_CM[3] <= steady_change * steady_change;
+        island.steady = island.steady && length_sq(change) + dot(spun, inv_I_world * spun) * body.v_CM[3] <= steady_change * steady_change;
         set4(body.dp, dp, body.dp[3]);
         set4(body.dth, vector_of(body.dth) + turn);
         body.L[3] = hit ? scalar(1) : scalar(0);
         set4(history.L_sum, vector_of(history.L_sum) + L * shares_of_substep(solver));
-    }
+    });
 }
 
 void write_contact_motion(const SolverView& solver, const BodyView& bodies, const Vector& gravity, scalar h) {
-    for (int body_i = 1; body_i < solver.body_count; ++body_i) {
+    for (int body_i = 1; body_i < solver.body_count; ++body_i) {  // bound: max_bodies + 1
         const SolverBody& body = solver.bodies[body_i];
         const SolverBodyHistory& history = solver.histories[body_i];
         const Place at = place_of(solver.slot_of[body_i]);

@@ -10,8 +10,11 @@ namespace ingot { inline namespace INGOT_ABI {
 /// seconds is marked bad and left out: to those that touch it, it is immovable already, as it is from the next step on.
 void take_in_bodies(SolverView& solver, const BodyView& bodies, const Vector& gravity, scalar h);
 
+/// The bodies of the batch as they were at the begin of the step.
+void take_in_again(const SolverView& solver, const BodyView& bodies, const Vector& gravity);
+
 /// Forces of a substep of h seconds: v_CM += a h, L += tau h.
-void kick_bodies(SolverView& solver, scalar h);
+void kick_bodies(const SolverView& solver, scalar h);
 
 /// Displacements of a substep: dp += h v, dth += h omega; by the trapezoid where the velocity changed smoothly, so that a steady acceleration is
 /// exact. A change beyond 2 h |a| is an impact, which is flagged for the next warm start.

@@ -6,7 +6,7 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// No manifold has carried an impulse yet.
+/// No manifold of the batch has carried an impulse yet.
 void clear_impulse_notes(const SolverView& solver, ImpactNote* notes);
 
 /// Notes which manifolds carry an impulse at the end of a substep: what a bounce gives in one is gone in the next.

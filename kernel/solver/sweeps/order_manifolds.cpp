@@ -11,7 +11,7 @@ uint16_t local_A(const SolverView& solver, int manifold_i) { return solver.local
 uint16_t local_B(const SolverView& solver, int manifold_i) { return solver.local_of[solver.pairs[manifold_i].body_B]; }
 
 /// Makes the levels of a manifold's bodies differ by at most one; true if that changed one.
-bool relax(SolverView& solver, int manifold_i) {
+bool relax(const SolverView& solver, int manifold_i) {
     uint16_t& A = solver.level_of_body[local_A(solver, manifold_i)];
     uint16_t& B = solver.level_of_body[local_B(solver, manifold_i)];
     if (A != unreached_level && A + 1 < B) {
@@ -25,8 +25,141 @@ bool relax(SolverView& solver, int manifold_i) {
     return false;
 }
 
-/// Distances from the ground, by passes forward and backward over the manifolds; what hangs free of it is level 0 with the ground.
-void find_levels(SolverView& solver) {
+bool is_in_batch(const SolverView& solver, int manifold_i) {
+    const uint16_t island_i = solver.island_at[manifold_i];
+    return island_i != no_island && solver.islands[island_i].in_batch;
+}
+
+/// The manifolds of the batch from the ground up; returns how many. Stable, by counting: levels are fewer than bodies, so the bodies' array
+/// of colours serves as counters before it holds colours.
+int sort_by_level(const SolverView& solver) {
+    uint32_t* const first = solver.colours_of_body;
+    for (int level_i = 0; level_i < solver.body_count; ++level_i) first[level_i] = 0;  // bound: max_bodies + 1
+    for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i)  // bound: max_manifolds
+        if (is_in_batch(solver, manifold_i)) ++first[solver.level[manifold_i]];
+    uint32_t sum = 0;
+    for (int level_i = 0; level_i < solver.body_count; ++level_i) {
+        const uint32_t count = first[level_i];
+        first[level_i] = sum;
+        sum += count;
+    }
+    for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i)
+        if (is_in_batch(solver, manifold_i)) solver.sorted[first[solver.level[manifold_i]]++] = static_cast<uint16_t>(manifold_i);
+    return static_cast<int>(sum);
+}
+
+constexpr int colours = 32;
+
+int lowest_free(uint32_t used) {
+    for (int colour = 0; colour < colours; ++colour)
+        if ((used >> colour & 1u) == 0) return colour;
+    return colours;
+}
+
+void add_spare_lane(SolverView& solver) {
+    const int position = solver.lane_count++, lane_i = position % lanes;
+    ContactBlock& block = solver.blocks[position / lanes];
+    block.manifold[lane_i] = no_manifold;
+    block.island[lane_i] = no_island;
+    block.sum_i[lane_i] = 0;
+}
+
+/// Lets the next colour begin in a block of its own, if room is left for all manifolds that are still to come: `lanes` manifolds to a
+/// visit then, and none that shares its block with another colour. The order of the manifolds is the same either way.
+void begin_block(SolverView& solver, int still_to_come) {
+    const int pad = (lanes - solver.lane_count % lanes) % lanes;
+    if (solver.lane_count + pad + still_to_come > solver.lane_capacity) return;
+    for (int lane_i = 0; lane_i < pad; ++lane_i) add_spare_lane(solver);  // bound: lanes - 1
+}
+
+/// A manifold takes a lane. The k-th of an island and a colour is added to the k mod 8-th of the island's sums.
+void take_lane(const SolverView& solver, ContactBlock& block, int lane_i, uint16_t manifold_i, uint16_t group) {
+    const uint16_t island_i = solver.island_at[manifold_i];
+    Island& island = solver.islands[island_i];
+    const unsigned k = island.group == group ? island.in_group : 0;
+    island.group = group;
+    island.in_group = static_cast<uint16_t>(k + 1);
+    block.manifold[lane_i] = manifold_i;
+    block.island[lane_i] = island_i;
+    block.sum_i[lane_i] = static_cast<uint8_t>(k % Island::sum_count);
+}
+
+/// Adds manifolds [0 .. count), which share no body that can move, to the blocks. Groups are numbered from 1 on.
+void add_visits(SolverView& solver, const uint16_t* manifolds, int count, uint16_t& group) {
+    ++group;
+    for (int i = 0; i < count;) {  // bound: max_manifolds: taken is 1 or more, for a block has room for one
+        const int block_i = solver.lane_count / lanes, first_lane = solver.lane_count % lanes;
+        const int room = lanes - first_lane, taken = count - i < room ? count - i : room;
+        const unsigned bits = ((1u << taken) - 1u) << first_lane;
+        solver.visits[solver.visit_count++] = {static_cast<uint16_t>(block_i), static_cast<uint16_t>(bits), no_island};
+        ContactBlock& block = solver.blocks[block_i];
+        for (int k = 0; k < taken; ++k) take_lane(solver, block, first_lane + k, manifolds[i + k], group);  // bound: lanes
+        solver.lane_count += taken;
+        i += taken;
+    }
+}
+
+/// Colours the manifolds sorted[begin .. end) of one level and adds them colour by colour.
+void color_level(SolverView& solver, int begin, int end, int batch_count, uint16_t& group) {
+    uint16_t count[colours + 1] = {};
+    for (int i = begin; i < end; ++i) {  // bound: max_manifolds: part of sorted
+        solver.colours_of_body[local_A(solver, solver.sorted[i])] = 0;
+        solver.colours_of_body[local_B(solver, solver.sorted[i])] = 0;
+    }
+    for (int i = begin; i < end; ++i) {
+        const uint16_t manifold_i = solver.sorted[i];
+        const uint16_t A = local_A(solver, manifold_i), B = local_B(solver, manifold_i);
+        const int colour = lowest_free((A != 0 ? solver.colours_of_body[A] : 0) | (B != 0 ? solver.colours_of_body[B] : 0));
+        if (colour < colours) {
+            solver.colours_of_body[A] |= 1u << colour;
+            solver.colours_of_body[B] |= 1u << colour;
+        }
+        solver.colour[manifold_i] = static_cast<uint8_t>(colour);
+        ++count[colour];
+    }
+    int place[colours + 1], sum = begin;
+    for (int colour = 0; colour <= colours; ++colour) {
+        place[colour] = sum;
+        sum += count[colour];
+    }
+    uint16_t* const by_colour = solver.members;  // not listed yet
+    for (int i = begin; i < end; ++i) {
+        const uint16_t manifold_i = solver.sorted[i];
+        by_colour[place[solver.colour[manifold_i]]++] = manifold_i;
+    }
+    int position = begin;
+    for (int colour = 0; colour < colours; ++colour) {
+        if (count[colour] == 0) continue;
+        begin_block(solver, batch_count - position);
+        add_visits(solver, by_colour + position, count[colour], group);
+        position += count[colour];
+    }
+    // bound: max_manifolds: part of sorted
+    for (; position < end; ++position) add_visits(solver, by_colour + position, 1, group);  // a body with more: one at a time
+}
+
+/// A visit with all lanes stores whole vectors: the lanes of a block that hold no manifold join the only visit it has. They write the zeros
+/// of the body that cannot move.
+void take_spare_lanes_along(SolverView& solver, Visit& visit) {
+    const ContactBlock& block = solver.blocks[visit.block];
+    unsigned spare = 0;
+    for (int lane_i = 0; lane_i < lanes; ++lane_i)
+        if (block.manifold[lane_i] == no_manifold) spare |= 1u << lane_i;
+    if ((visit.lane_bits | spare) == all_lanes) visit.lane_bits = all_lanes;
+}
+
+/// Tells whether a visit can be summed as one vector.
+void name_island(const SolverView& solver, Visit& visit) {
+    const ContactBlock& block = solver.blocks[visit.block];
+    if (visit.lane_bits != all_lanes || block.sum_i[0] % lanes != 0) return;
+    for (int lane_i = 1; lane_i < lanes; ++lane_i)
+        if (block.island[lane_i] != block.island[0] && block.island[lane_i] != no_island) return;
+    visit.island = block.island[0];
+}
+
+}  // namespace
+
+void find_levels(const SolverView& solver) {
     for (int body_i = 0; body_i < solver.body_count; ++body_i) solver.level_of_body[body_i] = unreached_level;
     solver.level_of_body[0] = 0;
     bool changed = true;
@@ -38,122 +171,46 @@ void find_levels(SolverView& solver) {
     for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i) {
         const uint16_t A = solver.level_of_body[local_A(solver, manifold_i)], B = solver.level_of_body[local_B(solver, manifold_i)];
         const uint16_t level = A < B ? A : B;
-        solver.level[manifold_i] = level == unreached_level ? 0 : level;
+        solver.level[manifold_i] = level == unreached_level ? uint16_t(0) : level;
     }
 }
-
-/// Stable, by counting: levels are fewer than bodies, so the bodies' array of colours serves as counters before it holds colours.
-void sort_by_level(SolverView& solver) {
-    uint32_t* const first = solver.colours_of_body;
-    for (int level_i = 0; level_i < solver.body_count; ++level_i) first[level_i] = 0;
-    for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i) ++first[solver.level[manifold_i]];
-    uint32_t sum = 0;
-    for (int level_i = 0; level_i < solver.body_count; ++level_i) {
-        const uint32_t count = first[level_i];
-        first[level_i] = sum;
-        sum += count;
-    }
-    for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i)
-        solver.other_order[first[solver.level[manifold_i]]++] = static_cast<uint16_t>(manifold_i);
-}
-
-constexpr int colours = 32;
-
-int lowest_free(uint32_t used) {
-    for (int colour = 0; colour < colours; ++colour)
-        if ((used >> colour & 1u) == 0) return colour;
-    return colours;
-}
-
-/// Lets the next colour begin in a block of its own, if room is left for all manifolds that are still to come: `lanes` manifolds to a visit then,
-/// and none that shares its block with another colour. The order of the manifolds is the same either way.
-void begin_block(SolverView& solver, int still_to_come) {
-    const int pad = (lanes - solver.lane_count % lanes) % lanes;
-    if (solver.lane_count + pad + still_to_come > solver.lane_capacity) return;
-    for (int lane_i = 0; lane_i < pad; ++lane_i) solver.order[solver.lane_count++] = no_manifold;
-}
-
-/// Adds manifolds from_order[0 .. count), which share no body that can move, to the blocks.
-void add_visits(SolverView& solver, const uint16_t* from_order, int count) {
-    for (int i = 0; i < count;) {
-        const int block = solver.lane_count / lanes, first_lane = solver.lane_count % lanes;
-        const int room = lanes - first_lane, taken = count - i < room ? count - i : room;
-        const unsigned bits = ((1u << taken) - 1u) << first_lane;
-        solver.visits[solver.visit_count++] = {static_cast<uint16_t>(block), static_cast<uint16_t>(bits), static_cast<uint16_t>(i)};
-        for (int end = i + taken; i < end; ++i) solver.order[solver.lane_count++] = from_order[i];
-    }
-}
-
-/// Colours the manifolds other_order[begin .. end) of one level and writes them to order[] colour by colour.
-void color_level(SolverView& solver, int begin, int end) {
-    uint16_t count[colours + 1] = {};
-    for (int i = begin; i < end; ++i) {
-        solver.colours_of_body[local_A(solver, solver.other_order[i])] = 0;
-        solver.colours_of_body[local_B(solver, solver.other_order[i])] = 0;
-    }
-    for (int i = begin; i < end; ++i) {
-        const uint16_t manifold_i = solver.other_order[i];
-        const uint16_t A = local_A(solver, manifold_i), B = local_B(solver, manifold_i);
-        const int colour = lowest_free((A != 0 ? solver.colours_of_body[A] : 0) | (B != 0 ? solver.colours_of_body[B] : 0));
-        if (colour < colours) {
-            solver.colours_of_body[A] |= 1u << colour;
-            solver.colours_of_body[B] |= 1u << colour;
-        }
-        solver.level[manifold_i] = static_cast<uint16_t>(colour);  // its level is known from its place by now
-        ++count[colour];
-    }
-    int place[colours + 1], sum = begin;
-    for (int colour = 0; colour <= colours; ++colour) {
-        place[colour] = sum;
-        sum += count[colour];
-    }
-    uint16_t* const by_colour = solver.level_order;
-    for (int i = begin; i < end; ++i) {
-        const uint16_t manifold_i = solver.other_order[i];
-        by_colour[place[solver.level[manifold_i]]++] = manifold_i;
-    }
-    int position = begin;
-    for (int colour = 0; colour < colours; ++colour) {
-        if (count[colour] == 0) continue;
-        begin_block(solver, solver.manifold_count - position);
-        add_visits(solver, by_colour + position, count[colour]);
-        position += count[colour];
-    }
-    for (; position < end; ++position) add_visits(solver, by_colour + position, 1);  // a body with more: one at a time
-}
-
-/// A visit with all lanes stores whole vectors: the lanes of a block that hold no manifold join the only visit it has. They write the zeros
-/// of the body that cannot move.
-void take_spare_lanes_along(SolverView& solver) {
-    for (int visit_i = 0; visit_i < solver.visit_count; ++visit_i) {
-        Visit& visit = solver.visits[visit_i];
-        unsigned spare = 0;
-        for (int lane_i = 0; lane_i < lanes; ++lane_i)
-            if (solver.order[visit.block * lanes + lane_i] == no_manifold) spare |= 1u << lane_i;
-        if ((visit.lane_bits | spare) == all_lanes) visit.lane_bits = all_lanes;
-    }
-}
-
-}  // namespace
 
 void order_manifolds(SolverView& solver) {
-    find_levels(solver);
-    sort_by_level(solver);
+    const int batch_count = sort_by_level(solver);
     solver.visit_count = 0;
     solver.lane_count = 0;
-    solver.level_count = 0;
+    uint16_t group = 0;
     int begin = 0;
-    while (begin < solver.manifold_count) {
-        const uint16_t level = solver.level[solver.other_order[begin]];
+    while (begin < batch_count) {  // bound: max_manifolds: begin becomes end, which is after it
+        const uint16_t level = solver.level[solver.sorted[begin]];
         int end = begin + 1;
-        while (end < solver.manifold_count && solver.level[solver.other_order[end]] == level) ++end;
-        solver.level_count = level + 1;
-        color_level(solver, begin, end);
+        while (end < batch_count && solver.level[solver.sorted[end]] == level) ++end;  // bound: max_manifolds: ++end
+        color_level(solver, begin, end, batch_count, group);
         begin = end;
     }
-    while (solver.lane_count % lanes != 0) solver.order[solver.lane_count++] = no_manifold;
+    while (solver.lane_count % lanes != 0) add_spare_lane(solver);  // bound: max_manifolds, rounded up to whole blocks
     solver.block_count = solver.lane_count / lanes;
-    take_spare_lanes_along(solver);
+    for (int visit_i = 0; visit_i < solver.visit_count; ++visit_i) {  // bound: max_manifolds
+        take_spare_lanes_along(solver, solver.visits[visit_i]);
+        name_island(solver, solver.visits[visit_i]);
+    }
+}
+
+void list_members(const SolverView& solver) {
+    uint16_t sum = 0;
+    for (int island_i = 0; island_i < solver.island_count; ++island_i) {  // bound: max_bodies
+        Island& island = solver.islands[island_i];
+        if (!island.in_batch) continue;
+        island.member_begin = sum;
+        island.member_count = 0;
+        sum = static_cast<uint16_t>(sum + island.manifold_count);
+    }
+    for (int position = 0; position < solver.lane_count; ++position) {  // bound: max_manifolds, rounded up to whole blocks
+        const uint16_t island_i = solver.blocks[position / lanes].island[position % lanes];
+        if (island_i == no_island) continue;
+        Island& island = solver.islands[island_i];
+        solver.members[island.member_begin + island.member_count++] = static_cast<uint16_t>(position);
+    }
 }
 
 } }  // namespace ingot

@@ -15,7 +15,7 @@ namespace {
 INGOT_RARE void predict_bounces_of(ContactBlock& block, const SolverView& solver, scalar h) {
     const BlockFlight flight = flight_of(solver, block);
     const lane step = splat<lane>(h), half = splat<lane>(scalar(0.5)), e = load(block.e);
-    for (int row = 0; row < block.rows; ++row) {
+    for (int row = 0; row < block.rows; ++row) {  // bound: 4: block_rows
         const RowFlight& from = flight.row[row];
         const RowImpact impact = impact_of(from, step);
         const mask bounces = both(bounces_off(impact, e), is_used(block, row)), flies = both(opposite(impact.meets), e > lane{});
@@ -29,7 +29,7 @@ INGOT_RARE void predict_bounces_of(ContactBlock& block, const SolverView& solver
 
 void predict_contacts(const SolverView& solver, scalar h) {
     const lane inv_h = splat<lane>(1 / h);
-    for (int block_i = 0; block_i < solver.block_count; ++block_i) {
+    for (int block_i = 0; block_i < solver.block_count; ++block_i) {  // bound: max_manifolds, rounded up to whole blocks
         ContactBlock& block = solver.blocks[block_i];
         const BodyPairLanes displaced = gather_bodies(solver, block, &SolverBody::dp, &SolverBody::dth);
         const Vec3<lane> n = load(block.n);
@@ -39,6 +39,7 @@ void predict_contacts(const SolverView& solver, scalar h) {
 }
 
 void predict_bounces(const SolverView& solver, scalar h) {
+    if (!solver.some_bounce) return;
     for (int block_i = 0; block_i < solver.block_count; ++block_i)
         if (any(load(solver.blocks[block_i].e) > lane{})) predict_bounces_of(solver.blocks[block_i], solver, h);
 }

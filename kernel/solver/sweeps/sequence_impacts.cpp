@@ -5,6 +5,7 @@
 #include "../../math/sqrt.h"
 #include "../../constraint/block_rows.h"
 #include "../../constraint/row_flight.h"
+#include "plan_islands.h"
 #include "sweep_velocities.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -25,7 +26,7 @@ scalar& time_of(ContactBlock& block, int lane_i) { return block.row[0].landing[l
 
 template <class Of>
 void for_each_contact(const SolverView& solver, const Of& of) {
-    for (int block_i = 0; block_i < solver.block_count; ++block_i)
+    for (int block_i = 0; block_i < solver.block_count; ++block_i)  // bound: max_manifolds, rounded up to whole blocks
         for (int lane_i = 0; lane_i < lanes; ++lane_i)
             if (solver.blocks[block_i].manifold[lane_i] != no_manifold) of(block_i, lane_i);
 }
@@ -38,10 +39,11 @@ bool in_chain(const SolverView& solver, const ContactBlock& block, int lane_i) {
 }
 
 template <class Of>
-void for_each_in_chain(const SolverView& solver, const Of& of) {
-    for_each_contact(solver, [&](int block_i, int lane_i) {
-        if (in_chain(solver, solver.blocks[block_i], lane_i)) of(block_i, lane_i);
-    });
+void for_each_in_chain(const SolverView& solver, const Island& island, const Of& of) {
+    for (int member_i = 0; member_i < island.member_count; ++member_i) {  // bound: max_manifolds
+        const int position = solver.members[island.member_begin + member_i];
+        if (in_chain(solver, solver.blocks[position / lanes], position % lanes)) of(position / lanes, position % lanes);
+    }
 }
 
 /// The next impact of a contact after `now`; with aim_rows its rows get their targets, in velocities of the begin of the
@@ -49,7 +51,7 @@ void for_each_in_chain(const SolverView& solver, const Of& of) {
 scalar next_impact(const SolverView& solver, ContactBlock& block, int lane_i, scalar now, scalar h, bool aim_rows) {
     const BlockFlight flight = flight_of(solver, block);
     scalar first = no_impact;
-    for (int row = 0; row < block.rows; ++row) {
+    for (int row = 0; row < block.rows; ++row) {  // bound: 4: block_rows
         const RowFlight from = flight_from(flight.row[row], splat<lane>(now));
         const RowImpact impact = impact_of(from, splat<lane>(h - now));
         scalar when[lanes], target[lanes];
@@ -102,22 +104,24 @@ void take_back(const View& solver, [[maybe_unused]] int block_i, ContactBlock& b
 
 /// Solves the impacts at hand together, by sweeps over them alone.
 template <class View>
-void solve_at_hand(const View& solver, scalar now, ImpactNote* notes) {
+void solve_at_hand(const View& solver, Island& island, scalar now, ImpactNote* notes) {
     Visit visit{};
     View one = solver;
-    one.visits = &visit;
-    one.visit_count = 1;
-    const scalar settled = limits::settled_speed_of_small + 4 * epsilon * solver.speed_max;
+    one.live = &visit;
+    one.live_count = 1;
+    const scalar settled = limits::settled_speed_of_small + rounding_of_speeds(island);
+    island.settled = limits::unbounded;  // no body becomes active by this: the sweeps of the substep come later
     scalar residual = scalar_max;
     for (int sweep_i = 0; sweep_i < limits::sweeps_of_small && residual > settled; ++sweep_i) {
         residual = 0;
-        for_each_in_chain(solver, [&](int block_i, int lane_i) {
+        for_each_in_chain(solver, island, [&](int block_i, int lane_i) {
             if (time_of(solver.blocks[block_i], lane_i) != at_hand) return;
-            visit = {static_cast<uint16_t>(block_i), static_cast<uint16_t>(1u << lane_i), 0};
-            residual = max(residual, sweep_velocities(one, 1, true, limits::unbounded));
+            visit = {static_cast<uint16_t>(block_i), static_cast<uint16_t>(1u << lane_i), no_island};
+            sweep_velocities(one, 1, true);
+            residual = max(residual, solver.blocks[block_i].fastest[lane_i]);
         });
     }
-    for_each_in_chain(solver, [&](int block_i, int lane_i) {
+    for_each_in_chain(solver, island, [&](int block_i, int lane_i) {
         ContactBlock& block = solver.blocks[block_i];
         if (time_of(block, lane_i) != at_hand) return;
         take_back(solver, block_i, block, lane_i, now);
@@ -130,19 +134,23 @@ void solve_at_hand(const View& solver, scalar now, ImpactNote* notes) {
 }
 
 /// Contacts of bodies that were changed are looked at again.
-void look_again(const SolverView& solver, scalar now, scalar h) {
-    for_each_in_chain(solver, [&](int block_i, int lane_i) {
+void look_again(const SolverView& solver, const Island& island, scalar now, scalar h) {
+    for_each_in_chain(solver, island, [&](int block_i, int lane_i) {
         ContactBlock& block = solver.blocks[block_i];
         if (((solver.colours_of_body[block.body_A[lane_i]] | solver.colours_of_body[block.body_B[lane_i]]) & changed) == 0)
             return;
         time_of(block, lane_i) = next_impact(solver, block, lane_i, now, h, false);
     });
-    for (int body_i = 1; body_i < solver.body_count; ++body_i) solver.colours_of_body[body_i] &= ~changed;
+    for_each_in_chain(solver, island, [&](int block_i, int lane_i) {
+        const ContactBlock& block = solver.blocks[block_i];
+        solver.colours_of_body[block.body_A[lane_i]] &= ~changed;
+        solver.colours_of_body[block.body_B[lane_i]] &= ~changed;
+    });
 }
 
-scalar first_impact(const SolverView& solver) {
+scalar first_impact(const SolverView& solver, const Island& island) {
     scalar first = no_impact;
-    for_each_in_chain(solver, [&](int block_i, int lane_i) { first = min(first, time_of(solver.blocks[block_i], lane_i)); });
+    for_each_in_chain(solver, island, [&](int block_i, int lane_i) { first = min(first, time_of(solver.blocks[block_i], lane_i)); });
     return first;
 }
 
@@ -159,57 +167,33 @@ void aim_at_rest(const SolverView& solver, ContactBlock& block, int lane_i, scal
     }
 }
 
-}  // namespace
-
-bool find_impact_chains(const SolverView& solver) {
-    bool some = false;
-    for (int block_i = 0; block_i < solver.block_count && !some; ++block_i) some = any(load(solver.blocks[block_i].e) > lane{});
-    if (!some) return false;
-    some = false;
-    for (int body_i = 0; body_i < solver.body_count; ++body_i) solver.colours_of_body[body_i] = 0;
-    for_each_contact(solver, [&](int block_i, int lane_i) {
-        const ContactBlock& block = solver.blocks[block_i];
-        uint32_t &A = solver.colours_of_body[block.body_A[lane_i]], &B = solver.colours_of_body[block.body_B[lane_i]];
-        if (block.e[lane_i] > 0) {
-            ++A, ++B;
-            some =
-                some || (block.body_A[lane_i] != 0 && (A & bouncing) > 1) || (block.body_B[lane_i] != 0 && (B & bouncing) > 1);
-            return;
-        }
-        bool touches = false;
-        for (int row = 0; row < block.rows; ++row)
-            touches = touches ||
-                      (block.B[Sym4::index(row, row)][lane_i] > 0 && block.row[row].separation[lane_i] <= limits::touching_gap);
-        if (touches) A |= leans, B |= leans;
-    });
-    return some;
-}
-
+/// The impacts of one island in a substep. True if there were any.
 template <class View>
-bool sequence_impacts(const View& solver, scalar h, ImpactNote* notes, StepReport& report) {
+bool sequence_impacts_of(const View& solver, Island& island, scalar h, ImpactNote* notes, StepReport& report) {
     int contacts = 0;
     bool some = false;
-    for_each_in_chain(solver, [&](int block_i, int lane_i) {
+    for_each_in_chain(solver, island, [&](int block_i, int lane_i) {
         ContactBlock& block = solver.blocks[block_i];
         time_of(block, lane_i) = next_impact(solver, block, lane_i, 0, h, false);
         ++contacts;
     });
+    // bound: limits::impacts_of_contact max_manifolds: contacts are counted
     for (int impact_i = 0; impact_i < limits::impacts_of_contact * contacts; ++impact_i) {
-        const scalar now = first_impact(solver);
+        const scalar now = first_impact(solver, island);
         if (!(now < no_impact)) break;
-        for_each_in_chain(solver, [&](int block_i, int lane_i) {
+        for_each_in_chain(solver, island, [&](int block_i, int lane_i) {
             ContactBlock& block = solver.blocks[block_i];
             if (!(time_of(block, lane_i) <= now + limits::together * h)) return;
             (void)next_impact(solver, block, lane_i, now, h, true);
             time_of(block, lane_i) = at_hand;
             drop_impulses(solver, block_i, block, lane_i);
         });
-        solve_at_hand(solver, now, notes);
-        look_again(solver, now, h);
+        solve_at_hand(solver, island, now, notes);
+        look_again(solver, island, now, h);
         count(report.impact_waves);
         some = true;
     }
-    for_each_in_chain(solver, [&](int block_i, int lane_i) {
+    for_each_in_chain(solver, island, [&](int block_i, int lane_i) {
         ContactBlock& block = solver.blocks[block_i];
         if (time_of(block, lane_i) < no_impact) count(report.impacts_deferred);
         aim_at_rest(solver, block, lane_i, h);
@@ -217,10 +201,49 @@ bool sequence_impacts(const View& solver, scalar h, ImpactNote* notes, StepRepor
     return some;
 }
 
+}  // namespace
+
+bool find_impact_chains(SolverView& solver) {
+    for (int island_i = 0; island_i < solver.island_count; ++island_i) solver.islands[island_i].has_chains = false;  // bound: max_bodies
+    solver.some_bounce = false;
+    for (int block_i = 0; block_i < solver.block_count && !solver.some_bounce; ++block_i)
+        solver.some_bounce = any(load(solver.blocks[block_i].e) > lane{});
+    if (!solver.some_bounce) return false;
+    bool some = false;
+    solver.colours_of_body[0] = 0;
+    for_bodies(solver, [&](int body_i) { solver.colours_of_body[body_i] = 0; });
+    for_each_contact(solver, [&](int block_i, int lane_i) {
+        const ContactBlock& block = solver.blocks[block_i];
+        uint32_t &A = solver.colours_of_body[block.body_A[lane_i]], &B = solver.colours_of_body[block.body_B[lane_i]];
+        if (block.e[lane_i] > 0) {
+            ++A, ++B;
+            Island& island = solver.islands[block.island[lane_i]];
+            if ((block.body_A[lane_i] != 0 && (A & bouncing) > 1) || (block.body_B[lane_i] != 0 && (B & bouncing) > 1))
+                some = island.has_chains = true;
+            return;
+        }
+        bool touches = false;
+        for (int row = 0; row < block.rows; ++row)
+            touches =
+                touches || (static_cast<scalar>(row) < block.count[lane_i] && block.row[row].separation[lane_i] <= limits::touching_gap);
+        if (touches) A |= leans, B |= leans;
+    });
+    return some;
+}
+
+template <class View>
+void sequence_impacts(const View& solver, scalar h, ImpactNote* notes, StepReport& report) {
+    if (!solver.some_bounce) return;
+    for (int island_i = 0; island_i < solver.island_count; ++island_i) {
+        Island& island = solver.islands[island_i];
+        if (island.in_batch && island.has_chains && sequence_impacts_of(solver, island, h, notes, report)) island.steady = false;
+    }
+}
+
 // The linker takes the one that the scene calls.
-template bool sequence_impacts(const SolverView&, scalar, ImpactNote*, StepReport&);
-template bool sequence_impacts(const RollingView&, scalar, ImpactNote*, StepReport&);
-template bool sequence_impacts(const BeltView&, scalar, ImpactNote*, StepReport&);
-template bool sequence_impacts(const RollingBeltView&, scalar, ImpactNote*, StepReport&);
+template void sequence_impacts(const SolverView&, scalar, ImpactNote*, StepReport&);
+template void sequence_impacts(const RollingView&, scalar, ImpactNote*, StepReport&);
+template void sequence_impacts(const BeltView&, scalar, ImpactNote*, StepReport&);
+template void sequence_impacts(const RollingBeltView&, scalar, ImpactNote*, StepReport&);
 
 } }  // namespace ingot

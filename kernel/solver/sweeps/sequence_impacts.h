@@ -7,15 +7,16 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// Looks once a step for contacts whose impacts may cause others: both bodies bounce off whatever they touch, and one of them
-/// has another contact that bounces. Needs colours_of_body, which holds the answer for the substeps. False if there are none.
+/// Looks once for each batch for contacts whose impacts may cause others: both bodies bounce off whatever they touch, and one of them
+/// has another contact that bounces. Needs colours_of_body, which holds the answer for the substeps. Island::has_chains says
+/// which islands have some. False if none has.
 ///
 /// A body that leans on something without restitution is not among them: what it leans on pushes while the impact lasts, and
 /// the two are solved as one. A ball that hits a crate on the floor bounces as off the floor; a ball that hits a row of balls
 /// bounces as off the first of them.
-bool find_impact_chains(const SolverView& solver);
+bool find_impact_chains(SolverView& solver);
 
-/// At the begin of a substep of h seconds, after predict_contacts and before its forces: impacts of those contacts, one after
+/// Island by island, at the begin of a substep of h seconds, after predict_contacts and before its forces: impacts of those contacts, one after
 /// the other in the order of time, each leaving with -e times its speed. Those of one time are solved together, and what they
 /// make approach comes next.
 ///
@@ -25,6 +26,6 @@ bool find_impact_chains(const SolverView& solver);
 /// friction. Bound: limits::impacts_of_contact impacts for each contact; what still approaches then bounces no more in this
 /// substep, and counts in impacts_deferred. notes: of the contacts that carried an impulse; may be null.
 template <class View>
-bool sequence_impacts(const View& solver, scalar h, ImpactNote* notes, StepReport& report);
+void sequence_impacts(const View& solver, scalar h, ImpactNote* notes, StepReport& report);
 
 } }  // namespace ingot

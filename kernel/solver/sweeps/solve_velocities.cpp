@@ -3,67 +3,99 @@
 
 #include "../../base/limits.h"
 #include "conjugate_gradients.h"
+#include "plan_islands.h"
 #include "sweep_velocities.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
-constexpr SweepPlan plan_of_small = {limits::substeps, limits::sweeps_of_small, limits::sweeps_of_small, false, limits::settled_speed_of_small};
-constexpr SweepPlan plan_of_small_steady = {limits::steady_substeps, limits::sweeps_of_small, limits::sweeps_of_small, false,
-                                            limits::settled_speed_of_small};
-constexpr SweepPlan plan_of_many = {limits::substeps, limits::sweeps, limits::sweeps_of_balls, true, limits::settled_speed};
-constexpr SweepPlan plan_of_new = {limits::substeps, limits::sweeps_of_new, limits::sweeps_of_new, true, limits::settled_speed};
-constexpr SweepPlan plan_of_steady = {limits::steady_substeps, limits::steady_sweeps, limits::steady_sweeps, true,
-                                    limits::settled_speed * limits::substeps / limits::steady_substeps};
+bool is_on(const SolverView& solver, uint16_t island_i) { return island_i != no_island && solver.islands[island_i].sweeps_on; }
 
-int sweeps_of(const SweepPlan& plan, const SolverView& solver) {
-    const bool is_heap_of_balls = 4 * solver.central_count > 3 * solver.manifold_count;
-    return is_heap_of_balls ? plan.sweeps_max_of_balls : plan.sweeps_max;
+/// Adds the visit to the live ones, without the lanes of islands that are not swept.
+void add_live(SolverView& solver, Visit visit) {
+    if (visit.island != no_island) {
+        if (is_on(solver, visit.island)) solver.some_visits[solver.live_count++] = visit;
+        return;
+    }
+    const ContactBlock& block = solver.blocks[visit.block];
+    unsigned on = 0, spare = 0;
+    for (int lane_i = 0; lane_i < lanes; ++lane_i) {
+        const unsigned bit = visit.lane_bits & 1u << lane_i;
+        if (block.island[lane_i] == no_island) spare |= bit;
+        if (is_on(solver, block.island[lane_i])) on |= bit;
+    }
+    if (on == 0) return;
+    visit.lane_bits = (on | spare) == visit.lane_bits ? visit.lane_bits : static_cast<uint16_t>(on);
+    solver.some_visits[solver.live_count++] = visit;
+}
+
+/// Leaves the visits to islands that are not swept out of the live ones. In place, where it is not the first time: the list only gets shorter.
+void drop_settled(SolverView& solver) {
+    const int count = solver.live_count;
+    solver.live_count = 0;
+    // bound: max_manifolds: taken is 1 or more, for a block has room for one
+    for (int visit_i = 0; visit_i < count; ++visit_i) add_live(solver, solver.live[visit_i]);
+    solver.live = solver.some_visits;
+}
+
+/// After a sweep: which islands are settled, and how the others go on.
+struct Settled {
+    bool some, all;
+};
+Settled settle_islands(const SolverView& solver, int sweep_i) {
+    Settled settled = {false, true};
+    for (int island_i = 0; island_i < solver.island_count; ++island_i) {  // bound: max_bodies
+        Island& island = solver.islands[island_i];
+        if (!island.in_batch || !island.sweeps_on) continue;
+        if (sweep_i == island.sweeps_max || island.residual <= island.settled) {
+            island.sweeps_on = false;
+            island.sweeps += sweep_i;
+            island.at_bound = sweep_i == island.sweeps_max && island.residual > limits::settled_speed;
+            settled.some = true;
+            continue;
+        }
+        settled.all = false;
+        // A body that is not finite must not spread to those that it does not touch.
+        const bool shrinks = sweep_i > 1 && island.size <= island.size_before && island.size_before > 0 && is_finite(island.size_before);
+        island.beta = shrinks ? island.size / island.size_before : 0;
+        island.size_before = island.size;
+    }
+    return settled;
 }
 
 }  // namespace
 
-SweepPlan plan_sweeps(const SolverView& solver) {
-    int fresh = 0, steady = 0;
-    for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i) {
-        const ManifoldRecord& record = solver.records[solver.pairs[manifold_i].record];
-        if (age_of(record) < 4 * limits::substeps) ++fresh;
-        if (was_steady(record)) ++steady;
-    }
-    const bool is_small = solver.manifold_count <= limits::small_island, is_steady = steady == solver.manifold_count;
-    if (is_small) return is_steady && solver.level_count <= limits::steady_levels ? plan_of_small_steady : plan_of_small;
-    if (is_steady) return plan_of_steady;
-    return 4 * fresh > solver.manifold_count ? plan_of_new : plan_of_many;
+void select_live(SolverView& solver) {
+    bool all = true;
+    for (int island_i = 0; island_i < solver.island_count; ++island_i)
+        all = all && (!solver.islands[island_i].in_batch || solver.islands[island_i].sweeps_on);
+    solver.live = solver.visits;
+    solver.live_count = solver.visit_count;
+    if (!all) drop_settled(solver);
 }
 
-SweepPlan with_all_substeps(const SweepPlan& steady) { return steady.up_and_down ? plan_of_many : plan_of_small; }
-
 template <class View>
-int solve_velocities(const View& solver, const SweepPlan& plan, scalar& residual) {
-    const scalar settled = plan.settled_speed + 4 * epsilon * solver.speed_max;
-    const int sweeps_max = sweeps_of(plan, solver);
-    scalar size_before = 0;
-    if (sweeps_max > 1) begin_sweeps(solver);
-    for (int sweep_i = 1;; ++sweep_i) {
-        residual = sweep_velocities(solver, sweep_i, !plan.up_and_down || sweep_i % 2 != 0, limits::active_share * settled);
-        if (sweep_i == sweeps_max || residual <= settled) return sweep_i;
-        // A body that is not finite must not spread to those that it does not touch.
-        const scalar size = sum_of_changes(solver);
-        const bool shrinks = sweep_i > 1 && size <= size_before && size_before > 0 && is_finite(size_before);
-        const scalar beta = shrinks ? size / size_before : 0;
+void solve_velocities(View& solver) {
+    select_live(solver);
+    begin_sweeps(solver);
+    for (int sweep_i = 1; solver.live_count > 0; ++sweep_i) {  // bound: plan.sweeps_max: no island is live after its sweeps_max
+        sweep_velocities(solver, sweep_i, !is_large(solver.plan) || sweep_i % 2 != 0);
+        measure_sweep(solver);
+        const Settled settled = settle_islands(solver, sweep_i);
+        if (settled.all) return;
+        if (settled.some) drop_settled(solver);
         if constexpr (View::rolls)
-            extrapolate(solver, beta);
+            extrapolate(solver);
         else
-            extrapolate<SolverView>(solver, beta);
-        size_before = size;
+            extrapolate<SolverView>(solver);
     }
 }
 
 // The linker takes the one that the scene calls.
-template int solve_velocities(const SolverView&, const SweepPlan&, scalar&);
-template int solve_velocities(const RollingView&, const SweepPlan&, scalar&);
-template int solve_velocities(const BeltView&, const SweepPlan&, scalar&);
-template int solve_velocities(const RollingBeltView&, const SweepPlan&, scalar&);
+template void solve_velocities(SolverView&);
+template void solve_velocities(RollingView&);
+template void solve_velocities(BeltView&);
+template void solve_velocities(RollingBeltView&);
 
 } }  // namespace ingot

@@ -21,7 +21,7 @@ INGOT_INLINE Pushes pushes_due(const ContactBlock& block, const Vec3<lane>& n, c
     const lane settled = splat<lane>(-limits::settled_gap), apart = dot(n, pair.linear_A - pair.linear_B);
     Pushes due;
     due.off = due.lands = splat<lane>(1) < lane{};
-    for (int row = 0; row < rows; ++row) {
+    for (int row = 0; row < rows; ++row) {  // bound: 4: block_rows
         const lane s = separation_now(block, row, apart, pair);
         const mask lands = bounces(block.row[row]), pressed = load(block.row[row].j) > lane{};
         const lane wanted = select(either(pressed, s < lane{}), max(s * share, deepest), s);
@@ -38,7 +38,7 @@ INGOT_INLINE Pushes pushes_due(const ContactBlock& block, const Vec3<lane>& n, c
 template <int rows>
 INGOT_RARE Row4 solve_pushes(ContactBlock& block, const Pushes& due, scalar slack, mask active) {
     const Row4 none = {};
-    return solve_block<rows, false>(block.K, block.B, block.cached_inverse, due.w, none, due.pulls, slack, active);
+    return solve_block<rows, false>(block.K, block.count, block.cached_inverse, due.w, none, due.pulls, slack, active);
 }
 
 /// True if points of the visit land, which one push brings there within 1 % of the way: `again` pushes no others.
@@ -80,9 +80,9 @@ INGOT_INLINE void visit_central_positions(const SolverView& solver, ContactBlock
 
 }  // namespace
 
-void sweep_positions(const SolverView& solver, scalar h) {
-    for (int visit_i = 0; visit_i < solver.visit_count; ++visit_i) {
-        const Visit visit = solver.visits[visit_i];
+void sweep_positions(const SolverView& solver, const Visit* visits, int visit_count, scalar h) {
+    for (int visit_i = 0; visit_i < visit_count; ++visit_i) {  // bound: max_manifolds
+        const Visit visit = visits[visit_i];
         ContactBlock& block = solver.blocks[visit.block];
         if (block.central) {
             visit_central_positions(solver, block, visit.lane_bits, h);

@@ -6,6 +6,6 @@
 namespace ingot { inline namespace INGOT_ABI {
 
 /// Takes back 0.4 of every overlap, by displacements that no velocity ever sees: no energy comes of it.
-void sweep_positions(const SolverView& solver, scalar h);
+void sweep_positions(const SolverView& solver, const Visit* visits, int visit_count, scalar h);
 
 } }  // namespace ingot

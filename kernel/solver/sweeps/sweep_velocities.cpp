@@ -24,13 +24,13 @@ template <int rows, bool whole>
 INGOT_INLINE lane solve_normals(ContactBlock& block, BodyPairLanes& pair, const Vec3<lane>& n, mask active, Change& change) {
     const lane approach = dot(n, pair.linear_A - pair.linear_B);
     Row4 before, w;
-    for (int row = 0; row < rows; ++row) {
+    for (int row = 0; row < rows; ++row) {  // bound: 4: block_rows
         before.at[row] = load(block.row[row].j);
         const lane speed = (rows == 1 && block.central ? approach : row_speed(block.row[row].levers, approach, pair)) - load(block.row[row].target);
         w.at[row] = rows == 1 ? speed : select(is_used(block, row), speed, lane{});
     }
     const mask none[block_rows] = {};
-    const Row4 j = solve_block<rows, true>(block.K, block.B, block.cached_inverse, w, before, none, limits::approach_slack, active);
+    const Row4 j = solve_block<rows, true>(block.K, block.count, block.cached_inverse, w, before, none, limits::approach_slack, active);
     lane total{}, given{};
     for (int row = 0; row < rows; ++row) {
         const lane d = j.at[row] - before.at[row];
@@ -98,7 +98,7 @@ INGOT_INLINE BodyPairLanes chosen(mask m, const BodyPairLanes& a, const BodyPair
 /// Normals, torsion, rolling resistance, friction of the active lanes. `whole`: of all.
 template <int rows, bool whole, class View>
 INGOT_INLINE void solve_rows(const View& solver, int block_i, ContactBlock& block, BodyPairLanes& pair, mask visited, mask active, scalar sweep,
-                             scalar active_threshold, lane& residual) {
+                             lane active_threshold) {
     const Vec3<lane> n = load(block.n);
     const lane inv_M_A = load(block.inv_M_A), inv_M_B = load(block.inv_M_B);
     const BodyPairLanes before = pair;
@@ -108,74 +108,122 @@ INGOT_INLINE void solve_rows(const View& solver, int block_i, ContactBlock& bloc
         solve_torsion<whole>(block.torsion, pair, n, inv_M_A, inv_M_B, limit, active, change);
     if constexpr (View::rolls) solve_rolling<whole>(solver.rolling[block_i], pair, block, load_of_normals, active, change);
     solve_friction<whole>(solver, block_i, block, pair, limit, active, change);
-    const mask moves = change.fastest > splat<lane>(active_threshold);
+    const mask moves = change.fastest > active_threshold;
     pair.last[1] = select(both(moves, inv_M_A > lane{}), splat<lane>(sweep), pair.last[1]);
     pair.last[3] = select(both(moves, inv_M_B > lane{}), splat<lane>(sweep), pair.last[3]);
     if (!whole) pair = chosen(active, pair, before);
-    residual = max(residual, whole ? change.fastest : select(active, change.fastest, residual));
     store_if<whole>(block.change, visited, whole ? change.size : select(active, change.size, lane{}));
+    store_if<whole>(block.fastest, visited, whole ? change.fastest : select(active, change.fastest, lane{}));
 }
 
 /// Solves what one visit names, but for the lanes whose bodies neither this sweep nor the one before has stirred.
 template <int rows, class View>
-INGOT_INLINE void visit_velocities(const View& solver, int block_i, ContactBlock& block, uint16_t lane_bits, int sweep_i, scalar active_threshold,
-                                   lane& residual) {
+INGOT_INLINE void visit_velocities(const View& solver, int block_i, ContactBlock& block, uint16_t lane_bits, int sweep_i, lane active_threshold) {
     const scalar sweep = static_cast<scalar>(sweep_i);
     const LaneQuad L_A = gather(solver.bodies, block.body_A, &SolverBody::L), L_B = gather(solver.bodies, block.body_B, &SolverBody::L);
     const mask visited = lanes_of(lane_bits);
     mask active = visited;
     if (sweep_i > 1) active = both(visited, max(L_A.at[3], L_B.at[3]) >= splat<lane>(sweep - 1));
-    if (!any(active)) return store_if<false>(block.change, visited, lane{});
+    if (!any(active)) {
+        store_if<false>(block.change, visited, lane{});
+        store_if<false>(block.fastest, visited, lane{});
+        return;
+    }
     const LaneQuad v_A = gather(solver.bodies, block.body_A, &SolverBody::v_CM), v_B = gather(solver.bodies, block.body_B, &SolverBody::v_CM);
     BodyPairLanes pair = {vector_of(v_A), vector_of(L_A), vector_of(v_B), vector_of(L_B), {v_A.at[3], L_A.at[3], v_B.at[3], L_B.at[3]}};
     if (any(opposite(active)))
-        solve_rows<rows, false>(solver, block_i, block, pair, visited, active, sweep, active_threshold, residual);
+        solve_rows<rows, false>(solver, block_i, block, pair, visited, active, sweep, active_threshold);
     else
-        solve_rows<rows, true>(solver, block_i, block, pair, visited, active, sweep, active_threshold, residual);
+        solve_rows<rows, true>(solver, block_i, block, pair, visited, active, sweep, active_threshold);
     scatter_bodies(solver, block, lane_bits, pair, &SolverBody::v_CM, &SolverBody::L);
+}
+
+/// m/s; bodies that a visit changes by more are visited by the next sweep too.
+INGOT_INLINE lane active_threshold_of(const SolverView& solver, const Visit& visit, const ContactBlock& block) {
+    if (visit.island != no_island) return splat<lane>(limits::active_share * solver.islands[visit.island].settled);
+    scalar of_lanes[lanes];
+    for (int lane_i = 0; lane_i < lanes; ++lane_i)
+        of_lanes[lane_i] = block.island[lane_i] == no_island ? 0 : limits::active_share * solver.islands[block.island[lane_i]].settled;
+    return load(of_lanes);
+}
+
+/// Adds what a visit changed to the sums of its islands, lane by lane.
+void add_lanes(const SolverView& solver, const Visit& visit, const ContactBlock& block) {
+    for (int lane_i = 0; lane_i < lanes; ++lane_i) {
+        if ((visit.lane_bits >> lane_i & 1u) == 0 || block.island[lane_i] == no_island) continue;
+        Island& island = solver.islands[block.island[lane_i]];
+        island.sums[block.sum_i[lane_i]] += block.change[lane_i];
+        island.residuals[lane_i] = max(island.residuals[lane_i], block.fastest[lane_i]);
+    }
+}
+
+/// The same for a run of visits to one island, as vectors. Returns the visit after the run.
+int add_run(const SolverView& solver, int begin) {
+    const uint16_t island_i = solver.live[begin].island;
+    Island& island = solver.islands[island_i];
+    lane residual = load(island.residuals);
+    int visit_i = begin;
+    for (; visit_i < solver.live_count && solver.live[visit_i].island == island_i; ++visit_i) {  // bound: max_manifolds
+        const ContactBlock& block = solver.blocks[solver.live[visit_i].block];
+        scalar* const sums = island.sums + block.sum_i[0];
+        store(sums, load(sums) + load(block.change));
+        residual = max(residual, load(block.fastest));
+    }
+    store(island.residuals, residual);
+    return visit_i;
+}
+
+/// Calls each(island) for the islands of the batch that are not settled.
+template <class Each>
+void for_live_islands(const SolverView& solver, const Each& each) {
+    for (int island_i = 0; island_i < solver.island_count; ++island_i)  // bound: max_bodies
+        if (solver.islands[island_i].in_batch && solver.islands[island_i].sweeps_on) each(solver.islands[island_i]);
 }
 
 }  // namespace
 
 template <class View>
-scalar sweep_velocities(const View& solver, int sweep_i, bool up, scalar active_threshold) {
-    lane residual{};
-    for (int visit_i = 0; visit_i < solver.visit_count; ++visit_i) {
-        const Visit visit = solver.visits[up ? visit_i : solver.visit_count - 1 - visit_i];
+void sweep_velocities(const View& solver, int sweep_i, bool up) {
+    uint16_t island_before = no_island;
+    lane active_threshold{};
+    for (int visit_i = 0; visit_i < solver.live_count; ++visit_i) {  // bound: max_manifolds: a run has one visit or more
+        const Visit visit = solver.live[up ? visit_i : solver.live_count - 1 - visit_i];
         ContactBlock& block = solver.blocks[visit.block];
+        if (visit.island == no_island || visit.island != island_before) active_threshold = active_threshold_of(solver, visit, block);
+        island_before = visit.island;
         if (block.rows == 1)
-            visit_velocities<1>(solver, visit.block, block, visit.lane_bits, sweep_i, active_threshold, residual);
+            visit_velocities<1>(solver, visit.block, block, visit.lane_bits, sweep_i, active_threshold);
         else
-            visit_velocities<block_rows>(solver, visit.block, block, visit.lane_bits, sweep_i, active_threshold, residual);
+            visit_velocities<block_rows>(solver, visit.block, block, visit.lane_bits, sweep_i, active_threshold);
     }
-    scalar of_lanes[lanes], largest = 0;
-    store(of_lanes, residual);
-    for (const scalar one : of_lanes) largest = one > largest ? one : largest;
-    return largest;
 }
 
 // The linker takes the one that the scene calls.
-template scalar sweep_velocities(const SolverView&, int, bool, scalar);
-template scalar sweep_velocities(const RollingView&, int, bool, scalar);
-template scalar sweep_velocities(const BeltView&, int, bool, scalar);
-template scalar sweep_velocities(const RollingBeltView&, int, bool, scalar);
+template void sweep_velocities(const SolverView&, int, bool);
+template void sweep_velocities(const RollingView&, int, bool);
+template void sweep_velocities(const BeltView&, int, bool);
+template void sweep_velocities(const RollingBeltView&, int, bool);
 
-/// The sum does not depend on lanes: the k-th manifold of a colour is added to the k mod 8-th of eight sums.
-scalar sum_of_changes(const SolverView& solver) {
-    scalar sums[8] = {};
-    for (int visit_i = 0; visit_i < solver.visit_count; ++visit_i) {
-        const Visit visit = solver.visits[visit_i];
-        const scalar* const change = solver.blocks[visit.block].change;
-        if (is_all(visit.lane_bits) && visit.first % lanes == 0) {
-            scalar* const to = sums + visit.first % 8;
-            store(to, load(to) + load(change));
-            continue;
+void measure_sweep(const SolverView& solver) {
+    for_live_islands(solver, [](Island& island) {
+        for (scalar& sum : island.sums) sum = 0;
+        for (scalar& residual : island.residuals) residual = 0;
+    });
+    for (int visit_i = 0; visit_i < solver.live_count;) {  // bound: max_manifolds: a run has one visit or more
+        const Visit& visit = solver.live[visit_i];
+        if (visit.island != no_island) {
+            visit_i = add_run(solver, visit_i);
+        } else {
+            add_lanes(solver, visit, solver.blocks[visit.block]);
+            ++visit_i;
         }
-        unsigned k = visit.first;
-        for (unsigned lane_i = 0, left = visit.lane_bits; left != 0; ++lane_i, left >>= 1)
-            if ((left & 1u) != 0) sums[k++ % 8] += change[lane_i];
     }
-    return ((sums[0] + sums[1]) + (sums[2] + sums[3])) + ((sums[4] + sums[5]) + (sums[6] + sums[7]));
+    for_live_islands(solver, [](Island& island) {
+        const auto& sums = island.sums;
+        island.size = ((sums[0] + sums[1]) + (sums[2] + sums[3])) + ((sums[4] + sums[5]) + (sums[6] + sums[7]));
+        island.residual = 0;
+        for (const scalar residual : island.residuals) island.residual = residual > island.residual ? residual : island.residual;
+    });
 }
 
 } }  // namespace ingot

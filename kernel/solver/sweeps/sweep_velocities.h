@@ -5,15 +5,13 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// Makes every contact's velocity right for the moment: normals as one block, then twist, rolling resistance, and the friction pair on its cone.
-/// Sweeps of a substep count from 1. Those after the first visit only what has a body that the sweep before or this one has stirred: whose
-/// contact took away more than `stirring`, m/s.
-///
-/// Returns: m/s; the largest speed that an impulse took away.
+/// Makes every contact's velocity right for the moment: normals as one block, then torsion, rolling resistance, and the friction pair on its
+/// cone. Visits the live ones. Sweeps of a substep count from 1; those after the first solve only what has an active body: one of whose
+/// contacts took away more than limits::active_share of its island's settled speed, in the sweep before or in this one.
 template <class View>
-scalar sweep_velocities(const View& solver, int sweep_i, bool up, scalar active_threshold);
+void sweep_velocities(const View& solver, int sweep_i, bool up);
 
-/// J; sum of (change of impulse)^2 times compliance, of the last sweep. It does not depend on lanes.
-scalar sum_of_changes(const SolverView& solver);
+/// What the last sweep did to each island that was swept: Island::residual and Island::size. They do not depend on lanes.
+void measure_sweep(const SolverView& solver);
 
 } }  // namespace ingot

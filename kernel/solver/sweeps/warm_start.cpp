@@ -13,7 +13,7 @@ namespace {
 template <int rows>
 INGOT_INLINE Row4 impulses_kept(const SolverView& solver, const ContactBlock& block, const BodyPairLanes& pair, scalar h) {
     Row4 kept;
-    for (int row = 0; row < rows; ++row) kept.at[row] = load(block.row[row].j);
+    for (int row = 0; row < rows; ++row) kept.at[row] = load(block.row[row].j);  // bound: 4: block_rows
     if (solver.some_hit) {
         const mask hit = pair.last[1] + pair.last[3] > lane{};
         if (any(hit)) {
@@ -102,7 +102,7 @@ INGOT_INLINE void warm_start_visit(const View& solver, [[maybe_unused]] int bloc
 
 template <class View>
 void warm_start(const View& solver, scalar h) {
-    for (int visit_i = 0; visit_i < solver.visit_count; ++visit_i) {
+    for (int visit_i = 0; visit_i < solver.visit_count; ++visit_i) {  // bound: max_manifolds
         const Visit visit = solver.visits[visit_i];
         ContactBlock& block = solver.blocks[visit.block];
         const bool whole = is_all(visit.lane_bits);

@@ -1,0 +1,267 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Every pair of traits compiles, runs and has a golden hash, or is refused with a sentence.
+
+    pairs_of_traits.py --units DIR COUNT            writes pairs_0.cpp .. and main.cpp: the pairs of pairs.csv that run
+    pairs_of_traits.py --check-table [SCENE.H]      every member of Scene is in traits.toml, every pair in pairs.csv, the README says who is refused
+    pairs_of_traits.py --check-refused COMPILE...   the compiler refuses the pairs it has to, with these sentences, and no others
+    pairs_of_traits.py --check-hashes PROGRAM SCALAR
+    pairs_of_traits.py --update-refused COMPILE...  writes which pairs are refused to pairs.csv, and to the README
+    pairs_of_traits.py --update-hashes PROGRAM SCALAR
+
+A pair is a row of pairs.csv: its traits, the base it stands in, and a hash for each scalar, over all lanes and compilers; or the sentence.
+"""
+import csv
+import itertools
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import tomllib
+
+HERE = pathlib.Path(__file__).resolve().parent
+HOUSE = HERE.parents[1]
+TABLE, README, SCENE = HERE.parent / "tables/pairs.csv", HOUSE / "README.md", HOUSE / "kernel/world/scene.h"
+MARK_BEGIN, MARK_END = "<!-- written by pairs_of_traits.py -->\n", "<!-- end of pairs -->\n"
+COLUMNS = ("trait", "other", "base", "float", "double", "sentence")
+BASE_SHAPES = ("Sphere", "Box", "HalfSpace")
+
+settings = tomllib.loads((HERE / "traits.toml").read_text())
+BASES, TRAITS = settings["base"], settings["trait"]
+
+
+def members_of_scene(header):
+    body = re.search(r"^struct Scene \{\n(.*?)^\};", pathlib.Path(header).read_text(), re.M | re.S).group(1)
+    return re.findall(r"^    static constexpr [\w:]+ +(\w+) *=", body, re.M) + re.findall(r"^    using (\w+) *=", body, re.M)
+
+
+def are_alternatives(a, b):
+    """One of two values of the same member: no scene names both."""
+    ours, theirs = TRAITS[a].get("sets", {}), TRAITS[b].get("sets", {})
+    return any(name in theirs and theirs[name] != value for name, value in ours.items())
+
+
+PAIRS = [(a, b) for a, b in itertools.combinations(TRAITS, 2) if not are_alternatives(a, b)]
+
+
+def bases_of(*names):
+    """Those to try. A trait that makes a base stands in no other; two such make both."""
+    fixed = [TRAITS[name]["of"] for name in names if "of" in TRAITS[name]]
+    return [fixed[0]] if fixed else list(BASES)
+
+
+def scene(struct, base, *names):
+    """The struct, as C++."""
+    members = dict(BASES[base])
+    for name in names:
+        members.update(TRAITS[name].get("also", {}))
+    for name in names:
+        members.update(TRAITS[name].get("sets", {}))
+    shapes = list(BASE_SHAPES)
+    for name in names:
+        shapes += TRAITS[name].get("shapes", [])
+    lines = [f"struct {struct} : ingot::Scene {{", "    static constexpr int max_bodies = yard::max_bodies;",
+             "    using shapes = ingot::Shapes<" + ", ".join(f"ingot::{shape}" for shape in shapes) + ">;"]
+    for name, value in members.items():
+        lines.append("    " + (f"using {value};" if re.match(r"\w+ =", value) else f"static constexpr {value};"))
+    for verb, more, last in (("set_up", "", ""), ("edit", ", [[maybe_unused]] int step_i", "")):
+        lines.append("    template <class W>")
+        lines.append(f"    static void {verb}([[maybe_unused]] W& world, [[maybe_unused]] const yard::Ids& yard{more}) {{")
+        lines.append("        using namespace ::yard;")
+        lines += ["        " + TRAITS[name][verb].strip() for name in names if verb in TRAITS[name]]
+        lines.append("    }" + last)
+    lines.append("};")
+    return "\n".join(lines) + "\n"
+
+
+def struct_name(*names):
+    return "__".join(names)
+
+
+def read_table():
+    with open(TABLE, newline="") as file:
+        return {(row["trait"], row["other"]): row for row in csv.DictReader(file)}
+
+
+def write_table(rows):
+    with open(TABLE, "w", newline="") as file:
+        writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows[pair] for pair in PAIRS)
+
+
+HEAD = "// Written by pairs_of_traits.py.\n#include \"pairs_of_traits/yard.h\"\n\nnamespace pairs {\n\n"
+
+
+def write_if_new(path, text):
+    if not path.exists() or path.read_text() != text:
+        path.write_text(text)
+
+
+def write_units(folder, count):
+    folder = pathlib.Path(folder)
+    folder.mkdir(parents=True, exist_ok=True)
+    rows = [row for row in read_table().values() if not row["sentence"]] if TABLE.exists() else []
+    for unit_i in range(count):
+        text, calls = HEAD + "namespace {\n\n", ""
+        for row in rows[unit_i::count]:
+            names = row["trait"], row["other"]
+            text += scene(struct_name(*names), row["base"], *names) + "\n"
+            calls += f'    yard::run<{struct_name(*names)}>("{names[0]},{names[1]}");\n'
+        text += f"}}  // namespace\n\nvoid run_unit_{unit_i}();\nvoid run_unit_{unit_i}() {{\n{calls}}}\n\n}}  // namespace pairs\n"
+        write_if_new(folder / f"pairs_{unit_i}.cpp", text)
+    text = "// Written by pairs_of_traits.py.\nnamespace pairs {\n" + "".join(f"void run_unit_{i}();\n" for i in range(count)) + "}\n\nint main() {\n"
+    write_if_new(folder / "main.cpp", text + "".join(f"    pairs::run_unit_{i}();\n" for i in range(count)) + "}\n")
+
+
+def sentences_of(compile_command, scenes):
+    """Compiles worlds of {struct: text} and returns {struct: the first sentence against it}. One unit for all: each error names its scene."""
+    text = HEAD + "".join(scenes.values())
+    text += "".join(f"constexpr unsigned long size_of_{struct} = sizeof(ingot::World<{struct}>);\n" for struct in scenes) + "\n}  // namespace pairs\n"
+    with tempfile.TemporaryDirectory() as folder:
+        source = pathlib.Path(folder) / "scenes.cpp"
+        source.write_text(text)
+        limit = ["-ferror-limit=0"] if "clang" in pathlib.Path(compile_command[0]).name else ["-fmax-errors=0"]
+        said = subprocess.run([*compile_command, *limit, str(source)], capture_output=True, text=True).stderr
+    found, struct, sentence = {}, None, None
+    for line in said.splitlines():
+        inside = re.search(r"In instantiation of .*\[with .*?= pairs::(\w+)", line)
+        if inside:  # gcc: before the error
+            struct = inside.group(1)
+        error = re.search(r"error: (?:static assertion failed|static_assert failed)(?: due to requirement '.*?')?:? \"?([^\"]+)\"?$", line)
+        if error and "check_scene" not in error.group(1):
+            sentence = error.group(1)
+            if struct and not inside:
+                found.setdefault(struct, sentence)
+        elif re.search(r"error: ", line) and struct is None:
+            raise SystemExit(f"pairs_of_traits: no sentence, but\n{line}")
+        requested = re.search(r"instantiation of .*<pairs::(\w+)>' requested here", line)
+        if requested and sentence:  # clang: after it
+            found.setdefault(requested.group(1), sentence)
+            sentence = None
+    return found
+
+
+def judge(compile_command):
+    """{pair: (base, None)} of those that compile, {pair: (base, sentence)} of those that are refused."""
+    alone = {struct_name(name, "in", base): (name, base) for name in TRAITS for base in BASES}
+    refused_alone = sentences_of(compile_command, {struct: scene(struct, base, name) for struct, (name, base) in alone.items()})
+    stands = {key for struct, key in alone.items() if struct not in refused_alone}
+    tried = {}
+    for a, b in PAIRS:
+        fixed = bases_of(a, b)
+        both = [base for base in fixed if (a, base) in stands and (b, base) in stands] or [base for base in fixed if (a, base) in stands] or fixed
+        for base in both:
+            tried[struct_name(a, b, "in", base)] = (a, b, base)
+    refused = sentences_of(compile_command, {struct: scene(struct, base, a, b) for struct, (a, b, base) in tried.items()})
+    verdict = {}
+    for struct, (a, b, base) in tried.items():
+        sentence = refused.get(struct)
+        if (a, b) not in verdict or (verdict[a, b][1] and not sentence):
+            verdict[a, b] = (base, sentence)
+    return verdict
+
+
+def kinds_of_scenes(rows):
+    """{trait: the bases it stands in}, of those that do not make one: as its pairs with these say."""
+    makers = {trait["of"]: name for name, trait in TRAITS.items() if "of" in trait}
+    kinds = {}
+    for name in TRAITS:
+        if name not in makers.values():
+            kinds[name] = {base for base, maker in makers.items() if not rows[(maker, name) if (maker, name) in rows else (name, maker)]["sentence"]}
+    return kinds
+
+
+def readme_part(rows):
+    kinds = kinds_of_scenes(rows)
+    names_of = lambda *bases: ", ".join(f"`{name}`" for name, stands in kinds.items() if stands == set(bases))
+    refused = {}
+    for (a, b), row in rows.items():
+        if row["sentence"] and a in kinds and b in kinds and kinds[a] & kinds[b]:
+            refused.setdefault(row["sentence"], []).append((a, b))
+    count = sum(1 for row in rows.values() if row["sentence"])
+    lines = [f"{len(rows) - count} of {len(rows)} pairs of traits go together, each tried in a scene that uses both; the others do not compile, and say why.",
+             f"Only with `max_manifolds`: {names_of('contacts')}. Only without contacts: {names_of('flight')}. Never with `max_manifolds`: {names_of('impacts', 'flight')}.",
+             "", "| not together | what the compiler says |", "| --- | --- |"]
+    for sentence, pairs in refused.items():
+        partners, share = {}, {}
+        for name in itertools.chain(*pairs):
+            share[name] = share.get(name, 0) + 1
+        for a, b in pairs:  # the one that is in more of them stands first
+            first, second = (a, b) if share[a] >= share[b] else (b, a)
+            partners.setdefault(first, []).append(second)
+        said = "; ".join(f"`{first}` with " + ", ".join(f"`{name}`" for name in others) for first, others in partners.items())
+        lines.append(f"| {said} | {sentence} |")
+    return MARK_BEGIN + "\n".join(lines) + "\n" + MARK_END
+
+
+def in_readme(rows):
+    page = README.read_text()
+    begin = page.index(MARK_BEGIN)
+    end = page.index(MARK_END, begin) + len(MARK_END)
+    return page, page[:begin] + readme_part(rows) + page[end:]
+
+
+def fail(complaints):
+    for complaint in complaints:
+        print(f"pairs_of_traits: {complaint}")
+    sys.exit(1 if complaints else 0)
+
+
+def check_table(header=SCENE):
+    members = members_of_scene(header)
+    named = {member for trait in TRAITS.values() for member in trait.get("sets", {})} | set(settings["always"])
+    complaints = [f"no trait of traits.toml sets {member} of Scene" for member in members if member not in named]
+    complaints += [f"Scene has no {member}" for member in sorted(named) if member not in members]
+    rows = read_table()
+    complaints += [f"{a} with {b} has no row in pairs.csv" for a, b in PAIRS if (a, b) not in rows]
+    complaints += [f"{a} with {b} is a row of pairs.csv, and no pair" for a, b in rows if (a, b) not in PAIRS]
+    if not complaints:
+        page, new_page = in_readme(rows)
+        complaints = [] if page == new_page else ["the README is stale: --update-refused"]
+    fail(complaints)
+
+
+def check_refused(compile_command):
+    rows, verdict = read_table(), judge(compile_command)
+    fail([f"{a} with {b}: the table says '{rows[a, b]['sentence'] or 'runs in ' + rows[a, b]['base']}', the compiler '{sentence or 'runs in ' + base}'"
+          for (a, b), (base, sentence) in verdict.items() if (rows[a, b]["base"], rows[a, b]["sentence"]) != (base, sentence or "")])
+
+
+def update_refused(compile_command):
+    old = read_table() if TABLE.exists() else {}
+    rows = {}
+    for pair, (base, sentence) in judge(compile_command).items():
+        kept = {} if sentence else {key: old.get(pair, {}).get(key, "") for key in ("float", "double")}
+        rows[pair] = dict.fromkeys(COLUMNS, "") | {"trait": pair[0], "other": pair[1], "base": base, "sentence": sentence or ""} | kept
+    write_table(rows)
+    README.write_text(in_readme(rows)[1])
+
+
+def hashes_of(program):
+    said = subprocess.run([program], capture_output=True, text=True, check=True).stdout
+    return {tuple(line.split(",")[:2]): line.split(",")[2] for line in said.split()}
+
+
+def check_hashes(program, scalar):
+    rows, hashes = read_table(), hashes_of(program)
+    expected = {pair: row[scalar] for pair, row in rows.items() if not row["sentence"]}
+    fail([f"{a} with {b}: {hashes.get((a, b), 'not run')}, and {golden or 'nothing'} in pairs.csv" for (a, b), golden in expected.items()
+          if hashes.get((a, b)) != golden])
+
+
+def update_hashes(program, scalar):
+    rows = read_table()
+    for pair, value in hashes_of(program).items():
+        rows[pair][scalar] = value
+    write_table(rows)
+
+
+if __name__ == "__main__":
+    verb, arguments = sys.argv[1], sys.argv[2:]
+    if verb == "--units":
+        write_units(arguments[0], int(arguments[1]))
+    else:
+        {"--check-table": check_table, "--check-refused": lambda *command: check_refused(command), "--check-hashes": check_hashes,
+         "--update-refused": lambda *command: update_refused(command), "--update-hashes": update_hashes}[verb](*arguments)

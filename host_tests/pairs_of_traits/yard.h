@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+// A yard of a dozen bodies, in which a scene uses the traits that it names. Included by the units that pairs_of_traits.py writes.
+#pragma once
+
+#include <cstdio>
+#include <cstdlib>
+
+#include "scenes/compounds.h"
+
+namespace yard {
+
+using ingot::scalar;
+using ingot::Vector;
+
+constexpr int max_bodies = 20;
+
+/// The bodies that a trait may want to do something to.
+struct Ids {
+    ingot::BodyId ground, wall, cubes[3], ball, bouncer, plank, resting;
+};
+
+inline const char* running = "";  ///< the pair
+
+/// A use that is refused tests nothing.
+inline void expect(ingot::Status status) {
+    if (status == ingot::Status::ok) return;
+    std::fprintf(stderr, "pairs_of_traits: %s: a call was refused with status %d\n", running, static_cast<int>(status));
+    std::abort();
+}
+
+template <class S>
+ingot::BodyId add(ingot::World<S>& world, scenes::PlacedBody body) {
+    body.def.friction = body.mu;
+    if (!S::bounces) body.def.restitution = 0;
+    if (!ingot::has_shapes<S>) body.def.shape = {};
+    if (!ingot::has_shapes<S>) body.def.restitution = 0;
+    if (!S::translates) body.def.state.r_CM = body.def.state.v_CM = {};
+    const ingot::Result<ingot::BodyId> id = world.add(body.def);
+    expect(id.status);
+    return id.value;
+}
+
+template <class S>
+Ids build(ingot::World<S>& world) {
+    const scalar mu = scalar(0.5), half = scalar(0.5);
+    if constexpr (S::translates) expect(world.set_gravity({0, 0, -scenes::standard_gravity}));
+    Ids ids = {};
+    ids.ground = add(world, scenes::half_space({0, 0, 1}, 0, mu));
+    ids.wall = add(world, scenes::fixed_box({half, 3, 3}, {7, 0, 3}, mu));
+    for (int i = 0; i < 3; ++i) {
+        const Vector place = {scalar(0.1) * scalar(i), 0, scalar(i) + half};
+        ids.cubes[i] = add(world, scenes::solid_box(i == 2 ? scalar(200) : scalar(1), {half, half, half}, place, mu));
+    }
+    scenes::PlacedBody ball = scenes::solid_ball(1, scalar(0.25), {-3, scalar(0.1), scalar(0.25)}, mu);
+    ball.move({4, 0, 0}, {0, 16, 0});
+    ids.ball = add(world, ball);
+    scenes::PlacedBody bouncer = scenes::solid_ball(2, scalar(0.3), {3, 2, 1}, mu, scalar(0.75));
+    bouncer.move({0, 0, -2}, {1, 2, 3});
+    ids.bouncer = add(world, bouncer);
+    scenes::PlacedBody plank = scenes::solid_box(2, {1, scalar(0.3), scalar(0.1)}, {scalar(0.25), scalar(0.25), scalar(3.75)}, mu, scalar(0.25));
+    plank.turn(scenes::scattered_rotation(2));
+    plank.move({}, {1, 4, 2});
+    ids.plank = add(world, plank);
+    ids.resting = add(world, scenes::unit_cube({-5, -5, half}, mu));
+    scenes::PlacedBody slow = scenes::solid_ball(1, scalar(0.25), {-5, -8, scalar(0.25)}, mu);
+    slow.move({scalar(0.03125), 0, 0}, {0, scalar(0.125), 0});
+    (void)add(world, slow);
+    for (int i = 0; i < 3; ++i) {
+        scenes::PlacedBody box = scenes::solid_box(1, {scalar(0.3), scalar(0.2), scalar(0.4)}, {scalar(2 * i - 2), 3, 1}, mu, scalar(0.5));
+        box.turn(scenes::scattered_rotation(i));
+        box.move({0, 0, 1}, {scalar(i * i * i), scalar(0.1), 6});
+        (void)add(world, box);
+    }
+    return ids;
+}
+
+template <class S>
+void add_sensor(ingot::World<S>& world) {
+    scenes::PlacedBody sensor = scenes::fixed_box({1, 1, 1}, {-1, 0, 1}, 0);
+    sensor.def.sensor = true;
+    (void)add(world, sensor);
+}
+
+template <class S>
+void add_hulls(ingot::World<S>& world) {
+    for (int i = 0; i < 2; ++i) {
+        scenes::PlacedBody rock;
+        rock.def.mass = i == 0 ? scenes::rock_hull.mass : scenes::octahedron_hull.mass;
+        rock.def.shape = ingot::hull_of<S>(i);
+        rock.def.state.r_CM = {scalar(2 * i) - 1, scalar(-2.5), 1};
+        rock.mu = scalar(0.5);
+        (void)add(world, rock);
+    }
+}
+
+template <class S>
+void add_round_bodies(ingot::World<S>& world) {
+    for (int i = 0; i < 2; ++i) {
+        scenes::PlacedBody body = scenes::solid_ball(1, scalar(0.3), {scalar(2 * i) - 1, -4, scalar(0.75)}, scalar(0.5));
+        body.def.shape = i == 0 ? ingot::Shape(ingot::Capsule{scalar(0.2), scalar(0.3)}) : ingot::Shape(ingot::Cylinder{scalar(0.3), scalar(0.2)});
+        body.turn(scenes::scattered_rotation(i + 4));
+        (void)add(world, body);
+    }
+}
+
+template <class S>
+void add_compound(ingot::World<S>& world) {
+    expect(scenes::add_parts(world, scenes::dumbbell(scalar(0.25), scalar(0.75), scalar(0.5)), 2, {4, -2, 1}, scenes::scattered_rotation(1)).status);
+}
+
+template <class Field>
+void set_spring(Field& field) {
+    field.k = 4;
+    field.anchor = {0, 0, 1};
+    field.r_body = {0, 0, scalar(0.125)};
+}
+template <class Field>
+void set_drag(Field& field) {
+    field.c = scalar(0.25);
+    field.c_turn = scalar(0.03125);
+}
+
+/// 64 bits of all that the world tells.
+class Digest {
+public:
+    void take(const void* bytes, std::size_t size) {  // FNV-1a
+        for (std::size_t i = 0; i < size; ++i) hash_ = (hash_ ^ static_cast<const unsigned char*>(bytes)[i]) * 0x100000001b3u;
+    }
+    template <class Number>
+    void take(Number number) {
+        take(&number, sizeof number);
+    }
+    void take(const Vector& v) {
+        take(v.x);
+        take(v.y);
+        take(v.z);
+    }
+    uint64_t value() const { return hash_; }
+
+private:
+    uint64_t hash_ = 0xcbf29ce484222325u;
+};
+
+template <class S>
+void take_world(Digest& digest, const ingot::World<S>& world, const ingot::StepReport& report) {
+    digest.take(world.state_hash());
+    digest.take(report.contacts);
+    if constexpr (S::max_contacts > 0)
+        for (int i = 0; i < world.contact_count(); ++i) {
+            const ingot::ContactInfo contact = world.contact(i).value;
+            digest.take(contact.A.slot);
+            digest.take(contact.B.slot);
+            digest.take(contact.n);
+            digest.take(contact.j);
+        }
+    if constexpr (S::max_overlaps > 0)
+        for (int i = 0; i < world.overlap_count(); ++i) {
+            const ingot::OverlapInfo overlap = world.overlap(i).value;
+            digest.take(overlap.visitor.slot);
+            digest.take(overlap.visitor_shape);
+        }
+    if constexpr (S::max_events > 0)
+        for (const ingot::Event& event : world.events()) {
+            digest.take(static_cast<uint8_t>(event.kind));
+            digest.take(event.A.slot);
+            digest.take(event.B.slot);
+            if (event.kind == ingot::EventKind::begin || event.kind == ingot::EventKind::hit) digest.take(event.speed);
+        }
+    if constexpr (S::sleeps) digest.take(world.asleep_count());
+}
+
+/// A second of the yard. Prints what pairs.csv keeps: the pair and its hash.
+template <class S>
+void run(const char* pair) {
+    static ingot::World<S> world;
+    running = pair;
+    const Ids ids = build(world);
+    S::set_up(world, ids);
+    Digest digest;
+    for (int step_i = 0; step_i < 60; ++step_i) {
+        S::edit(world, ids, step_i);
+        const ingot::StepReport report = ingot::step(world, scalar(1) / 60);
+        expect(report.status);
+        take_world(digest, world, report);
+    }
+    std::printf("%s,%016llx\n", pair, static_cast<unsigned long long>(digest.value()));
+}
+
+}  // namespace yard

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// One conductor for all solvers of contacts with friction.
+#pragma once
+
+#include "../base/report.h"
+#include "../body/body_tiles.h"
+#include "../constraint/impact_note.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// What a solver gets of a step. It reads v_CM, L, F_T and tau_T of the begin of the step, before integrate_v and integrate_L, and writes
+/// nothing to bodies but marks: see write_contact_motion.
+struct ContactStep {
+    BodyView bodies;
+    Vector gravity;     ///< m s^-2
+    scalar h;           ///< s
+    ImpactNote* notes;  ///< by manifold, told who pushed whom; null in scenes without events
+};
+
+/// Solves all contacts of a step, island by island: many islands of one plan are a batch, which is cut into substeps alike.
+///
+/// In each substep forces act, the impulses of the substep before are given again, and the solver corrects them; then bodies are displaced,
+/// and overlaps taken back by displacements that no velocity ever sees. No softness, no slop, no leak: loads do not sink, and corrections
+/// give no energy. Restitution finds the time of impact within the substep. An island in which nothing accelerates needs fewer substeps;
+/// one that turns out to accelerate begins again, with all of them.
+///
+/// Solver: begin, next_batch (false after the last), substeps, and the verbs of a substep as they stand here.
+template <class Solver>
+void conduct_substeps(Solver& solver, const ContactStep& step, StepReport& report) {
+    solver.begin(step, report);
+    while (solver.next_batch(step)) {  // bound: max_bodies: every batch has an island that was in none before, or one that begins again, once
+        const int substeps = solver.substeps();
+        const scalar h = step.h / static_cast<scalar>(substeps);
+        for (int substep_i = 0; substep_i < substeps; ++substep_i) {  // bound: limits::substeps
+            solver.predict(h, step.notes, report);
+            solver.kick(h);
+            solver.warm_start(h);
+            solver.solve_velocities(step, h, report);
+            solver.note_impulses(step.notes);
+            solver.drift(step.bodies, h);
+            solver.solve_positions(step, h);
+        }
+        solver.end_batch(report);
+    }
+}
+
+} }  // namespace ingot

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#include "block_sweeps.h"
+
+#include "swept_contacts.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+template <bool notes_impulses, bool bounces, class View>
+void solve_by_sweeps(View& view, const ContactStep& step, StepReport& report) {
+    SweptContacts<View, notes_impulses, bounces> contacts(view);
+    conduct_substeps(contacts, step, report);
+}
+
+// The linker takes the one that the scene calls.
+#define INGOT_VIEW(View)                                                                 \
+    template void solve_by_sweeps<false, false>(View&, const ContactStep&, StepReport&); \
+    template void solve_by_sweeps<false, true>(View&, const ContactStep&, StepReport&);  \
+    template void solve_by_sweeps<true, false>(View&, const ContactStep&, StepReport&);  \
+    template void solve_by_sweeps<true, true>(View&, const ContactStep&, StepReport&)
+INGOT_VIEW(SolverView);
+INGOT_VIEW(RollingView);
+INGOT_VIEW(BeltView);
+INGOT_VIEW(RollingBeltView);
+#undef INGOT_VIEW
+
+} }  // namespace ingot

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// `using solver = ingot::BlockSweeps;` of a scene: the many-body scheme, manifolds as blocks.
+#pragma once
+
+#include "../../constraint/material_view.h"
+#include "../conduct_substeps.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// Solves all contacts of a step by sweeps over their blocks. View: SolverView, or a MaterialView.
+///
+/// Bound: of an island, steady_substeps * sweeps_of_small and then substeps * sweeps_of_small visits a manifold where few touch; else
+///        substeps * sweeps_of_new, or steady_substeps * steady_sweeps and then substeps * sweeps. Where impacts cause impacts,
+///        impacts_of_contact of them a contact and substep.
+template <bool notes_impulses, bool bounces, class View>
+void solve_by_sweeps(View& view, const ContactStep& step, StepReport& report);
+
+/// `using solver = ingot::BlockSweeps;`, for many bodies of like masses. No memory of its own. What it did not settle is in
+/// StepReport::residual: some 1e-6 m/s where contacts rest; 0.1 and more where a heavy body crushes a light one.
+struct BlockSweeps {
+    static constexpr const char* name = "block_sweeps";
+    static constexpr bool is_direct = false, is_pointwise = false;
+
+    template <int max_bodies, int max_manifolds>
+    struct Memory {
+        template <bool notes_impulses, bool bounces, class View>
+        void solve_contacts(View& solver, const ContactStep& step, StepReport& report) {
+            solve_by_sweeps<notes_impulses, bounces>(solver, step, report);
+        }
+    };
+};
+
+} }  // namespace ingot

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "plan_islands.h"
+
+#include "../../base/limits.h"
+#include "../../island/disjoint_sets.h"
+#include "../../math/sqrt.h"
+#include "move_bodies.h"
+#include "order_manifolds.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+namespace {
+
+/// Numbers the islands in the order of their first bodies.
+void join_bodies(SolverView& solver) {
+    const DisjointSets sets{solver.island_of};
+    for (int body_i = 0; body_i < solver.body_count; ++body_i) sets.make_set(body_i);  // bound: max_bodies + 1
+    for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i) {  // bound: max_manifolds
+        const uint16_t A = solver.local_of[solver.pairs[manifold_i].body_A], B = solver.local_of[solver.pairs[manifold_i].body_B];
+        if (A != 0 && B != 0) sets.join(A, B);
+    }
+    for (int body_i = 1; body_i < solver.body_count; ++body_i) solver.island_of[body_i] = static_cast<uint16_t>(sets.root(body_i));
+    solver.island_count = 0;
+    for (int body_i = 1; body_i < solver.body_count; ++body_i) {  // a root is the lowest of its island, so it has its number already
+        const uint16_t root = solver.island_of[body_i];
+        if (root == body_i) solver.islands[solver.island_count] = {};
+        solver.island_of[body_i] = root == body_i ? static_cast<uint16_t>(solver.island_count++) : solver.island_of[root];
+    }
+    solver.island_of[0] = no_island;
+}
+
+void count_manifolds(const SolverView& solver) {
+    for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i) {
+        const uint16_t island_i = solver.island_at[manifold_i] = solver.island_of[dynamic_body(solver, manifold_i)];
+        if (island_i == no_island) continue;  // between two bodies that cannot move: one has gone bad
+        Island& island = solver.islands[island_i];
+        const ManifoldRecord& record = solver.records[solver.pairs[manifold_i].record];
+        const uint16_t level = solver.level[manifold_i];
+        ++island.manifold_count;
+        if (age_of(record) < 4 * limits::substeps) ++island.new_count;
+        if (was_steady(record)) ++island.steady_count;
+        if (level >= island.level_count) island.level_count = static_cast<uint16_t>(level + 1);
+    }
+}
+
+SweepPlan plan_of(const Island& island) {
+    const bool steady = island.steady_count == island.manifold_count;
+    if (island.manifold_count > limits::small_island) return steady ? SweepPlan::large_steady : SweepPlan::large;
+    return steady && island.level_count <= limits::steady_levels ? SweepPlan::small_steady : SweepPlan::small;
+}
+
+int sweeps_max_of(const Island& island) {
+    const bool is_heap_of_balls = 4 * island.central_count > 3 * island.manifold_count;
+    switch (island.plan) {
+        case SweepPlan::large_steady: return limits::steady_sweeps;
+        case SweepPlan::large:
+            if (!island.begins_again && 4 * island.new_count > island.manifold_count) return limits::sweeps_of_new;
+            return is_heap_of_balls ? limits::sweeps_of_balls : limits::sweeps;
+        default: return limits::sweeps_of_small;
+    }
+}
+
+scalar settled_speed_of(SweepPlan plan) {
+    switch (plan) {
+        case SweepPlan::large_steady: return limits::settled_speed * limits::substeps / limits::steady_substeps;
+        case SweepPlan::large: return limits::settled_speed;
+        default: return limits::settled_speed_of_small;
+    }
+}
+
+}  // namespace
+
+void plan_islands(SolverView& solver) {
+    join_bodies(solver);
+    count_manifolds(solver);
+    // bound: max_bodies
+    for (int island_i = 0; island_i < solver.island_count; ++island_i) solver.islands[island_i].plan = plan_of(solver.islands[island_i]);
+}
+
+bool begin_batch(SolverView& solver, SweepPlan plan, const BodyView& bodies, const Vector& gravity) {
+    bool some = false, again = false;
+    for (int island_i = 0; island_i < solver.island_count; ++island_i) {
+        Island& island = solver.islands[island_i];
+        island.in_batch = island.plan == plan;
+        if (!island.in_batch) continue;
+        island.steady = true;
+        island.central_count = island.group = 0;
+        some = true;
+        again = again || island.begins_again;
+    }
+    if (!some) return false;
+    solver.plan = plan;
+    solver.substeps = is_steady(plan) ? limits::steady_substeps : limits::substeps;
+    solver.some_hit = false;
+    solver.batch_body_count = 0;
+    for (int body_i = 1; body_i < solver.body_count; ++body_i)
+        if (solver.islands[solver.island_of[body_i]].in_batch) solver.batch_bodies[solver.batch_body_count++] = static_cast<uint16_t>(body_i);
+    if (again) take_in_again(solver, bodies, gravity);
+    order_manifolds(solver);
+    return true;
+}
+
+scalar rounding_of_speeds(const Island& island) { return 4 * epsilon * min(sqrt(island.fastest_sq), limits::rounding_speed_max); }
+
+void plan_sweeps(const SolverView& solver) {
+    for (int island_i = 0; island_i < solver.island_count; ++island_i) {
+        Island& island = solver.islands[island_i];
+        if (!island.in_batch) continue;
+        island.sweeps_max = sweeps_max_of(island);
+        island.settled = settled_speed_of(island.plan) + rounding_of_speeds(island);
+        island.sweeps_on = true;
+        island.size_before = 0;
+        island.residual = 0;  // of one that is not swept
+    }
+}
+
+void end_batch(const SolverView& solver, StepReport& report) {
+    for (int island_i = 0; island_i < solver.island_count; ++island_i) {
+        Island& island = solver.islands[island_i];
+        if (!island.in_batch) continue;
+        const bool again = is_steady(island.plan) && !island.steady;
+        island.plan = !again ? SweepPlan::solved : island.plan == SweepPlan::small_steady ? SweepPlan::small : SweepPlan::large;
+        island.begins_again = again;
+        if (!again) note_sweeps(report, island.sweeps, island.residual);
+    }
+}
+
+} }  // namespace ingot

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// Which bodies hang together, how each island is cut and swept, and which of them are solved together.
+#pragma once
+
+#include "../../base/report.h"
+#include "../../constraint/solver_view.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// Finds the islands of the bodies that were taken in, and their plans. An island takes no notice of any other: what it does is the same
+/// alone or beside anything.
+///
+/// Where the contacts of an island are few, chains of them are long for their number, and sweeps are cheap: many are allowed, to a small
+/// residual, and all go up, which serves heavy bodies on light ones. Where they are many the number is fixed, larger while many are new,
+/// and sweeps go up and down in turn, which carries the weight of a pile to the ground and back. Steady: nothing in the island accelerated
+/// in the step before, and nothing has begun to touch since. A tall tower is not: what it sways by needs the substeps, and no sweep over
+/// few sees it.
+/// Needs: find_levels.
+void plan_islands(SolverView& solver);
+
+/// Begins the batch of all islands with a plan: bodies, order, and what its substeps need. False if there are none.
+bool begin_batch(SolverView& solver, SweepPlan plan, const BodyView& bodies, const Vector& gravity);
+
+/// After the last substep of a batch. Islands that turned out not to be steady begin again with the plan that follows.
+/// The report tells the most sweeps that an island took, and the largest residual.
+void end_batch(const SolverView& solver, StepReport& report);
+
+/// Of a substep: how many sweeps an island may have, and to what speed.
+void plan_sweeps(const SolverView& solver);
+
+/// m/s; what rounding makes of the speeds of an island's bodies, in the substep before.
+scalar rounding_of_speeds(const Island& island);
+
+inline bool is_steady(SweepPlan plan) { return plan == SweepPlan::small_steady || plan == SweepPlan::large_steady; }
+inline bool is_large(SweepPlan plan) { return plan == SweepPlan::large_steady || plan == SweepPlan::large; }
+
+} }  // namespace ingot

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "../conduct_substeps.h"
+#include "../../constraint/prepare_blocks.h"
+#include "../../constraint/prepare_materials.h"
+#include "move_bodies.h"
+#include "note_impulses.h"
+#include "order_manifolds.h"
+#include "plan_islands.h"
+#include "predict_contacts.h"
+#include "sequence_impacts.h"
+#include "solve_velocities.h"
+#include "sweep_positions.h"
+#include "warm_start.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// The sweeps as conduct_substeps asks for them. View: SolverView, or a MaterialView. What a scene does not name is not compiled in: events,
+/// restitution, rolling resistance, belts.
+template <class View, bool notes_impulses, bool bounces>
+struct SweptContacts {
+    explicit SweptContacts(View& of) : view(of) {}
+
+    void begin(const ContactStep& step, StepReport&) {
+        take_in_bodies(view, step.bodies, step.gravity, step.h);
+        find_levels(view);
+        plan_islands(view);
+        plan_i_ = 0;
+    }
+    bool next_batch(const ContactStep& step) {
+        while (plan_i_ < sweep_plans)  // bound: sweep_plans
+            if (begin_batch(view, static_cast<SweepPlan>(plan_i_++), step.bodies, step.gravity)) {
+                prepare(step);
+                return true;
+            }
+        return false;
+    }
+    int substeps() const { return view.substeps; }
+
+    void predict(scalar h, [[maybe_unused]] ImpactNote* notes, [[maybe_unused]] StepReport& report) {
+        predict_contacts(view, h);
+        if constexpr (bounces) {
+            predict_bounces(view, h);
+            sequence_impacts(view, h, notes, report);
+        }
+    }
+    void kick(scalar h) { kick_bodies(view, h); }
+    void warm_start(scalar h) {
+        if constexpr (View::rolls)
+            ingot::warm_start(view, h);
+        else
+            ingot::warm_start<SolverView>(view, h);
+    }
+    void solve_velocities(const ContactStep&, scalar, StepReport&) {
+        plan_sweeps(view);
+        ingot::solve_velocities(view);
+    }
+    void note_impulses([[maybe_unused]] ImpactNote* notes) {
+        if constexpr (notes_impulses) ingot::note_impulses(view, notes);
+    }
+    void drift(const BodyView& bodies, scalar h) { drift_bodies(view, bodies, h); }
+    void solve_positions(const ContactStep&, scalar h) { sweep_positions(view, view.visits, view.visit_count, h); }
+
+    void end_batch(StepReport& report) {
+        ingot::end_batch(view, report);
+        remember_impulses(view);
+        if constexpr (View::rolls) remember_rolling(view, view.rolling, view.rolling_records);
+    }
+
+protected:
+    View& view;
+
+private:
+    void prepare(const ContactStep& step) {
+        prepare_blocks(view, step.bodies);
+        if constexpr (View::rolls) prepare_rolling(view, step.bodies, view.rolling, view.rolling_records);
+        if constexpr (View::has_belts) prepare_belts(view, view.belts, view.belt_velocities);
+        if constexpr (notes_impulses) clear_impulse_notes(view, step.notes);
+        if constexpr (bounces)
+            if (find_impact_chains(view)) list_members(view);
+    }
+
+    int plan_i_ = 0;
+};
+
+} }  // namespace ingot

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+// A feature is a record: all that a trait of a scene brings along stands in one struct.
+//
+// Storage, checks, World::add and remove, snapshot, state hash, signature and replay fold over the list in features.h; none of them names a
+// feature. A new one is a struct here, a line in that list and a trait in scene.h. `gravity_shares.h` is a short example.
+#pragma once
+
+#include "../body_def.h"
+#include "../scene.h"
+#include "../snapshot_bytes.h"
+#include "../state_hash.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+template <class S>
+struct Storage;
+
+/// Numbers that a snapshot holds of the world, a body, a shape, a manifold, or an entry of a list: here none.
+///
+///     numbers(each, parts)    hands out each number under its name, in the order of the bytes; parts: those of SnapshotHeader
+///     take(storage, where)    fetches them; where: nothing, a slot, a shape slot, a BodyPair, an index
+///     put(storage, where)     gives them back; a manifold comes into the record whose number is its place in the snapshot
+///     is_valid<S>(context)    false for what no world of the scene can have become; context: SavedWorld, SavedBody, ManifoldContext,
+///                             EntryContext
+struct NoNumbers {
+    template <class Each>
+    constexpr void numbers(Each&, uint32_t) {}
+    template <class S, class... Where>
+    void take(const Storage<S>&, const Where&...) {}
+    template <class S, class... Where>
+    void put(Storage<S>&, const Where&...) const {}
+    template <class S, class... Context>
+    constexpr bool is_valid(const Context&...) const {
+        return true;
+    }
+};
+
+/// The numbers of a world beside those of its bodies and its features.
+struct SavedWorld {
+    uint16_t world_tag;
+    uint32_t steps, slots_used, free_hint;
+
+    template <class Each>
+    constexpr void numbers(Each& each) {
+        each("world_tag", world_tag);
+        each("steps", steps);
+        each("slots_used", slots_used);
+        each("free_hint", free_hint);
+    }
+};
+
+/// What a manifold is seen beside as it is read.
+struct ManifoldContext {
+    uint32_t slots_used;  ///< of bodies
+    uint32_t key_before;  ///< of the manifold before; 0: of none
+    uint32_t key;         ///< of this one, once its bodies are read
+};
+
+/// And an entry of a list.
+struct EntryContext {
+    uint32_t shape_slots;  ///< in use
+    uint32_t key_before;   ///< of the pair before; 0: of none
+};
+
+/// What a feature says where it has nothing to say. Each also has
+///     template <class S> static constexpr bool named;           whether the scene names it
+///     template <class S, bool present> struct Memory;           a base of Storage; empty where it is not present
+struct Feature {
+    static constexpr uint32_t part = 0;  ///< its bit of SnapshotHeader::parts, for records with numbers
+    using OfWorld = NoNumbers;
+    using OfBody = NoNumbers;
+    using OfShape = NoNumbers;
+    using OfManifold = NoNumbers;
+    /// Of a list: how many it has, and what one of them is.
+    using OfEntry = NoNumbers;
+    static constexpr bool has_entries = false;
+    template <class S>
+    static constexpr int entry_capacity = 0;
+    template <class S>
+    static uint16_t entry_count(const Storage<S>&) {
+        return 0;
+    }
+    template <class S>
+    static void set_entry_count(Storage<S>&, uint16_t) {}
+
+    /// Hands each trait of the scene that is the feature's to `each`: they make up the signature.
+    template <class S, class Each>
+    static constexpr void traits(Each&) {}
+    /// Sentences for a scene that contradicts itself.
+    template <class S>
+    static constexpr bool check() {
+        return true;
+    }
+    /// What a definition may not say in a scene that does not name the feature.
+    template <class S>
+    static Status check_def(const BodyDef&) {
+        return Status::ok;
+    }
+    template <class S>
+    static void begin_body(Storage<S>&, int, const BodyDef&) {}
+    template <class S>
+    static void begin_shape(Storage<S>&, int, const BodyDef&, const ShapePlace&) {}
+    /// A body is about to leave its slot: all is as it was.
+    template <class S>
+    static void before_removal(Storage<S>&, int) {}
+    /// What a slot forgets as its body leaves.
+    template <class S>
+    static void forget_body(Storage<S>&, int) {}
+    template <class S>
+    static void forget_shape(Storage<S>&, int) {}
+    template <class S>
+    static uint64_t hash_body(const Storage<S>&, int, uint64_t hash) {
+        return hash;
+    }
+    /// Before and after the numbers of a snapshot come into storage, which begins as zero.
+    template <class S>
+    static void begin_load(Storage<S>&) {}
+    template <class S>
+    static void finish_load(Storage<S>&) {}
+};
+
+/// The features there are.
+template <class... All>
+struct FeatureList {
+    /// Calls visit(feature) for each.
+    template <class Visit>
+    static constexpr void over_all(const Visit& visit) {
+        (visit(All{}), ...);
+    }
+    /// For those that the scene names.
+    template <class S, class Visit>
+    static constexpr void over_named(const Visit& visit) {
+        over_all([&visit](auto feature) {
+            if constexpr (decltype(feature)::template named<S>) visit(feature);
+        });
+    }
+    /// The memory of all, in the order of the list.
+    template <class S>
+    struct Memory : All::template Memory<S, All::template named<S>>... {};
+
+    /// True when no two use the same bit of a snapshot's parts.
+    static constexpr bool bits_differ(uint32_t others) {
+        bool differ = true;
+        over_all([&](auto feature) {
+            differ = differ && (others & decltype(feature)::part) == 0;
+            others |= decltype(feature)::part;
+        });
+        return differ;
+    }
+};
+
+} }  // namespace ingot

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// The features there are. Their order is that of their memory in a world, and of their numbers in a snapshot.
+#pragma once
+
+#include "materials.h"
+#include "motion.h"
+#include "sensors_and_events.h"
+#include "shapes.h"
+#include "sleep.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+using Features = FeatureList<Rotation, Translation, Compensation, EnergyReturn, FieldOfForce, SteadyField, Surfaces, Compounds, Impacts, Manifolds, Unsettled,
+                             RollingResistance, Belts, Filters, Sensors, Continuous, Events, ToldEvents, TouchAside, Sleep>;
+
+static_assert(Features::bits_differ(SnapshotPart::doubles | SnapshotPart::anchors));  // of a snapshot's parts
+
+/// Turns a scene that contradicts itself into a sentence.
+template <class S>
+constexpr bool check_scene() {
+    bool sound = true;
+    Features::over_all([&sound](auto feature) { sound = decltype(feature)::template check<S>() && sound; });
+    return sound;
+}
+
+} }  // namespace ingot

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+// What surfaces may have beside friction and restitution: resistance to rolling, and a velocity of their own.
+#pragma once
+
+#include "manifolds.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+struct RollingResistance : Feature {
+    static constexpr uint32_t part = 8192;
+    template <class S>
+    static constexpr bool named = S::rolling_resistance;
+
+    template <class S, bool present>
+    struct Memory {
+        scalar rolling_levers[static_cast<unsigned>(shape_capacity<S>)] = {};  ///< m, by shape slot
+        RollingRecord rolling_records[static_cast<unsigned>(S::max_manifolds)] = {};
+        RollingRows rolling_rows[block_capacity_of<S>] = {};
+
+        void mix_rolling(const ManifoldView& manifolds) { mix_rolling_levers(manifolds, rolling_levers, rolling_records); }
+        void show_rolling(RollingRows*& rows, RollingRecord*& records) { rows = rolling_rows, records = rolling_records; }
+    };
+    template <class S>
+    struct Memory<S, false> {
+        static void mix_rolling(const ManifoldView&) {}
+        static void show_rolling(RollingRows*&, RollingRecord*&) {}
+    };
+
+    template <class S, class Each>
+    static constexpr void traits(Each& each) {
+        each(S::rolling_resistance);
+    }
+    template <class S>
+    static constexpr bool check() {
+        static_assert(!S::rolling_resistance || stacks<S>,
+                      "rolling resistance is of contacts with friction: set max_manifolds, or rolling_resistance = false");
+        static_assert(!has_materials<S> || !solves_directly<S>,
+                      "rolling resistance and surfaces that move are solved by sweeps: leave solver, or both of them, out");
+        static_assert(!has_materials<S> || !S::continuous,
+                      "fast bodies are followed where surfaces neither resist rolling nor move: set continuous = false, or both of them");
+        return true;
+    }
+    template <class S>
+    static void forget_shape(Storage<S>& storage, int shape_slot) {
+        storage.rolling_levers[shape_slot] = 0;
+    }
+
+    struct OfShape : NoNumbers {
+        scalar lever;
+
+        template <class Each>
+        constexpr void numbers(Each& each, uint32_t) {
+            each("rolling_resistance", lever);
+        }
+        template <class S>
+        void take(const Storage<S>& storage, int shape_slot) {
+            lever = storage.rolling_levers[shape_slot];
+        }
+        template <class S>
+        void put(Storage<S>& storage, int shape_slot) const {
+            storage.rolling_levers[shape_slot] = lever;
+        }
+        template <class S>
+        bool is_valid(const SavedBody&) const {
+            return lever >= 0 && lever <= limits::size_max;
+        }
+    };
+    struct OfManifold : NoNumbers {
+        Vector j;
+
+        template <class Each>
+        constexpr void numbers(Each& each, uint32_t) {
+            each("j_rolling", j);
+        }
+        template <class S>
+        void take(const Storage<S>& storage, const BodyPair& pair) {
+            j = storage.rolling_records[pair.record].j;
+        }
+        template <class S>
+        void put(Storage<S>& storage, uint16_t record) const {
+            storage.rolling_records[record].j = j;
+        }
+        template <class S>
+        bool is_valid(const ManifoldContext&) const {
+            return is_finite(j);
+        }
+    };
+};
+
+struct Belts : Feature {
+    static constexpr uint32_t part = 16384;
+    template <class S>
+    static constexpr bool named = S::surface_velocities;
+
+    template <class S, bool present>
+    struct Memory {
+        Vector surface_velocities[static_cast<unsigned>(shape_capacity<S>)] = {};  ///< m/s, in the shape's axes, by shape slot
+        Vector belt_velocities[static_cast<unsigned>(S::max_manifolds)] = {};      ///< m/s, world, by record
+        BeltRows belt_rows[block_capacity_of<S>] = {};
+
+        void turn_belts(const BodyView& shapes, const ManifoldView& manifolds) {
+            turn_surface_velocities(shapes, manifolds, surface_velocities, belt_velocities);
+        }
+        void show_belts(BeltRows*& rows, const Vector*& velocities) { rows = belt_rows, velocities = belt_velocities; }
+    };
+    template <class S>
+    struct Memory<S, false> {
+        static void turn_belts(const BodyView&, const ManifoldView&) {}
+        static void show_belts(BeltRows*&, const Vector*&) {}
+    };
+
+    template <class S, class Each>
+    static constexpr void traits(Each& each) {
+        each(S::surface_velocities);
+    }
+    template <class S>
+    static constexpr bool check() {
+        static_assert(!S::surface_velocities || stacks<S>,
+                      "surfaces that move need contacts with friction: set max_manifolds, or surface_velocities = false");
+        return true;
+    }
+    template <class S>
+    static void forget_shape(Storage<S>& storage, int shape_slot) {
+        storage.surface_velocities[shape_slot] = {};
+    }
+
+    struct OfShape : NoNumbers {
+        Vector velocity;
+
+        template <class Each>
+        constexpr void numbers(Each& each, uint32_t) {
+            each("surface_velocity", velocity);
+        }
+        template <class S>
+        void take(const Storage<S>& storage, int shape_slot) {
+            velocity = storage.surface_velocities[shape_slot];
+        }
+        template <class S>
+        void put(Storage<S>& storage, int shape_slot) const {
+            storage.surface_velocities[shape_slot] = velocity;
+        }
+        template <class S>
+        bool is_valid(const SavedBody&) const {
+            return check_vector(velocity, limits::speed_max) == Status::ok;
+        }
+    };
+};
+
+} }  // namespace ingot

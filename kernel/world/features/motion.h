@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: MIT
+// How bodies move: translation, compensated orientation, the return of energy, the force field. Their numbers of a body are in SavedBody, for they
+// are checked together.
+#pragma once
+
+#include "../../motion/forced_flight.h"
+#include "feature.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+template <class S>
+inline constexpr int tile_capacity = (S::max_bodies + lanes - 1) / lanes;
+
+/// The order that a method tells of itself; 0 if it tells none.
+template <class Method, class = void>
+inline constexpr int order_of = 0;
+template <class Method>
+inline constexpr int order_of<Method, decltype(static_cast<void>(Method::order))> = Method::order;
+
+/// And its limit of substeps.
+template <class Method, class = void>
+inline constexpr int substeps_of = 0;
+template <class Method>
+inline constexpr int substeps_of<Method, decltype(static_cast<void>(Method::substeps))> = Method::substeps;
+
+/// How many bodies there are, and how they turn.
+struct Rotation : Feature {
+    template <class S>
+    static constexpr bool named = true;
+    template <class S, bool>
+    struct Memory {};
+
+    template <class S, class Each>
+    static constexpr void traits(Each& each) {
+        each(S::max_bodies);
+        each(S::rotation::name);
+        each(order_of<typename S::rotation>);
+        each(substeps_of<typename S::rotation>);
+    }
+    template <class S>
+    static constexpr bool check() {
+        static_assert(S::max_bodies >= 1 && S::max_bodies <= 65536, "a scene holds 1 to 65536 bodies: set max_bodies");
+        return true;
+    }
+};
+
+struct Translation : Feature {
+    static constexpr uint32_t part = SnapshotPart::translation;
+    template <class S>
+    static constexpr bool named = S::translates;
+
+    template <class S, bool present>
+    struct Memory {
+        TranslationTile translation[tile_capacity<S>] = {};
+        Vector gravity = {};  ///< m s^-2
+        TranslationTile* translation_tiles() { return translation; }
+        Vector gravity_or_none() const { return gravity; }
+    };
+    template <class S>
+    struct Memory<S, false> {
+        TranslationTile* translation_tiles() { return nullptr; }
+        Vector gravity_or_none() const { return {}; }
+    };
+
+    template <class S, class Each>
+    static constexpr void traits(Each& each) {
+        each(S::translates);
+    }
+
+    struct OfWorld : NoNumbers {
+        Vector gravity;
+
+        template <class Each>
+        constexpr void numbers(Each& each, uint32_t) {
+            each("gravity", gravity);
+        }
+        template <class S>
+        void take(const Storage<S>& storage) {
+            gravity = storage.gravity;
+        }
+        template <class S>
+        void put(Storage<S>& storage) const {
+            storage.gravity = gravity;
+        }
+        template <class S>
+        bool is_valid(const SavedWorld&) const {
+            return check_vector(gravity, limits::gravity_max) == Status::ok;
+        }
+    };
+};
+
+struct Compensation : Feature {
+    static constexpr uint32_t part = SnapshotPart::compensation;
+    template <class S>
+    static constexpr bool named = S::rotation::compensates;
+
+    template <class S, bool present>
+    struct Memory {
+        CompensationTile compensation[tile_capacity<S>] = {};
+        CompensationTile* compensation_tiles() { return compensation; }
+    };
+    template <class S>
+    struct Memory<S, false> {
+        CompensationTile* compensation_tiles() { return nullptr; }
+    };
+
+    template <class S, class Each>
+    static constexpr void traits(Each& each) {
+        each(S::rotation::compensates);
+    }
+};
+
+struct EnergyReturn : Feature {
+    static constexpr uint32_t part = SnapshotPart::energy;
+    template <class S>
+    static constexpr bool named = S::rotation::returns_energy;
+
+    template <class S, bool present>
+    struct Memory {
+        EnergyTile energy[tile_capacity<S>] = {};
+        scalar h_before = 0;  ///< s, of the last step
+        EnergyTile* energy_tiles() { return energy; }
+        bool h_changes_to(scalar h) {
+            const bool changed = h != h_before;
+            h_before = h;
+            return changed;
+        }
+    };
+    template <class S>
+    struct Memory<S, false> {
+        EnergyTile* energy_tiles() { return nullptr; }
+        bool h_changes_to(scalar) { return false; }
+    };
+
+    template <class S, class Each>
+    static constexpr void traits(Each& each) {
+        each(S::rotation::returns_energy);
+    }
+
+    struct OfWorld : NoNumbers {
+        scalar h_before;
+
+        template <class Each>
+        constexpr void numbers(Each& each, uint32_t) {
+            each("h_before", h_before);
+        }
+        template <class S>
+        void take(const Storage<S>& storage) {
+            h_before = storage.h_before;
+        }
+        template <class S>
+        void put(Storage<S>& storage) const {
+            storage.h_before = h_before;
+        }
+        template <class S>
+        bool is_valid(const SavedWorld&) const {
+            return h_before == 0 || check_step(h_before) == Status::ok;
+        }
+    };
+};
+
+/// True for fields that name their numbers: see motion/force_field.h.
+template <class Field, class = void>
+inline constexpr bool names_its_numbers = false;
+template <class Field>
+inline constexpr bool names_its_numbers<Field, decltype(any_of<Field>().numbers(any_of<ByteCounter>()))> = true;
+
+/// What a field's numbers are, not what they amount to: their names and kinds.
+class FieldSignature : public NumberStream<FieldSignature> {
+public:
+    constexpr void name(const char* text) {
+        for (; *text != 0; ++text) add(static_cast<uint8_t>(*text));  // bound: the text ends with a zero
+        add(0);
+    }
+    template <class T>
+    constexpr void integer(const T&) {
+        add(sizeof(T));
+    }
+    constexpr void real(const scalar&) { add(1); }
+    constexpr uint64_t hash() const { return hash_; }
+
+private:
+    constexpr void add(uint64_t number) { hash_ = (hash_ ^ number) * 0x100000001b3u; }
+    uint64_t hash_ = state_hash_seed;
+};
+
+/// Time, and the field. The field's own numbers are the user's: a snapshot writes them after those of the world.
+/// A field in which bodies sleep: its numbers are compared, not who asked for them.
+struct SteadyField : Feature {
+    static constexpr uint32_t part = 131072;
+    template <class S>
+    static constexpr bool named = has_field<S> && S::sleeps;
+
+    template <class S, bool present>
+    struct Memory {
+        typename S::force_field field_before = {};                  ///< of the last step
+        scalar pull_sq[static_cast<unsigned>(S::max_bodies)] = {};  ///< (m s^-2)^2, of gravity and what the field and the user add, in this step
+        uint8_t field_changed = 0;                                  ///< since the last step of a world that was saved then
+
+        const scalar* pull_of_bodies() const { return pull_sq; }
+    };
+    template <class S>
+    struct Memory<S, false> {
+        static constexpr const scalar* pull_of_bodies() { return nullptr; }
+    };
+
+    template <class S>
+    static constexpr bool check() {
+        static_assert(!S::sleeps || !has_field<S> || S::force_field::is_steady,
+                      "bodies sleep in a force_field that does not change by itself: give it is_steady = true, or set sleeps = false");
+        return true;
+    }
+    /// True where the numbers of the field are not those of the last step.
+    template <class S>
+    static bool changed(const Storage<S>& storage) {
+        return storage.field_changed != 0 ||
+               (storage.bounds_are_made != 0 && __builtin_memcmp(&storage.field, &storage.field_before, sizeof storage.field) != 0);
+    }
+
+    struct OfWorld : NoNumbers {
+        uint8_t changed;  ///< what sleeps is to wake
+
+        template <class Each>
+        constexpr void numbers(Each& each, uint32_t) {
+            each("field_changed", changed);
+        }
+        template <class S>
+        void take(const Storage<S>& storage) {
+            changed = SteadyField::changed(storage) ? 1 : 0;
+        }
+        template <class S>
+        void put(Storage<S>& storage) const {
+            storage.field_changed = changed;
+        }
+        template <class S>
+        bool is_valid(const SavedWorld&) const {
+            return changed <= 1;
+        }
+    };
+};
+
+struct FieldOfForce : Feature {
+    static constexpr uint32_t part = 16;
+    template <class S>
+    static constexpr bool named = has_field<S>;
+
+    template <class S, bool present>
+    struct Memory {
+        typename S::force_field field = {};
+        scalar t = 0, t_low = 0;  ///< s; t + t_low is the time
+
+        Forcing<typename S::force_field> forcing(const Vector& gravity) const { return {field, gravity, t}; }
+        void advance_time(scalar h) {  // Kahan: rounding does not add up over the steps
+            const scalar due = h + t_low, t_next = t + due;
+            t_low = due - (t_next - t);
+            t = t_next;
+        }
+    };
+    template <class S>
+    struct Memory<S, false> {};
+
+    template <class S, class Each>
+    static constexpr void traits(Each& each) {
+        each(S::flight::name);
+        each(S::flight::order);
+        if constexpr (names_its_numbers<typename S::force_field>) {
+            typename S::force_field field{};
+            FieldSignature signature;
+            field.numbers(signature);
+            each(signature.hash());
+        }
+    }
+    template <class S>
+    static constexpr bool check() {
+        static_assert(flies_in_field<S> || S::flight::order == 2,
+                      "a flight of order 4 is for scenes with a force_field, without contacts, and not for Listing 1: leave it out");
+        static_assert(S::flight::takes_velocities || !S::force_field::depends_on_velocity,
+                      "this flight takes no field that depends on velocity: name CommutatorFree4 or KickDriftKick");
+        static_assert(__is_trivially_copyable(typename S::force_field), "a force_field is made of plain numbers: memcpy keeps it");
+        return true;
+    }
+
+    struct OfWorld : NoNumbers {
+        scalar t, t_low;
+
+        template <class Each>
+        constexpr void numbers(Each& each, uint32_t) {
+            each("t", t);
+            each("t_low", t_low);
+        }
+        template <class S>
+        void take(const Storage<S>& storage) {
+            t = storage.t;
+            t_low = storage.t_low;
+        }
+        template <class S>
+        void put(Storage<S>& storage) const {
+            storage.t = t;
+            storage.t_low = t_low;
+        }
+        template <class S>
+        bool is_valid(const SavedWorld&) const {
+            return t >= 0 && is_finite(t) && is_finite(t_low);
+        }
+    };
+};
+
+} }  // namespace ingot
