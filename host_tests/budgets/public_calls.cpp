@@ -36,6 +36,10 @@ struct ByCommutatorFree : Dragged {
     using flight = CommutatorFree4;
 };
 
+struct Floating : Scene {
+    static constexpr bool translates = true, gravity_shares = true;
+};
+
 /// Impacts without friction, in a field.
 struct Impacts : Scene {
     static constexpr int max_bodies = 9, max_contacts = 24;
@@ -155,6 +159,8 @@ CALL(set_rolling_resistance)(World<Belts>& world, BodyId id, scalar lever) { ret
 CALL(rolling_resistance)(const World<Belts>& world, BodyId id) { return world.rolling_resistance(id); }
 CALL(set_surface_velocity)(World<Belts>& world, BodyId id, const Vector& velocity) { return world.set_surface_velocity(id, velocity); }
 CALL(surface_velocity)(const World<Belts>& world, BodyId id) { return world.surface_velocity(id); }
+CALL(set_gravity_share)(World<Floating>& world, BodyId id, scalar share) { return world.set_gravity_share(id, share); }
+CALL(gravity_share)(const World<Floating>& world, BodyId id) { return world.gravity_share(id); }
 CALL(overlap_count)(const World<Sleeping>& world) { return world.overlap_count(); }
 CALL(overlap)(const World<Sleeping>& world, int index) { return world.overlap(index); }
 CALL(events)(const World<Sleeping>& world) { return world.events(); }

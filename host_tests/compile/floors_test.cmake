@@ -47,7 +47,7 @@ set(solver_sweeps_shares block_sweeps swept_contacts conjugate_gradients move_bo
 # solve_sequentially conducts the stages of its substeps, and sequential_impulses names it to scenes.
 set(solver_sequential_shares point_view point_rows move_point_bodies sweep_points solve_sequentially)
 # hybrid_islands conducts the stages, and calls the others of its room.
-set(solver_direct_shares direct_view hold_energy island_rows choose_islands normal_set sliding factor_rows solve_island solve_directly)
+set(solver_direct_shares direct_view hybrid_contacts hold_energy island_rows choose_islands normal_set sliding factor_rows solve_island solve_directly)
 
 set(broken "")
 file(GLOB_RECURSE files RELATIVE ${HOUSE} ${HOUSE}/kernel/*.h ${HOUSE}/kernel/*.cpp ${HOUSE}/platform/*.h ${HOUSE}/platform/*.cpp)

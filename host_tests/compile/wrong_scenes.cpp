@@ -247,6 +247,9 @@ struct Wrong : ingot::Scene {
     };
     using force_field = Secret;
 #endif
+#ifdef GRAVITY_SHARES_WITHOUT_TRANSLATION
+    static constexpr bool gravity_shares = true;
+#endif
 #ifdef ISLAND_WITHOUT_ROOM
     static constexpr bool translates = true;
     static constexpr int max_manifolds = 4;
@@ -293,6 +296,9 @@ int main() {
 #endif
 #ifdef BELT_WITHOUT_BELTS
     (void)world.set_surface_velocity(id, {});
+#endif
+#ifdef SHARE_WITHOUT_SHARES
+    (void)world.set_gravity_share(id, 1);
 #endif
 #ifdef FIELD_WITHOUT_FIELD
     (void)world.force_field();

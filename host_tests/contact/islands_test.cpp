@@ -2,7 +2,7 @@
 // Islands side by side in the solver: what one of them does is the same alone and beside others, to the bit, and each has its own plan, sums and end.
 #include <gtest/gtest.h>
 
-#include <ingot/solver/sweeps/block_sweeps.h>
+#include <ingot/solver/sweeps/swept_contacts.h>
 #include <ingot/solver/sweeps/conjugate_gradients.h>
 #include <ingot/solver/sweeps/sweep_velocities.h>
 
@@ -348,9 +348,9 @@ TEST(Islands, have_sums_of_their_own) {
             int manifolds = 0, several = 0;
             for (int position = 0; position < solver.lane_count; ++position) {
                 const std::uint16_t manifold_i = ingot::manifold_at(solver, position);
-                if (manifold_i == ingot::no_manifold || ingot::island_of_manifold(solver, manifold_i) != island_i) continue;
+                if (manifold_i == ingot::no_manifold || solver.island_at[manifold_i] != island_i) continue;
                 const ingot::ContactBlock& block = solver.blocks[position / lanes];
-                const int level = ingot::level_of_manifold(solver, manifold_i), colour = solver.colour[manifold_i];
+                const int level = solver.level[manifold_i], colour = solver.colour[manifold_i];
                 // Beyond 32 colours each is alone.
                 const int number = colour < 32 ? of_colour[{level, colour}]++ : 0;
                 several += number >= 8 ? 1 : 0;
@@ -394,7 +394,7 @@ TEST(Islands, that_are_settled_drop_out_of_the_sweeps) {
                 }
             }
             for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i) {
-                const Island& island = solver.islands[ingot::island_of_manifold(solver, manifold_i)];
+                const Island& island = solver.islands[solver.island_at[manifold_i]];
                 EXPECT_EQ(live[static_cast<std::size_t>(manifold_i)], island.in_batch && island.sweeps_on ? 1 : 0);
             }
             const std::vector<ingot::SolverBody> bodies(solver.bodies, solver.bodies + solver.body_count);

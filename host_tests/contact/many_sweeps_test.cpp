@@ -243,18 +243,18 @@ double sum_by_lanes(const ingot::SolverView& solver) {
 struct LightPile {
     std::vector<ingot::PointBody> bodies;
     std::vector<ingot::PointContact> contacts;
-    std::vector<std::uint16_t> members, body_order;
+    std::vector<std::uint16_t> members, body_slots;
     ingot::PointView view{};
 
     explicit LightPile(Twins& twins)
-        : bodies(twins.pile.rotation.size() * lanes), contacts(twins.pile.pairs.size()), members(contacts.size()), body_order(bodies.size()) {
+        : bodies(twins.pile.rotation.size() * lanes), contacts(twins.pile.pairs.size()), members(contacts.size()), body_slots(bodies.size()) {
         view.pairs = twins.pile.pairs.data(), view.records = twins.pile.records.data();
         view.manifold_count = static_cast<int>(twins.pile.pairs.size());
-        view.bodies = bodies.data(), view.contacts = contacts.data(), view.members = members.data(), view.body_order = body_order.data();
+        view.bodies = bodies.data(), view.contacts = contacts.data(), view.members = members.data(), view.body_slots = body_slots.data();
         ingot::take_in_bodies(view, twins.pile.view(), {}, static_cast<scalar>(h));
-        ingot::list_islands(view);
+        ingot::join_bodies(view);
         EXPECT_EQ(ingot::next_island(view, -1), 1);
-        EXPECT_EQ(view.island.manifold_end, view.manifold_count) << "all of a pile is one island";
+        EXPECT_EQ(view.member_count, view.manifold_count) << "all of a pile is one island";
         for (std::size_t slot = 1; slot < twins.problem.bodies.size(); ++slot) {
             const ContactBody& body = twins.problem.bodies[slot];
             bodies[slot].velocity = {ingot_reference::to_vector(body.v_CM), ingot_reference::to_vector(body.omega),

@@ -19,9 +19,10 @@ struct Pile {
     std::vector<ingot::ManifoldRecord> records;
 
     std::vector<ingot::ContactBlock> blocks;
-    std::vector<ingot::Visit> visits, live;
+    std::vector<ingot::Visit> visits, some_visits;
     std::vector<ingot::Island> islands;
-    std::vector<std::uint16_t> members, sorted, colour, slot_of, local_of, level_of_body, island_of, batch_bodies;
+    std::vector<std::uint8_t> colour;
+    std::vector<std::uint16_t> members, sorted, island_at, level, slot_of, local_of, level_of_body, island_of, batch_bodies;
     std::vector<ingot::SolverBody> solver_bodies;
     std::vector<ingot::SolverBodyHistory> histories;
     std::vector<std::uint32_t> colours;
@@ -38,9 +39,10 @@ struct Pile {
         const std::size_t manifolds = pairs.size(), room = 2 * manifolds + 2, locals = static_cast<std::size_t>(bodies) + 1;
         blocks.assign(room, {});
         visits.assign(2 * manifolds + room, {});
-        live = visits;
+        some_visits = visits;
+        colour.assign(manifolds, 0);
         islands.assign(locals, {});
-        for (auto* of_manifold : {&members, &sorted, &colour}) of_manifold->assign(manifolds, 0);
+        for (auto* of_manifold : {&members, &sorted, &island_at, &level}) of_manifold->assign(manifolds, 0);
         for (auto* of_body : {&slot_of, &level_of_body, &island_of, &batch_bodies}) of_body->assign(locals, 0);
         local_of.assign(rotation.size() * ingot::lanes, 0);
         solver_bodies.assign(locals, {});
@@ -51,8 +53,9 @@ struct Pile {
         solver.bodies = solver_bodies.data(), solver.histories = histories.data();
         solver.slot_of = slot_of.data(), solver.local_of = local_of.data(), solver.level_of_body = level_of_body.data();
         solver.colours_of_body = colours.data(), solver.island_of = island_of.data(), solver.islands = islands.data();
-        solver.blocks = blocks.data(), solver.visits = visits.data(), solver.live = live.data();
+        solver.blocks = blocks.data(), solver.visits = visits.data(), solver.some_visits = some_visits.data();
         solver.members = members.data(), solver.sorted = sorted.data(), solver.colour = colour.data();
+        solver.island_at = island_at.data(), solver.level = level.data();
         solver.batch_bodies = batch_bodies.data(), solver.lane_capacity = static_cast<int>(room) * ingot::lanes;
         return solver;
     }

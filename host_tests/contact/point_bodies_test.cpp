@@ -32,13 +32,13 @@ struct Touching {
     ingot::BodyPair pair = {0, ingot::lanes + 1, 0};
     ingot::ManifoldRecord record{};
     ingot::PointContact contact{};
-    std::uint16_t member = 0, body_order[2] = {};
+    std::uint16_t member = 0, body_slots[2] = {};
     ingot::PointView view{};
     int lowest = 0;  ///< slot of the lowest body of the first island
 
     Touching() {
         view.pairs = &pair, view.records = &record, view.manifold_count = 1;
-        view.bodies = bodies.data(), view.contacts = &contact, view.members = &member, view.body_order = body_order;
+        view.bodies = bodies.data(), view.contacts = &contact, view.members = &member, view.body_slots = body_slots;
         RandomInput random(1481);
         for (const int slot : slots) {
             ingot::BodyDef def = ingot_reference::definition(2, random.moments(2));
@@ -53,7 +53,7 @@ struct Touching {
     PointBody& body(int i) { return bodies[static_cast<std::size_t>(slots[i])]; }
     void take_in() {
         ingot::take_in_bodies(view, tiles.view(), gravity, h);
-        ingot::list_islands(view);
+        ingot::join_bodies(view);
         lowest = ingot::next_island(view, -1);
     }
     bool is_bad(int i) { return (tiles.rotation(slots[i]).bad >> (slots[i] % ingot::lanes) & 1u) != 0; }

@@ -11,6 +11,7 @@
 #include <ingot/solver/direct/hold_energy.h>
 #include <ingot/solver/direct/island_rows.h>
 #include <ingot/solver/direct/choose_islands.h>
+#include <ingot/solver/direct/hybrid_contacts.h>
 #include <ingot/solver/direct/hybrid_islands.h>
 #include <ingot/solver/direct/solve_directly.h>
 #include <ingot/solver/direct/solve_island.h>
@@ -411,7 +412,7 @@ TEST(DirectIsland, that_is_solved_is_left_out_of_the_sweeps) {
             for (int lane_i = 0; lane_i < ingot::lanes; ++lane_i) {
                 const uint16_t manifold_i = block.manifold[lane_i];
                 if ((visit.lane_bits >> lane_i & 1u) == 0 || manifold_i == ingot::no_manifold) continue;  // spare lanes join a visit
-                EXPECT_EQ(block.island[lane_i], ingot::island_of_manifold(solver, manifold_i));
+                EXPECT_EQ(block.island[lane_i], solver.island_at[manifold_i]);
                 // A visit that names an island is added up as one vector.
                 EXPECT_TRUE(visit.island == ingot::no_island || visit.island == block.island[lane_i]);
                 const int sum_i = visit.island == ingot::no_island ? block.sum_i[lane_i] : block.sum_i[0] + lane_i;
@@ -425,7 +426,7 @@ TEST(DirectIsland, that_is_solved_is_left_out_of_the_sweeps) {
         ingot::SolverView& solver = island.solver;
         for (int island_i = 0; island_i < solver.island_count; ++island_i) solver.islands[island_i].sweeps_on = random.integer(0, 1) == 0;
         const auto is_on = [&](std::size_t manifold_i) {
-            return solver.islands[ingot::island_of_manifold(solver, static_cast<int>(manifold_i))].sweeps_on;
+            return solver.islands[solver.island_at[manifold_i]].sweeps_on;
         };
         ingot::select_live(solver);
         const Visits all = visits_of(solver, solver.visits, solver.visit_count), left = visits_of(solver, solver.live, solver.live_count);

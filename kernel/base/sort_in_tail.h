@@ -24,13 +24,16 @@ void sort_by_key(Item* items, int count) {
         __builtin_memcpy(static_cast<void*>(items + b), kept, sizeof kept);
     };
     const auto sift = [items, &exchange](int parent, int end) {
+        // bound: log2 of the count: child more than doubles each turn
         for (int child = 2 * parent + 1; child < end; parent = child, child = 2 * parent + 1) {
             if (child + 1 < end && items[child].key() < items[child + 1].key()) ++child;
             if (!(items[parent].key() < items[child].key())) return;
             exchange(parent, child);
         }
     };
+    // bound: of the list: max_pairs, max_manifolds
     for (int parent = count / 2 - 1; parent >= 0; --parent) sift(parent, count);
+    // bound: of the list: max_pairs, max_manifolds
     for (int end = count - 1; end > 0; --end) {
         exchange(0, end);
         sift(0, end);
@@ -44,8 +47,10 @@ void sort_in_tail(Item* items, int sorted, int count, Item* scratch) {
     const int tail = count - sorted;
     if (tail <= 0) return;
     sort_by_key(items + sorted, tail);
+    // bound: of the list: max_pairs, max_manifolds
     for (int i = 0; i < tail; ++i) copy_item(scratch[i], items[sorted + i]);
     int from = sorted - 1, new_i = tail - 1;
+    // bound: of the list: each turn places one, and new_i falls whenever from does not; below zero from stays
     for (int to = count - 1; new_i >= 0; --to) {
         if (from >= 0 && scratch[new_i].key() < items[from].key())
             copy_item(items[to], items[from--]);

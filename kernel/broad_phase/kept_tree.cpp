@@ -12,11 +12,13 @@ using namespace trees;
 
 /// The tree, with a place for each shape.
 void build_kept(const SearchView& search, const KeptTreeView& tree) {
+    // bound: max_bodies max_shapes_of_body, rounded up to whole tiles
     for (int slot = 0; slot < search.shapes.tile_count * lanes; ++slot) {
         tree.place[slot] = 0;
         search.clear(slot, SearchFlag::moved);
     }
     const int count = build_tree(search.shapes, search.bounds, tree.sorted);
+    // bound: max_bodies max_shapes_of_body
     for (int key_i = 0; key_i < count; ++key_i) tree.place[tree.sorted.other_keys[key_i].slot] = static_cast<uint16_t>(key_i + 1);
     *tree.used = static_cast<uint16_t>(count);
     *tree.moved = 0;
@@ -40,6 +42,7 @@ void refit(const SortedTreeView& tree, int leaf_i) {
         all = around(all, {{leaf.low[0][i], leaf.low[1][i], leaf.low[2][i]}, {leaf.high[0][i], leaf.high[1][i], leaf.high[2][i]}});
     int box_i = tree.leaf_places + leaf_i;
     tree.boxes[box_i] = all;
+    // bound: log2(leaf_places): box_i halves each turn
     for (box_i /= 2; box_i > 0; box_i /= 2) tree.boxes[box_i] = around(tree.boxes[2 * box_i], tree.boxes[2 * box_i + 1]);
 }
 
@@ -68,6 +71,7 @@ void test_leaf(const SearchView& search, const TreeBox& box, int slot, bool move
         for (int axis = 0; axis < 3; ++axis)
             meet = both(meet, both(load(leaf.low[axis] + first) <= splat<lane>(high[axis]), splat<lane>(low[axis]) <= load(leaf.high[axis] + first)));
         unsigned found = bits(meet);
+        // bound: lanes: found has a bit a lane
         for (int k = first; found != 0; ++k, found >>= 1) {
             const int other = leaf.slot[k];
             if ((found & 1u) == 0 || other == slot || !(moves || leaf.moves[k] != 0)) continue;
@@ -81,6 +85,7 @@ void find_pairs_of(const SearchView& search, const SortedTreeView& tree, int slo
     const TreeBox box = box_of(search.bounds, slot);
     if (!(box.low.x <= box.high.x)) return;
     const bool moves = search.moves(slot);
+    // bound: 2 leaf_places: every turn goes down or to the next box in the order of the tree, whose last has none: 0
     for (int box_i = 1; box_i != 0;) {
         const bool meets = overlap(tree.boxes[box_i], box);
         if (meets && box_i < tree.leaf_places) {
@@ -109,11 +114,13 @@ void find_awake_pairs_by_tree(const SearchView& search, const KeptTreeView& tree
 void find_due_pairs_by_tree(const SearchView& search, const KeptTreeView& tree, const uint32_t* due, int due_count, const PairList& pairs) {
     if (2 * due_count > *tree.used) return find_awake_pairs_by_tree(search, tree, pairs);
     int kept = 0;
+    // bound: pairs_with_own of scene.h
     for (int pair_i = 0; pair_i < *pairs.count; ++pair_i) {
         const BodyPair pair = pairs.pairs[pair_i];
         if (!search.has(pair.body_A, SearchFlag::due) && !search.has(pair.body_B, SearchFlag::due)) pairs.pairs[kept++] = pair;
     }
     *pairs.count = static_cast<uint16_t>(kept);
+    // bound: max_bodies max_shapes_of_body
     for (int due_i = 0; due_i < due_count; ++due_i) replace(search, tree, static_cast<int>(due[due_i]));
     for (int due_i = 0; due_i < due_count; ++due_i) find_pairs_of(search, tree.sorted, static_cast<int>(due[due_i]), pairs);
     for (int due_i = 0; due_i < due_count; ++due_i) search.clear(static_cast<int>(due[due_i]), SearchFlag::due);

@@ -44,6 +44,7 @@ inline uint32_t cell(scalar x, scalar low, scalar cells_per_metre) {
 inline int make_keys(const BodyView& bodies, const BoundsTile* bounds, const SortedTreeView& tree) {
     int count = 0;
     TreeBox all = nothing;
+    // bound: max_bodies max_shapes_of_body, rounded up to whole tiles: only a member named slot is written, of a key
     for (int slot = 0; slot < bodies.tile_count * lanes; ++slot) {
         const TreeBox box = box_of(bounds, slot);
         if (!(box.low.x <= box.high.x)) continue;
@@ -54,6 +55,7 @@ inline int make_keys(const BodyView& bodies, const BoundsTile* bounds, const Sor
     const Vector size = all.high - all.low;
     const auto cells_per_metre = [](scalar extent) { return extent > 0 ? (1 << code_bits) / extent : scalar(0); };
     const Vector per_metre = {cells_per_metre(size.x), cells_per_metre(size.y), cells_per_metre(size.z)};
+    // bound: max_bodies max_shapes_of_body
     for (int key_i = 0; key_i < count; ++key_i) {
         TreeKey& key = tree.keys[key_i];
         const Vector c = centre_of(box_of(bounds, key.slot));
@@ -66,7 +68,9 @@ inline int make_keys(const BodyView& bodies, const BoundsTile* bounds, const Sor
 /// Stable sort by counting: `bucket` gives a number below bucket_count.
 template <class Item, class Bucket>
 void sort_by(const Item* from, Item* to, int count, uint32_t* counters, int bucket_count, const Bucket& bucket) {
+    // bound: 1 << code_bits, or the slots of all shapes: max_bodies max_shapes_of_body, rounded up to whole tiles
     for (int i = 0; i < bucket_count; ++i) counters[i] = 0;
+    // bound: max_bodies max_shapes_of_body, or pairs_with_own of scene.h
     for (int i = 0; i < count; ++i) ++counters[bucket(from[i])];
     uint32_t sum = 0;
     for (int i = 0; i < bucket_count; ++i) {
@@ -91,6 +95,7 @@ inline void sort_keys(const SortedTreeView& tree, int count) {
 /// Leaves from the sorted keys, which three passes leave in other_keys.
 inline void make_leaves(const BodyView& bodies, const BoundsTile* bounds, const SortedTreeView& tree, int body_count) {
     const int leaf_count = (body_count + leaf_bodies - 1) / leaf_bodies;
+    // bound: max_bodies max_shapes_of_body / leaf_bodies, rounded up to a power of two
     for (int leaf_i = 0; leaf_i < tree.leaf_places; ++leaf_i) {
         TreeBox all = nothing;
         for (int i = 0; leaf_i < leaf_count && i < leaf_bodies; ++i) {
@@ -111,6 +116,7 @@ inline void make_leaves(const BodyView& bodies, const BoundsTile* bounds, const 
         }
         tree.boxes[tree.leaf_places + leaf_i] = all;
     }
+    // bound: max_bodies max_shapes_of_body / leaf_bodies, rounded up to a power of two
     for (int box_i = tree.leaf_places - 1; box_i > 0; --box_i) tree.boxes[box_i] = around(tree.boxes[2 * box_i], tree.boxes[2 * box_i + 1]);
 }
 
@@ -130,6 +136,7 @@ INGOT_INLINE void test_leaves(const TreeLeaf& A, const TreeLeaf& B, const PairLi
             for (int axis = 0; axis < 3; ++axis)
                 meet = both(meet, both(load(B.low[axis] + first) <= high[axis], low[axis] <= load(B.high[axis] + first)));
             unsigned found = bits(meet);
+            // bound: lanes: found has a bit a lane
             for (int k = first; found != 0; ++k, found >>= 1) {
                 if ((found & 1u) == 0 || (same && k <= i) || (A.moves[i] | B.moves[k]) == 0) continue;
                 const uint16_t a = A.slot[i], b = B.slot[k];
@@ -141,6 +148,7 @@ INGOT_INLINE void test_leaves(const TreeLeaf& A, const TreeLeaf& B, const PairLi
 
 /// The next box after one whose inside is done with; 0 after the last.
 inline int next_box(int box_i) {
+    // bound: log2(leaf_places) + 1: a bit falls out each turn
     while ((box_i & 1) != 0) box_i >>= 1;
     return box_i == 0 ? 0 : box_i + 1;
 }
@@ -162,10 +170,12 @@ inline int build_tree(const BodyView& bodies, const BoundsTile* bounds, const So
 template <class Wanted>
 INGOT_INLINE void search_tree(const SortedTreeView& tree, int body_count, const PairList& pairs, const Wanted& wanted) {
     const int leaf_count = (body_count + leaf_bodies - 1) / leaf_bodies;
+    // bound: max_bodies max_shapes_of_body / leaf_bodies, rounded up
     for (int leaf_i = 0; leaf_i < leaf_count; ++leaf_i) {
         const TreeLeaf& leaf = tree.leaves[leaf_i];
         const TreeBox& box = tree.boxes[tree.leaf_places + leaf_i];
         test_leaves(leaf, leaf, pairs, wanted);
+        // bound: 2 leaf_places: every turn goes down or to the next box in the order of the tree, whose last has none: 0
         for (int box_i = next_box(tree.leaf_places + leaf_i); box_i != 0;) {
             const bool meets = overlap(tree.boxes[box_i], box);
             if (meets && box_i < tree.leaf_places) {

@@ -13,32 +13,35 @@ struct ActiveTiles {
     static constexpr int bits_of_word = 32;
     static constexpr int words_for(int bits) { return (bits + bits_of_word - 1) / bits_of_word; }
 
-    uint32_t* tiles;  ///< a bit a tile
-    uint32_t* words;  ///< a bit a word of tiles
-    int word_count;   ///< of words
+    uint32_t* tile_bits;  ///< a bit a tile
+    uint32_t* word_bits;  ///< a bit a word of tiles
+    int word_count;       ///< of words
 
     void add(int tile_i) const {
         const int word_i = tile_i / bits_of_word;
-        tiles[word_i] |= 1u << tile_i % bits_of_word;
-        words[word_i / bits_of_word] |= 1u << word_i % bits_of_word;
+        tile_bits[word_i] |= 1u << tile_i % bits_of_word;
+        word_bits[word_i / bits_of_word] |= 1u << word_i % bits_of_word;
     }
     void drop(int tile_i) const {
         const int word_i = tile_i / bits_of_word;
-        tiles[word_i] &= ~(1u << tile_i % bits_of_word);
-        if (tiles[word_i] == 0) words[word_i / bits_of_word] &= ~(1u << word_i % bits_of_word);
+        tile_bits[word_i] &= ~(1u << tile_i % bits_of_word);
+        if (tile_bits[word_i] == 0) word_bits[word_i / bits_of_word] &= ~(1u << word_i % bits_of_word);
     }
     bool any() const {
         uint32_t all = 0;
-        for (int i = 0; i < word_count; ++i) all |= words[i];
+        // bound: max_bodies / lanes / 1024, rounded up
+        for (int i = 0; i < word_count; ++i) all |= word_bits[i];
         return all != 0;
     }
     /// Calls each(tile_i) in the order of tiles. It may drop the tile it is called for.
     template <class Each>
     INGOT_INLINE void for_each(const Each& each) const {
         for (int i = 0; i < word_count; ++i) {
-            for (uint32_t some = words[i]; some != 0; some &= some - 1) {
+            // bound: 32: a bit falls out each turn
+            for (uint32_t some = word_bits[i]; some != 0; some &= some - 1) {
                 const int word_i = i * bits_of_word + __builtin_ctz(some);
-                for (uint32_t bits = tiles[word_i]; bits != 0; bits &= bits - 1) each(word_i * bits_of_word + __builtin_ctz(bits));
+                // bound: 32: a bit falls out each turn
+                for (uint32_t bits = tile_bits[word_i]; bits != 0; bits &= bits - 1) each(word_i * bits_of_word + __builtin_ctz(bits));
             }
         }
     }

@@ -27,6 +27,7 @@ void join(const RestView& rest, int A, int B) {
 }
 
 void join_pairs(const BodyView& bodies, const RestView& rest, const ManifoldView& manifolds) {
+    // bound: max_manifolds
     for (int manifold_i = 0; manifold_i < *manifolds.count; ++manifold_i) {
         const int A = rest.body_of(manifolds.pairs[manifold_i].body_A), B = rest.body_of(manifolds.pairs[manifold_i].body_B);
         if (is_dynamic(bodies, A) && is_dynamic(bodies, B)) join(rest, A, B);
@@ -41,6 +42,7 @@ void join_islands(const BodyView& bodies, const RestView& rest, const ManifoldVi
 }
 
 void join_all_islands(const BodyView& bodies, const RestView& rest, const ManifoldView& manifolds) {
+    // bound: max_bodies, rounded up to whole tiles
     for (int slot = 0; slot < bodies.tile_count * lanes; ++slot) rest.make_alone(slot);
     join_pairs(bodies, rest, manifolds);
 }

@@ -72,6 +72,7 @@ private:
 template <class Each>
 INGOT_INLINE void for_lanes(int tile_i, unsigned lane_bits, const Each& each) {
     int slot = tile_i * lanes;
+    // bound: lanes: a bit a lane
     for (unsigned left = lane_bits; left != 0; left >>= 1, ++slot)
         if ((left & 1u) != 0) each(slot);
 }

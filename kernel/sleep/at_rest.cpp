@@ -6,6 +6,7 @@ namespace ingot { inline namespace INGOT_ABI {
 void make_all_bounds(const SearchView& search, const RestView& rest, SensorMarks is_sensor, scalar h) {
     (void)refresh_bounds(search.shapes, search.surfaces, h, search.bounds);
     fatten_bounds(search.shapes, search.bounds);
+    // bound: max_bodies max_shapes_of_body
     for (int slot = 0; slot < search.surfaces.slot_count; ++slot)
         if (rest.is_active(rest.body_of(slot)) || (is_sensor != nullptr && is_sensor[slot] != 0)) search.set(slot, SearchFlag::searched);
 }
@@ -14,6 +15,7 @@ int refresh_active_bounds(const SearchView& search, const RestView& rest, scalar
     int count = 0;
     for_active(rest, [&](int body_i) {
         const int first = body_i * rest.shapes_of_body;
+        // bound: max_shapes_of_body
         for (int slot = first; slot < first + rest.shapes_of_body; ++slot) {
             const bool left = refresh_bounds_of(search, h, slot);
             if (!left && search.has(slot, SearchFlag::searched)) continue;
@@ -47,6 +49,7 @@ bool end_settling(const SearchView& search, const RestView& rest, SensorMarks is
 
 void drop_resting_pairs(const SearchView& search, const PairList& pairs) {
     int kept = 0;
+    // bound: pairs_with_own of scene.h
     for (int pair_i = 0; pair_i < *pairs.count; ++pair_i) {
         const BodyPair pair = pairs.pairs[pair_i];
         if (search.has(pair.body_A, SearchFlag::searched) || search.has(pair.body_B, SearchFlag::searched)) pairs.pairs[kept++] = pair;
@@ -56,6 +59,7 @@ void drop_resting_pairs(const SearchView& search, const PairList& pairs) {
 
 void spread_notes(const ManifoldView& manifolds, const BodyPair* awake_pairs, int awake_count, ImpactNote* notes) {
     int awake_i = awake_count - 1;
+    // bound: max_manifolds
     for (int manifold_i = *manifolds.count - 1; manifold_i >= 0; --manifold_i) {
         const bool solved = awake_i >= 0 && awake_pairs[awake_i].record == manifolds.pairs[manifold_i].record;
         write_note(notes[manifold_i], solved ? notes[awake_i--] : ImpactNote{});

@@ -40,6 +40,7 @@ void drop_resting_pairs(const SearchView& search, const PairList& pairs);
 template <class Told>
 void put_manifolds_aside(const BodyView& bodies, const RestView& rest, const ManifoldView& manifolds, const Told& told) {
     int kept = 0;
+    // bound: max_manifolds
     for (int manifold_i = 0; manifold_i < *manifolds.count; ++manifold_i) {
         const BodyPair pair = manifolds.pairs[manifold_i];
         const int A = rest.body_of(pair.body_A), B = rest.body_of(pair.body_B), body = is_dynamic(bodies, A) ? A : B;

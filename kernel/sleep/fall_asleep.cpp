@@ -15,6 +15,7 @@ bool is_none(const Vector& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
 scalar radius_of(const SurfaceView& surfaces, const RestView& rest, int slot) {
     scalar R = 0;
     const int first = slot * rest.shapes_of_body;
+    // bound: max_shapes_of_body
     for (int shape_slot = first; shape_slot < first + rest.shapes_of_body; ++shape_slot) R = max(R, surfaces.surfaces[shape_slot].bounding_radius);
     return R;
 }

@@ -16,6 +16,7 @@ void wake_body(const BodyView& bodies, const RestView& rest, int slot) {
 /// The manifolds of an island that were put aside are manifolds of the step again.
 void bring_back(const RestView& rest, const ManifoldView& manifolds, int root) {
     const int first = rest.aside[root];
+    // bound: max_manifolds: a ring of records, which ends where it began
     for (int at = first; at != 0;) {
         BodyPair& pair = rest.pairs_aside[at - 1];
         const int next = pair.record;
@@ -42,6 +43,7 @@ void wake_island(const BodyView& bodies, const RestView& rest, const ManifoldVie
     }
     bring_back(rest, manifolds, rest.root(slot));
     int other = slot;
+    // bound: max_bodies: a ring of bodies, which ends where it began
     do {
         if (!rest.is_awake(other)) wake_body(bodies, rest, other);
         other = rest.next_body[other];
@@ -56,7 +58,9 @@ void wake_touching(const BodyView& bodies, const RestView& rest, const ManifoldV
         if ((A == slot || B == slot) && is_dynamic(bodies, other)) wake_island(bodies, rest, manifolds, other);
     };
     const int in_step = *manifolds.count;  // those that come back are behind them, and their bodies are awake
+    // bound: max_manifolds
     for (int manifold_i = 0; manifold_i < in_step; ++manifold_i) wake_partner(manifolds.pairs[manifold_i]);
+    // bound: max_manifolds: record_i grows each turn
     for (int record_i = 0; record_i < *manifolds.records_used && *rest.aside_count != 0; ++record_i) wake_partner(rest.pairs_aside[record_i]);
 }
 
@@ -67,6 +71,7 @@ void wake_touching_and_leave(const BodyView& bodies, const RestView& rest, const
 }
 
 void wake_all(const BodyView& bodies, const RestView& rest, const ManifoldView& manifolds) {
+    // bound: max_bodies, rounded up to whole tiles
     for (int slot = 0; slot < bodies.tile_count * lanes; ++slot) {
         if (!is_dynamic(bodies, slot)) continue;
         wake_island(bodies, rest, manifolds, slot);
@@ -87,6 +92,7 @@ void wake_met_islands(const BodyView& bodies, const RestView& rest, const Manifo
 void list_awake_pairs(const BodyView& bodies, const RestView& rest, const ManifoldView& manifolds, BodyPair* awake_pairs, uint16_t& count) {
     count = 0;
     const auto moves = [&](int slot) { return rest.is_awake(slot) && is_dynamic(bodies, slot); };
+    // bound: max_manifolds
     for (int manifold_i = 0; manifold_i < *manifolds.count; ++manifold_i) {
         const BodyPair& pair = manifolds.pairs[manifold_i];
         const int A = rest.body_of(pair.body_A), B = rest.body_of(pair.body_B);

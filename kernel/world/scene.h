@@ -32,6 +32,7 @@ namespace ingot { inline namespace INGOT_ABI {
 struct Scene {
     static constexpr int  max_bodies   = 1;      ///< 1 .. 65536
     static constexpr bool translates   = false;
+    static constexpr bool gravity_shares = false; ///< bodies may feel more or less of gravity than others: World::set_gravity_share
     static constexpr int  max_contacts = 0;      ///< points of contact in one step, 0 .. 65535
     static constexpr int  max_manifolds = 0;     ///< pairs of bodies that touch in one step, 0 .. 65534: friction, stacks, piles
     static constexpr int  max_pairs    = 0;      ///< pairs of bodies whose bounds overlap in one step; 0: twice max_manifolds

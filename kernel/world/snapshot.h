@@ -13,6 +13,7 @@
 
 #include "../base/version.h"
 #include "../body/freeze_bad_bodies.h"
+#include "signature.h"
 #include "snapshot_bytes.h"
 #include "world.h"
 
@@ -131,38 +132,30 @@ constexpr size_t snapshot_size() {
                                        static_cast<size_t>(shape_capacity<S>), static_cast<size_t>(S::max_manifolds));
 }
 
-/// Makes one number of all that it is given.
-class Signature {
-public:
-    constexpr void operator()(const char* text) {
-        // bound: a name ends with a zero; computed by the compiler
-        for (; *text != 0; ++text) hash_ = (hash_ ^ static_cast<uint8_t>(*text)) * 0x100000001b3u;
-        hash_ *= 0x100000001b3u;
-    }
-    template <class T>
-    constexpr void operator()(const T& number) {
-        const uint64_t bits = static_cast<uint64_t>(number);
-        for (int byte_i = 0; byte_i < 8; ++byte_i) hash_ = (hash_ ^ (bits >> (8 * byte_i) & 0xffu)) * 0x100000001b3u;
-    }
-    constexpr void operator()(const scalar& number) { (*this)(static_cast<int64_t>(number * scalar(1 << 30))); }
-    constexpr void operator()(const Vector& v) {
-        (*this)(v.x);
-        (*this)(v.y);
-        (*this)(v.z);
-    }
-    constexpr uint64_t hash() const { return hash_; }
-
-private:
-    uint64_t hash_ = state_hash_seed;
-};
+/// Of the traits of one feature.
+template <class S, class Feature>
+constexpr uint64_t traits_signature() {
+    Signature signature;
+    Feature::template traits<S>(signature);
+    return signature.hash();
+}
 
 /// A number for all that makes snapshots of two scenes differ in their bytes or in the steps that follow: the scalar and every trait, lengths, speeds
 /// and times to a nano of their unit; of a force_field the names and kinds of its numbers.
+///
+/// A feature of which a scene says no more than Scene does adds nothing: so the snapshots of a scene are not refused because a new trait exists.
 template <class S>
 constexpr uint64_t scene_signature() {
     Signature signature;
     signature(snapshot_parts<S>());
-    Features::over_all([&signature](auto feature) { decltype(feature)::template traits<S>(signature); });
+    int number = 0;
+    Features::over_all([&](auto feature) {
+        using F = decltype(feature);
+        ++number;
+        if (traits_signature<S, F>() == traits_signature<Scene, F>()) return;
+        signature(number);
+        signature(traits_signature<S, F>());
+    });
     return signature.hash();
 }
 
@@ -192,38 +185,8 @@ void write_body(ByteWriter& writer, const Storage<S>& storage, int slot) {
     body.numbers(writer, snapshot_parts<S>());
     uint8_t count = static_cast<uint8_t>(shape_count_of(storage, slot));
     if (has_compounds<S>) writer(count);
-    // bound: max_shapes_of_body: more are refused before
     for (int shape_i = 0; shape_i < count; ++shape_i) write_numbers<OfShape>(writer, storage, slot * S::max_shapes_of_body + shape_i);
     write_numbers<OfBody>(writer, storage, slot);
-}
-
-template <class S>
-int saved_manifold_count([[maybe_unused]] const Storage<S>& storage) {
-    int count = 0;
-    if constexpr (stacks<S>) count = storage.manifold_count;
-    if constexpr (S::sleeps) count += storage.aside_count;
-    return count;
-}
-
-/// Calls each(pair) for all contacts in the order of slots: those of the step, and those that are put aside. These lie in no order: all are sorted at
-/// the end of the room that their contacts are going to be written to, which never reaches one that is still to be read.
-template <class S, class Each>
-void for_manifolds(const Storage<S>& storage, [[maybe_unused]] uint8_t* room, const Each& each) {
-    if constexpr (S::sleeps) {
-        const int count = saved_manifold_count(storage);
-        const size_t spare = static_cast<size_t>(count) * (saved_size<OfManifold, S>() - sizeof(PairBytes));
-        PairBytes* const sorted = reinterpret_cast<PairBytes*>(room + spare);
-        int listed = 0;
-        for (int pair_i = 0; pair_i < storage.manifold_count; ++pair_i) sorted[listed++] = bytes_of(storage.pairs[pair_i]);  // bound: max_manifolds
-        for (int record_i = 0; record_i < storage.records_used; ++record_i) {  // bound: max_manifolds
-            const BodyPair& aside = storage.pairs_aside[record_i];
-            if (aside.record != 0) sorted[listed++] = bytes_of({aside.body_A, aside.body_B, static_cast<uint16_t>(record_i)});
-        }
-        sort_by_key(sorted, count);
-        for (int pair_i = 0; pair_i < count; ++pair_i) each(sorted[pair_i].pair());  // bound: max_manifolds
-    } else {
-        for (int pair_i = 0; pair_i < storage.manifold_count; ++pair_i) each(storage.pairs[pair_i]);
-    }
 }
 
 /// Contacts of the last step, in their order: their impulses are what the next step begins with.
@@ -232,7 +195,7 @@ void write_manifolds([[maybe_unused]] ByteWriter& writer, [[maybe_unused]] const
     if constexpr (stacks<S>) {
         uint16_t count = static_cast<uint16_t>(saved_manifold_count(storage));
         writer(count);
-        for_manifolds(storage, writer.next(), [&writer, &storage](const BodyPair& pair) { write_numbers<OfManifold>(writer, storage, pair); });
+        for_manifolds(storage, writer.next(), saved_size<OfManifold, S>(), [&writer, &storage](const BodyPair& pair) { write_numbers<OfManifold>(writer, storage, pair); });
     }
 }
 
@@ -337,7 +300,7 @@ Status read_body(ByteReader& reader, int slot, Storage<S>* to) {
     uint8_t count = 1;
     if (has_compounds<S>) reader(count);
     if (count > S::max_shapes_of_body) return Status::bad_snapshot;
-    for (int shape_i = 0; shape_i < count; ++shape_i)  // bound: max_shapes_of_body: more are refused before
+    for (int shape_i = 0; shape_i < count; ++shape_i)
         if (read_numbers<OfShape, S>(reader, to, body, slot * S::max_shapes_of_body + shape_i) != Status::ok) return Status::bad_snapshot;
     return read_numbers<OfBody, S>(reader, to, body, slot);
 }

@@ -195,18 +195,10 @@ void resolve_impacts([[maybe_unused]] Step<S>& now) {
     }
 }
 
-/// The field joins what the user has summed since the last step (Eqs. 14, 16), where no flight integrates it.
+/// What features add to the forces that the user has summed since the last step (Eqs. 14, 16).
 template <class S>
-void sum_forces([[maybe_unused]] Step<S>& now) {
-    if constexpr (has_field<S> && S::sleeps) {
-        auto& storage = now.storage;
-        const RestView rest = storage.rest_view();
-        rest.active.for_each([&](int tile_i) {
-            if (rest.awake[tile_i] != 0) add_field_forces_to(now.bodies, tile_i, storage.forcing(storage.gravity), now.h / 2);
-        });
-        note_pulls(now.bodies, rest, storage.gravity, storage.pull_sq);
-    } else if constexpr (has_field<S> && !flies_in_field<S>)
-        add_field_forces(now.bodies, now.storage.forcing(now.storage.gravity_or_none()), S::rotation::as_printed ? 0 : now.h / 2);
+void sum_forces(Step<S>& now) {
+    Features::over_named<S>([&now](auto feature) { decltype(feature)::sum_forces(now.storage, now.h); });
 }
 
 /// How fast points approach before contacts change it: events tell it.

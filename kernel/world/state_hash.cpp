@@ -11,6 +11,8 @@ using Bits = uint64_t;
 using Bits = uint32_t;
 #endif
 
+}  // namespace
+
 uint64_t hash_number(uint64_t hash, scalar x) {
     Bits b;
     __builtin_memcpy(&b, &x, sizeof b);
@@ -20,6 +22,8 @@ uint64_t hash_number(uint64_t hash, scalar x) {
     }
     return hash;
 }
+
+namespace {
 
 /// A lane of so many rows, one after the other.
 uint64_t hash_rows(uint64_t hash, const scalar* first, int rows) {

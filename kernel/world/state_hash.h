@@ -11,6 +11,9 @@ inline constexpr uint64_t state_hash_seed = 0xcbf29ce484222325u;
 /// the bits of the numbers from the lowest byte up, so that it is one number on every target and for every lane count.
 uint64_t hash_body(const BodyView& bodies, int slot, uint64_t hash);
 
+/// Adds one number, by its bits.
+uint64_t hash_number(uint64_t hash, scalar x);
+
 /// Adds what a body's sleep depends on: see RestView.
 uint64_t hash_rest(bool awake, scalar rest_time, uint64_t hash);
 

@@ -1,37 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../base/ids.h"
 #include "../base/limits.h"
 #include "../body/auxiliary.h"
 #include "../body/energy_momentum.h"
 #include "../body/freeze_bad_bodies.h"
-#include "../query/cast_ray.h"
-#include "../query/cast_shape.h"
-#include "../query/check_query.h"
-#include "../query/find_nearest.h"
-#include "../query/find_overlaps.h"
 #include "edit_bodies.h"
 #include "state_hash.h"
-#include "storage.h"
+#include "world_queries.h"
 
 #include <stddef.h>
 
 namespace ingot { inline namespace INGOT_ABI {
-
-/// One contact of the last step, as World::contact tells it.
-struct ContactInfo {
-    BodyId A{}, B{};
-    Vector n{};         ///< unit normal from B to A, world
-    scalar separation{};  ///< m, at the begin of the step; negative where the shapes overlap
-    scalar j{};         ///< N s, given to A along n, and to B against it, in the step
-};
-
-/// A body that was in a sensor in the last step.
-struct OverlapInfo {
-    BodyId sensor{}, visitor{};
-    int sensor_shape{}, visitor_shape{};  ///< which of their shapes, where a body has several; else 0
-};
 
 /// All there is of a simulated world: one object of a size known at compile time, which holds no pointer.
 ///
@@ -41,10 +21,20 @@ struct OverlapInfo {
 /// Every call that can be refused answers with a Status, in every build, and has then left the world bitwise unchanged.
 /// Calls that take a BodyId answer stale_id (removed, null, never given out) or foreign_id (of a world with another tag).
 /// Units are SI; vectors and points are in world axes unless they say body. Cost is O(1) unless said.
+///
+/// Its calls stand in three files: bodies, their state and forces here, contacts in world_contacts.h, queries in world_queries.h.
 template <class User>
-class World {
+class World : public WorldQueries<SceneOf<User>> {
     using S = SceneOf<User>;
-    static_assert(check_scene<S>(), "");
+    using Base = WorldQueries<S>;
+    using Base::storage_;
+    using Base::translation_only;
+    using Base::field_only;
+    using Base::compounds_only;
+    using Base::touched;
+    using Base::lives;
+    using Base::id_of;
+    using Base::find;
 
 public:
     using scene = S;
@@ -253,6 +243,24 @@ public:
         return storage_.gravity;
     }
 
+    /// What a body feels of gravity, in scenes with gravity_shares: 1 as it is added, 0 for one that floats, below 0 for one that rises. Exact to the
+    /// rounding of the mass: see motion/gravity_shares.h. Errors: not_finite, out_of_range (beyond limits::gravity_share_max).
+    Status set_gravity_share(BodyId id, scalar share) {
+        static_assert(shares_only());
+        const Result<int> slot = find(id);
+        if (!slot.ok()) return slot.status;
+        if (!is_finite(share)) return Status::not_finite;
+        if (!(abs(share) <= limits::gravity_share_max)) return Status::out_of_range;
+        storage_.shares_of_gravity[slot.value] = share + scalar(0);  // -0 becomes +0: one value, one set of bits
+        return touched(slot.value, Status::ok);
+    }
+    Result<scalar> gravity_share(BodyId id) const {
+        static_assert(shares_only());
+        const Result<int> slot = find(id);
+        if (!slot.ok()) return {slot.status, 0};
+        return {Status::ok, storage_.shares_of_gravity[slot.value]};
+    }
+
     /// The field of the scene, to read its numbers and to set them; they are taken as they are.
     typename S::force_field& force_field() {
         static_assert(field_only());
@@ -292,209 +300,6 @@ public:
         return {Status::ok, angular_momentum_of(storage_.bodies(), slot.value)};
     }
 
-    // Contacts of the last step, 0 <= index < contact_count().
-
-    int contact_count() const {
-        static_assert(contacts_only());
-        return storage_.contact_count;
-    }
-    Result<ContactInfo> contact(int index) const {
-        static_assert(contacts_only());
-        if (index < 0 || index >= storage_.contact_count) return {Status::out_of_range, {}};
-        const Contact& c = storage_.contacts[index];
-        return {Status::ok, {id_of(c.body_A), id_of(c.body_B), c.n, c.separation, c.j_total}};
-    }
-
-    // Whom a body meets, in scenes with filters: two bodies do when each is of a category that the other's mask names.
-
-    Result<BodyFilter> filter(BodyId id) const {
-        static_assert(filters_only());
-        const Result<int> slot = find(id);
-        if (!slot.ok()) return {slot.status, {}};
-        return {Status::ok, storage_.filters[slot.value]};
-    }
-    /// From the next step on; what touched and may no longer loses its contact then.
-    Status set_filter(BodyId id, const BodyFilter& filter) {
-        static_assert(filters_only());
-        const Result<int> slot = find(id);
-        if (slot.ok()) storage_.filters[slot.value] = filter;
-        return slot.ok() ? touched(slot.value, Status::ok) : slot.status;
-    }
-
-    // What surfaces may have beside friction and restitution, in scenes with rolling_resistance or surface_velocities: of a body, or of one of its
-    // several shapes. A body that is added has neither. May be changed at any time, and counts from the next step on.
-    // Errors: out_of_range (a shape that the body has not; a number beyond its range), not_finite.
-
-    /// m, >= 0: how far ahead of the middle of a contact its load is carried, the classical coefficient of rolling friction. Of a pair the larger
-    /// counts. A ball of radius R slows by (5/7) g lever / R as it rolls on flat ground, and stays where it is up to tan(alpha) = lever / R.
-    /// A tyre on a road: 1 % of its radius; steel on steel: half a millimetre; a ball on grass: a tenth of its radius.
-    Status set_rolling_resistance(BodyId id, scalar lever, int shape_i = 0) {
-        static_assert(rolling_only());
-        const Result<int> shape_slot = find_shape(id, shape_i);
-        if (!shape_slot.ok()) return shape_slot.status;
-        if (!is_finite(lever)) return Status::not_finite;
-        if (!(lever >= 0 && lever <= limits::size_max)) return Status::out_of_range;
-        storage_.rolling_levers[shape_slot.value] = lever + scalar(0);  // -0 becomes +0: one value, one set of bits
-        return touched(shape_slot.value / S::max_shapes_of_body, Status::ok);
-    }
-    Result<scalar> rolling_resistance(BodyId id, int shape_i = 0) const {
-        static_assert(rolling_only());
-        const Result<int> shape_slot = find_shape(id, shape_i);
-        if (!shape_slot.ok()) return {shape_slot.status, 0};
-        return {Status::ok, storage_.rolling_levers[shape_slot.value]};
-    }
-
-    /// m/s, in the axes of the shape (a body's, where it has one): how the surface moves over it, as a conveyor belt does. What touches it is
-    /// drawn along by friction, and comes to rest on the belt; the body itself does not move, but for what pushes back. Of a velocity only what
-    /// lies along the surface counts. Up to limits::speed_max.
-    Status set_surface_velocity(BodyId id, const Vector& velocity, int shape_i = 0) {
-        static_assert(belts_only());
-        const Result<int> shape_slot = find_shape(id, shape_i);
-        if (!shape_slot.ok()) return shape_slot.status;
-        const Status status = check_vector(velocity, limits::speed_max);
-        if (status != Status::ok) return status;
-        storage_.surface_velocities[shape_slot.value] = velocity + Vector{};
-        return touched(shape_slot.value / S::max_shapes_of_body, Status::ok);
-    }
-    Result<Vector> surface_velocity(BodyId id, int shape_i = 0) const {
-        static_assert(belts_only());
-        const Result<int> shape_slot = find_shape(id, shape_i);
-        if (!shape_slot.ok()) return {shape_slot.status, {}};
-        return {Status::ok, storage_.surface_velocities[shape_slot.value]};
-    }
-
-    // Bodies in sensors, as they were at the begin of the last step; 0 <= index < overlap_count(), in the order of slots.
-    // Full: those that come first in this order are kept, the others count in StepReport::overlaps_lost.
-
-    int overlap_count() const {
-        static_assert(sensors_only());
-        return storage_.overlap_count;
-    }
-    Result<OverlapInfo> overlap(int index) const {
-        static_assert(sensors_only());
-        if (index < 0 || index >= storage_.overlap_count || index >= S::max_overlaps) return {Status::out_of_range, {}};
-        const PairOfBodies& pair = storage_.overlaps[index];
-        return {Status::ok, {first_id(pair), second_id(pair), number_of_shape(pair.body_A), number_of_shape(pair.body_B)}};
-    }
-
-    /// What the last step has to tell of contacts and sensors: see EventKind. Until the next step, whatever is added or removed.
-    ///
-    /// Order: ends, leaves, begins, enters, hits, each in the order of slots. Full: what comes later in this order is not told and
-    /// counts in StepReport::events_lost; who touches whom is kept all the same, so an end may come without its begin.
-    /// A body that is removed ends its contacts in the next step, under the id it had.
-    EventView events() const {
-        static_assert(events_only());
-        return {storage_.events, storage_.event_count};
-    }
-
-    // Sleep, in scenes with `sleeps`. Bodies that touch, or are near enough to, are one island; it falls asleep when all of it was at rest for
-    // Scene::sleep_time. It then costs next to nothing and keeps its bits, at v_CM = L = 0, until something wakes it, all of it at once: a body
-    // that moves and comes near enough for a manifold; one that is added there; a call that sets the state, the filter, a force or an impulse
-    // of one of its bodies, or removes one, or does so with an immovable body that it touches; another gravity. What is called for every step keeps
-    // an island awake. Queries and sensors see bodies that sleep.
-
-    /// False for bodies that cannot move, and for ids of none.
-    bool is_asleep(BodyId id) const {
-        static_assert(sleep_only());
-        const Result<int> slot = find(id);
-        return slot.ok() && sleeps_in(slot.value);
-    }
-    /// Wakes the island of a body. Errors: immovable, frozen.
-    Status wake(BodyId id) {
-        static_assert(sleep_only());
-        const Result<int> slot = find_movable(id);
-        if (slot.ok())
-            wake_by(storage_, [&](const ManifoldView& manifolds) { wake_island(storage_.bodies(), storage_.rest_view(), manifolds, slot.value); });
-        return slot.status;
-    }
-    /// Takes a body for one that was at rest for Scene::sleep_time: its island need not wait for it, and falls asleep in the next step if all of it
-    /// is at rest. So what is put down at rest is asleep from the start. Errors: immovable, frozen.
-    Status sleep(BodyId id) {
-        static_assert(sleep_only());
-        const Result<int> slot = find_movable(id);
-        if (slot.ok()) storage_.rest_time[slot.value] = S::sleep_time;
-        return slot.status;
-    }
-    /// Bodies that sleep. Cost: O(max_bodies).
-    int asleep_count() const {
-        static_assert(sleep_only());
-        int count = 0;
-        for (int slot = 0; slot < storage_.slots_used; ++slot) count += lives(slot) && sleeps_in(slot) ? 1 : 0;
-        return count;
-    }
-    /// Islands that sleep. Cost: O(max_bodies).
-    int asleep_island_count() const {
-        static_assert(sleep_only());
-        int count = 0;
-        for (int slot = 0; slot < storage_.slots_used; ++slot) count += lives(slot) && sleeps_in(slot) && storage_.parent[slot] == slot ? 1 : 0;
-        return count;
-    }
-
-    // Queries, of bodies where they are now: they change nothing, and may be asked between any two calls.
-    // Which bodies count says the filter; with except, a body that is gone answers stale_id.
-    // Cost: all bodies' bounding balls, `lanes` at once, and the shapes of those that come near.
-
-    /// The first body on the way of a ray from a point, m. See QueryHit.
-    /// Errors: not_finite, out_of_range (beyond limits::position_max), bad_direction (a way shorter than limits::size_min).
-    Result<QueryHit> cast_ray(const Vector& from, const Vector& way, const QueryFilter& filter = {}) const {
-        static_assert(shapes_only());
-        const Result<int> except = slot_of_exception(filter);
-        const Status status = except.ok() ? check_way(from, way) : except.status;
-        if (status != Status::ok) return {status, {}};
-        const SlotHit hit = ingot::cast_ray<ShapesOf<S>>(storage_.shapes(), storage_.surface_view(), from, way, sees(filter, except.value));
-        return {Status::ok, {id_of_shape(hit.slot), hit.fraction, hit.P, hit.n, number_of_shape(hit.slot)}};
-    }
-
-    /// The first body on the way of a shape that does not turn, m; it stops short of it by limits::cast_gap. See QueryHit.
-    /// Errors: those of cast_ray, of check_shape and check_rotation; bad_shape (none, a half space, a hull without its form).
-    Result<QueryHit> cast_shape(const PlacedShape& shape, const Vector& way, const QueryFilter& filter = {}) const {
-        static_assert(shapes_only());
-        const Result<int> except = slot_of_exception(filter);
-        Status status = except.ok() ? check_query_shape(shape) : except.status;
-        if (status == Status::ok) status = check_way(shape.r, way);
-        if (status != Status::ok) return {status, {}};
-        const PlacedShape moving = {shape.shape, shape.r, nearest_rotation(shape.A), shape.hull};
-        const SlotHit hit = ingot::cast_shape<ShapesOf<S>>(storage_.shapes(), storage_.surface_view(), moving, way, sees(filter, except.value));
-        return {Status::ok, {id_of_shape(hit.slot), hit.fraction, hit.P, hit.n, number_of_shape(hit.slot)}};
-    }
-
-    /// All bodies that a shape overlaps or touches, in the order of slots, into found[0 .. capacity).
-    /// Returns: how many there are. More than capacity: those of the lowest slots are kept.
-    /// Errors:  those of cast_shape; out_of_range (a capacity below zero).
-    Result<int> find_overlaps(const PlacedShape& shape, BodyId* found, int capacity, const QueryFilter& filter = {}) const {
-        static_assert(shapes_only());
-        const Result<int> except = slot_of_exception(filter);
-        Status status = except.ok() ? check_query_shape(shape) : except.status;
-        if (status == Status::ok && capacity < 0) status = Status::out_of_range;
-        if (status != Status::ok) return {status, 0};
-        int count = 0;
-        [[maybe_unused]] int last = no_slot;
-        const PlacedShape still = {shape.shape, shape.r, nearest_rotation(shape.A), shape.hull};
-        ingot::find_overlaps<ShapesOf<S>>(storage_.shapes(), storage_.surface_view(), still, sees(filter, except.value), [&](int slot) {
-            if constexpr (has_compounds<S>) {
-                if (slot / S::max_shapes_of_body == last) return;  // by another of its shapes
-                last = slot / S::max_shapes_of_body;
-            }
-            if (count < capacity) found[count] = id_of_shape(slot);
-            ++count;
-        });
-        return {Status::ok, count};
-    }
-
-    /// The body whose surface is nearest to a point, no further away than `within`, m. See QueryNearest.
-    /// Errors: not_finite, out_of_range (beyond limits::position_max; within below zero).
-    Result<QueryNearest> find_nearest(const Vector& point, scalar within, const QueryFilter& filter = {}) const {
-        static_assert(shapes_only());
-        const Result<int> except = slot_of_exception(filter);
-        Status status = except.ok() ? check_vector(point, limits::position_max) : except.status;
-        if (status == Status::ok && !is_finite(within)) status = Status::not_finite;
-        if (status == Status::ok && !(within >= 0 && within <= limits::position_max)) status = Status::out_of_range;
-        if (status != Status::ok) return {status, {}};
-        const SlotNearest nearest =
-            ingot::find_nearest<ShapesOf<S>>(storage_.shapes(), storage_.surface_view(), point, within, sees(filter, except.value));
-        return {Status::ok, {id_of_shape(nearest.slot), nearest.distance, nearest.P, nearest.n, number_of_shape(nearest.slot)}};
-    }
-
     // The world as a whole.
 
     /// 64 bits that are equal when the primary state of all bodies is bitwise equal, on every target and for every lane
@@ -525,53 +330,8 @@ private:
     template <class Any>
     friend Status load_snapshot(World<Any>& world, const uint8_t* bytes, size_t size);
 
-    static constexpr bool translation_only() {
-        static_assert(S::translates, "this scene names no translation: set translates = true");
-        return true;
-    }
-    static constexpr bool field_only() {
-        static_assert(has_field<S>, "this scene names no field: set force_field");
-        return true;
-    }
-    static constexpr bool contacts_only() {
-        static_assert(collides<S>, "this scene names no contacts: set max_contacts");
-        return true;
-    }
-
-    static constexpr bool filters_only() {
-        static_assert(S::filters, "this scene names no filters: set filters = true");
-        return true;
-    }
-    static constexpr bool sensors_only() {
-        static_assert(has_sensors<S>, "this scene names no sensors: set max_overlaps");
-        return true;
-    }
-
-    static constexpr bool events_only() {
-        static_assert(has_events<S>, "this scene names no events: set max_events");
-        return true;
-    }
-
-    static constexpr bool sleep_only() {
-        static_assert(S::sleeps, "bodies of this scene do not sleep: set sleeps = true");
-        return true;
-    }
-    static constexpr bool compounds_only() {
-        static_assert(has_compounds<S>, "bodies of this scene have one shape: set max_shapes_of_body");
-        return true;
-    }
-
-    static constexpr bool rolling_only() {
-        static_assert(S::rolling_resistance, "shapes of this scene roll freely: set rolling_resistance = true");
-        return true;
-    }
-    static constexpr bool belts_only() {
-        static_assert(S::surface_velocities, "surfaces of this scene do not move: set surface_velocities = true");
-        return true;
-    }
-
-    static constexpr bool shapes_only() {
-        static_assert(has_shapes<S>, "this scene keeps no shapes: set max_manifolds or max_contacts");
+    static constexpr bool shares_only() {
+        static_assert(S::gravity_shares, "bodies of this scene feel all of gravity: set gravity_shares = true");
         return true;
     }
 
@@ -602,67 +362,12 @@ private:
         const int shape_slot = slot * S::max_shapes_of_body + shape_i;
         Features::over_named<S>([&](auto feature) { decltype(feature)::begin_shape(storage_, shape_slot, def, place); });
     }
-    /// Passes on the answer of a call, which wakes what sleeps where it did something.
-    Status touched([[maybe_unused]] int slot, Status status) {
-        if constexpr (S::sleeps)
-            if (status == Status::ok)
-                wake_by(storage_, [&](const ManifoldView& manifolds) { wake_touching(storage_.bodies(), storage_.rest_view(), manifolds, slot); });
-        return status;
-    }
     uint64_t hash_of(int slot, uint64_t hash) const {
         hash = hash_body(storage_.bodies(), slot, hash);
         Features::over_named<S>([&](auto feature) { hash = decltype(feature)::hash_body(storage_, slot, hash); });
         return hash;
     }
-    bool sleeps_in(int slot) const { return is_dynamic(storage_.bodies(), slot) && !storage_.is_awake(slot); }
-    Result<int> find_movable(BodyId id) const {
-        const Result<int> slot = find(id);
-        if (!slot.ok() || is_dynamic(storage_.bodies(), slot.value)) return slot;
-        return {ingot::is_frozen(storage_.bodies(), slot.value) ? Status::frozen : Status::immovable, 0};
-    }
     static bool same(const Vector& a, const Vector& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
-
-    /// The slot that a query leaves out.
-    Result<int> slot_of_exception(const QueryFilter& filter) const {
-        return filter.except.generation == 0 ? Result<int>{Status::ok, no_slot} : find(filter.except);
-    }
-    /// Which bodies a query looks at, slot by slot.
-    auto sees(const QueryFilter& filter, int except) const {
-        return [this, filter, except](int slot) {
-            if (slot / S::max_shapes_of_body == except || !meet(filter.filter, storage_.filter_view().of(slot))) return false;
-            if constexpr (has_sensors<S>) return filter.sensors || storage_.is_sensor[slot] == 0;
-            return true;
-        };
-    }
-
-    BodyId first_id(const PairOfBodies& pair) const { return {body_of(pair.body_A), storage_.world_tag, pair.generation_A}; }
-    BodyId second_id(const PairOfBodies& pair) const { return {body_of(pair.body_B), storage_.world_tag, pair.generation_B}; }
-
-    // Slots of shapes are those of bodies, where a body has one shape.
-
-    static uint16_t body_of(int shape_slot) { return static_cast<uint16_t>(shape_slot / S::max_shapes_of_body); }
-    static int number_of_shape(int shape_slot) { return shape_slot == no_slot ? 0 : shape_slot % S::max_shapes_of_body; }
-    BodyId id_of_shape(int shape_slot) const { return shape_slot == no_slot ? BodyId{} : id_of(body_of(shape_slot)); }
-
-    bool lives(int slot) const { return storage_.lives(slot); }
-
-    BodyId id_of(int slot) const { return {static_cast<uint16_t>(slot), storage_.world_tag, storage_.generation[slot]}; }
-
-    Result<int> find(BodyId id) const {
-        if (id.world_tag != storage_.world_tag && id.generation != 0) return {Status::foreign_id, 0};
-        if (id.slot >= storage_.slots_used || (id.generation & 1u) == 0 || storage_.generation[id.slot] != id.generation)
-            return {Status::stale_id, 0};
-        return {Status::ok, id.slot};
-    }
-
-    /// The slot of a shape of a body.
-    Result<int> find_shape(BodyId id, int shape_i) const {
-        const Result<int> slot = find(id);
-        if (!slot.ok()) return slot;
-        if (shape_i < 0 || shape_i >= S::max_shapes_of_body) return {Status::out_of_range, 0};
-        const int shape_slot = slot.value * S::max_shapes_of_body + shape_i;
-        return {storage_.surfaces[shape_slot].shape.kind == ShapeKind::none ? Status::out_of_range : Status::ok, shape_slot};
-    }
 
     /// The lowest slot that is free and whose generation is not used up; max_bodies if there is none.
     int free_slot() const {
@@ -678,23 +383,15 @@ private:
         if constexpr (has_compounds<S>) begin_shape_slots(slot);
         if (slot % lanes != 0) return;
         for (int lane_i = 0; lane_i < lanes; ++lane_i) set_identity_body(storage_.bodies(), slot + lane_i);
-        if constexpr (S::sleeps && !has_compounds<S>) empty_bounds(slot, slot + lanes - 1);
+        if constexpr (S::sleeps && !has_compounds<S>) empty_bounds(storage_, slot, slot + lanes - 1);
     }
     /// The same for the slots of its shapes.
     void begin_shape_slots(int slot) {
         const int first = slot * S::max_shapes_of_body, last = first + S::max_shapes_of_body - 1;
         // bound: max_shapes_of_body and lanes
         for (int shape_slot = first; shape_slot <= last / lanes * lanes + lanes - 1; ++shape_slot) set_identity_body(storage_.shapes(), shape_slot);
-        if constexpr (S::sleeps) empty_bounds(first, last / lanes * lanes + lanes - 1);
+        if constexpr (S::sleeps) empty_bounds(storage_, first, last / lanes * lanes + lanes - 1);
     }
-
-    /// Slots without a shape overlap nothing: a search that looks at what is awake makes no bounds for them.
-    void empty_bounds(int first, int last) {
-        // bound: max_shapes_of_body and lanes
-        for (int shape_slot = first; shape_slot <= last; ++shape_slot) ingot::empty_bounds(storage_.bounds, shape_slot);
-    }
-
-    Storage<S> storage_ = {};
 };
 
 } }  // namespace ingot

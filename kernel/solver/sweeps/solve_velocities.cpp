@@ -83,7 +83,10 @@ void solve_velocities(View& solver) {
         sweep_velocities(solver, sweep_i, !is_large(solver.plan) || sweep_i % 2 != 0);
         measure_sweep(solver);
         const Settled settled = settle_islands(solver, sweep_i);
-        if (settled.all) return;
+        if (settled.all) {
+            solver.live_count = 0;
+            return;
+        }
         if (settled.some) drop_settled(solver);
         if constexpr (View::rolls)
             extrapolate(solver);

@@ -108,6 +108,9 @@ struct Feature {
     static void forget_body(Storage<S>&, int) {}
     template <class S>
     static void forget_shape(Storage<S>&, int) {}
+    /// Forces that a step of h seconds adds to those that the user has summed.
+    template <class S>
+    static void sum_forces(Storage<S>&, scalar) {}
     template <class S>
     static uint64_t hash_body(const Storage<S>&, int, uint64_t hash) {
         return hash;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The features there are. Their order is that of their memory in a world, and of their numbers in a snapshot.
+// The features there are. Their order is that of their memory in a world, of their numbers in a snapshot, and of their places in a signature: a new
+// one comes last, and what does not name it stays as it was, to the byte.
 #pragma once
 
+#include "gravity_shares.h"
 #include "materials.h"
 #include "motion.h"
 #include "sensors_and_events.h"
@@ -10,8 +12,9 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-using Features = FeatureList<Rotation, Translation, Compensation, EnergyReturn, FieldOfForce, SteadyField, Surfaces, Compounds, Impacts, Manifolds, Unsettled,
-                             RollingResistance, Belts, Filters, Sensors, Continuous, Events, ToldEvents, TouchAside, Sleep>;
+using Features = FeatureList<Rotation, Translation, Compensation, EnergyReturn, FieldOfForce, Surfaces, Compounds, Impacts, Manifolds, Unsettled,
+                             RollingResistance, Belts, Filters, Sensors, Continuous, Events, ToldEvents, Sleep,
+                             GravityShares, TouchAside, SteadyField>;
 
 static_assert(Features::bits_differ(SnapshotPart::doubles | SnapshotPart::anchors));  // of a snapshot's parts
 

@@ -3,7 +3,9 @@
 // are checked together.
 #pragma once
 
+#include "../../island/rest_view.h"
 #include "../../motion/forced_flight.h"
+#include "../../sleep/fall_asleep.h"
 #include "feature.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -187,7 +189,7 @@ private:
 /// Time, and the field. The field's own numbers are the user's: a snapshot writes them after those of the world.
 /// A field in which bodies sleep: its numbers are compared, not who asked for them.
 struct SteadyField : Feature {
-    static constexpr uint32_t part = 131072;
+    static constexpr uint32_t part = 1u << 19;
     template <class S>
     static constexpr bool named = has_field<S> && S::sleeps;
 
@@ -278,6 +280,20 @@ struct FieldOfForce : Feature {
                       "this flight takes no field that depends on velocity: name CommutatorFree4 or KickDriftKick");
         static_assert(__is_trivially_copyable(typename S::force_field), "a force_field is made of plain numbers: memcpy keeps it");
         return true;
+    }
+
+    /// Where no flight integrates the field.
+    template <class S>
+    static void sum_forces([[maybe_unused]] Storage<S>& storage, [[maybe_unused]] scalar h) {
+        if constexpr (S::sleeps) {
+            const RestView rest = storage.rest_view();
+            const BodyView bodies = storage.bodies();
+            rest.active.for_each([&](int tile_i) {
+                if (rest.awake[tile_i] != 0) add_field_forces_to(bodies, tile_i, storage.forcing(storage.gravity), h / 2);
+            });
+            note_pulls(bodies, rest, storage.gravity, storage.pull_sq);
+        } else if constexpr (!flies_in_field<S>)
+            add_field_forces(storage.bodies(), storage.forcing(storage.gravity_or_none()), S::rotation::as_printed ? 0 : h / 2);
     }
 
     struct OfWorld : NoNumbers {

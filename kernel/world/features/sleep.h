@@ -41,7 +41,7 @@ struct Continuous : Feature {
 
 /// Of manifolds that are put aside, which touch: the list of those that do holds the pairs of the step alone.
 struct TouchAside : Feature {
-    static constexpr uint32_t part = 262144;
+    static constexpr uint32_t part = 1u << 18;
     template <class S>
     static constexpr bool named = S::sleeps && has_events<S>;
 
@@ -135,6 +135,42 @@ void put_aside(Storage<S>& storage) {
     } else {
         put_manifolds_aside(storage.bodies(), storage.rest_view(), storage.manifold_view(), [](const BodyPair&) {});
     }
+}
+
+/// Contacts that a snapshot holds.
+template <class S>
+int saved_manifold_count([[maybe_unused]] const Storage<S>& storage) {
+    int count = 0;
+    if constexpr (stacks<S>) count = storage.manifold_count;
+    if constexpr (S::sleeps) count += storage.aside_count;
+    return count;
+}
+
+/// Calls each(pair) for all contacts in the order of slots: those of the step, and those that are put aside. These lie in no order: all are sorted at
+/// the end of the room that their contacts are going to be written to, which never reaches one that is still to be read.
+template <class S, class Each>
+void for_manifolds(const Storage<S>& storage, [[maybe_unused]] uint8_t* room, [[maybe_unused]] size_t bytes_of_manifold, const Each& each) {
+    if constexpr (S::sleeps) {
+        const int count = saved_manifold_count(storage);
+        const size_t spare = static_cast<size_t>(count) * (bytes_of_manifold - sizeof(PairBytes));
+        PairBytes* const sorted = reinterpret_cast<PairBytes*>(room + spare);
+        int listed = 0;
+        for (int pair_i = 0; pair_i < storage.manifold_count; ++pair_i) sorted[listed++] = bytes_of(storage.pairs[pair_i]);  // bound: max_manifolds
+        for (int record_i = 0; record_i < storage.records_used; ++record_i) {  // bound: max_manifolds
+            const BodyPair& aside = storage.pairs_aside[record_i];
+            if (aside.record != 0) sorted[listed++] = bytes_of({aside.body_A, aside.body_B, static_cast<uint16_t>(record_i)});
+        }
+        sort_by_key(sorted, count);
+        for (int pair_i = 0; pair_i < count; ++pair_i) each(sorted[pair_i].pair());  // bound: max_manifolds
+    } else {
+        for (int pair_i = 0; pair_i < storage.manifold_count; ++pair_i) each(storage.pairs[pair_i]);
+    }
+}
+
+/// Slots without a shape overlap nothing: a search that looks at what is awake makes no bounds for them.
+template <class S>
+void empty_bounds(Storage<S>& storage, int first, int last) {
+    for (int shape_slot = first; shape_slot <= last; ++shape_slot) empty_bounds(storage.bounds, shape_slot);  // bound: max_shapes_of_body and lanes
 }
 
 struct Sleep : Feature {

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "../sweeps/swept_contacts.h"
+#include "choose_islands.h"
+#include "solve_directly.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// The sweeps with chosen islands solved directly, as conduct_substeps asks for them.
+template <class View, bool notes_impulses, bool bounces>
+struct HybridContacts : SweptContacts<View, notes_impulses, bounces> {
+    using Swept = SweptContacts<View, notes_impulses, bounces>;
+
+    HybridContacts(View& of, const DirectView& direct_view) : Swept(of), direct(direct_view) {}
+
+    void begin(const ContactStep& step, StepReport& report) {
+        Swept::begin(step, report);
+        choose_islands(this->view, direct, report);
+    }
+    bool next_batch(const ContactStep& step) {
+        if (!Swept::next_batch(step)) return false;
+        begin_direct_batch(this->view, direct);
+        return true;
+    }
+    void kick(scalar h) {
+        Swept::kick(h);
+        if (direct.some_chosen) keep_free_motion(this->view, direct);
+    }
+    void solve_velocities(const ContactStep& step, scalar h, StepReport& report) {
+        plan_sweeps(this->view);
+        if (direct.some_chosen) solve_before_sweeps(this->view, direct, step.bodies, h);
+        ingot::solve_velocities(this->view);
+        if (direct.some_chosen) solve_after_sweeps(this->view, direct, step.bodies, h, report);
+    }
+    void solve_positions(const ContactStep& step, scalar h) {
+        if (!direct.some_chosen) return Swept::solve_positions(step, h);
+        place_islands(this->view, direct, step.bodies, h);
+        select_live(this->view);
+        sweep_positions(this->view, this->view.live, this->view.live_count, h);
+    }
+    void end_batch(StepReport& report) {
+        Swept::end_batch(report);
+        note_unsettled(this->view, direct);
+    }
+
+private:
+    DirectView direct;
+};
+
+} }  // namespace ingot

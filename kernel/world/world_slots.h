@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// What every part of World stands on: the memory, ids, and the sentences for what a scene does not name.
+#pragma once
+
+#include "../base/ids.h"
+#include "storage.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// Slots and ids of a world.
+template <class S>
+class WorldSlots {
+    static_assert(check_scene<S>(), "");
+
+protected:
+    static constexpr bool translation_only() {
+        static_assert(S::translates, "this scene names no translation: set translates = true");
+        return true;
+    }
+    static constexpr bool field_only() {
+        static_assert(has_field<S>, "this scene names no field: set force_field");
+        return true;
+    }
+    static constexpr bool contacts_only() {
+        static_assert(collides<S>, "this scene names no contacts: set max_contacts");
+        return true;
+    }
+    static constexpr bool filters_only() {
+        static_assert(S::filters, "this scene names no filters: set filters = true");
+        return true;
+    }
+    static constexpr bool sensors_only() {
+        static_assert(has_sensors<S>, "this scene names no sensors: set max_overlaps");
+        return true;
+    }
+    static constexpr bool events_only() {
+        static_assert(has_events<S>, "this scene names no events: set max_events");
+        return true;
+    }
+    static constexpr bool sleep_only() {
+        static_assert(S::sleeps, "bodies of this scene do not sleep: set sleeps = true");
+        return true;
+    }
+    static constexpr bool compounds_only() {
+        static_assert(has_compounds<S>, "bodies of this scene have one shape: set max_shapes_of_body");
+        return true;
+    }
+    static constexpr bool rolling_only() {
+        static_assert(S::rolling_resistance, "shapes of this scene roll freely: set rolling_resistance = true");
+        return true;
+    }
+    static constexpr bool belts_only() {
+        static_assert(S::surface_velocities, "surfaces of this scene do not move: set surface_velocities = true");
+        return true;
+    }
+    static constexpr bool shapes_only() {
+        static_assert(has_shapes<S>, "this scene keeps no shapes: set max_manifolds or max_contacts");
+        return true;
+    }
+
+    /// Passes on the answer of a call, which wakes what sleeps where it did something.
+    Status touched([[maybe_unused]] int slot, Status status) {
+        if constexpr (S::sleeps)
+            if (status == Status::ok)
+                wake_by(storage_, [&](const ManifoldView& manifolds) { wake_touching(storage_.bodies(), storage_.rest_view(), manifolds, slot); });
+        return status;
+    }
+    bool sleeps_in(int slot) const { return is_dynamic(storage_.bodies(), slot) && !storage_.is_awake(slot); }
+    Result<int> find_movable(BodyId id) const {
+        const Result<int> slot = find(id);
+        if (!slot.ok() || is_dynamic(storage_.bodies(), slot.value)) return slot;
+        return {ingot::is_frozen(storage_.bodies(), slot.value) ? Status::frozen : Status::immovable, 0};
+    }
+
+    BodyId first_id(const PairOfBodies& pair) const { return {body_of(pair.body_A), storage_.world_tag, pair.generation_A}; }
+    BodyId second_id(const PairOfBodies& pair) const { return {body_of(pair.body_B), storage_.world_tag, pair.generation_B}; }
+
+    // Slots of shapes are those of bodies, where a body has one shape.
+
+    static uint16_t body_of(int shape_slot) { return static_cast<uint16_t>(shape_slot / S::max_shapes_of_body); }
+    static int number_of_shape(int shape_slot) { return shape_slot == no_slot ? 0 : shape_slot % S::max_shapes_of_body; }
+    BodyId id_of_shape(int shape_slot) const { return shape_slot == no_slot ? BodyId{} : id_of(body_of(shape_slot)); }
+
+    bool lives(int slot) const { return storage_.lives(slot); }
+
+    BodyId id_of(int slot) const { return {static_cast<uint16_t>(slot), storage_.world_tag, storage_.generation[slot]}; }
+
+    Result<int> find(BodyId id) const {
+        if (id.world_tag != storage_.world_tag && id.generation != 0) return {Status::foreign_id, 0};
+        if (id.slot >= storage_.slots_used || (id.generation & 1u) == 0 || storage_.generation[id.slot] != id.generation)
+            return {Status::stale_id, 0};
+        return {Status::ok, id.slot};
+    }
+
+    /// The slot of a shape of a body.
+    Result<int> find_shape(BodyId id, int shape_i) const {
+        const Result<int> slot = find(id);
+        if (!slot.ok()) return slot;
+        if (shape_i < 0 || shape_i >= S::max_shapes_of_body) return {Status::out_of_range, 0};
+        const int shape_slot = slot.value * S::max_shapes_of_body + shape_i;
+        return {storage_.surfaces[shape_slot].shape.kind == ShapeKind::none ? Status::out_of_range : Status::ok, shape_slot};
+    }
+
+    Storage<S> storage_ = {};
+};
+
+} }  // namespace ingot
