@@ -196,7 +196,8 @@ void write_manifolds([[maybe_unused]] ByteWriter& writer, [[maybe_unused]] const
     if constexpr (stacks<S>) {
         uint16_t count = static_cast<uint16_t>(saved_manifold_count(storage));
         writer(count);
-        for_manifolds(storage, writer.next(), saved_size<OfManifold, S>(), [&writer, &storage](const BodyPair& pair) { write_numbers<OfManifold>(writer, storage, pair); });
+        for_manifolds(storage, writer.next(), saved_size<OfManifold, S>(),
+                      [&writer, &storage](const BodyPair& pair) { write_numbers<OfManifold>(writer, storage, pair); });
     }
 }
 
