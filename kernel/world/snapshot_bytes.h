@@ -120,7 +120,7 @@ private:
 /// Bits of SnapshotHeader::parts that the records below look at. The others stand at their features.
 struct SnapshotPart {
     static constexpr uint32_t doubles = 1, translation = 2, compensation = 4, energy = 8, manifolds = 64, anchors = 128;
-    static constexpr uint32_t pointwise = 32768;  ///< manifolds are solved point by point: friction has no slow mean
+    static constexpr uint32_t pointwise = 1u << 18;  ///< manifolds are solved point by point: friction has no slow mean
 };
 
 /// What comes first in a snapshot, whatever its scene.

@@ -8,7 +8,7 @@
 namespace ingot { inline namespace INGOT_ABI {
 
 struct GravityShares : Feature {
-    static constexpr uint32_t part = 1u << 18;
+    static constexpr uint32_t part = 1u << 17;
     template <class S>
     static constexpr bool named = S::gravity_shares;
 
