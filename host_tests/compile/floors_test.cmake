@@ -31,14 +31,14 @@ set(freestanding "stdint\\.h|stddef\\.h|float\\.h|limits\\.h")
 # integrate_r is there for forced_flight, which is made of stages.
 set(motion_shares acceleration flight_clock turn moser_veselov moser_veselov_series moser_veselov_stage force_field forced_tile elliptic_functions integrate_r)
 set(shape_shares shapes surface convex_hull placed_shape)
-set(broad_phase_shares body_bounds body_pairs)
+set(broad_phase_shares body_bounds body_pairs bound_shape all_pairs awake_search sorted_tree tree_walk)
 set(narrow_phase_shares manifold manifold_points contact_geometry contact_patch collide_pairs nearest_points plane_between manifold_record
   manifold_anchors)
 set(query_shares candidates query_filter ray_on_shapes cast_ray)
 set(impulse_shares contact collide_shapes contact_rows impulse)
 set(constraint_shares belts block_bodies block_rows block_solve contact contact_block friction impact_note laws material_view normals response rolling
   row_flight row_pair rows solver_body solver_view surface_materials torsion visit)
-set(island_shares awake_tiles disjoint_sets rest_view)
+set(island_shares active_tiles awake_tiles disjoint_sets rest_view)
 set(sleep_shares wake)
 set(events_shares contact_events pair_rules)
 set(continuous_shares body_path fast_pairs time_of_impact pair_sub_world)

@@ -36,6 +36,11 @@
 inline constexpr auto tetrahedron = ingot::convex_hull<4>({{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}});
 inline constexpr auto flat = ingot::convex_hull<4>({{1, 1, 0}, {1, -1, 0}, {-1, 1, 0}, {-1, -1, 0}});
 
+/// A field that changes with the time.
+struct Gusts : ingot::ForceField {
+    ingot::Wrench operator()(const ingot::BodyMotion& body) const { return {body.v_CM * ingot::splat<ingot::lane>(body.t), {}}; }
+};
+
 #ifdef NOT_A_SCENE
 struct Wrong {
 #else
@@ -192,11 +197,7 @@ struct Wrong : ingot::Scene {
 #ifdef SLEEP_IN_A_FIELD
     static constexpr bool translates = true, sleeps = true;
     static constexpr int max_manifolds = 4;
-    using force_field = ingot::Spring;
-#endif
-#ifdef SLEEP_OF_COMPOUNDS
-    static constexpr bool translates = true, sleeps = true;
-    static constexpr int max_manifolds = 4, max_shapes_of_body = 2;
+    using force_field = Gusts;
 #endif
 #ifdef SLEEP_SPEED_BELOW_ZERO
     static constexpr ingot::scalar sleep_speed = -1;

@@ -1,88 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What sleep keeps: bits, snapshots, events, sensors; in worlds where anything may happen.
-#include "sleep/sleepers.h"
+#include "sleep/nursery.h"
 
 namespace {
 
 using namespace ingot_sleep;
-
-/// Small numbers that depend on the seed alone.
-class Dice {
-public:
-    explicit Dice(uint64_t seed) : state_(seed * 0x9e3779b97f4a7c15u + 1) {}
-    int below(int n) {
-        state_ = state_ * 6364136223846793005u + 1442695040888963407u;
-        return static_cast<int>((state_ >> 33) % static_cast<uint64_t>(n));
-    }
-    scalar between(scalar low, scalar high) { return low + (high - low) * static_cast<scalar>(below(1024)) / 1024; }
-
-private:
-    uint64_t state_;
-};
-
-/// Boxes and balls on a floor, all of whose lives are short: few slots, so that tiles mix who sleeps with who does not.
-template <class Method, class BroadPhase = ingot::AllPairs>
-struct Nursery : ingot::Scene {
-    static constexpr int max_bodies = 13, max_manifolds = 30, max_overlaps = 20;
-    static constexpr bool translates = true, filters = true, sleeps = true;
-    static constexpr scalar sleep_time = scalar(0.1);
-    using shapes = ingot::Shapes<ingot::Sphere, ingot::Box, ingot::HalfSpace>;
-    using rotation = Method;
-    using broad_phase = BroadPhase;
-};
-
-template <class S>
-void begin(ingot::World<S>& world) {
-    std::memset(static_cast<void*>(&world), 0, sizeof world);
-    ASSERT_EQ(world.set_gravity(OnEarth::gravity), Status::ok);
-    ingot::BodyDef floor = flat_ground(0).def;
-    floor.friction = scalar(0.5);
-    ASSERT_TRUE(world.add(floor).ok());
-}
-
-template <class S>
-BodyId anyone(const ingot::World<S>& world, Dice& dice) {
-    return world.body_at(dice.below(S::max_bodies));
-}
-
-/// One random call, of all that there are.
-template <class S>
-void live(ingot::World<S>& world, Dice& dice) {
-    const BodyId one = anyone(world, dice);
-    const scalar x = dice.between(-2, 2), y = dice.between(-2, 2);
-    switch (dice.below(60)) {
-        case 0:
-        case 1:
-        case 2: {
-            PlacedBody body =
-                dice.below(3) == 0 ? solid_ball(1, scalar(0.3), {x, y, 1}, 0) : solid_box(1, {scalar(0.3), scalar(0.4), scalar(0.25)}, {x, y, 1}, 0);
-            body.def.friction = scalar(0.5);
-            body.def.sensor = dice.below(6) == 0;
-            body.def.immovable = body.def.sensor || dice.below(8) == 0;
-            (void)world.add(body.def);
-            break;
-        }
-        case 3:
-            if (one.slot != 0) (void)world.remove(one);
-            break;
-        case 4: (void)world.apply_impulse(one, {x, y, 1}, {x, y, scalar(0.3)}); break;
-        case 5: (void)world.add_torque(one, {x, y, 0}); break;
-        case 6: (void)world.set_filter(one, {1u, dice.below(2) == 0 ? 1u : 3u}); break;
-        case 7: {
-            const ingot::Result<BodyState> state = world.state(one);
-            if (!state.ok() || one.slot == 0) break;
-            BodyState moved = state.value;
-            moved.r_CM.x += scalar(0.05);
-            (void)world.set_state(one, moved);
-            break;
-        }
-        case 8: (void)world.wake(one); break;
-        case 9: (void)world.sleep(one); break;
-        case 10: (void)world.set_gravity({0, 0, dice.below(4) == 0 ? scalar(-5) : scalar(-9.81)}); break;
-        default:
-            for (int step_i = 0; step_i < 4; ++step_i) ASSERT_EQ(ingot::step(world, h).status, Status::ok);
-    }
-}
 
 template <class S>
 std::vector<uint8_t> saved(const ingot::World<S>& world) {
@@ -96,7 +18,8 @@ std::vector<uint8_t> saved(const ingot::World<S>& world) {
 template <class S>
 class Keeping : public ::testing::Test {};
 using Nurseries = ::testing::Types<Nursery<ingot::MoserVeselov>, Nursery<ingot::LieMidpoint, ingot::SortedTree>, Nursery<ingot::ExactElliptic>,
-                                   Nursery<ingot::DiscreteMoserVeselov<4, true, true>, ingot::SortedTree>>;
+                                   Nursery<ingot::DiscreteMoserVeselov<4, true, true>, ingot::SortedTree>, Compounds<ingot::AllPairs>,
+                                   Compounds<ingot::SortedTree>, Crowd<ingot::AllPairs>, Crowd<ingot::SortedTree>>;
 TYPED_TEST_SUITE(Keeping, Nurseries);
 
 TYPED_TEST(Keeping, who_sleeps_keeps_every_bit_until_it_wakes) {

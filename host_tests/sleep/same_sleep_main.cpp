@@ -4,6 +4,7 @@
 
 #include <cstdio>
 
+#include "sleep/nursery.h"
 #include "scenes/contact/piles.h"
 #include "scenes/contact/stacks.h"
 
@@ -57,11 +58,35 @@ bool play(const char* name) {
     return ok && most > 20;
 }
 
+/// Random lives, of which every call and every step may tell lanes apart.
+template <class S>
+bool live_through(const char* name) {
+    static ingot::World<S> world;
+    int asleep = 0;
+    for (uint64_t seed = 1; seed <= 8; ++seed) {
+        ingot_sleep::begin(world);
+        ingot_sleep::Dice dice(seed);
+        for (int call_i = 0; call_i < 600; ++call_i) {
+            ingot_sleep::live(world, dice);
+            asleep += world.asleep_count();
+        }
+        static uint8_t bytes[ingot::snapshot_size<S>()];
+        const auto size = ingot::save_snapshot(world, bytes, sizeof bytes);
+        std::printf("%s seed %d snapshot %016llx asleep so far %d\n", name, static_cast<int>(seed),
+                    static_cast<unsigned long long>(ingot::snapshot_checksum(bytes, size.value)), asleep);
+    }
+    return asleep > 1000;
+}
+
 }  // namespace
 
 int main() {
     bool ok = play<ingot::MoserVeselov>("default");
     ok = play<ingot::Rk4Polar>("rk4_polar") && ok;
     ok = play<ingot::ExactElliptic>("exact_elliptic") && ok;
+    ok = live_through<ingot_sleep::Nursery<ingot::MoserVeselov, ingot::SortedTree>>("nursery by tree") && ok;
+    ok = live_through<ingot_sleep::Compounds<ingot::AllPairs>>("compounds") && ok;
+    ok = live_through<ingot_sleep::Compounds<ingot::SortedTree>>("compounds by tree") && ok;
+    ok = live_through<ingot_sleep::Crowd<ingot::SortedTree>>("crowd by tree") && ok;
     return ok ? 0 : 1;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "body_pairs.h"
+#include "awake_search.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -11,12 +11,23 @@ namespace ingot { inline namespace INGOT_ABI {
 /// Full: pairs of the lowest slots are kept.
 void find_all_pairs(const BodyView& bodies, const BoundsTile* bounds, const PairList& pairs);
 
+/// The same but for pairs of two shapes that rest: see awake_search.h.
+void find_all_awake_pairs(const SearchView& search, const PairList& pairs);
+
 /// `using broad_phase = ingot::AllPairs;`, for up to a few hundred bodies.
 struct AllPairs {
     static constexpr const char* name = "all_pairs";
     template <int max_bodies, int max_pairs>
     struct Memory {
         void find_pairs(const BodyView& bodies, const BoundsTile* bounds, const PairList& pairs) { find_all_pairs(bodies, bounds, pairs); }
+    };
+
+    /// For scenes whose bodies sleep. The pairs of those that are due are found with all others.
+    template <int max_bodies, int max_pairs>
+    struct AwakeMemory {
+        static uint32_t* due_shapes() { return nullptr; }
+        static void find_awake_pairs(const SearchView& search, const PairList& pairs) { find_all_awake_pairs(search, pairs); }
+        static void find_due_pairs(const SearchView& search, int, const PairList& pairs) { find_all_awake_pairs(search, pairs); }
     };
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "body_pairs.h"
+#include "awake_search.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -40,6 +40,25 @@ struct SortedTreeView {
 /// Source: Morton order as in Lauterbach et al. 2009 (LBVH); the implicit tree over leaves is ours.
 void find_pairs_by_tree(const BodyView& bodies, const BoundsTile* bounds, const SortedTreeView& tree, const PairList& pairs);
 
+/// A tree that is kept over several steps, in scenes whose bodies sleep.
+///
+/// A shape that left its fat AABB keeps its place in the order of the last sorting, and the boxes above it are made anew: it is then found wherever it
+/// is, but boxes grow. When many have left their places, the tree is built again. What a search finds does not depend on it.
+struct KeptTreeView {
+    SortedTreeView sorted;
+    uint16_t* place;   ///< by slot: 1 + where it is in the leaves; 0: nowhere
+    uint16_t* used;    ///< places in the leaves that hold a shape, or held one
+    uint16_t* moved;   ///< shapes that are no more where the tree was built for
+};
+
+/// All pairs anew that are searched for: as find_pairs_by_tree, but for those of two that rest. Which are lost where there is no room depends on the
+/// fat AABBs alone. Cost: near-linear in all shapes.
+void find_awake_pairs_by_tree(const SearchView& search, const KeptTreeView& tree, const PairList& pairs);
+
+/// The same where the list holds those of the last search, and due[0 .. due_count) are the shapes that are due, in any order. Their pairs are without
+/// records after it. Cost: O(log shapes) a shape that is due, and a walk along the list; near-linear in all shapes where most of them are due.
+void find_due_pairs_by_tree(const SearchView& search, const KeptTreeView& tree, const uint32_t* due, int due_count, const PairList& pairs);
+
 /// `using broad_phase = ingot::SortedTree;`, for hundreds to tens of thousands of bodies.
 struct SortedTree {
     static constexpr const char* name = "sorted_tree";
@@ -61,7 +80,22 @@ struct SortedTree {
         uint32_t counters[static_cast<unsigned>(counter_count)] = {};
 
         void find_pairs(const BodyView& bodies, const BoundsTile* bounds, const PairList& pairs) {
-            find_pairs_by_tree(bodies, bounds, {leaves, boxes, places(), keys, other_keys, other_pairs, counters}, pairs);
+            find_pairs_by_tree(bodies, bounds, sorted(), pairs);
+        }
+        SortedTreeView sorted() { return {leaves, boxes, places(), keys, other_keys, other_pairs, counters}; }
+    };
+
+    /// For scenes whose bodies sleep.
+    template <int max_bodies, int max_pairs>
+    struct AwakeMemory : Memory<max_bodies, max_pairs> {
+        uint16_t place[static_cast<unsigned>((max_bodies + lanes - 1) / lanes * lanes)] = {};
+        uint16_t places_used = 0, shapes_moved = 0;
+
+        KeptTreeView kept() { return {this->sorted(), place, &places_used, &shapes_moved}; }
+        uint32_t* due_shapes() { return this->counters; }  // until the search sorts
+        void find_awake_pairs(const SearchView& search, const PairList& pairs) { find_awake_pairs_by_tree(search, kept(), pairs); }
+        void find_due_pairs(const SearchView& search, int due_count, const PairList& pairs) {
+            find_due_pairs_by_tree(search, kept(), due_shapes(), due_count, pairs);
         }
     };
 };

@@ -14,20 +14,26 @@ INGOT_INLINE BodyView tiles_of(const BodyView& bodies, int first, int count) {
             bodies.energy == nullptr ? nullptr : bodies.energy + first, count};
 }
 
-/// Calls stage(first tile, view) for each run of tiles that are chosen.
+/// Calls stage(view) for each run of tiles that are active and chosen.
 template <class Chosen, class Stage>
-void over_runs(const BodyView& bodies, const Chosen& chosen, const Stage& stage) {
-    int tile_i = 0;
-    // bound: max_bodies / lanes, rounded up: ++tile_i, or the loop in it takes one or more
-    while (tile_i < bodies.tile_count) {
-        const int first = tile_i;
-        // bound: max_bodies / lanes, rounded up: ++tile_i
-        while (tile_i < bodies.tile_count && chosen(tile_i)) ++tile_i;
-        if (tile_i == first)
-            ++tile_i;
-        else
-            stage(first, tiles_of(bodies, first, tile_i - first));
-    }
+void over_active_runs(const BodyView& bodies, const RestView& rest, const Chosen& chosen, const Stage& stage) {
+    int first = 0, end = 0;
+    rest.active.for_each([&](int tile_i) {
+        if (!chosen(tile_i)) return;
+        if (tile_i != end) {
+            if (first != end) stage(tiles_of(bodies, first, end - first));
+            first = tile_i;
+        }
+        end = tile_i + 1;
+    });
+    if (first != end) stage(tiles_of(bodies, first, end - first));
+}
+
+/// Calls stage(view) until it has seen every tile once that has an active body. Of those that rest in such a tile it changes nothing that is not
+/// so already: for stages that clear and look.
+template <class Stage>
+void over_active_tiles(const BodyView& bodies, const RestView& rest, const Stage& stage) {
+    over_active_runs(bodies, rest, [](int) { return true; }, stage);
 }
 
 /// Lanes of a tile that sleep.
@@ -66,15 +72,15 @@ private:
 template <class Stage>
 void over_awake_bodies(const BodyView& bodies, const RestView& rest, const Stage& stage) {
     const auto all_awake = [&](int tile_i) { return rest.awake[tile_i] != 0 && sleepers_of(bodies, rest, tile_i) == 0; };
-    over_runs(bodies, all_awake, [&](int, const BodyView& run) { stage(run); });
+    over_active_runs(bodies, rest, all_awake, stage);
     if constexpr (lanes == 1) return;
-    for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) {  // bound: max_bodies / lanes, rounded up
+    rest.active.for_each([&](int tile_i) {
         const unsigned sleepers = rest.awake[tile_i] != 0 ? sleepers_of(bodies, rest, tile_i) : 0;
-        if (sleepers == 0) continue;
+        if (sleepers == 0) return;
         const KeptTile kept(bodies, tile_i);
         stage(tiles_of(bodies, tile_i, 1));
         kept.give_back(bodies, tile_i, sleepers);
-    }
+    });
 }
 
 } }  // namespace ingot

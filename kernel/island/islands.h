@@ -6,15 +6,15 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// Joins the bodies of all manifolds of which something stirs: two that can move and have a manifold are of one island, whether they touch or are
-/// only near enough to meet within a step. Immovable bodies join nothing. Islands that sleep keep their trees.
+/// Joins the bodies of all manifolds of the step: two that can move and have a manifold are of one island, whether they touch or are only near enough
+/// to meet within a step. Immovable bodies join nothing. Islands that sleep keep their trees; one that meets a settling body takes it in.
 ///
 /// Needs:  manifolds after update_manifolds. The root of an island is its lowest slot, whatever the order of manifolds.
-/// Cost:   near-linear in bodies and manifolds: union-find with halved paths.
+/// Cost:   near-linear in bodies that are active and their manifolds: union-find with halved paths.
 /// Source: Tarjan and van Leeuwen 1984, path halving; without ranks, so logarithmic at worst in the mean, and never recursive.
 void join_islands(const BodyView& bodies, const RestView& rest, const ManifoldView& manifolds);
 
-/// The same for all bodies, whether they stir or not: after a snapshot.
+/// The same for all bodies, whether they are active or not: after a snapshot.
 void join_all_islands(const BodyView& bodies, const RestView& rest, const ManifoldView& manifolds);
 
 } }  // namespace ingot

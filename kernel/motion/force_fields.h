@@ -25,6 +25,7 @@ INGOT_INLINE InversePowers inverse_powers(const Vec3<lane>& d) {
 
 /// Gravity of a mass at a point: F = -M mu d/|d|^3, d = r_CM - centre. Bodies orbit.
 struct PointMassGravity : ForceField {
+    static constexpr bool is_steady = true;
     static constexpr bool depends_on_velocity = false;
     scalar mu{};    ///< m^3 s^-2, gravitational constant times the mass
     Vector centre{};  ///< m, world
@@ -45,6 +46,7 @@ struct PointMassGravity : ForceField {
 /// The torque that the same gravity has on a body: tau = 3 mu/|d|^5 d x (I d), to first order in size over distance.
 /// Source: Hughes, Spacecraft Attitude Dynamics, 1986, 8.1.
 struct GravityGradient : ForceField {
+    static constexpr bool is_steady = true;
     static constexpr bool depends_on_velocity = false;
     scalar mu{};    ///< m^3 s^-2
     Vector centre{};  ///< m, world
@@ -66,6 +68,7 @@ struct GravityGradient : ForceField {
 
 /// Drag of a thick fluid: F = -c v_CM, tau = -c_turn omega.
 struct LinearDrag : ForceField {
+    static constexpr bool is_steady = true;
     scalar c{};     ///< N s/m
     scalar c_turn{};  ///< N m s/rad
 
@@ -83,6 +86,7 @@ struct LinearDrag : ForceField {
 
 /// Drag of a thin fluid: F = -c |v_CM| v_CM, tau = -c_turn |omega| omega.
 struct QuadraticDrag : ForceField {
+    static constexpr bool is_steady = true;
     scalar c{};     ///< N s^2/m^2, half of density, area and drag coefficient
     scalar c_turn{};  ///< N m s^2/rad^2
 
@@ -100,6 +104,7 @@ struct QuadraticDrag : ForceField {
 
 /// A spring of no length from a point of the body to a point of the world: F = -k (P - anchor), P = r_CM + A r_body.
 struct Spring : ForceField {
+    static constexpr bool is_steady = true;
     static constexpr bool depends_on_velocity = false;
     scalar k{};     ///< N/m
     Vector r_body{};  ///< m, body axes, from the centre of mass
@@ -122,6 +127,7 @@ struct Spring : ForceField {
 
 /// The same with a damper beside the spring: F = -k (P - anchor) - c v_P.
 struct SpringDamper : ForceField {
+    static constexpr bool is_steady = true;
     scalar k{};     ///< N/m
     scalar c{};     ///< N s/m
     Vector r_body{};  ///< m, body axes, from the centre of mass
@@ -146,6 +152,7 @@ struct SpringDamper : ForceField {
 
 /// Torque of a magnetic field on a dipole of the body: tau = (A m_body) x B.
 struct MagneticDipole : ForceField {
+    static constexpr bool is_steady = true;
     static constexpr bool depends_on_velocity = false;
     Vector m_body{};  ///< A m^2, body axes
     Vector B{};     ///< T, world
@@ -163,6 +170,7 @@ struct MagneticDipole : ForceField {
 /// Weight of bodies that turn about a fixed point (heavy tops): tau = (A r_body) x weight. The moments of such a body are those
 /// about the point, and its scene does not translate.
 struct WeightAboutPoint : ForceField {
+    static constexpr bool is_steady = true;
     static constexpr bool depends_on_velocity = false;
     Vector r_body{};  ///< m, body axes, from the fixed point to the centre of mass
     Vector weight{};  ///< N, world: {0, 0, -M g}
@@ -181,6 +189,7 @@ struct WeightAboutPoint : ForceField {
 /// bodies: max_bodies of the scene.
 template <int thrusters, int bodies = 1>
 struct ThrusterTable : ForceField {
+    static constexpr bool is_steady = true;
     static constexpr bool depends_on_velocity = false;
     struct Thruster {
         Vector r_body{};  ///< m, body axes, from the centre of mass
@@ -213,6 +222,7 @@ struct ThrusterTable : ForceField {
 /// Two fields at once; nest it for more.
 template <class First, class Second>
 struct BothFields : ForceField {
+    static constexpr bool is_steady = First::is_steady && Second::is_steady;
     static constexpr bool depends_on_velocity = First::depends_on_velocity || Second::depends_on_velocity;
     First first{};
     Second second{};

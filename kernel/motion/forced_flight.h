@@ -182,20 +182,21 @@ private:
 /// F_T and tau_T += what the field gives `ahead` seconds from the begin of the step: for steps that take forces as constant. With
 /// ahead = h/2 the step is of second order, with 0 it is that of Listing 1.
 template <class Field>
-void add_field_forces(const BodyView& bodies, const Forcing<Field>& forcing, scalar ahead) {
-    for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) {
-        const ForcedTile tile(bodies, tile_i);
-        TileState at = tile.state();
-        if (ahead > 0) {
-            Kick kick{};
-            if constexpr (Field::depends_on_velocity) kick = tile.kick_at(at, scalar(0), forcing);
-            at = predicted(at, kick, tile.inv_I_body, ahead);
-        }
-        const Wrench wrench = tile.wrench_at(at, ahead, forcing);
-        store_if_within(scalar_max, tile.rotation.tau_T, tile.tau_T + wrench.tau, tile.rotation.bad);
-        if (tile.translation != nullptr)
-            store_if_within(scalar_max, tile.translation->F_T, tile.F_T + wrench.F, tile.translation->bad);
+INGOT_INLINE void add_field_forces_to(const BodyView& bodies, int tile_i, const Forcing<Field>& forcing, scalar ahead) {
+    const ForcedTile tile(bodies, tile_i);
+    TileState at = tile.state();
+    if (ahead > 0) {
+        Kick kick{};
+        if constexpr (Field::depends_on_velocity) kick = tile.kick_at(at, scalar(0), forcing);
+        at = predicted(at, kick, tile.inv_I_body, ahead);
     }
+    const Wrench wrench = tile.wrench_at(at, ahead, forcing);
+    store_if_within(scalar_max, tile.rotation.tau_T, tile.tau_T + wrench.tau, tile.rotation.bad);
+    if (tile.translation != nullptr) store_if_within(scalar_max, tile.translation->F_T, tile.F_T + wrench.F, tile.translation->bad);
+}
+template <class Field>
+void add_field_forces(const BodyView& bodies, const Forcing<Field>& forcing, scalar ahead) {
+    for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) add_field_forces_to(bodies, tile_i, forcing, ahead);
 }
 
 } }  // namespace ingot

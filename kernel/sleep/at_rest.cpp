@@ -3,26 +3,65 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-bool all_at_rest(const RestView& rest, const BoundsTile* bounds, int tile_count) {
-    bool some_active = false;
-    // bound: max_bodies / lanes, rounded up
-    for (int tile_i = 0; tile_i < tile_count; ++tile_i) some_active = some_active || rest.tile_is_active(tile_i) || is_blank(bounds[tile_i]);
-    return !some_active;
+void make_all_bounds(const SearchView& search, const RestView& rest, SensorMarks is_sensor, scalar h) {
+    (void)refresh_bounds(search.shapes, search.surfaces, h, search.bounds);
+    fatten_bounds(search.shapes, search.bounds);
+    // bound: max_bodies max_shapes_of_body
+    for (int slot = 0; slot < search.surfaces.slot_count; ++slot)
+        if (rest.is_active(rest.body_of(slot)) || (is_sensor != nullptr && is_sensor[slot] != 0)) search.set(slot, SearchFlag::searched);
 }
 
-bool refresh_active_bounds(const BodyView& bodies, const SurfaceView& surfaces, scalar h, const RestView& rest, BoundsTile* bounds) {
-    bool left = false;
-    over_runs(bodies, [&](int tile_i) { return rest.tile_is_active(tile_i) || is_blank(bounds[tile_i]); }, [&](int first, const BodyView& run) {
-        left = refresh_bounds(run, {surfaces.surfaces + first * lanes, surfaces.slot_count - first * lanes}, h, bounds + first) || left;
+int refresh_active_bounds(const SearchView& search, const RestView& rest, scalar h, uint32_t* due) {
+    int count = 0;
+    for_active(rest, [&](int body_i) {
+        const int first = body_i * rest.shapes_of_body;
+        // bound: max_shapes_of_body
+        for (int slot = first; slot < first + rest.shapes_of_body; ++slot) {
+            const bool left = refresh_bounds_of(search, h, slot);
+            if (!left && search.has(slot, SearchFlag::searched)) continue;
+            search.set(slot, SearchFlag::searched);
+            fatten_bounds_of(search, slot);
+            if (due != nullptr) {
+                search.set(slot, SearchFlag::due);
+                due[count] = static_cast<uint32_t>(slot);
+            }
+            ++count;
+        }
     });
-    if (left) fatten_bounds(bodies, bounds);  // of all, whichever tiles were in a run: the pairs of a search are the same for every lane count
-    return left;
+    return count;
+}
+
+bool end_settling(const SearchView& search, const RestView& rest, SensorMarks is_sensor) {
+    bool some = false;
+    rest.active.for_each([&](int tile_i) {
+        const unsigned settled = rest.settling[tile_i] & ~static_cast<unsigned>(rest.awake[tile_i]);
+        some = some || settled != 0;
+        for_lanes(tile_i, settled, [&](int body_i) {
+            const int first = body_i * rest.shapes_of_body;
+            for (int slot = first; slot < first + rest.shapes_of_body; ++slot)
+                if (is_sensor == nullptr || is_sensor[slot] == 0) search.clear(slot, SearchFlag::searched);
+        });
+        rest.settling[tile_i] = 0;
+        if (rest.awake[tile_i] == 0) rest.active.drop(tile_i);
+    });
+    return some;
+}
+
+void drop_resting_pairs(const SearchView& search, const PairList& pairs) {
+    int kept = 0;
+    // bound: pairs_with_own of scene.h
+    for (int pair_i = 0; pair_i < *pairs.count; ++pair_i) {
+        const BodyPair pair = pairs.pairs[pair_i];
+        if (search.has(pair.body_A, SearchFlag::searched) || search.has(pair.body_B, SearchFlag::searched)) pairs.pairs[kept++] = pair;
+    }
+    *pairs.count = static_cast<uint16_t>(kept);
 }
 
 void spread_notes(const ManifoldView& manifolds, const BodyPair* awake_pairs, int awake_count, ImpactNote* notes) {
     int awake_i = awake_count - 1;
-    for (int manifold_i = *manifolds.count - 1; manifold_i >= 0; --manifold_i) {  // bound: max_manifolds
-        const bool solved = awake_i >= 0 && awake_pairs[awake_i].key() == manifolds.pairs[manifold_i].key();
+    // bound: max_manifolds
+    for (int manifold_i = *manifolds.count - 1; manifold_i >= 0; --manifold_i) {
+        const bool solved = awake_i >= 0 && awake_pairs[awake_i].record == manifolds.pairs[manifold_i].record;
         write_note(notes[manifold_i], solved ? notes[awake_i--] : ImpactNote{});
     }
 }

@@ -4,24 +4,65 @@
 
 #include "../constraint/impact_note.h"
 #include "../narrow_phase/manifold_record.h"
-#include "../broad_phase/body_bounds.h"
+#include "../broad_phase/awake_search.h"
 #include "../island/awake_tiles.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// True when a step has nothing to do for any body. The first step after a snapshot makes all bounds, for whoever wakes later.
-bool all_at_rest(const RestView& rest, const BoundsTile* bounds, int tile_count);
-
-/// The rules of the scene for pairs; and the manifold of two bodies at rest is kept as it is, or there still is none.
+/// The rules of the scene for pairs; and two shapes at rest, of which a step sees only sensors and who is in them, get no manifold.
 template <class Rules>
 struct RulesOfRest : Rules {
     RestView rest;
 
-    bool keeps(const BodyPair& pair) const { return !rest.is_active(pair.body_A) && !rest.is_active(pair.body_B); }
+    bool keeps(const BodyPair& pair) const { return !rest.is_active(rest.body_of(pair.body_A)) && !rest.is_active(rest.body_of(pair.body_B)); }
 };
 
-/// refresh_bounds for bodies that stir, and after a snapshot for all; the others have theirs.
-bool refresh_active_bounds(const BodyView& bodies, const SurfaceView& surfaces, scalar h, const RestView& rest, BoundsTile* bounds);
+/// Sensors of a scene that has some, by shape slot: they note in every step who is in them, so their pairs are always looked at.
+using SensorMarks = const uint8_t*;
+
+/// Bounds of all shapes, for the first step after a world began or was loaded: those of active bodies and sensors are searched for.
+void make_all_bounds(const SearchView& search, const RestView& rest, SensorMarks is_sensor, scalar h);
+
+/// Bounds of the shapes of active bodies; the others have theirs. Those that are searched for anew, because they left their fat AABB or were not searched
+/// for in the step before, have a new fat AABB, and are due: due[0 .. count), where due is not null.
+/// Returns: how many. Cost: about 40 flops a shape of an active body.
+int refresh_active_bounds(const SearchView& search, const RestView& rest, scalar h, uint32_t* due);
+
+/// The bodies that were settling are at rest, but for those that are awake again: their shapes are searched for no more.
+/// True when there were some.
+bool end_settling(const SearchView& search, const RestView& rest, SensorMarks is_sensor);
+
+/// Pairs that are searched for no more leave the list.
+void drop_resting_pairs(const SearchView& search, const PairList& pairs);
+
+/// The manifolds of bodies that rest are put aside, to come back when their island wakes. told(pair) hears of each, in their order.
+/// Cost: a walk along the manifolds of the step.
+template <class Told>
+void put_manifolds_aside(const BodyView& bodies, const RestView& rest, const ManifoldView& manifolds, const Told& told) {
+    int kept = 0;
+    // bound: max_manifolds
+    for (int manifold_i = 0; manifold_i < *manifolds.count; ++manifold_i) {
+        const BodyPair pair = manifolds.pairs[manifold_i];
+        const int A = rest.body_of(pair.body_A), B = rest.body_of(pair.body_B), body = is_dynamic(bodies, A) ? A : B;
+        if (rest.is_active(A) || rest.is_active(B) || !is_dynamic(bodies, body)) {
+            manifolds.pairs[kept++] = pair;
+            continue;
+        }
+        told(pair);
+        const int root = rest.root(body), first = rest.aside[root];
+        const uint16_t here = static_cast<uint16_t>(pair.record + 1);
+        BodyPair& aside = rest.pairs_aside[pair.record];
+        aside = {pair.body_A, pair.body_B, here};
+        if (first == 0) {
+            rest.aside[root] = here;
+        } else {
+            aside.record = rest.pairs_aside[first - 1].record;
+            rest.pairs_aside[first - 1].record = here;
+        }
+        ++*rest.aside_count;
+    }
+    *manifolds.count = static_cast<uint16_t>(kept);
+}
 
 /// Notes of the pairs that a step has solved, from the order of those to that of all manifolds, in place. The others have nothing to tell.
 void spread_notes(const ManifoldView& manifolds, const BodyPair* awake_pairs, int awake_count, ImpactNote* notes);

@@ -3,78 +3,100 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
+namespace {
+
+/// One body, and no other of its island. A rotation that keeps the energy of its flight begins a new flight.
 void wake_body(const BodyView& bodies, const RestView& rest, int slot) {
-    RestView::set(rest.awake, slot);
+    rest.wake(slot);
     rest.rest_time[slot] = 0;
     uint16_t& kicked = bodies.rotation[place_of(slot).tile].kicked;
     kicked = static_cast<uint16_t>(kicked | 1u << place_of(slot).lane);
 }
 
-void begin_awake(const RestView& rest, int slot) {
-    RestView::set(rest.awake, slot);
-    rest.rest_time[slot] = 0;
-    rest.parent[slot] = static_cast<uint16_t>(slot);
+/// The manifolds of an island that were put aside are manifolds of the step again.
+void bring_back(const RestView& rest, const ManifoldView& manifolds, int root) {
+    const int first = rest.aside[root];
+    // bound: max_manifolds: a ring of records, which ends where it began
+    for (int at = first; at != 0;) {
+        BodyPair& pair = rest.pairs_aside[at - 1];
+        const int next = pair.record;
+        manifolds.pairs[(*manifolds.count)++] = {pair.body_A, pair.body_B, static_cast<uint16_t>(at - 1)};
+        --*rest.aside_count;
+        pair = {};
+        at = next == first ? 0 : next;
+    }
+    rest.aside[root] = 0;
 }
 
-void wake_island(const BodyView& bodies, const RestView& rest, int slot) {
+}  // namespace
+
+void begin_awake(const RestView& rest, int slot) {
+    rest.wake(slot);
+    rest.rest_time[slot] = 0;
+    rest.make_alone(slot);
+}
+
+void wake_island(const BodyView& bodies, const RestView& rest, const ManifoldView& manifolds, int slot) {
     if (rest.is_awake(slot)) {
         rest.rest_time[slot] = 0;
         return;
     }
-    const int island = rest.root(slot);
-    // bound: max_bodies, rounded up to whole tiles
-    for (int other = 0; other < bodies.tile_count * lanes; ++other)
-        if (is_dynamic(bodies, other) && !rest.is_awake(other) && rest.root(other) == island) wake_body(bodies, rest, other);
+    bring_back(rest, manifolds, rest.root(slot));
+    int other = slot;
+    // bound: max_bodies: a ring of bodies, which ends where it began
+    do {
+        if (!rest.is_awake(other)) wake_body(bodies, rest, other);
+        other = rest.next_body[other];
+    } while (other != slot);
 }
 
 void wake_touching(const BodyView& bodies, const RestView& rest, const ManifoldView& manifolds, int slot) {
-    if (is_dynamic(bodies, slot)) return wake_island(bodies, rest, slot);
-    RestView::set(rest.awake, slot);
-    for (int manifold_i = 0; manifold_i < *manifolds.count; ++manifold_i) {  // bound: max_manifolds
-        const BodyPair& pair = manifolds.pairs[manifold_i];
-        if (pair.body_A != slot && pair.body_B != slot) continue;
-        const int other = pair.body_A == slot ? pair.body_B : pair.body_A;
-        if (is_dynamic(bodies, other)) wake_island(bodies, rest, other);
-    }
+    if (is_dynamic(bodies, slot)) return wake_island(bodies, rest, manifolds, slot);
+    rest.wake(slot);
+    const auto wake_partner = [&](const BodyPair& pair) {
+        const int A = rest.body_of(pair.body_A), B = rest.body_of(pair.body_B), other = A == slot ? B : A;
+        if ((A == slot || B == slot) && is_dynamic(bodies, other)) wake_island(bodies, rest, manifolds, other);
+    };
+    const int in_step = *manifolds.count;  // those that come back are behind them, and their bodies are awake
+    // bound: max_manifolds
+    for (int manifold_i = 0; manifold_i < in_step; ++manifold_i) wake_partner(manifolds.pairs[manifold_i]);
+    // bound: max_manifolds: record_i grows each turn
+    for (int record_i = 0; record_i < *manifolds.records_used && *rest.aside_count != 0; ++record_i) wake_partner(rest.pairs_aside[record_i]);
 }
 
 void wake_touching_and_leave(const BodyView& bodies, const RestView& rest, const ManifoldView& manifolds, int slot) {
     wake_touching(bodies, rest, manifolds, slot);
-    RestView::clear(rest.awake, slot);
-    RestView::set(rest.settling, slot);  // the next step learns that the slot is empty
+    rest.settle(slot);
     rest.rest_time[slot] = 0;
 }
 
-void wake_all(const BodyView& bodies, const RestView& rest) {
-    for (int slot = 0; slot < bodies.tile_count * lanes; ++slot)
-        if (is_dynamic(bodies, slot)) wake_body(bodies, rest, slot);
+void wake_all(const BodyView& bodies, const RestView& rest, const ManifoldView& manifolds) {
+    // bound: max_bodies, rounded up to whole tiles
+    for (int slot = 0; slot < bodies.tile_count * lanes; ++slot) {
+        if (!is_dynamic(bodies, slot)) continue;
+        wake_island(bodies, rest, manifolds, slot);
+        wake_body(bodies, rest, slot);
+    }
 }
 
 void wake_met_islands(const BodyView& bodies, const RestView& rest, const ManifoldView& manifolds) {
-    bool some_met = false;
-    const auto sleeper_met = [&](const BodyPair& pair) -> int {
-        const bool A_awake = rest.is_awake(pair.body_A);
-        return A_awake == rest.is_awake(pair.body_B) ? -1 : A_awake ? pair.body_B : pair.body_A;
-    };
-    for (int manifold_i = 0; manifold_i < *manifolds.count; ++manifold_i) {
-        const int met = sleeper_met(manifolds.pairs[manifold_i]);
-        if (met < 0 || !is_dynamic(bodies, met)) continue;
-        if (!some_met)
-            for (int slot = 0; slot < bodies.tile_count * lanes; ++slot) rest.marks[slot] = 0;
-        some_met = true;
-        rest.marks[rest.root(met)] = 1;
+    const int in_step = *manifolds.count;
+    for (int manifold_i = 0; manifold_i < in_step; ++manifold_i) {
+        const int A = rest.body_of(manifolds.pairs[manifold_i].body_A), B = rest.body_of(manifolds.pairs[manifold_i].body_B);
+        if (rest.is_awake(A) == rest.is_awake(B)) continue;
+        const int met = rest.is_awake(A) ? B : A;
+        if (is_dynamic(bodies, met)) wake_island(bodies, rest, manifolds, met);
     }
-    if (!some_met) return;
-    for (int slot = 0; slot < bodies.tile_count * lanes; ++slot)
-        if (is_dynamic(bodies, slot) && !rest.is_awake(slot) && rest.marks[rest.root(slot)] != 0) wake_body(bodies, rest, slot);
 }
 
 void list_awake_pairs(const BodyView& bodies, const RestView& rest, const ManifoldView& manifolds, BodyPair* awake_pairs, uint16_t& count) {
     count = 0;
     const auto moves = [&](int slot) { return rest.is_awake(slot) && is_dynamic(bodies, slot); };
+    // bound: max_manifolds
     for (int manifold_i = 0; manifold_i < *manifolds.count; ++manifold_i) {
         const BodyPair& pair = manifolds.pairs[manifold_i];
-        if (moves(pair.body_A) || moves(pair.body_B)) awake_pairs[count++] = pair;
+        const int A = rest.body_of(pair.body_A), B = rest.body_of(pair.body_B);
+        if (moves(A) || moves(B)) awake_pairs[count++] = {static_cast<uint16_t>(A), static_cast<uint16_t>(B), pair.record};
     }
 }
 

@@ -194,9 +194,10 @@ void write_body(ByteWriter& writer, const Storage<S>& storage, int slot) {
 template <class S>
 void write_manifolds([[maybe_unused]] ByteWriter& writer, [[maybe_unused]] const Storage<S>& storage) {
     if constexpr (stacks<S>) {
-        uint16_t count = storage.manifold_count;
+        uint16_t count = static_cast<uint16_t>(saved_manifold_count(storage));
         writer(count);
-        for (int pair_i = 0; pair_i < count; ++pair_i) write_numbers<OfManifold>(writer, storage, storage.pairs[pair_i]);
+        for_manifolds(storage, writer.next(), saved_size<OfManifold, S>(),
+                      [&writer, &storage](const BodyPair& pair) { write_numbers<OfManifold>(writer, storage, pair); });
     }
 }
 
@@ -220,9 +221,9 @@ void write_lists(ByteWriter& writer, const Storage<S>& storage) {
 /// Bytes of the snapshot of a world as it is.
 template <class S>
 size_t snapshot_size_of(const Storage<S>& storage) {
-    size_t manifold_count = 0, living = 0, shape_count = 0;
-    if constexpr (stacks<S>) manifold_count = storage.manifold_count;
-    for (int slot = 0; slot < storage.slots_used; ++slot) {
+    const size_t manifold_count = static_cast<size_t>(saved_manifold_count(storage));
+    size_t living = 0, shape_count = 0;
+    for (int slot = 0; slot < storage.slots_used; ++slot) {  // bound: max_bodies
         if (!storage.lives(slot)) continue;
         ++living;
         shape_count += static_cast<size_t>(shape_count_of(storage, slot));

@@ -120,7 +120,7 @@ private:
 /// Bits of SnapshotHeader::parts that the records below look at. The others stand at their features.
 struct SnapshotPart {
     static constexpr uint32_t doubles = 1, translation = 2, compensation = 4, energy = 8, manifolds = 64, anchors = 128;
-    static constexpr uint32_t pointwise = 1u << 18;  ///< manifolds are solved point by point: friction has no slow mean
+    static constexpr uint32_t pointwise = 1u << 20;  ///< manifolds are solved point by point: friction has no slow mean
 };
 
 /// What comes first in a snapshot, whatever its scene.
@@ -255,6 +255,21 @@ struct SavedManifold {
         each("margin", anchors.margin);
     }
 };
+
+/// A pair in bytes, to be sorted where the snapshot is written.
+struct PairBytes {
+    uint8_t bytes[6];
+
+    uint32_t key() const { return static_cast<uint32_t>(bytes[0]) << 24 | static_cast<uint32_t>(bytes[1]) << 16 | bytes[2] * 256u | bytes[3]; }
+    BodyPair pair() const {
+        return {static_cast<uint16_t>(key() >> 16), static_cast<uint16_t>(key() & 0xffffu), static_cast<uint16_t>(bytes[4] * 256 + bytes[5])};
+    }
+};
+constexpr PairBytes bytes_of(const BodyPair& pair) {
+    const auto high = [](uint16_t number) { return static_cast<uint8_t>(number >> 8); };
+    const auto low = [](uint16_t number) { return static_cast<uint8_t>(number & 0xffu); };
+    return {{high(pair.body_A), low(pair.body_A), high(pair.body_B), low(pair.body_B), high(pair.record), low(pair.record)}};
+}
 
 /// 64 bits. A change within the eight bytes of one round, so of any one byte, always changes it: each round maps both what came
 /// before and its eight bytes one to one. Cost: a multiplication for eight bytes.

@@ -40,17 +40,30 @@ bool accepts_step(Step<S>& now) {
     return now.report.status == Status::ok;
 }
 
+/// Another field is felt by all bodies. Its numbers are compared, not who asked for them: to read them wakes nobody.
+template <class S>
+void notice_field([[maybe_unused]] Step<S>& now) {
+    if constexpr (has_field<S> && S::sleeps) {
+        auto& storage = now.storage;
+        if (SteadyField::changed(storage))
+            wake_by(storage, [&](const ManifoldView& manifolds) { wake_all(now.bodies, storage.rest_view(), manifolds); });
+        storage.field_changed = 0;
+        __builtin_memcpy(static_cast<void*>(&storage.field_before), static_cast<const void*>(&storage.field), sizeof storage.field);
+    }
+}
+
 /// True where nothing moves: the step is counted, and leaves the world as it was.
 template <class S>
 bool passes_asleep([[maybe_unused]] Step<S>& now) {
     if constexpr (S::sleeps) {
         auto& storage = now.storage;
-        if (!all_at_rest(storage.rest_view(), storage.bounds, now.bodies.tile_count)) return false;
+        notice_field(now);
+        // Pairs that were lost are searched for again, without those that rest by now.
+        if (storage.rest_view().active.any() || storage.bounds_are_made == 0 || storage.pairs_lost != 0) return false;
         if constexpr (has_events<S>) (void)storage.begin_events(now.report);
         (void)storage.h_changes_to(now.h);
-        count(now.report.contacts, storage.manifold_count);
-        count(now.report.contacts_lost, storage.pairs_lost);
-        count(now.report.pairs_lost, storage.pairs_lost);
+        count(now.report.contacts, storage.aside_count);
+        if constexpr (has_field<S>) storage.advance_time(now.h);
         ++storage.steps;
         return true;
     }
@@ -60,16 +73,49 @@ bool passes_asleep([[maybe_unused]] Step<S>& now) {
 /// Shapes of bodies that have several go where their bodies are.
 template <class S>
 void place_shapes([[maybe_unused]] Step<S>& now) {
-    if constexpr (has_compounds<S>) now.storage.place_all_shapes();
+    if constexpr (has_compounds<S> && S::sleeps)
+        now.storage.place_active_shapes();
+    else if constexpr (has_compounds<S>)
+        now.storage.place_all_shapes();
 }
 
-/// True when a body has left its fat AABB.
+/// The search in scenes whose bodies sleep: it looks at what is active, and the first one after a world began or was loaded at all. True when the
+/// list has changed.
 template <class S>
-bool refresh_bounds(Step<S>& now, const BodyView& shapes) {
-    if constexpr (S::sleeps)
-        return refresh_active_bounds(shapes, now.storage.surface_view(), now.h, now.storage.rest_view(), now.storage.bounds);
-    else
-        return refresh_bounds(shapes, now.storage.surface_view(), now.h, now.storage.bounds);
+bool search_awake(Step<S>& now, const PairList& pairs) {
+    auto& storage = now.storage;
+    const SearchView search = storage.search_view();
+    const RestView rest = storage.rest_view();
+    bool changed = *pairs.lost > 0;
+    if (storage.bounds_are_made == 0) {
+        make_all_bounds(search, rest, storage.sensor_marks(), now.h);
+        storage.find_awake_pairs(search, pairs);
+        storage.bounds_are_made = 1;
+        changed = true;
+    } else if (const int due = refresh_active_bounds(search, rest, now.h, storage.due_shapes()); due > 0) {
+        if (!changed) storage.find_due_pairs(search, due, pairs);
+        changed = true;
+    }
+    if (*pairs.lost > 0) {
+        shrink_bounds(search.shapes, search.bounds);
+        storage.find_awake_pairs(search, pairs);
+    }
+    return changed;
+}
+
+/// The search in scenes where nothing sleeps. True when the list has changed.
+template <class S>
+bool search_all(Step<S>& now, const PairList& pairs) {
+    auto& storage = now.storage;
+    const BodyView shapes = storage.shapes();
+    const bool left = refresh_bounds(shapes, storage.surface_view(), now.h, storage.bounds);
+    if (left) storage.find_pairs(shapes, storage.bounds, pairs);
+    const bool crowded = *pairs.lost > 0;
+    if (crowded) {
+        shrink_bounds(shapes, storage.bounds);
+        storage.find_pairs(shapes, storage.bounds, pairs);
+    }
+    return left || crowded;
 }
 
 /// Bounds of the step, and the pairs that may touch in it.
@@ -80,16 +126,13 @@ template <class S>
 void find_pairs([[maybe_unused]] Step<S>& now) {
     if constexpr (stacks<S>) {
         auto& storage = now.storage;
-        const BodyView shapes = storage.shapes();
         const PairList pairs = storage.pair_list();
-        const bool left = refresh_bounds(now, shapes);
-        if (left) storage.find_pairs(shapes, storage.bounds, pairs);
-        const bool crowded = *pairs.lost > 0;
-        if (crowded) {
-            shrink_bounds(shapes, storage.bounds);
-            storage.find_pairs(shapes, storage.bounds, pairs);
-        }
-        if (!left && !crowded) return;
+        bool changed = false;
+        if constexpr (S::sleeps)
+            changed = search_awake(now, pairs);
+        else
+            changed = search_all(now, pairs);
+        if (!changed) return;
         if constexpr (has_compounds<S>) drop_pairs_of_one_body<S::max_shapes_of_body>(pairs);
         match_records(storage.manifold_view(), pairs);
     }
@@ -116,7 +159,10 @@ void find_manifolds([[maybe_unused]] Step<S>& now) {
                                                              storage.pair_rules(now.report), storage.pair_list(), manifolds, now.report,
                                                              fast_pairs_of(now));
         count(now.report.pairs_lost, storage.pairs_lost);
-        if constexpr (has_compounds<S>) name_bodies<S::max_shapes_of_body>(manifolds, storage.body_pairs);
+        if constexpr (S::sleeps)
+            count(now.report.contacts, storage.aside_count);
+        else if constexpr (has_compounds<S>)
+            name_bodies<S::max_shapes_of_body>(manifolds, storage.body_pairs);
     }
 }
 
@@ -126,11 +172,12 @@ void wake_islands([[maybe_unused]] Step<S>& now) {
     if constexpr (S::sleeps) {
         auto& storage = now.storage;
         const RestView rest = storage.rest_view();
-        const ManifoldView manifolds = storage.manifolds_of_bodies();
+        const ManifoldView manifolds = storage.manifold_view();
+        const int in_step = *manifolds.count;
         join_islands(now.bodies, rest, manifolds);
-        // bound: max_bodies / lanes, rounded up
-        for (int tile_i = 0; tile_i < now.bodies.tile_count; ++tile_i) rest.settling[tile_i] = 0;
         wake_met_islands(now.bodies, rest, manifolds);
+        sort_in_woken(storage, in_step);
+        if (end_settling(storage.search_view(), rest, storage.sensor_marks())) drop_resting_pairs(storage.search_view(), storage.pair_list());
         list_awake_pairs(now.bodies, rest, manifolds, storage.awake_pairs, storage.awake_pair_count);
     }
 }
@@ -176,7 +223,8 @@ void follow_fast_bodies([[maybe_unused]] Step<S>& now) {
 template <class S>
 void fall_asleep([[maybe_unused]] Step<S>& now) {
     if constexpr (S::sleeps)
-        fall_asleep(now.bodies, now.storage.surface_view(), now.storage.gravity, now.h, {S::sleep_speed, S::sleep_time}, now.storage.rest_view());
+        fall_asleep(now.bodies, now.storage.surface_view(), now.storage.gravity, now.h, {S::sleep_speed, S::sleep_time}, now.storage.rest_view(),
+                    now.storage.pull_of_bodies());
 }
 
 /// Ends, then begins, then hits, each in the order of slots: when the array is full, those that come later in this order are lost.
@@ -201,24 +249,48 @@ void tell_events([[maybe_unused]] Step<S>& now) {
     }
 }
 
+/// What rests is put aside: no step looks at it until it wakes.
+template <class S>
+void put_aside([[maybe_unused]] Step<S>& now) {
+    if constexpr (S::sleeps) put_aside(now.storage);
+}
+
 /// A body that froze cannot move any more: pairs are searched for anew, without those of which neither can. The compliance of such a pair is zero.
 template <class S>
 void invalidate_frozen_bounds([[maybe_unused]] Step<S>& now) {
-    if constexpr (stacks<S>)
+    if constexpr (S::sleeps)
+        for_active(now.storage.rest_view(), [&now](int slot) {
+            // bound: max_shapes_of_body
+            for (int shape_slot = slot * S::max_shapes_of_body; shape_slot < (slot + 1) * S::max_shapes_of_body; ++shape_slot)
+                if (is_frozen(now.bodies, slot)) invalidate_bounds(now.storage.bounds, shape_slot);
+        });
+    else if constexpr (stacks<S>)
         // bound: max_bodies max_shapes_of_body
         for (int slot = 0; slot < now.storage.slots_used * S::max_shapes_of_body; ++slot)
             if (is_frozen(now.bodies, slot / S::max_shapes_of_body)) invalidate_bounds(now.storage.bounds, slot);
+}
+
+/// Calls a stage for the bodies that a step may have changed: all, or the tiles of those that are active.
+template <class S, class Stage>
+INGOT_INLINE void over_active(Step<S>& now, const Stage& stage) {
+    if constexpr (S::sleeps)
+        over_active_tiles(now.bodies, now.storage.rest_view(), stage);
+    else
+        stage(now.bodies);
 }
 
 /// The forces of the step are over. Bodies that it drove out of range stand still from now on.
 template <class S>
 void freeze_bad_bodies(Step<S>& now) {
     if constexpr (S::rotation::as_printed || flies_in_field<S>) mark_runaway_spins(now.bodies);
-    clear_forces(now.bodies);
-    if (!any_bad_bodies(now.bodies)) return;
-    const int frozen = freeze_bad_bodies(now.bodies);
+    int frozen = 0;
+    over_active(now, [&frozen](const BodyView& some) {
+        clear_forces(some);
+        if (any_bad_bodies(some)) frozen += freeze_bad_bodies(some);
+    });
+    if (frozen == 0) return;
     count(now.report.bodies_frozen, frozen);
-    if (frozen > 0) invalidate_frozen_bounds(now);
+    invalidate_frozen_bounds(now);
 }
 
 /// Time has passed, and queries find shapes where their bodies are now.

@@ -28,6 +28,7 @@ StepReport step(World<S>& world, scalar h) {
     follow_fast_bodies(now);         // impacts within the step
     fall_asleep(now);
     tell_events(now);
+    put_aside(now);                  // what rests: no step looks at it until it wakes
     freeze_bad_bodies(now);
     return finish_step(now);
 }

@@ -32,7 +32,7 @@ struct Storage : Features::Memory<S> {
     auto pair_rules(StepReport& report) {
         using Rules = PairRules<decltype(this->filter_view()), decltype(this->sensor_view(generation, report))>;
         if constexpr (S::sleeps)
-            return RulesOfRest<Rules>{{this->filter_view(), this->sensor_view(generation, report)}, this->rest_view()};
+            return RulesOfRest<Rules>{{this->filter_view(), this->sensor_view(this->generation_of_shapes(generation), report)}, this->rest_view()};
         else
             return Rules{this->filter_view(), this->sensor_view(this->generation_of_shapes(generation), report)};
     }
@@ -46,6 +46,15 @@ struct Storage : Features::Memory<S> {
     void place_all_shapes() {
         // bound: max_bodies
         for (int slot = 0; slot < slots_used; ++slot) place_shapes(bodies(), compound_view(), slot);
+    }
+    /// The same for those of bodies that are awake or settling.
+    void place_active_shapes() {
+        for_active(this->rest_view(), [this](int slot) { place_shapes(bodies(), compound_view(), slot); });
+    }
+    SearchView search_view() { return {shapes(), surface_view(), this->bounds, this->search_flags}; }
+    SensorMarks sensor_marks() const {
+        if constexpr (has_sensors<S>) return this->is_sensor;
+        return nullptr;
     }
     /// Contacts of the step by the slots of bodies.
     ManifoldView manifolds_of_bodies() {

@@ -140,7 +140,7 @@ public:
         if constexpr (has_compounds<S>) {
             const Status status = slot.ok() ? write_state(storage_.bodies(), slot.value, state) : slot.status;
             if (status == Status::ok) place_shapes(storage_.bodies(), storage_.compound_view(), slot.value);
-            return status;
+            return slot.ok() ? touched(slot.value, status) : status;
         }
         return slot.ok() ? touched(slot.value, write_state(storage_.bodies(), slot.value, state)) : slot.status;
     }
@@ -233,7 +233,8 @@ public:
         static_assert(translation_only());
         const Status status = check_vector(gravity, limits::gravity_max);
         if constexpr (S::sleeps)
-            if (status == Status::ok && !same(storage_.gravity, gravity)) wake_all(storage_.bodies(), storage_.rest_view());
+            if (status == Status::ok && !same(storage_.gravity, gravity))
+                wake_by(storage_, [this](const ManifoldView& manifolds) { wake_all(storage_.bodies(), storage_.rest_view(), manifolds); });
         if (status == Status::ok) storage_.gravity = gravity + Vector{};
         return status;
     }
@@ -382,14 +383,15 @@ private:
         if constexpr (has_compounds<S>) begin_shape_slots(slot);
         if (slot % lanes != 0) return;
         for (int lane_i = 0; lane_i < lanes; ++lane_i) set_identity_body(storage_.bodies(), slot + lane_i);
+        if constexpr (S::sleeps && !has_compounds<S>) empty_bounds(storage_, slot, slot + lanes - 1);
     }
     /// The same for the slots of its shapes.
     void begin_shape_slots(int slot) {
         const int first = slot * S::max_shapes_of_body, last = first + S::max_shapes_of_body - 1;
         // bound: max_shapes_of_body and lanes
         for (int shape_slot = first; shape_slot <= last / lanes * lanes + lanes - 1; ++shape_slot) set_identity_body(storage_.shapes(), shape_slot);
+        if constexpr (S::sleeps) empty_bounds(storage_, first, last / lanes * lanes + lanes - 1);
     }
-
 };
 
 } }  // namespace ingot

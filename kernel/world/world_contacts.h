@@ -155,7 +155,8 @@ public:
     Status wake(BodyId id) {
         static_assert(sleep_only());
         const Result<int> slot = find_movable(id);
-        if (slot.ok()) wake_island(storage_.bodies(), storage_.rest_view(), slot.value);
+        if (slot.ok())
+            wake_by(storage_, [&](const ManifoldView& manifolds) { wake_island(storage_.bodies(), storage_.rest_view(), manifolds, slot.value); });
         return slot.status;
     }
     /// Takes a body for one that was at rest for Scene::sleep_time: its island need not wait for it, and falls asleep in the next step if all of it

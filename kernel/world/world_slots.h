@@ -61,7 +61,8 @@ protected:
     /// Passes on the answer of a call, which wakes what sleeps where it did something.
     Status touched([[maybe_unused]] int slot, Status status) {
         if constexpr (S::sleeps)
-            if (status == Status::ok) wake_touching(storage_.bodies(), storage_.rest_view(), storage_.manifold_view(), slot);
+            if (status == Status::ok)
+                wake_by(storage_, [&](const ManifoldView& manifolds) { wake_touching(storage_.bodies(), storage_.rest_view(), manifolds, slot); });
         return status;
     }
     bool sleeps_in(int slot) const { return is_dynamic(storage_.bodies(), slot) && !storage_.is_awake(slot); }

@@ -3,6 +3,7 @@
 
 #include "../sweeps/swept_contacts.h"
 #include "choose_islands.h"
+#include "island_rows.h"
 #include "solve_directly.h"
 
 namespace ingot { inline namespace INGOT_ABI {

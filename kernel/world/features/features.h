@@ -14,7 +14,7 @@ namespace ingot { inline namespace INGOT_ABI {
 
 using Features = FeatureList<Rotation, Translation, Compensation, EnergyReturn, FieldOfForce, Surfaces, Compounds, Impacts, Manifolds, Unsettled,
                              RollingResistance, Belts, Filters, Sensors, Continuous, Events, ToldEvents, Sleep,
-                             GravityShares>;
+                             GravityShares, TouchAside, SteadyField>;
 
 static_assert(Features::bits_differ(SnapshotPart::doubles | SnapshotPart::anchors | SnapshotPart::pointwise));  // of a snapshot's parts
 

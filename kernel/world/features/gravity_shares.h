@@ -2,6 +2,7 @@
 // Bodies that feel more or less of gravity than others: what floats, falls slowly, or rises.
 #pragma once
 
+#include "../../island/rest_view.h"
 #include "../../motion/gravity_shares.h"
 #include "motion.h"
 
@@ -42,7 +43,11 @@ struct GravityShares : Feature {
     }
     template <class S>
     static void sum_forces(Storage<S>& storage, scalar) {
-        add_gravity_shares(storage.bodies(), storage.gravity, storage.shares_of_gravity, storage.slots_used);
+        const BodyView bodies = storage.bodies();
+        if constexpr (S::sleeps)
+            for_awake(storage.rest_view(), [&](int slot) { add_gravity_share(bodies, storage.gravity, storage.shares_of_gravity, slot); });
+        else
+            add_gravity_shares(bodies, storage.gravity, storage.shares_of_gravity, storage.slots_used);
     }
 
     struct OfBody : NoNumbers {

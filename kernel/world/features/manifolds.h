@@ -34,10 +34,14 @@ struct AnchorPart<S, false> {
 template <class S>
 inline constexpr unsigned block_capacity_of = (static_cast<unsigned>(S::max_manifolds) + lanes - 1) / lanes;
 
+template <class S, bool sleeps>
+struct BroadPhasePart : S::broad_phase::template AwakeMemory<shape_capacity<S>, pair_capacity<S>> {};
+template <class S>
+struct BroadPhasePart<S, false> : S::broad_phase::template Memory<shape_capacity<S>, pair_capacity<S>> {};
+
 /// What other traits add to contacts.
 template <class S>
-struct ManifoldTraitsPart : AnchorPart<S, S::recycles_manifolds>, BodyPairPart<S, has_compounds<S>>,
-                            S::broad_phase::template Memory<shape_capacity<S>, pair_capacity<S>>,
+struct ManifoldTraitsPart : AnchorPart<S, S::recycles_manifolds>, BodyPairPart<S, has_compounds<S> && !S::sleeps>, BroadPhasePart<S, S::sleeps>,
                             S::solver::template Memory<S::max_bodies, S::max_manifolds, S::rolling_resistance> {};
 
 /// What a solver works in that solves manifolds as blocks. The light solver brings all it needs.

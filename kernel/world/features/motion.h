@@ -3,7 +3,9 @@
 // are checked together.
 #pragma once
 
+#include "../../island/rest_view.h"
 #include "../../motion/forced_flight.h"
+#include "../../sleep/fall_asleep.h"
 #include "feature.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -185,6 +187,60 @@ private:
 };
 
 /// Time, and the field. The field's own numbers are the user's: a snapshot writes them after those of the world.
+/// A field in which bodies sleep: its numbers are compared, not who asked for them.
+struct SteadyField : Feature {
+    static constexpr uint32_t part = 1u << 19;
+    template <class S>
+    static constexpr bool named = has_field<S> && S::sleeps;
+
+    template <class S, bool present>
+    struct Memory {
+        typename S::force_field field_before = {};                  ///< of the last step
+        scalar pull_sq[static_cast<unsigned>(S::max_bodies)] = {};  ///< (m s^-2)^2, of gravity and what the field and the user add, in this step
+        uint8_t field_changed = 0;                                  ///< since the last step of a world that was saved then
+
+        const scalar* pull_of_bodies() const { return pull_sq; }
+    };
+    template <class S>
+    struct Memory<S, false> {
+        static constexpr const scalar* pull_of_bodies() { return nullptr; }
+    };
+
+    template <class S>
+    static constexpr bool check() {
+        static_assert(!S::sleeps || !has_field<S> || S::force_field::is_steady,
+                      "bodies sleep in a force_field that does not change by itself: give it is_steady = true, or set sleeps = false");
+        return true;
+    }
+    /// True where the numbers of the field are not those of the last step.
+    template <class S>
+    static bool changed(const Storage<S>& storage) {
+        return storage.field_changed != 0 ||
+               (storage.bounds_are_made != 0 && __builtin_memcmp(&storage.field, &storage.field_before, sizeof storage.field) != 0);
+    }
+
+    struct OfWorld : NoNumbers {
+        uint8_t changed;  ///< what sleeps is to wake
+
+        template <class Each>
+        constexpr void numbers(Each& each, uint32_t) {
+            each("field_changed", changed);
+        }
+        template <class S>
+        void take(const Storage<S>& storage) {
+            changed = SteadyField::changed(storage) ? 1 : 0;
+        }
+        template <class S>
+        void put(Storage<S>& storage) const {
+            storage.field_changed = changed;
+        }
+        template <class S>
+        bool is_valid(const SavedWorld&) const {
+            return changed <= 1;
+        }
+    };
+};
+
 struct FieldOfForce : Feature {
     static constexpr uint32_t part = 16;
     template <class S>
@@ -229,7 +285,14 @@ struct FieldOfForce : Feature {
     /// Where no flight integrates the field.
     template <class S>
     static void sum_forces([[maybe_unused]] Storage<S>& storage, [[maybe_unused]] scalar h) {
-        if constexpr (!flies_in_field<S>)
+        if constexpr (S::sleeps) {
+            const RestView rest = storage.rest_view();
+            const BodyView bodies = storage.bodies();
+            rest.active.for_each([&](int tile_i) {
+                if (rest.awake[tile_i] != 0) add_field_forces_to(bodies, tile_i, storage.forcing(storage.gravity), h / 2);
+            });
+            note_pulls(bodies, rest, storage.gravity, storage.pull_sq);
+        } else if constexpr (!flies_in_field<S>)
             add_field_forces(storage.bodies(), storage.forcing(storage.gravity_or_none()), S::rotation::as_printed ? 0 : h / 2);
     }
 

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// How a box is put around one shape: for the stage that does so for all, and for the one that does for those that are awake.
+#pragma once
+
+#include "body_bounds.h"
+
+#include "../base/limits.h"
+#include "../body/auxiliary.h"
+#include "../math/sqrt.h"
+
+namespace ingot { inline namespace INGOT_ABI { namespace bounding {
+
+inline Vector absolute(const Vector& v) { return {abs(v.x), abs(v.y), abs(v.z)}; }
+
+/// Half extents along the world axes.
+inline Vector reach_of(const Surface& surface, const Matrix& A) {
+    const Vector& size = surface.shape.size;
+    const scalar R = size.x;  // of a ball, and of that which holds a hull
+    switch (surface.shape.kind) {
+        case ShapeKind::box: return absolute(A.c0) * size.x + absolute(A.c1) * size.y + absolute(A.c2) * size.z;
+        case ShapeKind::capsule: return absolute(A.c2) * size.y + Vector{size.x, size.x, size.x};
+        case ShapeKind::cylinder: {
+            const auto across = [](scalar c) { return sqrt(c * c < 1 ? 1 - c * c : scalar(0)); };
+            return absolute(A.c2) * size.y + Vector{across(A.c2.x), across(A.c2.y), across(A.c2.z)} * size.x;
+        }
+        default: return {R, R, R};
+    }
+}
+
+inline void set_bounds(BoundsTile& bounds, int lane_i, const Vector& low, const Vector& high) {
+    set_lane(bounds.low, lane_i, low);
+    set_lane(bounds.high, lane_i, high);
+}
+
+inline constexpr Vector everywhere = {limits::unbounded, limits::unbounded, limits::unbounded};
+inline constexpr Vector nowhere = everywhere * scalar(2);  ///< empty bounds begin there; so that not even a half space overlaps them
+
+/// A half space whose face lies along two of the axes ends there; any other is everywhere. It never moves.
+inline void bound_half_space(const BodyView& bodies, const Surface& surface, Place at, BoundsTile& tile) {
+    set_bounds(tile, at.lane, -everywhere, everywhere);
+    tile.spin_reach[at.lane] = 0;  // what was in the slot before may have spun
+    const Vector n = lane_of(bodies.rotation[at.tile].A, at.lane) * surface.shape.size, r = lane_of(bodies.translation[at.tile].r_CM, at.lane);
+    const scalar n_of[3] = {n.x, n.y, n.z}, r_of[3] = {r.x, r.y, r.z}, offset = surface.shape.offset;
+    for (int axis = 0; axis < 3; ++axis) {
+        const scalar along = n_of[axis], place = r_of[axis];
+        if (abs(along) != 1 || length_sq(n) != 1) continue;
+        const scalar slack = limits::contact_margin / 2 + 4 * epsilon * (abs(place) + abs(offset));
+        if (along > 0)
+            tile.high[axis][at.lane] = place + offset + slack;
+        else
+            tile.low[axis][at.lane] = place - offset - slack;
+    }
+}
+
+/// The box of one shape, and what its spin adds.
+inline void bound(const BodyView& bodies, const Surface& surface, Place at, scalar h, BoundsTile& tile) {
+    if (surface.shape.kind == ShapeKind::none) return set_bounds(tile, at.lane, nowhere, -nowhere);
+    if (surface.shape.kind == ShapeKind::half_space) return bound_half_space(bodies, surface, at, tile);
+    const Vector r = lane_of(bodies.translation[at.tile].r_CM, at.lane), v = lane_of(bodies.translation[at.tile].v_CM, at.lane);
+    const scalar turn = sqrt(length_sq(omega_of(bodies, at.tile * lanes + at.lane))) * h;
+    const scalar spin_reach = (turn < 2 ? turn : scalar(2)) * surface.bounding_radius;  // no point is further from where it was than the diameter
+    tile.spin_reach[at.lane] = spin_reach;
+    const scalar more = limits::contact_margin / 2 + spin_reach;
+    const Vector reach = reach_of(surface, lane_of(bodies.rotation[at.tile].A, at.lane)) * (1 + limits::flatness) + Vector{more, more, more};
+    const Vector travel = absolute(v) * h;
+    set_bounds(tile, at.lane, r - reach - travel, r + reach + travel);
+}
+
+/// Of the box: so it fits bodies of every size. It costs some pairs that do not touch and saves most searches.
+inline constexpr scalar skin_share = scalar(0.1);
+
+} } }  // namespace ingot::bounding
