@@ -31,7 +31,8 @@ void find_all_awake_pairs(const SearchView& search, const PairList& pairs) {
             mask overlap = splat<lane>(1) > lane{};
             const scalar low_of[3] = {low.x, low.y, low.z}, high_of[3] = {high.x, high.y, high.z};
             for (int axis = 0; axis < 3; ++axis)
-                overlap = both(overlap, both(load(B.fat_low[axis]) <= splat<lane>(high_of[axis]), splat<lane>(low_of[axis]) <= load(B.fat_high[axis])));
+                overlap =
+                    both(overlap, both(load(B.fat_low[axis]) <= splat<lane>(high_of[axis]), splat<lane>(low_of[axis]) <= load(B.fat_high[axis])));
             if (!any(overlap)) continue;
             found &= bits(A_moves ? overlap : both(overlap, load(search.shapes.translation[tile_B].inv_M) > lane{}));
             if (tile_B == A.tile) found &= ~((2u << A.lane) - 1u);

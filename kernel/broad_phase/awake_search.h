@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The search for pairs in scenes whose bodies sleep: only for shapes that are searched for, those of active bodies and sensors. Pairs of two that rest
+// The search for pairs in scenes whose bodies sleep: only for shapes that are searched for, those of active bodies and sensors. Pairs of two
+// that rest
 // are in no list; their manifolds, if they have some, are put aside (see island/rest_view.h).
 #pragma once
 

@@ -42,7 +42,8 @@ void find_pairs_by_tree(const BodyView& bodies, const BoundsTile* bounds, const 
 
 /// A tree that is kept over several steps, in scenes whose bodies sleep.
 ///
-/// A shape that left its fat AABB keeps its place in the order of the last sorting, and the boxes above it are made anew: it is then found wherever it
+/// A shape that left its fat AABB keeps its place in the order of the last sorting, and the boxes above it are made anew: it is then found
+/// wherever it
 /// is, but boxes grow. When many have left their places, the tree is built again. What a search finds does not depend on it.
 struct KeptTreeView {
     SortedTreeView sorted;

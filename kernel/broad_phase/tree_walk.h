@@ -23,7 +23,9 @@ inline TreeBox box_of(const BoundsTile* bounds, int slot) {
     return {lane_of(bounds[at.tile].fat_low, at.lane), lane_of(bounds[at.tile].fat_high, at.lane)};
 }
 /// What has no end on a side is not in the way of how the others are sorted: it counts as if it lay at the origin.
-inline scalar centre(scalar low, scalar high) { return low <= -limits::unbounded || high >= limits::unbounded ? scalar(0) : (low + high) * scalar(0.5); }
+inline scalar centre(scalar low, scalar high) {
+    return low <= -limits::unbounded || high >= limits::unbounded ? scalar(0) : (low + high) * scalar(0.5);
+}
 inline Vector centre_of(const TreeBox& box) { return {centre(box.low.x, box.high.x), centre(box.low.y, box.high.y), centre(box.low.z, box.high.z)}; }
 
 /// Spreads the bits of a coordinate to every third place.

@@ -43,7 +43,8 @@ void put_cubes(ingot::World<S>& world, int across, int along, int high, scalar a
     for (int y = 0; y < along; ++y)
         for (int x = 0; x < across; ++x)
             for (int z = 0; z < high; ++z)
-                put_asleep(world, unit_cube({static_cast<scalar>(x) * apart, static_cast<scalar>(y) * apart, static_cast<scalar>(z) + scalar(0.5)}, mu));
+                put_asleep(world,
+                           unit_cube({static_cast<scalar>(x) * apart, static_cast<scalar>(y) * apart, static_cast<scalar>(z) + scalar(0.5)}, mu));
 }
 template <class S>
 void roll_ball(ingot::World<S>& world, scalar x, scalar y) {
@@ -87,7 +88,7 @@ int main(int argc, char** argv) {
 
     for (int step_i = 0; step_i < 3; ++step_i) report = is_large ? ingot::step(most, display_rate_h) : ingot::step(thousands, display_rate_h);
     for (int step_i = 0; step_i < std::atoi(argv[2]); ++step_i) counted_step();
-    std::printf("contacts %d lost %d asleep %d of %d\n", report.contacts, report.contacts_lost, is_large ? most.asleep_count() : thousands.asleep_count(),
-                is_large ? most.body_count() : thousands.body_count());
+    std::printf("contacts %d lost %d asleep %d of %d\n", report.contacts, report.contacts_lost,
+                is_large ? most.asleep_count() : thousands.asleep_count(), is_large ? most.body_count() : thousands.body_count());
     return 0;
 }
