@@ -112,8 +112,8 @@ struct ListWithout {
 
     /// True when the pair was in the list. Needs: keys that rise from call to call.
     bool take(uint32_t key) {
-        while (from < *list.count && list.pairs[from].key() < key)
-            copy_item(list.pairs[kept++], list.pairs[from++]);  // bound: max_manifolds, in all calls
+        // bound: max_manifolds, in all calls
+        while (from < *list.count && list.pairs[from].key() < key) copy_item(list.pairs[kept++], list.pairs[from++]);
         const bool found = from < *list.count && list.pairs[from].key() == key;
         from += found ? 1 : 0;
         return found;
