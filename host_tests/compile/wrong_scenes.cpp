@@ -140,18 +140,8 @@ struct Wrong : ingot::Scene {
     static constexpr bool bounces = false;
     using solver = ingot::SequentialImpulses;
 #endif
-#ifdef POINT_SWEEPS_THAT_BOUNCE
-    static constexpr bool translates = true;
-    static constexpr int max_manifolds = 4;
-    using solver = ingot::SequentialImpulses;
-#endif
 #ifdef POINT_SWEEPS_OF_FAST_BODIES
     static constexpr bool translates = true, bounces = false, continuous = true;
-    static constexpr int max_manifolds = 4;
-    using solver = ingot::SequentialImpulses;
-#endif
-#ifdef POINT_SWEEPS_OF_BELTS
-    static constexpr bool translates = true, bounces = false, surface_velocities = true;
     static constexpr int max_manifolds = 4;
     using solver = ingot::SequentialImpulses;
 #endif
@@ -210,11 +200,6 @@ struct Wrong : ingot::Scene {
 #endif
 #ifdef BELTS_WITHOUT_CONTACTS
     static constexpr bool surface_velocities = true;
-#endif
-#ifdef ROLLING_SOLVED_DIRECTLY
-    static constexpr bool translates = true, rolling_resistance = true;
-    static constexpr int max_manifolds = 4;
-    using solver = ingot::HybridIslands<>;
 #endif
 #ifdef CONTINUOUS_BELTS
     static constexpr bool translates = true, surface_velocities = true, continuous = true;

@@ -15,6 +15,7 @@
 // Source: ITwoBodyConstraintFunctions of Bepu, with its rows named by the article's symbols.
 #pragma once
 
+#include "../base/if.h"
 #include "material_view.h"
 #include "visit.h"
 
@@ -54,24 +55,12 @@ struct Compose {
     }
 };
 
-template <bool named, class Part, class Else>
-struct Chosen {
-    using type = Part;
-};
-template <class Part, class Else>
-struct Chosen<false, Part, Else> {
-    using type = Else;
-};
-/// The part where the scene names it; else nothing.
-template <bool named, class Part, class Else = Compose<>>
-using If = typename Chosen<named, Part, Else>::type;
-
 /// The contact of a view. Solved: friction last, for what it holds is not to be moved by the others. Given again, numbered and shown:
 /// normals 0 .. 3, friction 4 and 5, torsion 6, rolling 7 and 8.
 template <class View>
 struct ContactConstraint {
     using Rubs = Friction<If<View::has_belts, MovingSurfaces, StillSurfaces>>;
-    using Rolls = If<View::rolls, Rolling>;
+    using Rolls = If<View::rolls, Rolling, Compose<>>;
     using Solved = Compose<Normals, Torsion, Rolls, Rubs>;
     using Given = Compose<Normals, Rubs, Torsion, Rolls>;
 };

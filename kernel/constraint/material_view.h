@@ -3,6 +3,7 @@
 // nothing of this is compiled in.
 #pragma once
 
+#include "../base/if.h"
 #include "belts.h"
 #include "rolling.h"
 #include "solver_view.h"
@@ -18,6 +19,8 @@ struct MaterialView : SolverView {
     BeltRows* belts;                ///< by block; null where the scene has none
     const Vector* belt_velocities;  ///< by record, m/s, world
 };
+template <bool rolls, bool has_belts>
+using MaterialViewOf = If<rolls || has_belts, MaterialView<rolls, has_belts>, SolverView>;
 using RollingView = MaterialView<true, false>;
 using BeltView = MaterialView<false, true>;
 using RollingBeltView = MaterialView<true, true>;

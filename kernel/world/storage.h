@@ -73,12 +73,15 @@ struct Storage : Features::Memory<S> {
     }
     /// What the contact solver works on; where surfaces have materials beside friction, with those of the pairs that touch now.
     auto contact_solver() {
-        if constexpr (has_materials<S>) {
-            MaterialView<S::rolling_resistance, S::surface_velocities> view{this->solver(), nullptr, nullptr, nullptr, nullptr};
+        if constexpr (has_materials<S> || (solves_pointwise<S> && S::bounces)) {
+            auto plain = this->solver();
+            typename S::solver::template View<S::rolling_resistance, S::surface_velocities, S::bounces> view{};
+            static_cast<decltype(plain)&>(view) = plain;
             this->mix_rolling(this->manifold_view());
             this->turn_belts(shapes(), this->manifold_view());
-            this->show_rolling(view.rolling, view.rolling_records);
-            this->show_belts(view.belts, view.belt_velocities);
+            this->show_rolling(view);
+            this->show_belts(view);
+            if constexpr (solves_pointwise<S>) this->show_landings(view);
             return view;
         } else {
             return this->solver();

@@ -31,10 +31,12 @@ template <class View, class Direct>
 wide_scalar work_of_belts(const View& solver, const Direct& island) {
     wide_scalar work = 0;
     for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
-        const DirectRow* const rows = island.rows + manifold_i * Direct::row_count;
-        for_impulses(solver, island.manifolds[manifold_i], [&](int number, scalar& j, scalar&) {
-            if (number >= friction_row && number < torsion_row) work += static_cast<wide_scalar>(j) * rows[number].target;
-        });
+        const ManifoldOf<Direct>& manifold = island.manifolds[manifold_i];
+        const FrictionRows& friction = solver.blocks[manifold.position / lanes].friction;
+        for (int axis = 0; axis < 2; ++axis)
+            if (has(manifold.rows, friction_row + axis))
+                work += static_cast<wide_scalar>(friction.j[axis][manifold.position % lanes]) *
+                        island.rows[manifold_i * Direct::row_count + friction_row + axis].target;
     }
     return work;
 }

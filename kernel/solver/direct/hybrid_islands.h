@@ -31,7 +31,10 @@ struct HybridIslands {
     static constexpr bool is_direct = true, is_pointwise = false;
     static constexpr int island_capacity = max_island, entries_per_row = entries_of_row;
 
-    template <int max_bodies, int max_manifolds, bool rolls = false>
+    template <bool rolls, bool has_belts, bool>
+    using View = MaterialViewOf<rolls, has_belts>;
+
+    template <int max_bodies, int max_manifolds, bool rolls = false, bool = true>
     struct Memory {
         static constexpr unsigned island = static_cast<unsigned>(max_island < max_manifolds ? max_island : max_manifolds);
         static constexpr unsigned rows = active_rows_of<rolls> * island, full = rows * (rows - 1) / 2;

@@ -39,15 +39,16 @@ scalar compliance_about_of(const PointBody& body, const Vector& n) {
 }  // namespace
 
 RelativeVelocity relative_motion(const PointPair& pair, MotionOfBody kind, const Vector& P) {
-    const PointMotion &A = pair.A.*kind, &B = pair.B.*kind;
     Vector linear = {0, 0, 0}, angular = {0, 0, 0};
-    if (pair.A.inv_M > 0) {
-        linear = A.linear + cross(A.angular, P - pair.A.r_CM);
-        angular = A.angular;
-    }
-    if (pair.B.inv_M > 0) {
-        linear -= B.linear + cross(B.angular, P - pair.B.r_CM);
-        angular -= B.angular;
+    const PointBody* const bodies[2] = {&pair.A, &pair.B};
+    scalar sign = 1;
+    for (const PointBody* body : bodies) {
+        if (body->inv_M > 0) {
+            const PointMotion& motion = body->*kind;
+            linear += (motion.linear + cross(motion.angular, P - body->r_CM)) * sign;
+            angular += motion.angular * sign;
+        }
+        sign = -1;
     }
     return {linear, angular};
 }

@@ -5,7 +5,9 @@
 // other at a point. Both are worked out in the visit, from r_CM and inv_I_world, and are the same for velocities and for displacements.
 #pragma once
 
+#include "../../base/if.h"
 #include "../../body/body_tiles.h"
+#include "../../constraint/surface_materials.h"
 #include "../../narrow_phase/manifold_record.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -49,6 +51,8 @@ struct PointContact {
 };
 
 struct PointView {
+    static constexpr bool rolls = false, has_belts = false, bounces = false;  ///< see PointViewOf
+
     const BodyPair* pairs;    ///< that touch, sorted by slots
     ManifoldRecord* records;  ///< of the pairs
     int manifold_count;
@@ -59,5 +63,30 @@ struct PointView {
     int slot_count;           ///< bodies looked at
     int member_count, body_count;
 };
+
+/// Of a manifold whose surfaces resist being rolled.
+struct PointRolling {
+    scalar K;     ///< kg^-1 m^-2, of turning across n: no less than 3/4 of the greatest; 0: not known yet
+    scalar size;  ///< m; what turns an angular velocity into a speed worth settling
+    Vector change, along;  ///< N m s, as in PointContact
+};
+/// Where points that bounce are at the end of the substep, m; limits::unbounded: they do not.
+struct PointLandings {
+    scalar at[Manifold::points_max];
+};
+
+/// What scenes add that name rolling resistance, surfaces that move, or restitution. The verbs of the light solver are templates over the view:
+/// of one without, nothing of this is compiled in.
+template <bool surfaces_roll, bool surfaces_move, bool bodies_bounce>
+struct PointMaterialView : PointView {
+    static constexpr bool rolls = surfaces_roll, has_belts = surfaces_move, bounces = bodies_bounce;
+
+    PointRolling* rolling;           ///< by place in pairs, as contacts
+    RollingRecord* rolling_records;  ///< by record
+    const Vector* belt_velocities;   ///< by record, m/s, world
+    PointLandings* landings;         ///< by place in pairs
+};
+template <bool rolls, bool has_belts, bool bounces>
+using PointViewOf = If<rolls || has_belts || bounces, PointMaterialView<rolls, has_belts, bounces>, PointView>;
 
 } }  // namespace ingot

@@ -6,6 +6,22 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
+/// What restitution adds.
+template <int max_manifolds, bool bounces>
+struct LandingPart {
+    PointLandings landings[static_cast<unsigned>(max_manifolds)] = {};
+
+    template <class View>
+    void show_landings(View& view) {
+        view.landings = landings;
+    }
+};
+template <int max_manifolds>
+struct LandingPart<max_manifolds, false> {
+    template <class View>
+    static void show_landings(View&) {}
+};
+
 /// `using solver = ingot::SequentialImpulses;`, for a few bodies on a small target: ten or twenty that stand, slide, roll, fall. Towers
 /// of ten sink by 0.04 mm, and 10 kg on three times 1 kg by 0.2; for more, or for restitution, there is BlockSweeps. Sweeps go point by
 /// point in scalar arithmetic, whatever `lanes` is. Nothing bounces: set bounces = false.
@@ -17,8 +33,11 @@ struct SequentialImpulses {
     static constexpr const char* name = "sequential_impulses";
     static constexpr bool is_direct = false, is_pointwise = true;
 
-    template <int max_bodies, int max_manifolds, bool rolls = false>
-    struct Memory {
+    template <bool rolls, bool has_belts, bool bounces>
+    using View = PointViewOf<rolls, has_belts, bounces>;
+
+    template <int max_bodies, int max_manifolds, bool = false, bool bounces = false>
+    struct Memory : LandingPart<max_manifolds, bounces> {
         PointBody point_bodies[static_cast<unsigned>((max_bodies + lanes - 1) / lanes * lanes)] = {};
         PointContact point_contacts[static_cast<unsigned>(max_manifolds)] = {};
 
@@ -27,8 +46,8 @@ struct SequentialImpulses {
         PointView solver_of(const BodyPair* pairs, ManifoldRecord* records, int manifold_count) {
             return {pairs, records, manifold_count, point_bodies, point_contacts, members, body_slots, 0, 0, 0};
         }
-        template <bool notes_impulses, bool>
-        void solve_contacts(PointView& solver, const ContactStep& step, StepReport& report) {
+        template <bool notes_impulses, bool, class View>
+        void solve_contacts(View& solver, const ContactStep& step, StepReport& report) {
             solve_sequentially<notes_impulses>(solver, step, report);
         }
     };

@@ -21,7 +21,10 @@ struct BlockSweeps {
     static constexpr const char* name = "block_sweeps";
     static constexpr bool is_direct = false, is_pointwise = false;
 
-    template <int max_bodies, int max_manifolds, bool rolls = false>
+    template <bool rolls, bool has_belts, bool>
+    using View = MaterialViewOf<rolls, has_belts>;
+
+    template <int max_bodies, int max_manifolds, bool rolls = false, bool = true>
     struct Memory {
         template <bool notes_impulses, bool bounces, class View>
         void solve_contacts(View& solver, const ContactStep& step, StepReport& report) {

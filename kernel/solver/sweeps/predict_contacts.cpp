@@ -14,14 +14,14 @@ namespace {
 /// are left alone.
 INGOT_RARE void predict_bounces_of(ContactBlock& block, const SolverView& solver, scalar h) {
     const BlockFlight flight = flight_of(solver, block);
-    const lane step = splat<lane>(h), half = splat<lane>(scalar(0.5)), e = load(block.e);
+    const lane step = splat<lane>(h), e = load(block.e);
     for (int row = 0; row < block.rows; ++row) {  // bound: 4: block_rows
-        const RowFlight& from = flight.row[row];
-        const RowImpact impact = impact_of(from, step);
+        const RowFlight<lane>& from = flight.row[row];
+        const RowImpact<lane> impact = impact_of(from, step);
         const mask bounces = both(bounces_off(impact, e), is_used(block, row)), flies = both(opposite(impact.meets), e > lane{});
-        const lane leaving = -e * impact.speed, rest = step - impact.when;
-        store(block.row[row].target, select(bounces, leaving + from.a * rest, select(flies, no_bound(from, step), load(block.row[row].target))));
-        store(block.row[row].landing, select(bounces, leaving * rest + from.a * rest * rest * half, splat<lane>(limits::unbounded)));
+        const RowLanding<lane> landing = landing_of(from, impact, e, step);
+        store(block.row[row].target, select(bounces, landing.speed, select(flies, no_bound(from, step), load(block.row[row].target))));
+        store(block.row[row].landing, select(bounces, landing.s, splat<lane>(limits::unbounded)));
     }
 }
 

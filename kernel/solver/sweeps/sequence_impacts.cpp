@@ -53,8 +53,8 @@ scalar next_impact(const SolverView& solver, ContactBlock& block, int lane_i, sc
     const BlockFlight flight = flight_of(solver, block);
     scalar first = no_impact;
     for (int row = 0; row < block.rows; ++row) {  // bound: 4: block_rows
-        const RowFlight from = flight_from(flight.row[row], splat<lane>(now));
-        const RowImpact impact = impact_of(from, splat<lane>(h - now));
+        const RowFlight<lane> from = flight_from(flight.row[row], splat<lane>(now));
+        const RowImpact<lane> impact = impact_of(from, splat<lane>(h - now));
         scalar when[lanes], target[lanes];
         const mask bounces = both(bounces_off(impact, load(block.e)), is_used(block, row));
         store(when, select(bounces, splat<lane>(now) + impact.when, splat<lane>(no_impact)));
@@ -139,7 +139,7 @@ scalar first_impact(const SolverView& solver, const Island& island) {
 void aim_at_rest(const SolverView& solver, ContactBlock& block, int lane_i, scalar h) {
     const BlockFlight flight = flight_of(solver, block);
     for (int row = 0; row < block.rows; ++row) {
-        const RowFlight& from = flight.row[row];
+        const RowFlight<lane>& from = flight.row[row];
         scalar target[lanes];
         store(target,
               select(meets(from, splat<lane>(h)), resting_target(from.s, splat<lane>(1 / h)), no_bound(from, splat<lane>(h))));

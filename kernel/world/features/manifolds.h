@@ -42,7 +42,7 @@ struct BroadPhasePart<S, false> : S::broad_phase::template Memory<shape_capacity
 /// What other traits add to contacts.
 template <class S>
 struct ManifoldTraitsPart : AnchorPart<S, S::recycles_manifolds>, BodyPairPart<S, has_compounds<S> && !S::sleeps>, BroadPhasePart<S, S::sleeps>,
-                            S::solver::template Memory<S::max_bodies, S::max_manifolds, S::rolling_resistance> {};
+                            S::solver::template Memory<S::max_bodies, S::max_manifolds, S::rolling_resistance, S::bounces> {};
 
 /// What a solver works in that solves manifolds as blocks. The light solver brings all it needs.
 template <class S, bool present>
@@ -195,11 +195,8 @@ struct Manifolds : Feature {
     static constexpr bool check_solver() {
         static_assert(S::bounces || !solves_directly<S>, "a solver that picks itself lets bodies bounce: name BlockSweeps, or set bounces = true");
         static_assert(!solves_pointwise<S> || stacks<S>, "SequentialImpulses is for contacts with friction: set max_manifolds, or name no solver");
-        static_assert(!solves_pointwise<S> || !S::bounces, "SequentialImpulses lets nothing bounce: set bounces = false, or name BlockSweeps");
         static_assert(!solves_pointwise<S> || !S::continuous,
                       "SequentialImpulses follows no fast bodies: name BlockSweeps, or set continuous = false");
-        static_assert(!solves_pointwise<S> || !has_materials<S>,
-                      "SequentialImpulses solves plain friction: name BlockSweeps, or leave rolling_resistance and surface_velocities out");
         return true;
     }
     template <class S>

@@ -2,9 +2,33 @@
 // What surfaces may have beside friction and restitution: resistance to rolling, and a velocity of their own.
 #pragma once
 
+#include "../../base/if.h"
+#include "../../solver/sequential/point_view.h"
 #include "manifolds.h"
 
 namespace ingot { inline namespace INGOT_ABI {
+
+/// Of rolling: rows by block, or what the light solver has by manifold.
+template <class S>
+using RollingRowsOf = If<solves_pointwise<S>, PointRolling, RollingRows>;
+template <class S>
+inline constexpr unsigned row_capacity_of = solves_pointwise<S> ? static_cast<unsigned>(S::max_manifolds) : block_capacity_of<S>;
+
+/// The light solver has no rows of belts: it takes their velocities as they are.
+template <class S, bool present>
+struct BeltRowPart {
+    BeltRows belt_rows[block_capacity_of<S>] = {};
+
+    template <class View>
+    void show_belt_rows(View& view) {
+        view.belts = belt_rows;
+    }
+};
+template <class S>
+struct BeltRowPart<S, false> {
+    template <class View>
+    static void show_belt_rows(View&) {}
+};
 
 struct RollingResistance : Feature {
     static constexpr uint32_t part = 8192;
@@ -15,15 +39,20 @@ struct RollingResistance : Feature {
     struct Memory {
         scalar rolling_levers[static_cast<unsigned>(shape_capacity<S>)] = {};  ///< m, by shape slot
         RollingRecord rolling_records[static_cast<unsigned>(S::max_manifolds)] = {};
-        RollingRows rolling_rows[block_capacity_of<S>] = {};
+        RollingRowsOf<S> rolling_rows[row_capacity_of<S>] = {};
 
         void mix_rolling(const ManifoldView& manifolds) { mix_rolling_levers(manifolds, rolling_levers, rolling_records); }
-        void show_rolling(RollingRows*& rows, RollingRecord*& records) { rows = rolling_rows, records = rolling_records; }
+        template <class View>
+        void show_rolling(View& view) {
+            view.rolling = rolling_rows;
+            view.rolling_records = rolling_records;
+        }
     };
     template <class S>
     struct Memory<S, false> {
         static void mix_rolling(const ManifoldView&) {}
-        static void show_rolling(RollingRows*&, RollingRecord*&) {}
+        template <class View>
+        static void show_rolling(View&) {}
     };
 
     template <class S, class Each>
@@ -91,20 +120,24 @@ struct Belts : Feature {
     static constexpr bool named = S::surface_velocities;
 
     template <class S, bool present>
-    struct Memory {
+    struct Memory : BeltRowPart<S, !solves_pointwise<S>> {
         Vector surface_velocities[static_cast<unsigned>(shape_capacity<S>)] = {};  ///< m/s, in the shape's axes, by shape slot
         Vector belt_velocities[static_cast<unsigned>(S::max_manifolds)] = {};      ///< m/s, world, by record
-        BeltRows belt_rows[block_capacity_of<S>] = {};
 
         void turn_belts(const BodyView& shapes, const ManifoldView& manifolds) {
             turn_surface_velocities(shapes, manifolds, surface_velocities, belt_velocities);
         }
-        void show_belts(BeltRows*& rows, const Vector*& velocities) { rows = belt_rows, velocities = belt_velocities; }
+        template <class View>
+        void show_belts(View& view) {
+            view.belt_velocities = belt_velocities;
+            this->show_belt_rows(view);
+        }
     };
     template <class S>
     struct Memory<S, false> {
         static void turn_belts(const BodyView&, const ManifoldView&) {}
-        static void show_belts(BeltRows*&, const Vector*&) {}
+        template <class View>
+        static void show_belts(View&) {}
     };
 
     template <class S, class Each>

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+// The light solver as conduct_substeps asks for it, for solve_sequentially.cpp and sequential_materials.cpp.
+#pragma once
+
+#include "../../base/limits.h"
+#include "move_point_bodies.h"
+#include "solve_sequentially.h"
+#include "sweep_points.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+namespace {
+
+const ManifoldRecord& record_of_member(const PointView& solver, int member_i) {
+    return solver.records[solver.pairs[solver.members[member_i]].record];
+}
+
+/// Whether nothing of the island accelerated in the step before, and no chain of its contacts is long.
+bool begins_steady(const PointView& solver) {
+    bool steady = solver.member_count <= limits::steady_levels;
+    for (int i = 0; i < solver.member_count; ++i) steady = steady && was_steady(record_of_member(solver, i));  // bound: max_manifolds
+    return steady;
+}
+
+/// What the last sweep of a substep left.
+struct SweptPoints {
+    int sweeps;
+    scalar residual;  ///< m/s
+};
+
+/// Sweeps joined by nonlinear conjugate gradients, until no speed changes by more than limits::settled_speed_of_points and `rounding`, m/s.
+template <class View>
+SweptPoints solve_point_velocities(const View& solver, scalar rounding) {
+    scalar size_before = 0;
+    for (int sweep_i = 1;; ++sweep_i) {  // bound: limits::sweeps_of_points: left at the latest then
+        const SweepOfPoints sweep = sweep_point_velocities(solver, sweep_i % 2 != 0, limits::ignored_speed + rounding);
+        if (sweep_i == limits::sweeps_of_points || sweep.fastest <= limits::settled_speed_of_points + rounding) return {sweep_i, sweep.fastest};
+        const bool shrinks = sweep_i > 1 && sweep.size <= size_before;
+        go_on_along(solver, shrinks ? sweep.size / size_before : 0);
+        size_before = sweep.size;
+    }
+}
+
+/// Notes which manifolds carry an impulse at the end of a substep; `first`: the first of the step.
+void note_impulses_of_points(const PointView& solver, ImpactNote* notes, bool first) {
+    for (int i = 0; i < solver.member_count; ++i) {
+        const ManifoldRecord& record = record_of_member(solver, i);
+        ImpactNote& note = notes[solver.members[i]];
+        bool carried = !first && note.carried;
+        // bound: 4: Manifold::points_max
+        for (int point_i = 0; point_i < record.manifold.count; ++point_i) carried = carried || record.j[point_i] > 0;
+        note.carried = carried;
+    }
+}
+
+/// As conduct_substeps asks for it.
+template <class View, bool notes_impulses>
+struct SequentialContacts {
+    explicit SequentialContacts(View& of) : view(of) {}
+
+    void begin(const ContactStep& step, StepReport&) {
+        take_in_bodies(view, step.bodies, step.gravity, step.h);
+        join_bodies(view);
+        slot_ = -1;
+    }
+    bool next_batch(const ContactStep& step) {
+        slot_ = next_island(view, slot_);
+        if (slot_ >= view.slot_count) return false;
+        substeps_ = begins_steady(view) ? limits::steady_substeps : limits::substeps;
+        begin_contacts(view, static_cast<scalar>(limits::substeps / substeps_), step.h / static_cast<scalar>(substeps_));
+        given_again_ = false;
+        steady_ = is_first_ = true;
+        swept_ = {};
+        return true;
+    }
+    int substeps() const { return substeps_; }
+
+    void predict([[maybe_unused]] scalar h, ImpactNote*, StepReport&) {
+        if constexpr (View::bounces)
+            if (predict_point_bounces(view, h)) given_again_ = false;
+    }
+    void kick(scalar h) { rounding_ = 4 * epsilon * (given_again_ ? kick_again(view) : kick_bodies(view, h)); }
+    void warm_start(scalar) {
+        if (!given_again_) ingot::warm_start(view);
+    }
+    void solve_velocities(const ContactStep&, scalar, StepReport&) {
+        const SweptPoints swept = solve_point_velocities(view, rounding_);
+        swept_ = {swept_.sweeps + swept.sweeps, swept.residual};
+    }
+    void note_impulses([[maybe_unused]] ImpactNote* notes) {
+        if constexpr (notes_impulses) note_impulses_of_points(view, notes, is_first_);
+        is_first_ = false;
+    }
+    void drift(const BodyView&, scalar h) {
+        const SubstepOfPoints substep = drift_bodies(view, h);
+        given_again_ = !substep.some_hit;
+        steady_ = steady_ && substep.steady;
+    }
+    void solve_positions(const ContactStep&, scalar h) { sweep_point_positions(view, h); }
+
+    void end_batch(StepReport& report) {
+        end_contacts(view, static_cast<scalar>(substeps_) / limits::substeps, steady_);
+        note_sweeps(report, swept_.sweeps, swept_.residual);
+    }
+
+private:
+    View& view;
+    int slot_ = -1, substeps_ = 0;
+    bool given_again_ = false, steady_ = true, is_first_ = true;
+    scalar rounding_ = 0;
+    SweptPoints swept_ = {};
+};
+
+}  // namespace
+
+template <bool notes_impulses, class View>
+void solve_sequentially(View& solver, const ContactStep& step, StepReport& report) {
+    SequentialContacts<View, notes_impulses> contacts(solver);
+    conduct_substeps(contacts, step, report);
+}
+
+} }  // namespace ingot
