@@ -53,7 +53,7 @@ INGOT_INLINE void find_middle(Contacts& contacts, int rows) {
     contacts.middle = Vec3<lane>{};
     contacts.radius = lane{};
     for (int row = 0; row < rows; ++row) {  // bound: 4: block_rows
-        weight[row] = contacts.used[row] * nearness(contacts.separation[row]) + contacts.used[row] * least_weight;
+        weight[row] = contacts.used[row] * max(lane{}, nearness(contacts.separation[row])) + contacts.used[row] * least_weight;
         contacts.middle += contacts.P[row] * weight[row];
         weights = weights + weight[row];
     }

@@ -25,10 +25,11 @@ INGOT_INLINE T position_target(T s, Mask pressed, T deepest) {
     return select(either(pressed, s < T{}), max(s * splat<T>(limits::position_share), deepest), s);
 }
 
-/// What counts of a point in the middle of a manifold, where friction takes hold: all up to the contact margin, nothing at twice as far.
+/// What counts of a point in the middle of a manifold, where friction takes hold: all up to the contact margin, nothing from twice as far on, where
+/// this is negative.
 template <class T>
 INGOT_INLINE T nearness(T s) {
-    return max(T{}, min(splat<T>(1), splat<T>(2) - s / splat<T>(limits::contact_margin)));
+    return min(splat<T>(1), splat<T>(2) - s / splat<T>(limits::contact_margin));
 }
 
 /// What is given again of a normal's impulse, on a body that was hit: of an impact no more than twice what it was before, and what forces explain.

@@ -33,13 +33,16 @@ void take_in_point_body(PointBody& body, const BodyView& bodies, const Vector& g
     const RotationTile& rotation = bodies.rotation[at.tile];
     const scalar inv_M = translation.inv_M[at.lane];
     if (body.inv_M > 0 || !(inv_M > 0)) return;
-    const SymmetricMatrix inv_I_world = lane_of(translation.inv_I_world, at.lane);
-    const PointMotion forces = motion_of(lane_of(translation.F_T, at.lane) * inv_M + gravity, inv_I_world, lane_of(rotation.tau_T, at.lane));
-    const PointMotion velocity = motion_of(lane_of(translation.v_CM, at.lane), inv_I_world, lane_of(rotation.L, at.lane));
-    PointMotion at_end = velocity;
-    add_motion(at_end, forces, h);
-    if (!is_valid(at_end)) return mark_lane_bad(bodies.rotation[at.tile].bad, at.lane);
-    body = {lane_of(translation.r_CM, at.lane), inv_M, inv_I_world, forces, velocity, {}, velocity, false, static_cast<uint16_t>(slot)};
+    body.inv_I_world = lane_of(translation.inv_I_world, at.lane);
+    body.forces = motion_of(lane_of(translation.F_T, at.lane) * inv_M + gravity, body.inv_I_world, lane_of(rotation.tau_T, at.lane));
+    body.velocity = motion_of(lane_of(translation.v_CM, at.lane), body.inv_I_world, lane_of(rotation.L, at.lane));
+    body.begin = body.velocity;
+    add_motion(body.begin, body.forces, h);  // at the end of the step, without contacts
+    if (!is_valid(body.begin)) return mark_lane_bad(bodies.rotation[at.tile].bad, at.lane);
+    body.r_CM = lane_of(translation.r_CM, at.lane);
+    body.inv_M = inv_M;
+    body.displacement = {};
+    body.root = static_cast<uint16_t>(slot);
 }
 
 /// What a substep begins with: forces change the velocity of a body for h seconds, or it changes again by what it changed in the substep before.
@@ -137,6 +140,15 @@ SubstepOfPoints drift_bodies(const PointView& solver, scalar h) {
     return substep;
 }
 
+namespace {
+
+/// By how much v is more than the mean of the step, twice as much a second: what a force is that leads from the one to the other.
+INGOT_SHARED Vector rate_beyond_mean(const Vector& v, const Vector& displacement, scalar inv_h) {
+    return (v - displacement * inv_h) * (2 * inv_h);
+}
+
+}  // namespace
+
 void write_contact_motion(const PointView& solver, const BodyView& bodies, const Vector& gravity, scalar h) {
     for (int slot = 0; slot < solver.slot_count; ++slot) {
         const PointBody& body = solver.bodies[slot];
@@ -150,11 +162,11 @@ void write_contact_motion(const PointView& solver, const BodyView& bodies, const
         RotationTile& rotation = bodies.rotation[at.tile];
         TranslationTile& translation = bodies.translation[at.tile];
         const scalar inv_h = 1 / h;
-        const Vector a = (velocity.linear - displacement.linear * inv_h) * (2 * inv_h);
+        const Vector a = rate_beyond_mean(velocity.linear, displacement.linear, inv_h);
         set_lane(translation.v_CM, at.lane, velocity.linear);
         set_lane(translation.F_T, at.lane, (a - gravity) * (1 / body.inv_M));
         set_lane(rotation.L, at.lane, velocity.moment);
-        set_lane(rotation.tau_T, at.lane, (velocity.moment - displacement.moment * inv_h) * (2 * inv_h));
+        set_lane(rotation.tau_T, at.lane, rate_beyond_mean(velocity.moment, displacement.moment, inv_h));
         rotation.kicked = static_cast<uint16_t>(rotation.kicked | 1u << at.lane);
     }
 }

@@ -84,7 +84,10 @@ Vector clamp_length(const Vector& f, scalar limit) {
     return size_sq > limit * limit ? f * cone_cut(size_sq, limit) : f;
 }
 
-scalar resting_speed(scalar separation, scalar h) { return -resting_room(separation) / h; }
+INGOT_SHARED scalar resting_speed(scalar separation, scalar h) { return -resting_room(separation) / h; }
+
+/// The part of v across n.
+INGOT_SHARED Vector across(const Vector& n, const Vector& v) { return v - n * dot(n, v); }
 
 /// Of gravity and forces, m^2 s^-4.
 scalar pull_sq_on(const PointBody& body) { return body.inv_M > 0 ? length_sq(body.forces.linear) : 0; }
@@ -128,7 +131,7 @@ scalar round_of_normals(const PointVisit& visit, RelativeVelocity& relative, sca
 }
 
 void solve_friction(const PointVisit& visit, const RelativeVelocity& relative, scalar limit, scalar ignored, SweepOfPoints& sweep) {
-    const Vector slip = relative.linear - visit.n() * dot(visit.n(), relative.linear), before = visit.record.j_friction;
+    const Vector slip = across(visit.n(), relative.linear), before = visit.record.j_friction;
     if (length_sq(slip) <= ignored * ignored && length_sq(before) <= limit * limit) return;
     const scalar K = compliance_of_friction(visit);
     const Vector next = clamp_length(before - slip * (1 / K), limit), d = next - before;
@@ -156,7 +159,7 @@ template <class View>
 bool solve_rolling(const VisitOf<View>& visit, const RelativeVelocity& relative, scalar load, scalar ignored, SweepOfPoints& sweep) {
     PointRolling& rolling = visit.rolling();
     RollingRecord& record = visit.rolling_record();
-    const Vector spin = relative.angular - visit.n() * dot(visit.n(), relative.angular), before = record.j;
+    const Vector spin = across(visit.n(), relative.angular), before = record.j;
     const scalar limit = record.lever * load, ignored_spin = ignored / rolling.size;
     if (length_sq(spin) <= ignored_spin * ignored_spin && length_sq(before) <= limit * limit) return false;
     const Vector next = clamp_length(before - spin * (1 / rolling.K), limit), d = next - before;
@@ -246,7 +249,7 @@ void begin_rolling(const VisitOf<View>& visit, scalar share) {
     rolling.K = (trace_of(A) + trace_of(B) - about) * limits::friction_stiffening;
     rolling.size = sqrt(((A.inv_M > 0 ? A.inv_M : 0) + (B.inv_M > 0 ? B.inv_M : 0)) / rolling.K);
     rolling.change = rolling.along = {};
-    record.j = (record.j - visit.n() * dot(visit.n(), record.j)) * share;
+    record.j = across(visit.n(), record.j) * share;
 }
 
 template <class View>
@@ -269,7 +272,7 @@ void begin_contact(const VisitOf<View>& visit, scalar share, scalar h) {
     contact.middle = contact.middle * (1 / weights);
     for (int point_i = 0; visit.count() > 1 && point_i < visit.count(); ++point_i)
         contact.radius += weight[point_i] / weights * sqrt(length_sq(visit.P(point_i) - contact.middle));
-    visit.record.j_friction -= visit.n() * dot(visit.n(), visit.record.j_friction);
+    visit.record.j_friction = across(visit.n(), visit.record.j_friction);
 }
 
 void give(const PointVisit& visit, const scalar* j, const Vector& friction, scalar torsion) {
