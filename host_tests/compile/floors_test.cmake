@@ -36,7 +36,7 @@ set(narrow_phase_shares manifold manifold_points contact_geometry contact_patch 
   manifold_anchors)
 set(query_shares candidates query_filter ray_on_shapes cast_ray)
 set(impulse_shares contact collide_shapes contact_rows impulse)
-set(constraint_shares belts block_bodies block_rows block_solve contact contact_block friction impact_note laws material_view normals response rolling
+set(constraint_shares belts block_bodies block_rows block_solve contact contact_block flight friction impact_note laws material_view normals response rolling
   row_flight row_pair rows solver_body solver_view surface_materials torsion visit)
 set(island_shares active_tiles awake_tiles disjoint_sets rest_view)
 set(sleep_shares wake)
@@ -46,7 +46,7 @@ set(continuous_shares body_path fast_pairs time_of_impact pair_sub_world)
 set(solver_sweeps_shares block_sweeps swept_contacts conjugate_gradients move_bodies note_impulses order_manifolds plan_islands predict_contacts
   sequence_impacts solve_velocities sweep_positions sweep_velocities warm_start)
 # solve_sequentially conducts the stages of its substeps, and sequential_impulses names it to scenes.
-set(solver_sequential_shares point_view point_rows move_point_bodies sweep_points solve_sequentially)
+set(solver_sequential_shares point_view point_visit point_visits point_rows sequential_contacts move_point_bodies sweep_points solve_sequentially)
 # hybrid_islands conducts the stages, and calls the others of its room.
 set(solver_direct_shares direct_view hybrid_contacts hold_energy misfit island_rows choose_islands normal_set sliding factor_rows solve_island solve_directly)
 

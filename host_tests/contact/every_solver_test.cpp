@@ -73,8 +73,8 @@ private:
 using Solvers = ::testing::Types<ingot::BlockSweeps, ingot::HybridIslands<8>, ingot::SequentialImpulses>;
 TYPED_TEST_SUITE(EverySolver, Solvers);
 
-/// (5/7) g lever / R, on the ground and on a slab that is a hundredth as heavy: there the direct solver is at work. The light solver is not for those,
-/// and gets one as heavy.
+/// (5/7) g lever / R, on the ground and on a slab that is a hundredth as heavy: there the direct solver is at work. The light solver is not for
+/// those, and gets one as heavy.
 TYPED_TEST(EverySolver, slows_a_ball_that_rolls_by_its_lever) {
     double worst = 0;
     for (int case_i = 0; case_i < 24; ++case_i) {
@@ -137,7 +137,8 @@ TYPED_TEST(EverySolver, gives_no_energy) {
     for (int case_i = 0; case_i < 40; ++case_i) {
         const double R = this->between(0.2, 0.6), M = this->between(0.5, 20), h = 1 / this->rate(), e = case_i % 2 == 0 ? this->between(0, 1) : 0;
         PlacedBody ball = solid_ball(scalar(M), scalar(R), {0, 0, scalar(R + this->between(0, 0.3))}, scalar(this->between(0, 1)));
-        PlacedBody box = solid_box(scalar(this->between(0.5, 20)), {scalar(0.3), scalar(0.2), scalar(0.25)}, {scalar(20), 0, scalar(0.5)}, scalar(0.5));
+        PlacedBody box = solid_box(scalar(this->between(0.5, 20)), {scalar(0.3), scalar(0.2), scalar(0.25)},
+                {scalar(20), 0, scalar(0.5)}, scalar(0.5));
         for (PlacedBody* body : {&ball, &box}) {
             const Vector v = {scalar(this->between(-2, 2)), scalar(this->between(-2, 2)), scalar(this->between(-2, 0))};
             body->move(v, {scalar(this->between(-5, 5)), scalar(this->between(-5, 5)), scalar(this->between(-5, 5))});
@@ -189,7 +190,8 @@ TYPED_TEST(EverySolver, brings_to_rest_what_bounces_with_e_a_half) {
 
         std::vector<MaterialOf> stack = {{flat_ground(scalar(0.5)), 0, {}}};
         for (int i = 0; i < 3; ++i) {
-            PlacedBody box = solid_box(scalar(this->between(1, 3)), {scalar(0.5), scalar(0.5), scalar(0.25)}, {0, 0, scalar(0.25 + 0.5 * i)}, scalar(0.5));
+            PlacedBody box = solid_box(scalar(this->between(1, 3)), {scalar(0.5), scalar(0.5), scalar(0.25)},
+                    {0, 0, scalar(0.25 + 0.5 * i)}, scalar(0.5));
             box.def.restitution = scalar(0.5);
             stack.push_back({box, 0, {}});
         }

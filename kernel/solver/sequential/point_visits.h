@@ -4,62 +4,12 @@
 #pragma once
 
 #include "../../constraint/flight.h"
-#include "point_rows.h"
+#include "point_visit.h"
 #include "sweep_points.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
-
-/// A manifold with its bodies, while it is visited.
-struct PointVisit {
-    PointPair pair;
-    ManifoldRecord& record;
-    PointContact& contact;
-
-    INGOT_INLINE const Vector& n() const { return record.manifold.n; }
-    INGOT_INLINE int count() const { return record.manifold.count; }
-    INGOT_INLINE const Vector& P(int point_i) const { return record.manifold.points[point_i].P; }
-};
-/// With what a view adds.
-template <class View>
-struct VisitOf : PointVisit {
-    const View& solver;
-    int manifold_i, record_i;
-
-    INGOT_INLINE PointRolling& rolling() const { return solver.rolling[manifold_i]; }
-    INGOT_INLINE RollingRecord& rolling_record() const { return solver.rolling_records[record_i]; }
-    /// What surfaces in motion add to the slip.
-    INGOT_INLINE const Vector& belt_velocity() const { return solver.belt_velocities[record_i]; }
-    INGOT_INLINE scalar& landing(int point_i) const { return solver.landings[manifold_i].at[point_i]; }
-    INGOT_INLINE bool lands(int point_i) const { return landing(point_i) < limits::unbounded; }
-};
-template <>
-struct VisitOf<PointView> : PointVisit {};
-
-template <class View>
-VisitOf<View> visit_of(const View& solver, int manifold_i) {
-    const BodyPair& pair = solver.pairs[manifold_i];
-    PointBody &A = solver.bodies[pair.body_A], &B = solver.bodies[pair.body_B];
-    if constexpr (View::rolls || View::has_belts || View::bounces)
-        return {{{A, B}, solver.records[pair.record], solver.contacts[manifold_i]}, solver, manifold_i, pair.record};
-    else
-        return {{{A, B}, solver.records[pair.record], solver.contacts[manifold_i]}};
-}
-
-/// Motion along n at the points of a manifold: n.(V + W x d) = n.V + (n x W).d at a distance d from the middle.
-struct NormalMotion {
-    Vector slope, middle;
-    scalar at_middle;
-
-    INGOT_INLINE scalar at(const Vector& P) const { return at_middle + dot(slope, P - middle); }
-};
-INGOT_INLINE NormalMotion normal_motion(const PointVisit& visit, const RelativeVelocity& relative) {
-    return {cross(visit.n(), relative.angular), visit.contact.middle, dot(visit.n(), relative.linear)};
-}
-INGOT_SHARED NormalMotion normal_displacement(const PointVisit& visit) {
-    return normal_motion(visit, relative_motion(visit.pair, &PointBody::displacement, visit.contact.middle));
-}
 
 scalar compliance_of_point(const PointVisit& visit, int point_i) {
     scalar& K = visit.contact.K[point_i];

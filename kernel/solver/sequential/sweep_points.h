@@ -29,7 +29,8 @@ struct SweepOfPoints {
     scalar fastest;  ///< m/s, the largest speed that a row corrected
     scalar size;     ///< J, sum of (change of impulse)^2 times compliance
 };
-/// One sweep: normals until they agree within the manifold, twist, rolling resistance, friction. A row that is off by no more than `ignored`, m/s, is left alone.
+/// One sweep: normals until they agree within the manifold, twist, rolling resistance, friction. A row that is off by no more than `ignored`, m/s, is
+/// left alone.
 template <class View>
 SweepOfPoints sweep_point_velocities(const View& solver, bool forward, scalar ignored);
 
