@@ -225,6 +225,8 @@ def check_table(header=SCENE):
 
 def check_refused(compile_command):
     rows, verdict = read_table(), judge(compile_command)
+    if missing := [pair for pair in verdict if pair not in rows]:
+        fail([f"{a} with {b} has no row in pairs.csv" for a, b in missing])
     fail([f"{a} with {b}: the table says '{rows[a, b]['sentence'] or 'runs in ' + rows[a, b]['base']}', the compiler '{sentence or 'runs in ' + base}'"
           for (a, b), (base, sentence) in verdict.items() if (rows[a, b]["base"], rows[a, b]["sentence"]) != (base, sentence or "")])
 
