@@ -62,7 +62,7 @@ struct Telling : Touching {
 /// All that can be named together: most calls are of this scene.
 struct Sleeping : Telling {
     static constexpr bool sleeps = true;
-    using solver = ChosenSolver;
+    using solver = HybridIslands<>;
 };
 struct Belts : Touching {
     static constexpr bool sleeps = true, rolling_resistance = true, surface_velocities = true;
@@ -78,7 +78,7 @@ struct Following : Telling {
     static constexpr NoHulls hulls = {};
 };
 struct FollowingDirectly : Following {
-    using solver = ChosenSolver;
+    using solver = HybridIslands<>;
 };
 struct Light : Telling {
     static constexpr bool bounces = false, sleeps = true;
@@ -101,11 +101,11 @@ CALL(step_in_field_commutator_free)(World<ByCommutatorFree>& world, scalar h) { 
 CALL(step_impacts)(World<Impacts>& world, scalar h) { return step(world, h); }
 CALL(step_sweeps)(World<Telling>& world, scalar h) { return step(world, h); }
 CALL(step_point_sweeps)(World<Light>& world, scalar h) { return step(world, h); }
-CALL(step_chosen_solver)(World<Sleeping>& world, scalar h) { return step(world, h); }
+CALL(step_hybrid_islands)(World<Sleeping>& world, scalar h) { return step(world, h); }
 CALL(step_belts)(World<Belts>& world, scalar h) { return step(world, h); }
 CALL(step_compounds)(World<Compounds>& world, scalar h) { return step(world, h); }
 CALL(step_continuous)(World<Following>& world, scalar h) { return step(world, h); }
-CALL(step_continuous_chosen_solver)(World<FollowingDirectly>& world, scalar h) { return step(world, h); }
+CALL(step_continuous_hybrid_islands)(World<FollowingDirectly>& world, scalar h) { return step(world, h); }
 
 // Snapshots.
 CALL(save_snapshot)(const World<Belts>& world, uint8_t* bytes, size_t room) { return save_snapshot(world, bytes, room); }

@@ -10,7 +10,6 @@ namespace {
 
 using namespace ingot_contact;
 using namespace scenes;
-using ChosenSolver = ingot::HybridIslands<>;
 using ingot::HybridIslands;
 using ingot::BlockSweeps;
 
@@ -42,17 +41,17 @@ void expect_stands_still() {
 
 // Criteria of host_tests/scenes: 1000 on 1: overlap <= 0.1 mm; 1e6 on 1 and nine of 1 kg under 1000 kg: stand; tower of 20, 60 s: sinks <= 0.2 mm,
 // drifts <= 0.1 mm; tower of 40 stands 60 s. All are met to rounding.
-TEST(ChosenSolver, carries_1000_kg_on_1_kg) { expect_stands_still<MassRatio<1, 1000>, ChosenSolver>(); }
-TEST(ChosenSolver, carries_1e6_kg_on_1_kg) { expect_stands_still<MassRatio<1, 1000000>, ChosenSolver>(); }
-TEST(ChosenSolver, carries_100_kg_on_nine_cubes) { expect_stands_still<MassRatio<9, 100>, ChosenSolver>(); }
-TEST(ChosenSolver, carries_1000_kg_on_nine_cubes) { expect_stands_still<MassRatio<9, 1000>, ChosenSolver>(); }
-TEST(ChosenSolver, carries_1e6_kg_on_nine_cubes) { expect_stands_still<MassRatio<9, 1000000>, ChosenSolver>(); }
-TEST(ChosenSolver, keeps_a_tower_of_20_for_a_minute) { expect_stands_still<Tower<20>, ChosenSolver>(); }
-TEST(ChosenSolver, keeps_a_tower_of_40_for_a_minute) { expect_stands_still<Tower<40>, ChosenSolver>(); }
+TEST(HybridIslands, carries_1000_kg_on_1_kg) { expect_stands_still<MassRatio<1, 1000>, HybridIslands<>>(); }
+TEST(HybridIslands, carries_1e6_kg_on_1_kg) { expect_stands_still<MassRatio<1, 1000000>, HybridIslands<>>(); }
+TEST(HybridIslands, carries_100_kg_on_nine_cubes) { expect_stands_still<MassRatio<9, 100>, HybridIslands<>>(); }
+TEST(HybridIslands, carries_1000_kg_on_nine_cubes) { expect_stands_still<MassRatio<9, 1000>, HybridIslands<>>(); }
+TEST(HybridIslands, carries_1e6_kg_on_nine_cubes) { expect_stands_still<MassRatio<9, 1000000>, HybridIslands<>>(); }
+TEST(HybridIslands, keeps_a_tower_of_20_for_a_minute) { expect_stands_still<Tower<20>, HybridIslands<>>(); }
+TEST(HybridIslands, keeps_a_tower_of_40_for_a_minute) { expect_stands_still<Tower<40>, HybridIslands<>>(); }
 
 /// What sweeps serve well is theirs, to the bit.
-TEST(ChosenSolver, leaves_a_pyramid_to_the_sweeps) {
-    auto chosen = play_by<Pyramid<6>, ChosenSolver>();
+TEST(HybridIslands, leaves_a_pyramid_to_the_sweeps) {
+    auto chosen = play_by<Pyramid<6>, HybridIslands<>>();
     auto swept = play_by<Pyramid<6>, BlockSweeps>();
     chosen.run(h, 2);
     swept.run(h, 2);
@@ -104,7 +103,7 @@ struct BouncingColumn : MassRatio<2, 1000> {
 };
 template <int percent>
 void expect_bounces_lose_energy() {
-    auto scene = play_by<BouncingColumn<percent>, ChosenSolver>();
+    auto scene = play_by<BouncingColumn<percent>, HybridIslands<>>();
     const double begin = scene.energy();
     double highest = begin, deepest = 0;
     scene.run(h, 3, [&](int) {
@@ -117,8 +116,8 @@ void expect_bounces_lose_energy() {
     EXPECT_GT(scene.reports().solved_directly, 0);
     EXPECT_LE(highest, begin * (1 + 1e-3)) << "a step of gravity, (g h)^2 / 2 against g z, is 5e-4 of it";
 }
-TEST(ChosenSolver, gains_no_energy_in_bounces_of_half) { expect_bounces_lose_energy<50>(); }
-TEST(ChosenSolver, gains_no_energy_in_elastic_bounces) { expect_bounces_lose_energy<100>(); }
+TEST(HybridIslands, gains_no_energy_in_bounces_of_half) { expect_bounces_lose_energy<50>(); }
+TEST(HybridIslands, gains_no_energy_in_elastic_bounces) { expect_bounces_lose_energy<100>(); }
 
 /// A column of light and heavy on ground that is tilted by way of gravity: it slides as one, by the closed form.
 struct SlidingColumn : MassRatio<1, 1000> {
@@ -131,7 +130,7 @@ struct SlidingColumn : MassRatio<1, 1000> {
     }
 };
 TEST(HybridIslands, slide_as_coulomb_says) {
-    auto scene = play_by<SlidingColumn, ChosenSolver>();
+    auto scene = play_by<SlidingColumn, HybridIslands<>>();
     const double t = 2, mu = static_cast<double>(SlidingColumn::mu), g_x = static_cast<double>(SlidingColumn::gravity.x),
                  g_z = -static_cast<double>(SlidingColumn::gravity.z), expected = 0.5 * (g_x - mu * g_z) * t * t;
     scene.run(h, t);
@@ -207,7 +206,7 @@ struct Landing : MassRatio<1, 1000> {
     }
 };
 TEST(HybridIslands, land_without_sinking_in) {
-    auto scene = play_by<Landing, ChosenSolver>();
+    auto scene = play_by<Landing, HybridIslands<>>();
     double deepest = 0, before = scene.energy(), gain = 0;
     scene.run(h, 2, [&](int) {
         deepest = std::max(deepest, scene.deepest_overlap());
@@ -223,7 +222,7 @@ TEST(HybridIslands, land_without_sinking_in) {
 /// given again gave 8 % in one step of the first. Sweeps gain 0.04 % in it, 0.3 % in the second.
 template <class Scene>
 void expect_tumbles_to_rest() {
-    auto scene = play_by<Scene, ChosenSolver>();
+    auto scene = play_by<Scene, HybridIslands<>>();
     ASSERT_TRUE(scene.sound());
     const Gains gains = gains_of(scene, 10);
     figure("largest gain of a step, share of the energy", gains.most);
@@ -241,7 +240,7 @@ TEST(UnevenBoxes, of_12_with_100_to_1_gains_nothing) { expect_tumbles_to_rest<Un
 /// Impacts of like masses are the sweeps': planks that fall gain no more than by sweeps, and are not tried where an impact is. (That both gain, by
 /// lifting out what sank in, is contact_test's FallingPlanks.)
 TEST(FallingPlanks, gain_no_more_than_by_sweeps) {
-    auto chosen = play_by<FallingPlanks, ChosenSolver>();
+    auto chosen = play_by<FallingPlanks, HybridIslands<>>();
     auto swept = play_by<FallingPlanks, BlockSweeps>();
     const Gains by_choice = gains_of(chosen, 5), by_sweeps = gains_of(swept, 5);
     figure("largest gain by choice", by_choice.most);
@@ -255,14 +254,14 @@ template <class Scene>
 struct GroundLast : Scene {
     static constexpr PlacedBody body(int body_i) { return Scene::body((body_i + 1) % Scene::body_count); }
 };
-TEST(ChosenSolver, carries_1000_kg_on_1_kg_whichever_slot_the_ground_has) { expect_stands_still<GroundLast<MassRatio<1, 1000>>, ChosenSolver>(); }
+TEST(HybridIslands, carries_1000_kg_on_1_kg_whichever_slot_the_ground_has) { expect_stands_still<GroundLast<MassRatio<1, 1000>>, HybridIslands<>>(); }
 
 /// A column in room for no more than it needs: its contacts share blocks, which changes no bit.
-TEST(ChosenSolver, is_the_same_in_a_room_that_is_just_large_enough) {
+TEST(HybridIslands, is_the_same_in_a_room_that_is_just_large_enough) {
     using Column = MassRatio<9, 1000>;
     constexpr int contacts = Column::body_count - 1;
-    Play<Room<Column::body_count, ingot::AllPairs, true, contacts, 2 * contacts, ChosenSolver>> tight(bodies_of<Column>(), Column::gravity);
-    auto roomy = play_by<Column, ChosenSolver>();
+    Play<Room<Column::body_count, ingot::AllPairs, true, contacts, 2 * contacts, HybridIslands<>>> tight(bodies_of<Column>(), Column::gravity);
+    auto roomy = play_by<Column, HybridIslands<>>();
     for (int step_i = 0; step_i < 60; ++step_i) {
         (void)tight.step(h);
         (void)roomy.step(h);
@@ -294,7 +293,7 @@ struct SmoothColumn : MassRatio<1, 1000> {
 };
 TEST(HybridIslands, are_woken_by_a_push) {
     using Column = SmoothColumn;
-    auto scene = play_by<Column, ChosenSolver>();
+    auto scene = play_by<Column, HybridIslands<>>();
     scene.run(h, 1);
     const double v_0 = 0.5, decelerates = static_cast<double>(Column::mu) * -static_cast<double>(Column::gravity.z);
     ASSERT_EQ(scene.world().apply_impulse(scene.id(2), {scalar(1000 * v_0), 0, 0}, scene.state(2).r_CM), Status::ok);
@@ -319,7 +318,7 @@ struct BallOnCube : MassRatio<1, 1000> {
     }
 };
 TEST(HybridIslands, bounce_on_what_rests) {
-    auto scene = play_by<BallOnCube, ChosenSolver>();
+    auto scene = play_by<BallOnCube, HybridIslands<>>();
     const double drop = static_cast<double>(BallOnCube::drop), g = -static_cast<double>(BallOnCube::gravity.z), begin = scene.energy();
     double top = 0, highest = 0, sink = 0;
     bool rose = false;
@@ -344,8 +343,8 @@ TEST(HybridIslands, bounce_on_what_rests) {
 /// A world that was saved, in either form, goes on as if it had never been left, wherever islands are between the two solvers.
 template <class Scene>
 void expect_goes_on_from_snapshots() {
-    using S = RoomSolvedBy<Scene, ChosenSolver>;
-    auto scene = play_by<Scene, ChosenSolver>();
+    using S = RoomSolvedBy<Scene, HybridIslands<>>;
+    auto scene = play_by<Scene, HybridIslands<>>();
     const auto copied = std::make_unique<ingot::World<S>>(), loaded = std::make_unique<ingot::World<S>>();
     std::vector<uint8_t> bytes(ingot::snapshot_size<S>());
     for (int moment_i = 0; moment_i < 40; ++moment_i) {
@@ -365,7 +364,7 @@ void expect_goes_on_from_snapshots() {
     }
     EXPECT_GT(scene.reports().solved_directly + scene.reports().unfinished_directly, 0);
 }
-TEST(ChosenSolver, goes_on_from_snapshots_of_uneven_boxes) { expect_goes_on_from_snapshots<UnevenBoxes<15, 1000>>(); }
+TEST(HybridIslands, goes_on_from_snapshots_of_uneven_boxes) { expect_goes_on_from_snapshots<UnevenBoxes<15, 1000>>(); }
 /// Eight columns of five cubes, each forty times as heavy as the one below it: no contact is uneven enough, so sweeps are; chosen once these
 /// have been at their bound for some steps, which a snapshot has to know.
 struct Columns : OnEarth {
@@ -379,9 +378,9 @@ struct Columns : OnEarth {
         return solid_box(kg, {half, half, half}, {static_cast<scalar>(3 * column_i), 0, static_cast<scalar>(level) + half}, scalar(0.6));
     }
 };
-TEST(ChosenSolver, goes_on_from_snapshots_of_columns_it_comes_to_choose) {
+TEST(HybridIslands, goes_on_from_snapshots_of_columns_it_comes_to_choose) {
     expect_goes_on_from_snapshots<Columns>();
-    auto scene = play_by<Columns, ChosenSolver>();
+    auto scene = play_by<Columns, HybridIslands<>>();
     EXPECT_EQ(scene.step(h).direct, 0);
 }
 

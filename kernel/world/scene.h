@@ -50,9 +50,9 @@ struct Scene {
     static constexpr bool continuous   = false;  ///< fast bodies are followed within a step, impact by impact: none passes through another
     using broad_phase = AllPairs;                ///< or SortedTree, for many bodies
     /// Of contacts with friction. Sweeps carry piles, towers of 20, and up to 100 kg on 1 kg, with no memory of their own: what a small target
-    /// wants. ChosenSolver picks for each island: sweeps, or for mass ratios from 50 on, towers of 15 and more, and what sweeps do not settle
+    /// wants. HybridIslands<> picks for each island: sweeps, or for mass ratios from 50 on, towers of 15 and more, and what sweeps do not settle
     /// a direct solve in double; it takes 121 KB of RAM (HybridIslands<20, 10>, for smaller islands, 38), so a scene has to name it.
-    /// SequentialImpulses is for a few bodies on a small target, of which none bounces: a third less flash than BlockSweeps, and half of the RAM.
+    /// SequentialImpulses is for a few bodies on a small target: a third less flash than BlockSweeps, and half of the RAM.
     using solver = BlockSweeps;
     using shapes   = Shapes<>;
     static constexpr NoHulls hulls = {};         ///< or `static constexpr ConvexHull hulls[]`, in flash: the forms of its Hull shapes, in body frames
