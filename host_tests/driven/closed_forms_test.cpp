@@ -64,8 +64,8 @@ void expect_error(const char* what, const Field& field, const ingot::BodyDef& de
 
 template <class Flight>
 struct FieldsOf : ::testing::Test {};
-using ContinuousCollision = ::testing::Types<ingot::KickDriftKick, ingot::BlanesMoan4, ingot::CommutatorFree4>;
-TYPED_TEST_SUITE(FieldsOf, ContinuousCollision);
+using Flights = ::testing::Types<ingot::KickDriftKick, ingot::BlanesMoan4, ingot::CommutatorFree4>;
+TYPED_TEST_SUITE(FieldsOf, Flights);
 
 /// Roundings of so many steps on values of order 1.
 double roundings(int steps) { return 4 * eps * steps; }

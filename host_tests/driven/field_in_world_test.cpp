@@ -51,8 +51,8 @@ Everything everything() {
 
 template <class Flight>
 struct FieldInWorld : ::testing::Test {};
-using ContinuousCollision = ::testing::Types<ingot::KickDriftKick, ingot::CommutatorFree4>;
-TYPED_TEST_SUITE(FieldInWorld, ContinuousCollision);
+using Flights = ::testing::Types<ingot::KickDriftKick, ingot::CommutatorFree4>;
+TYPED_TEST_SUITE(FieldInWorld, Flights);
 
 TYPED_TEST(FieldInWorld, body_moves_among_others_as_it_moves_alone) {
     using W = ingot::World<Crowd<Everything, TypeParam>>;

@@ -47,7 +47,7 @@ public:
         if (t < t_first()) return {h_0_ + (v_0_ - g_ * t / 2) * t, v_0_ - g_ * t};
         if (t >= t_rest()) return {0, 0};
         const Real since = t - t_first(), flight = 2 * u_ / g_;
-        // ContinuousCollision last flight * e^i: so many of them are over.
+        // Flights last flight * e^i: so many of them are over.
         int over = e_ < 1 ? static_cast<int>(std::log1p(-(since / flight) * (1 - e_) / e_) / std::log(e_))
                           : static_cast<int>(since / flight);
         while (over > 0 && impact(over + 1).t > t) --over;
