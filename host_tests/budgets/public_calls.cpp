@@ -41,7 +41,7 @@ struct Floating : Scene {
 };
 
 /// Impacts without friction, in a field.
-struct Impacts : Scene {
+struct Colliding : Scene {
     static constexpr int max_bodies = 9, max_contacts = 24;
     static constexpr bool translates = true;
     using shapes = Shapes<Sphere, Box, HalfSpace>;
@@ -64,7 +64,7 @@ struct Sleeping : Telling {
     static constexpr bool sleeps = true;
     using solver = HybridIslands<>;
 };
-struct Belts : Touching {
+struct Conveyors : Touching {
     static constexpr bool sleeps = true, rolling_resistance = true, surface_velocities = true;
 };
 struct Compounds : Touching {
@@ -98,18 +98,18 @@ CALL(step_turning_splitting)(World<Turning<SymmetricTopSplitting<6>>>& world, sc
 CALL(step_in_field_kick_drift_kick)(World<Dragged>& world, scalar h) { return step(world, h); }
 CALL(step_in_field_blanes_moan)(World<ByBlanesMoan>& world, scalar h) { return step(world, h); }
 CALL(step_in_field_commutator_free)(World<ByCommutatorFree>& world, scalar h) { return step(world, h); }
-CALL(step_impacts)(World<Impacts>& world, scalar h) { return step(world, h); }
+CALL(step_impacts)(World<Colliding>& world, scalar h) { return step(world, h); }
 CALL(step_sweeps)(World<Telling>& world, scalar h) { return step(world, h); }
 CALL(step_point_sweeps)(World<Light>& world, scalar h) { return step(world, h); }
 CALL(step_hybrid_islands)(World<Sleeping>& world, scalar h) { return step(world, h); }
-CALL(step_belts)(World<Belts>& world, scalar h) { return step(world, h); }
+CALL(step_belts)(World<Conveyors>& world, scalar h) { return step(world, h); }
 CALL(step_compounds)(World<Compounds>& world, scalar h) { return step(world, h); }
 CALL(step_continuous)(World<Following>& world, scalar h) { return step(world, h); }
 CALL(step_continuous_hybrid_islands)(World<FollowingDirectly>& world, scalar h) { return step(world, h); }
 
 // Snapshots.
-CALL(save_snapshot)(const World<Belts>& world, uint8_t* bytes, size_t room) { return save_snapshot(world, bytes, room); }
-CALL(load_snapshot)(World<Belts>& world, const uint8_t* bytes, size_t size) { return load_snapshot(world, bytes, size); }
+CALL(save_snapshot)(const World<Conveyors>& world, uint8_t* bytes, size_t room) { return save_snapshot(world, bytes, room); }
+CALL(load_snapshot)(World<Conveyors>& world, const uint8_t* bytes, size_t size) { return load_snapshot(world, bytes, size); }
 CALL(save_snapshot_of_compounds)(const World<Compounds>& world, uint8_t* bytes, size_t room) { return save_snapshot(world, bytes, room); }
 CALL(load_snapshot_of_compounds)(World<Compounds>& world, const uint8_t* bytes, size_t size) { return load_snapshot(world, bytes, size); }
 
@@ -140,9 +140,9 @@ CALL(apply_angular_impulse)(World<Sleeping>& world, BodyId id, const Vector& k) 
 CALL(collide)(World<Sleeping>& world, BodyId A, BodyId B, const Vector& P, const Vector& n, scalar e) { return world.collide(A, B, P, n, e); }
 CALL(set_gravity)(World<Sleeping>& world, const Vector& gravity) { return world.set_gravity(gravity); }
 CALL(gravity)(const World<Sleeping>& world) { return world.gravity(); }
-CALL(force_field)(World<Impacts>& world) { return (world.force_field()); }
-CALL(force_field_of_const)(const World<Impacts>& world) { return (world.force_field()); }
-CALL(time)(const World<Impacts>& world) { return world.time(); }
+CALL(force_field)(World<Colliding>& world) { return (world.force_field()); }
+CALL(force_field_of_const)(const World<Colliding>& world) { return (world.force_field()); }
+CALL(time)(const World<Colliding>& world) { return world.time(); }
 CALL(kinetic_energy)(const World<Sleeping>& world) { return world.kinetic_energy(); }
 CALL(linear_momentum)(const World<Sleeping>& world) { return world.linear_momentum(); }
 CALL(angular_momentum)(const World<Sleeping>& world) { return world.angular_momentum(); }
@@ -151,14 +151,14 @@ CALL(linear_momentum_of_body)(const World<Sleeping>& world, BodyId id) { return 
 CALL(angular_momentum_of_body)(const World<Sleeping>& world, BodyId id) { return world.angular_momentum(id); }
 
 // Contacts, filters, materials, sensors, events.
-CALL(contact_count)(const World<Impacts>& world) { return world.contact_count(); }
-CALL(contact)(const World<Impacts>& world, int index) { return world.contact(index); }
+CALL(contact_count)(const World<Colliding>& world) { return world.contact_count(); }
+CALL(contact)(const World<Colliding>& world, int index) { return world.contact(index); }
 CALL(filter)(const World<Sleeping>& world, BodyId id) { return world.filter(id); }
 CALL(set_filter)(World<Sleeping>& world, BodyId id, const BodyFilter& filter) { return world.set_filter(id, filter); }
-CALL(set_rolling_resistance)(World<Belts>& world, BodyId id, scalar lever) { return world.set_rolling_resistance(id, lever); }
-CALL(rolling_resistance)(const World<Belts>& world, BodyId id) { return world.rolling_resistance(id); }
-CALL(set_surface_velocity)(World<Belts>& world, BodyId id, const Vector& velocity) { return world.set_surface_velocity(id, velocity); }
-CALL(surface_velocity)(const World<Belts>& world, BodyId id) { return world.surface_velocity(id); }
+CALL(set_rolling_resistance)(World<Conveyors>& world, BodyId id, scalar lever) { return world.set_rolling_resistance(id, lever); }
+CALL(rolling_resistance)(const World<Conveyors>& world, BodyId id) { return world.rolling_resistance(id); }
+CALL(set_surface_velocity)(World<Conveyors>& world, BodyId id, const Vector& velocity) { return world.set_surface_velocity(id, velocity); }
+CALL(surface_velocity)(const World<Conveyors>& world, BodyId id) { return world.surface_velocity(id); }
 CALL(set_gravity_share)(World<Floating>& world, BodyId id, scalar share) { return world.set_gravity_share(id, share); }
 CALL(gravity_share)(const World<Floating>& world, BodyId id) { return world.gravity_share(id); }
 CALL(overlap_count)(const World<Sleeping>& world) { return world.overlap_count(); }
