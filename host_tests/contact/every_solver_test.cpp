@@ -96,7 +96,9 @@ TYPED_TEST(EverySolver, slows_a_ball_that_rolls_by_its_lever) {
         }
         worst = std::max(worst, most);
         EXPECT_LE(most, 1) << "case " << case_i << " R " << R << " M " << M << " v " << v_0 << " 1/h " << 1 / h;
-        if (on_slab && TypeParam::is_direct) EXPECT_GT(scene.reports().solved_directly, steps / 2);
+        if (on_slab && TypeParam::is_direct) {
+            EXPECT_GT(scene.reports().solved_directly, steps / 2);
+        }
     }
     figure("error of the speed, of what is allowed", worst);
 }
@@ -125,7 +127,9 @@ TYPED_TEST(EverySolver, carries_on_a_belt_at_its_speed) {
         }
         worst = std::max(worst, most);
         EXPECT_LE(most, 1) << "case " << case_i << " mu " << mu << " M " << M << " v " << speed << " 1/h " << 1 / h;
-        if (loaded && TypeParam::is_direct) EXPECT_GT(scene.reports().solved_directly, steps / 2);
+        if (loaded && TypeParam::is_direct) {
+            EXPECT_GT(scene.reports().solved_directly, steps / 2);
+        }
     }
     figure("error of the speed, of what is allowed", worst);
 }
