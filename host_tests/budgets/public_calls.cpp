@@ -67,7 +67,7 @@ struct Sleeping : Telling {
 struct Conveyors : Touching {
     static constexpr bool sleeps = true, rolling_resistance = true, surface_velocities = true;
 };
-struct SeveralShapes : Touching {
+struct ManyShapes : Touching {
     static constexpr int max_shapes_of_body = 3;
     static constexpr bool rolling_resistance = true, surface_velocities = true;
     using force_field = BothFields<SpringDamper, PointMassGravity>;
@@ -103,23 +103,23 @@ CALL(step_sweeps)(World<Telling>& world, scalar h) { return step(world, h); }
 CALL(step_point_sweeps)(World<Light>& world, scalar h) { return step(world, h); }
 CALL(step_hybrid_islands)(World<Sleeping>& world, scalar h) { return step(world, h); }
 CALL(step_belts)(World<Conveyors>& world, scalar h) { return step(world, h); }
-CALL(step_compounds)(World<SeveralShapes>& world, scalar h) { return step(world, h); }
+CALL(step_compounds)(World<ManyShapes>& world, scalar h) { return step(world, h); }
 CALL(step_continuous)(World<Following>& world, scalar h) { return step(world, h); }
 CALL(step_continuous_hybrid_islands)(World<FollowingDirectly>& world, scalar h) { return step(world, h); }
 
 // Snapshots.
 CALL(save_snapshot)(const World<Conveyors>& world, uint8_t* bytes, size_t room) { return save_snapshot(world, bytes, room); }
 CALL(load_snapshot)(World<Conveyors>& world, const uint8_t* bytes, size_t size) { return load_snapshot(world, bytes, size); }
-CALL(save_snapshot_of_compounds)(const World<SeveralShapes>& world, uint8_t* bytes, size_t room) { return save_snapshot(world, bytes, room); }
-CALL(load_snapshot_of_compounds)(World<SeveralShapes>& world, const uint8_t* bytes, size_t size) { return load_snapshot(world, bytes, size); }
+CALL(save_snapshot_of_compounds)(const World<ManyShapes>& world, uint8_t* bytes, size_t room) { return save_snapshot(world, bytes, room); }
+CALL(load_snapshot_of_compounds)(World<ManyShapes>& world, const uint8_t* bytes, size_t size) { return load_snapshot(world, bytes, size); }
 
 // Bodies.
 CALL(add)(World<Sleeping>& world, const BodyDef& def) { return world.add(def); }
-CALL(add_to_compounds)(World<SeveralShapes>& world, const BodyDef& def) { return world.add(def); }
-CALL(add_compound)(World<SeveralShapes>& world, const BodyDef& def, const ShapeDef* shapes, int count) { return world.add(def, shapes, count); }
-CALL(add_compound_of_array)(World<SeveralShapes>& world, const BodyDef& def, const ShapeDef (&shapes)[3]) { return world.add(def, shapes); }
+CALL(add_to_compounds)(World<ManyShapes>& world, const BodyDef& def) { return world.add(def); }
+CALL(add_compound)(World<ManyShapes>& world, const BodyDef& def, const ShapeDef* shapes, int count) { return world.add(def, shapes, count); }
+CALL(add_compound_of_array)(World<ManyShapes>& world, const BodyDef& def, const ShapeDef (&shapes)[3]) { return world.add(def, shapes); }
 CALL(remove)(World<Sleeping>& world, BodyId id) { return world.remove(id); }
-CALL(remove_compound)(World<SeveralShapes>& world, BodyId id) { return world.remove(id); }
+CALL(remove_compound)(World<ManyShapes>& world, BodyId id) { return world.remove(id); }
 CALL(is_alive)(const World<Sleeping>& world, BodyId id) { return world.is_alive(id); }
 CALL(is_frozen)(const World<Sleeping>& world, BodyId id) { return world.is_frozen(id); }
 CALL(body_count)(const World<Sleeping>& world) { return world.body_count(); }
@@ -128,7 +128,7 @@ CALL(body_at)(const World<Sleeping>& world, int slot) { return world.body_at(slo
 // State, forces, impulses.
 CALL(state)(const World<Sleeping>& world, BodyId id) { return world.state(id); }
 CALL(set_state)(World<Sleeping>& world, BodyId id, const BodyState& state) { return world.set_state(id, state); }
-CALL(set_state_of_compound)(World<SeveralShapes>& world, BodyId id, const BodyState& state) { return world.set_state(id, state); }
+CALL(set_state_of_compound)(World<ManyShapes>& world, BodyId id, const BodyState& state) { return world.set_state(id, state); }
 CALL(mass)(const World<Sleeping>& world, BodyId id) { return world.mass(id); }
 CALL(omega)(const World<Sleeping>& world, BodyId id) { return world.omega(id); }
 CALL(add_force)(World<Sleeping>& world, BodyId id, const Vector& F, const Vector& P) { return world.add_force(id, F, P); }
@@ -176,25 +176,25 @@ CALL(asleep_island_count)(const World<Sleeping>& world) { return world.asleep_is
 CALL(cast_ray)(const World<Sleeping>& world, const Vector& from, const Vector& way, const QueryFilter& filter) {
     return world.cast_ray(from, way, filter);
 }
-CALL(cast_ray_at_compounds)(const World<SeveralShapes>& world, const Vector& from, const Vector& way, const QueryFilter& filter) {
+CALL(cast_ray_at_compounds)(const World<ManyShapes>& world, const Vector& from, const Vector& way, const QueryFilter& filter) {
     return world.cast_ray(from, way, filter);
 }
 CALL(cast_shape)(const World<Sleeping>& world, const PlacedShape& shape, const Vector& way, const QueryFilter& filter) {
     return world.cast_shape(shape, way, filter);
 }
-CALL(cast_shape_at_compounds)(const World<SeveralShapes>& world, const PlacedShape& shape, const Vector& way, const QueryFilter& filter) {
+CALL(cast_shape_at_compounds)(const World<ManyShapes>& world, const PlacedShape& shape, const Vector& way, const QueryFilter& filter) {
     return world.cast_shape(shape, way, filter);
 }
 CALL(find_overlaps)(const World<Sleeping>& world, const PlacedShape& shape, BodyId* found, int capacity, const QueryFilter& filter) {
     return world.find_overlaps(shape, found, capacity, filter);
 }
-CALL(find_overlaps_of_compounds)(const World<SeveralShapes>& world, const PlacedShape& shape, BodyId* found, int capacity, const QueryFilter& filter) {
+CALL(find_overlaps_of_compounds)(const World<ManyShapes>& world, const PlacedShape& shape, BodyId* found, int capacity, const QueryFilter& filter) {
     return world.find_overlaps(shape, found, capacity, filter);
 }
 CALL(find_nearest)(const World<Sleeping>& world, const Vector& point, scalar within, const QueryFilter& filter) {
     return world.find_nearest(point, within, filter);
 }
-CALL(find_nearest_of_compounds)(const World<SeveralShapes>& world, const Vector& point, scalar within, const QueryFilter& filter) {
+CALL(find_nearest_of_compounds)(const World<ManyShapes>& world, const Vector& point, scalar within, const QueryFilter& filter) {
     return world.find_nearest(point, within, filter);
 }
 
