@@ -19,8 +19,8 @@ Vector3d plain(const ingot::DirectVector& v) { return {v.x, v.y, v.z}; }
 /// Four points of a plane between two bodies, or below one that stands on what cannot move: three are active, and carry something.
 struct FourPoints {
     ingot::DirectBody bodies[3] = {};
-    ingot::DirectManifold manifold{};
-    ingot::DirectRow rows[ingot::direct_rows] = {};
+    ingot::DirectView::Manifold manifold{};
+    ingot::DirectRow rows[ingot::DirectView::row_count] = {};
     ingot::DirectView island{};
     Eigen::Matrix<double, 3, 4> balance;  ///< total and moments that impulses along the normals have
     Vector4d j;

@@ -199,8 +199,8 @@ struct RandomIsland {
             fates.push_back(ingot::solve_island(solver, direct, static_cast<scalar>(h), after_sweeps));
             solved = fates.back() == ingot::IslandState::solved && solved;
             bool pushed = false;
-            for (int row_i = 0; row_i < direct.manifold_count * ingot::direct_rows; ++row_i) {
-                const bool exists = (direct.manifolds[row_i / ingot::direct_rows].rows >> row_i % ingot::direct_rows & 1u) != 0;
+            for (int row_i = 0; row_i < direct.manifold_count * ingot::DirectView::row_count; ++row_i) {
+                const bool exists = (direct.manifolds[row_i / ingot::DirectView::row_count].rows >> row_i % ingot::DirectView::row_count & 1u) != 0;
                 pushed = pushed || (exists && direct.rows[row_i].j > 0);
             }
             carried.push_back(pushed);
@@ -217,12 +217,12 @@ struct RandomIsland {
             found.omega[slot] = problem.bodies[slot].inv_I_world * Vector3d(body.angular.x, body.angular.y, body.angular.z);
         }
         for (int manifold_i = 0; manifold_i < direct.manifold_count; ++manifold_i) {
-            const ingot::DirectManifold& manifold = direct.manifolds[manifold_i];
+            const ingot::DirectView::Manifold& manifold = direct.manifolds[manifold_i];
             const auto& pair =
                 solver.pairs[solver.blocks[manifold.position / ingot::lanes].manifold[manifold.position % ingot::lanes]];
             const auto& block = solver.blocks[manifold.position / ingot::lanes];
             const auto& contact = solver.records[pair.record].manifold;
-            const ingot::DirectRow* const rows = direct.rows + manifold_i * ingot::direct_rows;
+            const ingot::DirectRow* const rows = direct.rows + manifold_i * ingot::DirectView::row_count;
             FrictionPatch patch;
             patch.body_A = pair.body_A;
             patch.body_B = pair.body_B;
@@ -344,27 +344,27 @@ TEST(DirectIsland, touches_nothing_beyond_its_end) {
             const int count = direct.manifold_count;
             // Left over from another: four points on the island's own bodies, that carry and slide.
             for (int manifold_i = count; manifold_i < direct.manifold_capacity; ++manifold_i) {
-                ingot::DirectManifold& left = direct.manifolds[manifold_i] = direct.manifolds[0];
+                ingot::DirectView::Manifold& left = direct.manifolds[manifold_i] = direct.manifolds[0];
                 left.rows = left.active = left.sliding = left.pulls = 0x7f;
                 left.points = 4;
-                for (int row = 0; row < ingot::direct_rows; ++row) {
-                    direct.rows[manifold_i * ingot::direct_rows + row] = direct.rows[0];
-                    direct.rows[manifold_i * ingot::direct_rows + row].j = 1;
+                for (int row = 0; row < ingot::DirectView::row_count; ++row) {
+                    direct.rows[manifold_i * ingot::DirectView::row_count + row] = direct.rows[0];
+                    direct.rows[manifold_i * ingot::DirectView::row_count + row].j = 1;
                 }
             }
-            const std::vector<ingot::DirectManifold> manifolds(direct.manifolds + count, direct.manifolds + direct.manifold_capacity);
-            const std::vector<ingot::DirectRow> rows(direct.rows + count * ingot::direct_rows,
-                                                     direct.rows + direct.manifold_capacity * ingot::direct_rows);
+            const std::vector<ingot::DirectView::Manifold> manifolds(direct.manifolds + count, direct.manifolds + direct.manifold_capacity);
+            const std::vector<ingot::DirectRow> rows(direct.rows + count * ingot::DirectView::row_count,
+                                                     direct.rows + direct.manifold_capacity * ingot::DirectView::row_count);
             island.direct.work_left = 1 << 24;
             island.direct.uneven = case_i % 2 != 0;  // impacts too, or not
             (void)ingot::solve_island(island.solver, island.direct, static_cast<scalar>(RandomIsland::h), false);
             (void)ingot::place_island(island.solver, island.direct, static_cast<scalar>(RandomIsland::h));
             for (std::size_t i = 0; i < manifolds.size(); ++i) {
-                const ingot::DirectManifold &is = direct.manifolds[static_cast<std::size_t>(count) + i], &was = manifolds[i];
+                const ingot::DirectView::Manifold &is = direct.manifolds[static_cast<std::size_t>(count) + i], &was = manifolds[i];
                 EXPECT_TRUE(is.rows == was.rows && is.active == was.active && is.sliding == was.sliding && is.pulls == was.pulls) << case_i;
             }
             for (std::size_t i = 0; i < rows.size(); ++i) {
-                const ingot::DirectRow& is = direct.rows[static_cast<std::size_t>(count * ingot::direct_rows) + i];
+                const ingot::DirectRow& is = direct.rows[static_cast<std::size_t>(count * ingot::DirectView::row_count) + i];
                 EXPECT_TRUE(is.j == rows[i].j && is.target == rows[i].target) << case_i;
             }
         }
@@ -531,10 +531,11 @@ TEST(DirectIsland, counts_the_work_of_sliding) {
             int work[2];
             for (const bool slides : {false, true}) {
                 for (int manifold_i = 0; manifold_i < island.direct.manifold_count; ++manifold_i) {
-                    ingot::DirectManifold& manifold = island.direct.manifolds[manifold_i];
+                    ingot::DirectView::Manifold& manifold = island.direct.manifolds[manifold_i];
                     manifold.active = manifold.rows & (1u | 3u << ingot::friction_row);
                     manifold.sliding = slides ? static_cast<uint8_t>(3u << ingot::friction_row) : uint8_t(0);
-                    for (int row = 0; row < ingot::direct_rows; ++row) island.direct.rows[manifold_i * ingot::direct_rows + row].j = 1;
+                    for (int row = 0; row < ingot::DirectView::row_count; ++row)
+                        island.direct.rows[manifold_i * ingot::DirectView::row_count + row].j = 1;
                 }
                 island.direct.work_left = 1 << 24;
                 island.direct.factored = false;
