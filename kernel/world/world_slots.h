@@ -3,6 +3,8 @@
 #pragma once
 
 #include "../base/ids.h"
+#include "../body/freeze_bad_bodies.h"
+#include "../query/query_filter.h"
 #include "storage.h"
 
 namespace ingot { inline namespace INGOT_ABI {

@@ -43,7 +43,7 @@ INGOT_SHARED Vector across(const Vector& n, const Vector& v) { return v - n * do
 scalar pull_sq_on(const PointBody& body) { return body.inv_M > 0 ? length_sq(body.forces.linear) : 0; }
 
 /// What is kept of the normals of bodies that were hit: of an impact no more than gravity explains.
-void cut_impulses_of_hit(const PointVisit& visit, scalar h) {
+[[maybe_unused]] void cut_impulses_of_hit(const PointVisit& visit, scalar h) {
     const scalar allowance = 2 * h * sqrt(max(pull_sq_on(visit.pair.A), pull_sq_on(visit.pair.B)));
     for (int point_i = 0; point_i < visit.count(); ++point_i) {
         scalar& j = visit.record.j[point_i];
@@ -58,7 +58,7 @@ INGOT_SHARED void note_change(SweepOfPoints& sweep, scalar d, scalar K, scalar l
 }
 
 /// One round over the normals, which keeps `relative` up to date. Returns the largest speed corrected, m/s.
-scalar round_of_normals(const PointVisit& visit, RelativeVelocity& relative, scalar ignored, SweepOfPoints& sweep) {
+[[maybe_unused]] scalar round_of_normals(const PointVisit& visit, RelativeVelocity& relative, scalar ignored, SweepOfPoints& sweep) {
     scalar largest = 0;
     NormalMotion motion;
     bool is_known = false;
@@ -80,7 +80,7 @@ scalar round_of_normals(const PointVisit& visit, RelativeVelocity& relative, sca
     return largest;
 }
 
-void solve_friction(const PointVisit& visit, const RelativeVelocity& relative, scalar limit, scalar ignored, SweepOfPoints& sweep) {
+[[maybe_unused]] void solve_friction(const PointVisit& visit, const RelativeVelocity& relative, scalar limit, scalar ignored, SweepOfPoints& sweep) {
     const Vector slip = across(visit.n(), relative.linear), before = visit.record.j_friction;
     if (length_sq(slip) <= ignored * ignored && length_sq(before) <= limit * limit) return;
     const scalar K = compliance_of_friction(visit);
@@ -92,7 +92,7 @@ void solve_friction(const PointVisit& visit, const RelativeVelocity& relative, s
 }
 
 /// True if it changed something.
-bool solve_torsion(const PointVisit& visit, const RelativeVelocity& relative, scalar limit, scalar ignored, SweepOfPoints& sweep) {
+[[maybe_unused]] bool solve_torsion(const PointVisit& visit, const RelativeVelocity& relative, scalar limit, scalar ignored, SweepOfPoints& sweep) {
     const scalar spin = dot(visit.n(), relative.angular), before = visit.record.j_torsion, radius = visit.contact.radius;
     if (abs(spin) * radius <= ignored && abs(before) <= limit * radius) return false;
     const scalar K = compliance_about(visit.pair, visit.n());
@@ -225,7 +225,7 @@ void begin_contact(const VisitOf<View>& visit, scalar share, scalar h) {
     visit.record.j_friction = across(visit.n(), visit.record.j_friction);
 }
 
-void give(const PointVisit& visit, const scalar* j, const Vector& friction, scalar torsion) {
+[[maybe_unused]] void give(const PointVisit& visit, const scalar* j, const Vector& friction, scalar torsion) {
     Vector levers = {0, 0, 0};
     scalar sum = 0;
     for (int point_i = 0; point_i < visit.count(); ++point_i) {

@@ -16,7 +16,7 @@ const ManifoldRecord& record_of_member(const PointView& solver, int member_i) {
 }
 
 /// Whether nothing of the island accelerated in the step before, and no chain of its contacts is long.
-bool begins_steady(const PointView& solver) {
+[[maybe_unused]] bool begins_steady(const PointView& solver) {
     bool steady = solver.member_count <= limits::steady_levels;
     for (int i = 0; i < solver.member_count; ++i) steady = steady && was_steady(record_of_member(solver, i));  // bound: max_manifolds
     return steady;
@@ -42,7 +42,7 @@ SweptPoints solve_point_velocities(const View& solver, scalar rounding) {
 }
 
 /// Notes which manifolds carry an impulse at the end of a substep; `first`: the first of the step.
-void note_impulses_of_points(const PointView& solver, ImpactNote* notes, bool first) {
+[[maybe_unused]] void note_impulses_of_points(const PointView& solver, ImpactNote* notes, bool first) {
     for (int i = 0; i < solver.member_count; ++i) {
         const ManifoldRecord& record = record_of_member(solver, i);
         ImpactNote& note = notes[solver.members[i]];
