@@ -38,7 +38,7 @@ inline constexpr auto flat = ingot::convex_hull<4>({{1, 1, 0}, {1, -1, 0}, {-1, 
 
 /// A field that changes with the time.
 struct Gusts : ingot::ForceField {
-    ingot::Wrench operator()(const ingot::BodyMotion& body) const { return {body.v_CM * ingot::splat<ingot::lane>(body.t), {}}; }
+    ingot::Wrench operator()(const ingot::BodyMotion& body) const { return ingot::Wrench::force(body.v_CM * ingot::splat<ingot::lane>(body.t)); }
 };
 
 #ifdef NOT_A_SCENE

@@ -225,7 +225,7 @@ void begin_contact(const VisitOf<View>& visit, scalar share, scalar h) {
     visit.record.j_friction = across(visit.n(), visit.record.j_friction);
 }
 
-[[maybe_unused]] void give(const PointVisit& visit, const scalar* j, const Vector& friction, scalar torsion) {
+[[maybe_unused]] void give_impulses(const PointVisit& visit, const scalar* j, const Vector& friction, scalar torsion) {
     Vector levers = {0, 0, 0};
     scalar sum = 0;
     for (int point_i = 0; point_i < visit.count(); ++point_i) {
@@ -249,7 +249,7 @@ void start_visit(const VisitOf<View>& visit) {
     const scalar load = load_on(visit), limit = record.mu * load;
     record.j_friction = clamp_length(record.j_friction, limit);
     record.j_torsion = clamp(record.j_torsion, limit * visit.contact.radius);
-    give(visit, record.j, record.j_friction, record.j_torsion);
+    give_impulses(visit, record.j, record.j_friction, record.j_torsion);
     if constexpr (View::rolls) {
         Vector& j = visit.rolling_record().j;
         j = clamp_length(j, visit.rolling_record().lever * load);
@@ -272,7 +272,7 @@ void go_on(const VisitOf<View>& visit, scalar beta) {
     record.j_friction += along.friction * beta;
     record.j_torsion += along.torsion * beta;
     change = {};
-    give(visit, j, along.friction * beta, along.torsion * beta);
+    give_impulses(visit, j, along.friction * beta, along.torsion * beta);
     if constexpr (View::rolls) {
         PointRolling& rolling = visit.rolling();
         rolling.along = rolling.along * beta + rolling.change;
