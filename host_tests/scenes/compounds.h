@@ -75,8 +75,8 @@ struct CompoundPile : Compounded<19, 160> {
     static constexpr int wall_count = 5;
     static constexpr scalar side = 3, mu = scalar(0.5);
 };
-inline ingot::Status set_up(ingot::World<CompoundPile>& world) {
-    using S = CompoundPile;
+template <class S>
+ingot::Status set_up_compounds(ingot::World<S>& world) {
     ingot::Status status = world.set_gravity({0, 0, -standard_gravity});
     for (int wall_i = 0; wall_i < S::wall_count && status == ingot::Status::ok; ++wall_i) {
         PlacedBody wall = pit_wall(wall_i, S::side, S::mu);
@@ -98,5 +98,6 @@ inline ingot::Status set_up(ingot::World<CompoundPile>& world) {
     }
     return status;
 }
+inline ingot::Status set_up(ingot::World<CompoundPile>& world) { return set_up_compounds(world); }
 
 }  // namespace scenes
