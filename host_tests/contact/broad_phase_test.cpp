@@ -74,7 +74,8 @@ Found found_by(Bodies& bodies, int capacity) {
     static const std::unique_ptr<Memory> memory(new Memory{});  // what an earlier search left in it must not matter
     std::vector<BodyPair> pairs(static_cast<std::size_t>(capacity));
     std::uint16_t count = 7, lost = 7;
-    memory->find_pairs(bodies.view(), bodies.bounds.data(), {pairs.data(), capacity, &count, &lost});
+    std::vector<std::uint8_t> flags(bodies.bounds.size() * lanes, ingot::SearchFlag::searched);
+    memory->find_pairs({bodies.view(), {}, bodies.bounds.data(), flags.data()}, {pairs.data(), capacity, &count, &lost});
     Found found;
     found.lost = lost;
     for (int i = 0; i < count; ++i) {
@@ -184,6 +185,58 @@ TEST(BroadPhase, degenerate_places_are_places) {
             EXPECT_EQ(found_by<ingot::AllPairs>(bodies, pairs_max).keys, bodies.expected());
         }
     }
+}
+
+/// A tree that is kept finds, for the shapes that are due alone, what a double loop finds: after some bodies moved, a little or far away, came,
+/// went, froze, or all of them; where all are searched for, and where some rest.
+TEST(BroadPhase, a_kept_tree_finds_the_pairs_of_those_that_are_due) {
+    using Memory = ingot::SortedTree::AwakeMemory<bodies_max, pairs_max>;
+    RandomInput random(11);
+    int searches = 0, pairs_seen = 0;
+    for (const int count : {1, 8, 65, 300, 1000}) {
+        for (int scene_i = 0; scene_i < 4; ++scene_i) {
+            const std::unique_ptr<Memory> memory(new Memory{});
+            Bodies bodies = random_bodies(random, count);
+            std::vector<std::uint8_t> flags(bodies.bounds.size() * lanes, 0);
+            for (int slot = 0; slot < count; ++slot) flags[static_cast<std::size_t>(slot)] = scene_i % 2 == 0 || random.integer(0, 2) > 0;
+            std::vector<BodyPair> pairs(pairs_max);
+            std::uint16_t found = 0, lost = 0;
+            const ingot::SearchView search = {bodies.view(), {}, bodies.bounds.data(), flags.data()};
+            const ingot::PairList list = {pairs.data(), pairs_max, &found, &lost};
+            memory->find_pairs(search, list);
+            for (int round_i = 0; round_i < 60; ++round_i) {
+                const int moved = random.integer(0, 9) == 0 ? count : random.integer(1, 1 + count / 20);
+                int due = 0;
+                for (int i = 0; i < moved; ++i) {
+                    const int slot = moved == count ? i : random.integer(0, count - 1);
+                    if (search.has(slot, ingot::SearchFlag::due)) continue;
+                    search.set(slot, ingot::SearchFlag::due | ingot::SearchFlag::searched);
+                    memory->due_shapes()[due++] = static_cast<std::uint32_t>(slot);
+                    const double far = random.integer(0, 3) == 0 ? 20 : 0.5;
+                    const Vector3d centre = random.vector(far), half = Vector3d::Constant(0.6) + random.vector(0.4);
+                    if (random.integer(0, 15) == 0)
+                        bodies.put(slot, Bodies::empty_low, -Bodies::empty_low, false);
+                    else
+                        bodies.put(slot, centre - half, centre + half, random.integer(0, 7) > 0);
+                }
+                memory->find_due_pairs(search, due, list);
+                std::vector<std::uint32_t> expected, keys;
+                for (const std::uint32_t key : bodies.expected()) {
+                    const int A = static_cast<int>(key >> 16), B = static_cast<int>(key & 65535u);
+                    if (search.has(A, ingot::SearchFlag::searched) || search.has(B, ingot::SearchFlag::searched)) expected.push_back(key);
+                }
+                if (expected.size() > pairs_max) break;
+                for (int i = 0; i < found; ++i) keys.push_back(pairs[static_cast<std::size_t>(i)].key());
+                ASSERT_EQ(keys, expected) << count << " " << round_i;
+                ASSERT_EQ(lost, 0);
+                ++searches;
+                pairs_seen += found;
+            }
+        }
+    }
+    figure("searches", searches);
+    figure("pairs", pairs_seen);
+    EXPECT_GT(searches, 600);
 }
 
 /// Pairs are searched for again before they can touch: in every step of a pile that falls, each two balls nearer than

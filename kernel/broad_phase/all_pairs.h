@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "awake_search.h"
+#include "search_view.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -11,22 +11,28 @@ namespace ingot { inline namespace INGOT_ABI {
 /// Full: pairs of the lowest slots are kept.
 void find_all_pairs(const BodyView& bodies, const BoundsTile* bounds, const PairList& pairs);
 
-/// The same but for pairs of two shapes that rest: see awake_search.h.
+/// The same but for pairs of two shapes that rest: see search_view.h.
 void find_all_awake_pairs(const SearchView& search, const PairList& pairs);
+
+/// Bounds of the step, and a search where a shape has left its fat AABB. True when the list has changed. See stages.h, find_pairs.
+bool search_all_pairs(const SearchView& search, scalar h, const PairList& pairs);
 
 /// `using broad_phase = ingot::AllPairs;`, for up to a few hundred bodies.
 struct AllPairs {
     static constexpr const char* name = "all_pairs";
     template <int max_bodies, int max_pairs>
     struct Memory {
-        void find_pairs(const BodyView& bodies, const BoundsTile* bounds, const PairList& pairs) { find_all_pairs(bodies, bounds, pairs); }
+        static constexpr uint8_t* search_flags = nullptr;
+
+        static void find_pairs(const SearchView& search, const PairList& pairs) { find_all_pairs(search.shapes, search.bounds, pairs); }
+        static bool search(const SearchView& search, scalar h, const PairList& pairs) { return search_all_pairs(search, h, pairs); }
     };
 
     /// For scenes whose bodies sleep. The pairs of those that are due are found with all others.
     template <int max_bodies, int max_pairs>
     struct AwakeMemory {
         static uint32_t* due_shapes() { return nullptr; }
-        static void find_awake_pairs(const SearchView& search, const PairList& pairs) { find_all_awake_pairs(search, pairs); }
+        static void find_pairs(const SearchView& search, const PairList& pairs) { find_all_awake_pairs(search, pairs); }
         static void find_due_pairs(const SearchView& search, int, const PairList& pairs) { find_all_awake_pairs(search, pairs); }
     };
 };

@@ -30,27 +30,10 @@ void invalidate_bounds(BoundsTile* bounds, int slot) {
 bool refresh_bounds(const BodyView& bodies, const SurfaceView& surfaces, scalar h, BoundsTile* bounds) {
     mask left = splat<lane>(1) < lane{};
     // bound: max_bodies max_shapes_of_body / lanes, rounded up: the view of all shapes
-    for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) {
-        BoundsTile& tile = bounds[tile_i];
-        for (int lane_i = 0; lane_i < lanes; ++lane_i) {
-            const int slot = tile_i * lanes + lane_i;
-            if (slot < surfaces.slot_count)
-                bound(bodies, surfaces.surfaces[slot], {tile_i, lane_i}, h, tile);
-            else
-                set_bounds(tile, lane_i, nowhere, -nowhere);
-        }
-        for (int axis = 0; axis < 3; ++axis) {
-            left = either(left, load(tile.low[axis]) < load(tile.fat_low[axis]));
-            left = either(left, load(tile.fat_high[axis]) < load(tile.high[axis]));
-        }
-    }
+    for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) left = either(left, refresh_tile(bodies, surfaces, tile_i, h, bounds[tile_i]));
     if (!any(left)) return false;
     for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) widen(bounds[tile_i], load(bodies.translation[tile_i].inv_M));
     return true;
-}
-
-void fatten_bounds(const BodyView& bodies, BoundsTile* bounds) {
-    for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) widen(bounds[tile_i], load(bodies.translation[tile_i].inv_M));
 }
 
 void shrink_bounds(const BodyView& bodies, BoundsTile* bounds) {

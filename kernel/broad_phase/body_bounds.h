@@ -20,9 +20,6 @@ struct alignas(tile_alignment) BoundsTile {
 /// last search still hold all that may touch.
 bool refresh_bounds(const BodyView& bodies, const SurfaceView& surfaces, scalar h, BoundsTile* bounds);
 
-/// New fat AABBs around the bounds as they are: where refresh_bounds was called for some of the tiles, and one has left.
-void fatten_bounds(const BodyView& bodies, BoundsTile* bounds);
-
 /// Fat AABBs without their skin: a search by these finds the pairs that may touch in this step, and no more.
 void shrink_bounds(const BodyView& bodies, BoundsTile* bounds);
 

@@ -10,10 +10,10 @@
 
 namespace ingot { inline namespace INGOT_ABI { namespace bounding {
 
-inline Vector absolute(const Vector& v) { return {abs(v.x), abs(v.y), abs(v.z)}; }
+INGOT_INLINE Vector absolute(const Vector& v) { return {abs(v.x), abs(v.y), abs(v.z)}; }
 
 /// Half extents along the world axes.
-inline Vector reach_of(const Surface& surface, const Matrix& A) {
+INGOT_INLINE Vector reach_of(const Surface& surface, const Matrix& A) {
     const Vector& size = surface.shape.size;
     const scalar R = size.x;  // of a ball, and of that which holds a hull
     switch (surface.shape.kind) {
@@ -27,7 +27,7 @@ inline Vector reach_of(const Surface& surface, const Matrix& A) {
     }
 }
 
-inline void set_bounds(BoundsTile& bounds, int lane_i, const Vector& low, const Vector& high) {
+INGOT_INLINE void set_bounds(BoundsTile& bounds, int lane_i, const Vector& low, const Vector& high) {
     set_lane(bounds.low, lane_i, low);
     set_lane(bounds.high, lane_i, high);
 }
@@ -36,7 +36,7 @@ inline constexpr Vector everywhere = {limits::unbounded, limits::unbounded, limi
 inline constexpr Vector nowhere = everywhere * scalar(2);  ///< empty bounds begin there; so that not even a half space overlaps them
 
 /// A half space whose face lies along two of the axes ends there; any other is everywhere. It never moves.
-inline void bound_half_space(const BodyView& bodies, const Surface& surface, Place at, BoundsTile& tile) {
+INGOT_INLINE void bound_half_space(const BodyView& bodies, const Surface& surface, Place at, BoundsTile& tile) {
     set_bounds(tile, at.lane, -everywhere, everywhere);
     tile.spin_reach[at.lane] = 0;  // what was in the slot before may have spun
     const Vector n = lane_of(bodies.rotation[at.tile].A, at.lane) * surface.shape.size, r = lane_of(bodies.translation[at.tile].r_CM, at.lane);
@@ -53,7 +53,7 @@ inline void bound_half_space(const BodyView& bodies, const Surface& surface, Pla
 }
 
 /// The box of one shape, and what its spin adds.
-inline void bound(const BodyView& bodies, const Surface& surface, Place at, scalar h, BoundsTile& tile) {
+INGOT_INLINE void bound(const BodyView& bodies, const Surface& surface, Place at, scalar h, BoundsTile& tile) {
     if (surface.shape.kind == ShapeKind::none) return set_bounds(tile, at.lane, nowhere, -nowhere);
     if (surface.shape.kind == ShapeKind::half_space) return bound_half_space(bodies, surface, at, tile);
     const Vector r = lane_of(bodies.translation[at.tile].r_CM, at.lane), v = lane_of(bodies.translation[at.tile].v_CM, at.lane);
@@ -64,6 +64,23 @@ inline void bound(const BodyView& bodies, const Surface& surface, Place at, scal
     const Vector reach = reach_of(surface, lane_of(bodies.rotation[at.tile].A, at.lane)) * (1 + limits::flatness) + Vector{more, more, more};
     const Vector travel = absolute(v) * h;
     set_bounds(tile, at.lane, r - reach - travel, r + reach + travel);
+}
+
+/// Bounds of a tile of shapes. Returns the lanes that have left their fat AABBs.
+INGOT_INLINE mask refresh_tile(const BodyView& bodies, const SurfaceView& surfaces, int tile_i, scalar h, BoundsTile& tile) {
+    for (int lane_i = 0; lane_i < lanes; ++lane_i) {
+        const int slot = tile_i * lanes + lane_i;
+        if (slot < surfaces.slot_count)
+            bound(bodies, surfaces.surfaces[slot], {tile_i, lane_i}, h, tile);
+        else
+            set_bounds(tile, lane_i, nowhere, -nowhere);
+    }
+    mask left = splat<lane>(1) < lane{};
+    for (int axis = 0; axis < 3; ++axis) {
+        left = either(left, load(tile.low[axis]) < load(tile.fat_low[axis]));
+        left = either(left, load(tile.fat_high[axis]) < load(tile.high[axis]));
+    }
+    return left;
 }
 
 /// Of the box: so it fits bodies of every size. It costs some pairs that do not touch and saves most searches.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "awake_search.h"
+#include "search_view.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -23,48 +23,43 @@ struct TreeKey {
 };
 
 /// What the tree works on, without its capacities.
+///
+/// Bodies are sorted along a Morton curve through their centres and packed in this order into leaves, over which a complete binary tree of boxes
+/// stands: no pointers, no insertion, no balance to keep; sizes may be mixed. Each leaf looks for the leaves after it that it overlaps.
+/// Source: Morton order as in Lauterbach et al. 2009 (LBVH); the implicit tree over leaves is ours.
+///
+/// It is kept over several steps: a shape that left its fat AABB keeps its place in the order of the last sorting, and the boxes above it are made
+/// anew. It is then found wherever it is, but boxes grow; when many have left their places, the tree is built again. What a search finds does not
+/// depend on it.
 struct SortedTreeView {
     TreeLeaf* leaves;
     TreeBox* boxes;              ///< 2 leaf_places; box 1 holds all, box i holds 2 i and 2 i + 1, box leaf_places + k is that of leaf k
     int leaf_places;             ///< a power of two
     TreeKey *keys, *other_keys;
     BodyPair* other_pairs;       ///< as many as pairs
-    uint32_t* counters;          ///< as many as bodies and spare lanes, and 1024 at least
+    uint32_t* counters;          ///< as many as bodies and spare lanes, and 1024 at least; until a search sorts, the shapes that are due
+    uint16_t* place;             ///< by slot: 1 + where it is in the leaves; 0: nowhere
+    uint16_t* used;              ///< places in the leaves that hold a shape, or held one
+    uint16_t* moved;             ///< shapes that are no more where the tree was built for
 };
 
-/// Every pair whose fat AABBs overlap and of which one can move, sorted by slots: what find_all_pairs finds.
-///
-/// Bodies are sorted along a Morton curve through their centres and packed in this order into leaves, over which a complete binary tree of boxes
-/// stands: no pointers, no insertion, no balance to keep; sizes may be mixed. Each leaf looks for the leaves after it that it overlaps.
-/// Cost: near-linear in bodies. Full: which pairs are kept is the same on every target, but not one of the slots; lost counts the others.
-/// Source: Morton order as in Lauterbach et al. 2009 (LBVH); the implicit tree over leaves is ours.
-void find_pairs_by_tree(const BodyView& bodies, const BoundsTile* bounds, const SortedTreeView& tree, const PairList& pairs);
-
-/// A tree that is kept over several steps, in scenes whose bodies sleep.
-///
-/// A shape that left its fat AABB keeps its place in the order of the last sorting, and the boxes above it are made anew: it is then found
-/// wherever it
-/// is, but boxes grow. When many have left their places, the tree is built again. What a search finds does not depend on it.
-struct KeptTreeView {
-    SortedTreeView sorted;
-    uint16_t* place;   ///< by slot: 1 + where it is in the leaves; 0: nowhere
-    uint16_t* used;    ///< places in the leaves that hold a shape, or held one
-    uint16_t* moved;   ///< shapes that are no more where the tree was built for
-};
-
-/// All pairs anew that are searched for: as find_pairs_by_tree, but for those of two that rest. Which are lost where there is no room depends on the
-/// fat AABBs alone. Cost: near-linear in all shapes.
-void find_awake_pairs_by_tree(const SearchView& search, const KeptTreeView& tree, const PairList& pairs);
+/// Every pair of which one is searched for and one can move and whose fat AABBs overlap, sorted by slots: what find_all_awake_pairs finds.
+/// Cost: near-linear in shapes. Full: which pairs are kept depends on the fat AABBs alone, but is not one of the slots; lost counts the others.
+void find_pairs_by_tree(const SearchView& search, const SortedTreeView& tree, const PairList& pairs);
 
 /// The same where the list holds those of the last search, and due[0 .. due_count) are the shapes that are due, in any order. Their pairs are without
 /// records after it. Cost: O(log shapes) a shape that is due, and a walk along the list; near-linear in all shapes where most of them are due.
-void find_due_pairs_by_tree(const SearchView& search, const KeptTreeView& tree, const uint32_t* due, int due_count, const PairList& pairs);
+void find_due_pairs_by_tree(const SearchView& search, const SortedTreeView& tree, const uint32_t* due, int due_count, const PairList& pairs);
+
+/// Bounds of the step, and a search for the shapes that have left their fat AABBs, where nothing sleeps. True when the list has changed. See
+/// stages.h, find_pairs.
+bool search_by_tree(const SearchView& search, const SortedTreeView& tree, scalar h, const PairList& pairs);
 
 /// `using broad_phase = ingot::SortedTree;`, for hundreds to tens of thousands of bodies.
 struct SortedTree {
     static constexpr const char* name = "sorted_tree";
     template <int max_bodies, int max_pairs>
-    struct Memory {
+    struct TreeMemory {
         static constexpr int leaf_count = (max_bodies + leaf_bodies - 1) / leaf_bodies;
         static constexpr int places() {
             int n = 1;
@@ -72,6 +67,7 @@ struct SortedTree {
             while (n < leaf_count) n *= 2;
             return n;
         }
+        static constexpr unsigned shape_slots = static_cast<unsigned>((max_bodies + lanes - 1) / lanes * lanes);
         static constexpr int counter_count = max_bodies + lanes > 1024 ? max_bodies + lanes : 1024;
 
         TreeLeaf leaves[static_cast<unsigned>(leaf_count)] = {};
@@ -79,24 +75,26 @@ struct SortedTree {
         TreeKey keys[static_cast<unsigned>(max_bodies)] = {}, other_keys[static_cast<unsigned>(max_bodies)] = {};
         BodyPair other_pairs[static_cast<unsigned>(max_pairs)] = {};
         uint32_t counters[static_cast<unsigned>(counter_count)] = {};
-
-        void find_pairs(const BodyView& bodies, const BoundsTile* bounds, const PairList& pairs) {
-            find_pairs_by_tree(bodies, bounds, sorted(), pairs);
-        }
-        SortedTreeView sorted() { return {leaves, boxes, places(), keys, other_keys, other_pairs, counters}; }
-    };
-
-    /// For scenes whose bodies sleep.
-    template <int max_bodies, int max_pairs>
-    struct AwakeMemory : Memory<max_bodies, max_pairs> {
-        uint16_t place[static_cast<unsigned>((max_bodies + lanes - 1) / lanes * lanes)] = {};
+        uint16_t place[shape_slots] = {};
         uint16_t places_used = 0, shapes_moved = 0;
 
-        KeptTreeView kept() { return {this->sorted(), place, &places_used, &shapes_moved}; }
-        uint32_t* due_shapes() { return this->counters; }  // until the search sorts
-        void find_awake_pairs(const SearchView& search, const PairList& pairs) { find_awake_pairs_by_tree(search, kept(), pairs); }
+        SortedTreeView sorted() { return {leaves, boxes, places(), keys, other_keys, other_pairs, counters, place, &places_used, &shapes_moved}; }
+        void find_pairs(const SearchView& search, const PairList& pairs) { find_pairs_by_tree(search, sorted(), pairs); }
+    };
+
+    template <int max_bodies, int max_pairs>
+    struct Memory : TreeMemory<max_bodies, max_pairs> {
+        uint8_t search_flags[Memory::shape_slots] = {};
+
+        bool search(const SearchView& search, scalar h, const PairList& pairs) { return search_by_tree(search, this->sorted(), h, pairs); }
+    };
+
+    /// For scenes whose bodies sleep; they have the flags of the search.
+    template <int max_bodies, int max_pairs>
+    struct AwakeMemory : TreeMemory<max_bodies, max_pairs> {
+        uint32_t* due_shapes() { return this->counters; }
         void find_due_pairs(const SearchView& search, int due_count, const PairList& pairs) {
-            find_due_pairs_by_tree(search, kept(), due_shapes(), due_count, pairs);
+            find_due_pairs_by_tree(search, this->sorted(), due_shapes(), due_count, pairs);
         }
     };
 };

@@ -4,11 +4,16 @@
 namespace ingot { inline namespace INGOT_ABI {
 
 void make_all_bounds(const SearchView& search, const RestView& rest, SensorMarks is_sensor, scalar h) {
-    (void)refresh_bounds(search.shapes, search.surfaces, h, search.bounds);
-    fatten_bounds(search.shapes, search.bounds);
-    // bound: max_bodies max_shapes_of_body
-    for (int slot = 0; slot < search.surfaces.slot_count; ++slot)
+    // bound: max_bodies max_shapes_of_body, rounded up to whole tiles
+    for (int slot = 0; slot < search.shapes.tile_count * lanes; ++slot) {
+        if (slot >= search.surfaces.slot_count) {
+            empty_bounds(search.bounds, slot);
+            continue;
+        }
+        (void)refresh_bounds_of(search, h, slot);
+        fatten_bounds_of(search, slot);
         if (rest.is_active(rest.body_of(slot)) || (is_sensor != nullptr && is_sensor[slot] != 0)) search.set(slot, SearchFlag::searched);
+    }
 }
 
 int refresh_active_bounds(const SearchView& search, const RestView& rest, scalar h, uint32_t* due) {

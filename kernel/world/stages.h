@@ -89,7 +89,7 @@ bool search_awake(Step<S>& now, const PairList& pairs) {
     bool changed = *pairs.lost > 0;
     if (storage.bounds_are_made == 0) {
         make_all_bounds(search, rest, storage.sensor_marks(), now.h);
-        storage.find_awake_pairs(search, pairs);
+        storage.find_pairs(search, pairs);
         storage.bounds_are_made = 1;
         changed = true;
     } else if (const int due = refresh_active_bounds(search, rest, now.h, storage.due_shapes()); due > 0) {
@@ -98,24 +98,9 @@ bool search_awake(Step<S>& now, const PairList& pairs) {
     }
     if (*pairs.lost > 0) {
         shrink_bounds(search.shapes, search.bounds);
-        storage.find_awake_pairs(search, pairs);
+        storage.find_pairs(search, pairs);
     }
     return changed;
-}
-
-/// The search in scenes where nothing sleeps. True when the list has changed.
-template <class S>
-bool search_all(Step<S>& now, const PairList& pairs) {
-    auto& storage = now.storage;
-    const BodyView shapes = storage.shapes();
-    const bool left = refresh_bounds(shapes, storage.surface_view(), now.h, storage.bounds);
-    if (left) storage.find_pairs(shapes, storage.bounds, pairs);
-    const bool crowded = *pairs.lost > 0;
-    if (crowded) {
-        shrink_bounds(shapes, storage.bounds);
-        storage.find_pairs(shapes, storage.bounds, pairs);
-    }
-    return left || crowded;
 }
 
 /// Bounds of the step, and the pairs that may touch in it.
@@ -131,7 +116,7 @@ void find_pairs([[maybe_unused]] Step<S>& now) {
         if constexpr (S::sleeps)
             changed = search_awake(now, pairs);
         else
-            changed = search_all(now, pairs);
+            changed = storage.search(storage.search_view(), now.h, pairs);
         if (!changed) return;
         if constexpr (has_compounds<S>) drop_pairs_of_one_body<S::max_shapes_of_body>(pairs);
         match_records(storage.manifold_view(), pairs);
