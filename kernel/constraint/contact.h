@@ -60,9 +60,10 @@ struct Compose {
 template <class View>
 struct ContactConstraint {
     using Rubs = Friction<If<View::has_belts, MovingSurfaces, StillSurfaces>>;
+    using Twists = If<(View::points_max > 1), Torsion, Compose<>>;
     using Rolls = If<View::rolls, Rolling, Compose<>>;
-    using Solved = Compose<Normals, Torsion, Rolls, Rubs>;
-    using Given = Compose<Normals, Rubs, Torsion, Rolls>;
+    using Solved = Compose<Normals, Twists, Rolls, Rubs>;
+    using Given = Compose<Normals, Rubs, Twists, Rolls>;
 };
 inline constexpr int friction_row = 4, torsion_row = Torsion::number, rolling_row = Rolling::number;
 static_assert(friction_row == Friction<StillSurfaces>::number && friction_row == block_rows);

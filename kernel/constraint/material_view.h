@@ -21,6 +21,16 @@ struct MaterialView : SolverView {
 };
 template <bool rolls, bool has_belts>
 using MaterialViewOf = If<rolls || has_belts, MaterialView<rolls, has_belts>, SolverView>;
+/// The view for stages to which belts are nothing: fewer of them are compiled.
+template <class View>
+INGOT_INLINE const If<View::has_belts && !View::rolls, SolverView, View>& without_belts(const View& solver) {
+    return solver;
+}
+/// The same for those to which materials are nothing.
+template <class View>
+INGOT_INLINE const If<View::points_max == 1, BallView, SolverView>& of_points(const View& solver) {
+    return solver;
+}
 using RollingView = MaterialView<true, false>;
 using BeltView = MaterialView<false, true>;
 using RollingBeltView = MaterialView<true, true>;

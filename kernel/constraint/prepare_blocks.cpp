@@ -55,7 +55,7 @@ void collect(const SolverView& solver, const BodyView& bodies, ContactBlock& blo
     }
 }
 
-LaneContacts vectors_of(const Collected& in, int rows) {
+INGOT_INLINE LaneContacts vectors_of(const Collected& in, int rows) {
     LaneContacts contacts;
     contacts.response.A = in.A.loaded();
     contacts.response.B = in.B.loaded();
@@ -81,7 +81,7 @@ void prepare_block(const View& solver, const BodyView& bodies, int block_i) {
     ContactBlock& block = solver.blocks[block_i];
     Collected in{};
     collect(solver, bodies, block, in);
-    LaneContacts contacts = vectors_of(in, block.rows);
+    LaneContacts contacts = vectors_of(in, View::points_max == 1 ? 1 : block.rows);
     store(block.inv_M_A, contacts.response.A.inv_M);
     store(block.inv_M_B, contacts.response.B.inv_M);
     store(block.n, contacts.n);
@@ -122,10 +122,12 @@ void remember_impulses(const View& solver) {
 
 // The linker takes the one that the scene calls. Belts have no impulses of their own.
 template void prepare_blocks(const SolverView&, const BodyView&);
+template void prepare_blocks(const BallView&, const BodyView&);
 template void prepare_blocks(const RollingView&, const BodyView&);
 template void prepare_blocks(const BeltView&, const BodyView&);
 template void prepare_blocks(const RollingBeltView&, const BodyView&);
 template void remember_impulses(const SolverView&);
+template void remember_impulses(const BallView&);
 template void remember_impulses(const RollingView&);
 template void remember_impulses(const RollingBeltView&);
 

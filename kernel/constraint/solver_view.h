@@ -53,6 +53,7 @@ struct Visit {
 
 struct SolverView {
     static constexpr bool rolls = false, has_belts = false;  ///< see material_view.h
+    static constexpr int points_max = block_rows;            ///< of a manifold
 
     const BodyPair* pairs;     ///< that touch, sorted by slots
     ManifoldRecord* records;   ///< of the pairs
@@ -85,6 +86,17 @@ struct SolverView {
     bool some_hit;             ///< a body was hit in the substep before
     bool some_bounce;          ///< a manifold has restitution
 };
+
+/// Where all that moves is balls, every manifold has one point: rows of four, and torsion, are not compiled in.
+struct BallView : SolverView {
+    static constexpr int points_max = 1;
+};
+
+/// Whether a block of the view has one row: then its manifolds have one point.
+template <class View>
+INGOT_INLINE bool has_one_row([[maybe_unused]] const View& solver, const ContactBlock& block) {
+    return View::points_max == 1 || block.rows == 1;
+}
 
 /// Impulses are kept as they are in a step of limits::substeps substeps; a longer one has so many times as much.
 inline scalar shares_of_substep(const SolverView& solver) { return static_cast<scalar>(limits::substeps / solver.substeps); }

@@ -158,6 +158,12 @@ inline constexpr bool follows_fast_bodies = S::continuous;
 template <class S>
 inline constexpr bool has_materials = S::rolling_resistance || S::surface_velocities;
 
+/// All that moves is balls, and nothing asks for more of the solver than sweeps: manifolds have one point. See BallView.
+template <class S>
+inline constexpr bool sweeps_balls_alone = stacks<S> && !S::solver::is_pointwise && !S::solver::is_direct && !has_materials<S> && !S::continuous &&
+                                           !S::shapes::has(ShapeKind::box) && !S::shapes::has(ShapeKind::capsule) &&
+                                           !S::shapes::has(ShapeKind::cylinder) && !S::shapes::has(ShapeKind::hull);
+
 template <class S>
 inline constexpr bool has_field = is_field<typename S::force_field>;
 

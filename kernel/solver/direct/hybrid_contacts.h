@@ -38,7 +38,7 @@ struct HybridContacts : SweptContacts<View, notes_impulses, bounces> {
         if (!direct.some_chosen) return Swept::solve_positions(step, h);
         place_islands(this->view, direct, step.bodies, h);
         select_live(this->view);
-        sweep_positions(this->view, this->view.live, this->view.live_count, h);
+        sweep_positions(of_points(this->view), this->view.live, this->view.live_count, h);
     }
     void end_batch(StepReport& report) {
         Swept::end_batch(report);

@@ -18,6 +18,7 @@ void solve_by_sweeps(View& view, const ContactStep& step, StepReport& report) {
     template void solve_by_sweeps<true, false>(View&, const ContactStep&, StepReport&);  \
     template void solve_by_sweeps<true, true>(View&, const ContactStep&, StepReport&)
 INGOT_VIEW(SolverView);
+INGOT_VIEW(BallView);
 INGOT_VIEW(RollingView);
 INGOT_VIEW(BeltView);
 INGOT_VIEW(RollingBeltView);

@@ -81,6 +81,7 @@ void extrapolate(const View& solver) {
 
 // The linker takes the one that the scene calls. Belts have no impulses of their own.
 template void extrapolate(const SolverView&);
+template void extrapolate(const BallView&);
 template void extrapolate(const RollingView&);
 template void extrapolate(const RollingBeltView&);
 

@@ -223,6 +223,7 @@ void sequence_impacts(const View& solver, scalar h, ImpactNote* notes, StepRepor
 
 // The linker takes the one that the scene calls.
 template void sequence_impacts(const SolverView&, scalar, ImpactNote*, StepReport&);
+template void sequence_impacts(const BallView&, scalar, ImpactNote*, StepReport&);
 template void sequence_impacts(const RollingView&, scalar, ImpactNote*, StepReport&);
 template void sequence_impacts(const BeltView&, scalar, ImpactNote*, StepReport&);
 template void sequence_impacts(const RollingBeltView&, scalar, ImpactNote*, StepReport&);

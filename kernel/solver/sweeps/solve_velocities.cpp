@@ -88,15 +88,13 @@ void solve_velocities(View& solver) {
             return;
         }
         if (settled.some) drop_settled(solver);
-        if constexpr (View::rolls)
-            extrapolate(solver);
-        else
-            extrapolate<SolverView>(solver);
+        extrapolate(without_belts(solver));
     }
 }
 
 // The linker takes the one that the scene calls.
 template void solve_velocities(SolverView&);
+template void solve_velocities(BallView&);
 template void solve_velocities(RollingView&);
 template void solve_velocities(BeltView&);
 template void solve_velocities(RollingBeltView&);

@@ -47,7 +47,8 @@ INGOT_INLINE void visit_central_positions(const SolverView& solver, ContactBlock
 
 }  // namespace
 
-void sweep_positions(const SolverView& solver, const Visit* visits, int visit_count, scalar h) {
+template <class View>
+void sweep_positions(const View& solver, const Visit* visits, int visit_count, scalar h) {
     for (int visit_i = 0; visit_i < visit_count; ++visit_i) {  // bound: max_manifolds
         const Visit visit = visits[visit_i];
         ContactBlock& block = solver.blocks[visit.block];
@@ -55,14 +56,18 @@ void sweep_positions(const SolverView& solver, const Visit* visits, int visit_co
             visit_central_positions(solver, block, visit.lane_bits, h);
             continue;
         }
-        if (block.rows == 1) {
+        if (has_one_row(solver, block)) {
             (void)visit_positions<1>(solver, block, visit.lane_bits, h, false);
             continue;
         }
         bool lands = true;
         for (int push_i = 0; push_i < limits::landing_pushes && lands; ++push_i)
-            lands = visit_positions<block_rows>(solver, block, visit.lane_bits, h, push_i > 0);
+            lands = visit_positions<View::points_max>(solver, block, visit.lane_bits, h, push_i > 0);
     }
 }
+
+// The linker takes the one that the scene calls.
+template void sweep_positions(const SolverView&, const Visit*, int, scalar);
+template void sweep_positions(const BallView&, const Visit*, int, scalar);
 
 } }  // namespace ingot

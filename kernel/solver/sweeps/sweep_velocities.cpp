@@ -106,15 +106,16 @@ void sweep_velocities(const View& solver, int sweep_i, bool up) {
         ContactBlock& block = solver.blocks[visit.block];
         if (visit.island == no_island || visit.island != island_before) active_threshold = active_threshold_of(solver, visit, block);
         island_before = visit.island;
-        if (block.rows == 1)
+        if (has_one_row(solver, block))
             visit_velocities<1>(solver, visit.block, block, visit.lane_bits, sweep_i, active_threshold);
         else
-            visit_velocities<block_rows>(solver, visit.block, block, visit.lane_bits, sweep_i, active_threshold);
+            visit_velocities<View::points_max>(solver, visit.block, block, visit.lane_bits, sweep_i, active_threshold);
     }
 }
 
 // The linker takes the one that the scene calls.
 template void sweep_velocities(const SolverView&, int, bool);
+template void sweep_velocities(const BallView&, int, bool);
 template void sweep_velocities(const RollingView&, int, bool);
 template void sweep_velocities(const BeltView&, int, bool);
 template void sweep_velocities(const RollingBeltView&, int, bool);

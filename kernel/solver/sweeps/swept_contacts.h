@@ -46,10 +46,7 @@ struct SweptContacts {
     }
     void kick(scalar h) { kick_bodies(view, h); }
     void warm_start(scalar h) {
-        if constexpr (View::rolls)
-            ingot::warm_start(view, h);
-        else
-            ingot::warm_start<SolverView>(view, h);
+        ingot::warm_start(without_belts(view), h);
     }
     void solve_velocities(const ContactStep&, scalar, StepReport&) {
         plan_sweeps(view);
@@ -59,14 +56,11 @@ struct SweptContacts {
         if constexpr (notes_impulses) ingot::note_impulses(view, notes);
     }
     void drift(const BodyView& bodies, scalar h) { drift_bodies(view, bodies, h); }
-    void solve_positions(const ContactStep&, scalar h) { sweep_positions(view, view.visits, view.visit_count, h); }
+    void solve_positions(const ContactStep&, scalar h) { sweep_positions(of_points(view), view.visits, view.visit_count, h); }
 
     void end_batch(StepReport& report) {
         ingot::end_batch(view, report);
-        if constexpr (View::rolls)
-            remember_impulses(view);
-        else
-            remember_impulses<SolverView>(view);
+        remember_impulses(without_belts(view));
     }
 
 protected:

@@ -23,15 +23,16 @@ void warm_start(const View& solver, scalar h) {
     for (int visit_i = 0; visit_i < solver.visit_count; ++visit_i) {  // bound: max_manifolds
         const Visit visit = solver.visits[visit_i];
         const bool whole = is_all(visit.lane_bits);
-        if (solver.blocks[visit.block].rows == 1)
+        if (has_one_row(solver, solver.blocks[visit.block]))
             whole ? warm_start_visit<1, true>(solver, visit, h) : warm_start_visit<1, false>(solver, visit, h);
         else
-            whole ? warm_start_visit<block_rows, true>(solver, visit, h) : warm_start_visit<block_rows, false>(solver, visit, h);
+            whole ? warm_start_visit<View::points_max, true>(solver, visit, h) : warm_start_visit<View::points_max, false>(solver, visit, h);
     }
 }
 
 // The linker takes the one that the scene calls. Belts have no impulses of their own.
 template void warm_start(const SolverView&, scalar);
+template void warm_start(const BallView&, scalar);
 template void warm_start(const RollingView&, scalar);
 template void warm_start(const RollingBeltView&, scalar);
 

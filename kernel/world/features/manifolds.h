@@ -2,6 +2,7 @@
 // Contacts with friction: pairs, manifolds, the memory of broad phase and solver; and impacts without friction.
 #pragma once
 
+#include "../../base/if.h"
 #include "../../constraint/material_view.h"
 #include "../../impulse/find_contacts.h"
 #include "shapes.h"
@@ -86,8 +87,8 @@ struct BlockOrderPart : ManifoldListPart<S> {
     uint16_t island_at[manifold_capacity] = {}, level[manifold_capacity] = {};
     Visit visits[visit_capacity] = {}, some_visits[visit_capacity] = {};
 
-    SolverView solver_of(const BodyPair* pairs_of_bodies, ManifoldRecord* records_of_pairs, int count) {
-        SolverView view{};
+    auto solver_of(const BodyPair* pairs_of_bodies, ManifoldRecord* records_of_pairs, int count) {
+        If<sweeps_balls_alone<S>, BallView, SolverView> view{};
         view.pairs = pairs_of_bodies;
         view.records = records_of_pairs;
         view.friction_references = this->friction_references;
