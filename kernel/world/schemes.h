@@ -23,7 +23,7 @@ INGOT_INLINE void over_moving(Step<S>& now, const Stage& stage) {
 
 /// Forces change the motion: L (Eq. 16) and v_CM (Eq. 14).
 template <class S>
-void kick(Step<S>& now) {
+INGOT_INLINE void kick(Step<S>& now) {
     over_moving(now, [&now](const BodyView& some) {
         integrate_L(some, now.h);
         if constexpr (S::translates) integrate_v(some, now.h, now.storage.gravity);
@@ -32,7 +32,7 @@ void kick(Step<S>& now) {
 
 /// The motion changes the places: A by the scene's rotation, r_CM (Eq. 1).
 template <class S>
-void drift(Step<S>& now) {
+INGOT_INLINE void drift(Step<S>& now) {
     const FlightClock clock{now.storage.steps, now.storage.h_changes_to(now.h), now.h / 2};
     over_moving(now, [&now, &clock](const BodyView& some) {
         count(now.report.spins_clamped, S::rotation::integrate_A(some, now.h, clock));
@@ -128,7 +128,7 @@ using SchemeOf = decltype(scheme_of_scene<S>());
 
 /// From this state to the next, by the scheme of the scene.
 template <class S>
-void advance(Step<S>& now) {
+INGOT_INLINE void advance(Step<S>& now) {
     SchemeOf<S>::advance(now);
 }
 

@@ -26,11 +26,9 @@ template <class S>
 struct Step {
     Storage<S>& storage;
     scalar h;            ///< s
-    BodyView bodies;
-    StepReport report{};
+    const BodyView& bodies;
+    StepReport& report;
     decltype(solver_of_scene<S>()) solver{};  ///< of contacts with friction: filled by advance, read by follow_fast_bodies
-
-    Step(Storage<S>& of, scalar seconds) : storage(of), h(seconds), bodies(of.bodies()) {}
 };
 
 /// False for an h that is no step: nothing changes then.
@@ -182,7 +180,7 @@ void resolve_impacts([[maybe_unused]] Step<S>& now) {
 
 /// What features add to the forces that the user has summed since the last step (Eqs. 14, 16).
 template <class S>
-void sum_forces(Step<S>& now) {
+INGOT_INLINE void sum_forces(Step<S>& now) {
     Features::over_named<S>([&now](auto feature) { decltype(feature)::sum_forces(now.storage, now.h); });
 }
 
@@ -266,7 +264,7 @@ INGOT_INLINE void over_active(Step<S>& now, const Stage& stage) {
 
 /// The forces of the step are over. Bodies that it drove out of range stand still from now on.
 template <class S>
-void freeze_bad_bodies(Step<S>& now) {
+INGOT_INLINE void freeze_bad_bodies(Step<S>& now) {
     if constexpr (S::rotation::as_printed || flies_in_field<S>) mark_runaway_spins(now.bodies);
     int frozen = 0;
     over_active(now, [&frozen](const BodyView& some) {
@@ -280,11 +278,10 @@ void freeze_bad_bodies(Step<S>& now) {
 
 /// Time has passed, and queries find shapes where their bodies are now.
 template <class S>
-StepReport finish_step(Step<S>& now) {
+void finish_step(Step<S>& now) {
     place_shapes(now);
     if constexpr (has_field<S>) now.storage.advance_time(now.h);
     ++now.storage.steps;
-    return now.report;
 }
 
 } }  // namespace ingot

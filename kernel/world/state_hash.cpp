@@ -11,24 +11,17 @@ using Bits = uint64_t;
 using Bits = uint32_t;
 #endif
 
-}  // namespace
-
-uint64_t hash_number(uint64_t hash, scalar x) {
-    Bits b;
-    __builtin_memcpy(&b, &x, sizeof b);
-    for (unsigned byte_i = 0; byte_i < sizeof b; ++byte_i) {
-        hash = (hash ^ static_cast<uint64_t>(b & 0xffu)) * 0x100000001b3u;
-        b >>= 8;
-    }
-    return hash;
-}
-
-namespace {
-
 /// A lane of so many rows, one after the other.
 uint64_t hash_rows(uint64_t hash, const scalar* first, int rows) {
     // bound: 9: numbers of a matrix
-    for (int row_i = 0; row_i < rows; ++row_i) hash = hash_number(hash, first[row_i * lanes]);
+    for (int row_i = 0; row_i < rows; ++row_i) {
+        Bits b;
+        __builtin_memcpy(&b, first + row_i * lanes, sizeof b);
+        for (unsigned byte_i = 0; byte_i < sizeof b; ++byte_i) {
+            hash = (hash ^ static_cast<uint64_t>(b & 0xffu)) * 0x100000001b3u;
+            b >>= 8;
+        }
+    }
     return hash;
 }
 
@@ -49,6 +42,8 @@ uint64_t hash_body(const BodyView& bodies, int slot, uint64_t hash) {
     hash = hash_lane(hash, bodies.translation[at.tile].r_CM, at.lane);
     return hash_lane(hash, bodies.translation[at.tile].v_CM, at.lane);
 }
+
+uint64_t hash_number(uint64_t hash, scalar x) { return hash_rows(hash, &x, 1); }
 
 uint64_t hash_rest(bool awake, scalar rest_time, uint64_t hash) { return hash_number((hash ^ (awake ? 1u : 0u)) * 0x100000001b3u, rest_time); }
 

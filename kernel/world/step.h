@@ -14,8 +14,10 @@ namespace ingot { inline namespace INGOT_ABI {
 /// Bound:   every loop is bounded by a capacity of the scene or a number in base/limits.h.
 template <class S>
 StepReport step(World<S>& world, scalar h) {
-    Step now{world.storage_, h};
-    if (!accepts_step(now) || passes_asleep(now)) return now.report;
+    StepReport report;
+    const BodyView bodies = world.storage_.bodies();
+    Step<S> now{world.storage_, h, bodies, report};
+    if (!accepts_step(now) || passes_asleep(now)) return report;
 
     place_shapes(now);               // of bodies that have several
     find_pairs(now);                 // broad phase
@@ -30,7 +32,8 @@ StepReport step(World<S>& world, scalar h) {
     tell_events(now);
     put_aside(now);                  // what rests: no step looks at it until it wakes
     freeze_bad_bodies(now);
-    return finish_step(now);
+    finish_step(now);
+    return report;
 }
 
 } }  // namespace ingot
