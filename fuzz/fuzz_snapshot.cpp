@@ -31,6 +31,7 @@ struct Yard : ingot::Scene {
     static constexpr int max_bodies = 6;
     static constexpr bool translates = true;
     static constexpr int max_contacts = 10;
+    using solver = ingot::FrictionlessImpacts;
     using shapes = ingot::Shapes<ingot::Sphere, ingot::Box, ingot::HalfSpace>;
 };
 struct PrintedYard : Yard {

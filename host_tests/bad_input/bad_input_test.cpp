@@ -24,6 +24,7 @@ struct Column : ingot::Scene {
     static constexpr int max_bodies = 8;
     static constexpr bool translates = true;
     static constexpr int max_contacts = 64;
+    using solver = ingot::FrictionlessImpacts;
     using shapes = ingot::Shapes<ingot::Box, ingot::HalfSpace>;
 };
 

@@ -43,6 +43,7 @@ struct Floating : Scene {
 /// Impacts without friction, in a field.
 struct Colliding : Scene {
     static constexpr int max_bodies = 9, max_contacts = 24;
+    using solver = ingot::FrictionlessImpacts;
     static constexpr bool translates = true;
     using shapes = Shapes<Sphere, Box, HalfSpace>;
     using force_field = BothFields<SpringDamper, PointMassGravity>;

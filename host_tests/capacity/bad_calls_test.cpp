@@ -722,6 +722,7 @@ struct Balls : ingot::Scene {
     static constexpr int max_bodies = 3;
     static constexpr bool translates = true;
     static constexpr int max_contacts = 4;
+    using solver = ingot::FrictionlessImpacts;
     using shapes = ingot::Shapes<ingot::Sphere>;
 };
 /// Names shapes, and no contacts for them.

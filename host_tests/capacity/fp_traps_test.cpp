@@ -53,6 +53,7 @@ struct Everything : ingot::Scene {
     static constexpr int max_bodies = bodies;
     static constexpr bool translates = true;
     static constexpr int max_contacts = 8 * bodies;
+    using solver = ingot::FrictionlessImpacts;
     using shapes = ingot::Shapes<ingot::Sphere, ingot::Box, ingot::HalfSpace>;
     using rotation = Rotation;
 };

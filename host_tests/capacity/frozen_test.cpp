@@ -21,6 +21,7 @@ struct Crowd : ingot::Scene {
     static constexpr int max_bodies = crowd;
     static constexpr bool translates = true;
     static constexpr int max_contacts = 8 * crowd;
+    using solver = ingot::FrictionlessImpacts;
     using shapes = ingot::Shapes<ingot::Sphere, ingot::Box, ingot::HalfSpace>;
     using rotation = Rotation;
 };

@@ -19,6 +19,7 @@ struct Pit : ingot::Scene {
     static constexpr int max_bodies = ball_count + 3;
     static constexpr bool translates = true;
     static constexpr int max_contacts = contacts;
+    using solver = ingot::FrictionlessImpacts;
     using shapes = ingot::Shapes<ingot::Sphere, ingot::Box, ingot::HalfSpace>;
 };
 constexpr int plenty = 400;
@@ -145,6 +146,7 @@ struct Heap : ingot::Scene {
     static constexpr int max_bodies = heap_count;
     static constexpr bool translates = true;
     static constexpr int max_contacts = heap_count * (heap_count - 1) / 2 - 65536;
+    using solver = ingot::FrictionlessImpacts;
     using shapes = ingot::Shapes<ingot::Sphere, ingot::Box>;
 };
 

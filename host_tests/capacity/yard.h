@@ -74,6 +74,7 @@ struct Yard : ingot::Scene {
     static constexpr int max_bodies = 7;
     static constexpr bool translates = true;
     static constexpr int max_contacts = 24;
+    using solver = ingot::FrictionlessImpacts;
     using shapes = ingot::Shapes<ingot::Sphere, ingot::Box, ingot::HalfSpace>;
 };
 

@@ -21,6 +21,7 @@ struct Impacts : ingot::Scene {
     static constexpr int max_bodies = 760;
     static constexpr bool translates = true;
     static constexpr int max_contacts = 8000;
+    using solver = ingot::FrictionlessImpacts;
     using shapes = ingot::Shapes<ingot::Sphere, ingot::Box, ingot::HalfSpace>;
 };
 

@@ -5,6 +5,7 @@
 template <class Method>
 struct Everything : ingot::Scene {
     static constexpr int max_bodies = 5, max_contacts = 10;
+    using solver = ingot::FrictionlessImpacts;
     static constexpr bool translates = true;
     using shapes = ingot::Shapes<ingot::Sphere, ingot::Box, ingot::HalfSpace>;
     using rotation = Method;

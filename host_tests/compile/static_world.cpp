@@ -3,6 +3,7 @@
 
 struct Everything : ingot::Scene {
     static constexpr int max_bodies = 100, max_contacts = 50;
+    using solver = ingot::FrictionlessImpacts;
     static constexpr bool translates = true;
     using shapes = ingot::Shapes<ingot::Sphere, ingot::Box, ingot::HalfSpace>;
 };

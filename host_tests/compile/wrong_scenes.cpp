@@ -59,6 +59,7 @@ struct Wrong : ingot::Scene {
 #ifdef TOO_MANY_CONTACTS
     static constexpr bool translates = true;
     static constexpr int max_contacts = 65536;
+    using solver = ingot::FrictionlessImpacts;
 #endif
 #ifdef TOO_MANY_MANIFOLDS
     static constexpr bool translates = true;
@@ -96,12 +97,28 @@ struct Wrong : ingot::Scene {
     static constexpr int max_manifolds = 4;
     using shapes = ingot::Shapes<ingot::Sphere>;
 #endif
+#ifdef CONTACTS_WITHOUT_THEIR_SOLVER
+    static constexpr bool translates = true;
+    static constexpr int max_contacts = 4;
+    using shapes = ingot::Shapes<ingot::Sphere>;
+#endif
+#ifdef ISLANDS_WITHOUT_MANIFOLDS
+    using solver = ingot::HybridIslands<>;
+#endif
+#ifdef MANIFOLDS_OF_IMPACTS
+    static constexpr bool translates = true;
+    static constexpr int max_manifolds = 4;
+    using solver = ingot::FrictionlessImpacts;
+    using shapes = ingot::Shapes<ingot::Sphere>;
+#endif
 #ifdef COLLIDES_BUT_DOES_NOT_TRANSLATE
     static constexpr int max_contacts = 4;
+    using solver = ingot::FrictionlessImpacts;
 #endif
 #ifdef HULLS_OF_IMPACTS
     static constexpr bool translates = true;
     static constexpr int max_contacts = 4;
+    using solver = ingot::FrictionlessImpacts;
     using shapes = ingot::Shapes<ingot::Hull>;
     static constexpr ingot::ConvexHull hulls[] = {tetrahedron.value.view()};
 #endif

@@ -154,6 +154,7 @@ template <class Rotation, int contacts>
 struct Falling : ingot::Scene {
     static constexpr bool translates = true;
     static constexpr int max_bodies = 2, max_contacts = contacts;
+    using solver = ingot::FrictionlessImpacts;
     using shapes = ingot::Shapes<ingot::Sphere, ingot::HalfSpace>;
     using rotation = Rotation;
     using force_field = ingot::SpringDamper;
@@ -217,6 +218,7 @@ TEST(Field, of_torque_is_that_of_the_begin_for_listing_1) {
 struct Pool : ingot::Scene {
     static constexpr bool translates = true;
     static constexpr int max_bodies = 2, max_contacts = 4;
+    using solver = ingot::FrictionlessImpacts;
     using shapes = ingot::Shapes<ingot::Sphere, ingot::HalfSpace>;
     using force_field = ingot::LinearDrag;
 };

@@ -14,6 +14,7 @@ using Vector3 = Eigen::Vector3d;
 
 struct Balls : ingot::Scene {
     static constexpr int max_bodies = 3, max_contacts = 6;
+    using solver = ingot::FrictionlessImpacts;
     static constexpr bool translates = true;
     using shapes = ingot::Shapes<ingot::Sphere, ingot::HalfSpace>;
 };
@@ -81,6 +82,7 @@ TEST(HardCases, A4_steps_of_every_length) {
 
 struct Feather : ingot::Scene {
     static constexpr int max_bodies = 2, max_contacts = 8;
+    using solver = ingot::FrictionlessImpacts;
     static constexpr bool translates = true;
     using shapes = ingot::Shapes<ingot::Box, ingot::HalfSpace>;
 };

@@ -17,6 +17,7 @@ using Vector3 = Eigen::Vector3d;
 template <int bodies>
 struct Yard : ingot::Scene {
     static constexpr int max_bodies = bodies, max_contacts = 8 * bodies;
+    using solver = ingot::FrictionlessImpacts;
     static constexpr bool translates = true;
     using shapes = ingot::Shapes<ingot::Sphere, ingot::Box, ingot::HalfSpace>;
 };

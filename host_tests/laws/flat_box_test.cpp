@@ -17,6 +17,7 @@ struct Drop : ingot::Scene {
     static constexpr int max_bodies = 2;
     static constexpr bool translates = true;
     static constexpr int max_contacts = 8;
+    using solver = ingot::FrictionlessImpacts;
     using shapes = ingot::Shapes<ingot::Box, ingot::HalfSpace>;
 };
 using World = ingot::World<Drop>;

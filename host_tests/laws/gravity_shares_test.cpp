@@ -36,6 +36,7 @@ struct Fast : Piled {
 };
 struct Bouncing : Sharing {
     static constexpr int max_contacts = 8;
+    using solver = ingot::FrictionlessImpacts;
     using shapes = Shapes<Sphere, HalfSpace>;
 };
 

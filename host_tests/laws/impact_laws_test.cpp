@@ -16,6 +16,7 @@ struct Balls : ingot::Scene {
     static constexpr int max_bodies = 16;
     static constexpr bool translates = true;
     static constexpr int max_contacts = 64;
+    using solver = ingot::FrictionlessImpacts;
     using shapes = ingot::Shapes<ingot::Sphere, ingot::HalfSpace>;
 };
 using World = ingot::World<Balls>;

@@ -25,6 +25,7 @@ struct Crowd : ingot::Scene {
     static constexpr int max_bodies = 64;
     static constexpr bool translates = true;
     static constexpr int max_contacts = 64;
+    using solver = ingot::FrictionlessImpacts;
     using shapes = ingot::Shapes<ingot::Sphere, ingot::Box, ingot::HalfSpace>;
     using rotation = Rotation;
 };

@@ -131,6 +131,7 @@ struct Balls : ingot::Scene {
     static constexpr int max_bodies = 6;
     static constexpr bool translates = true;
     static constexpr int max_contacts = 16;
+    using solver = ingot::FrictionlessImpacts;
     using shapes = ingot::Shapes<ingot::Sphere>;
 };
 

@@ -169,7 +169,8 @@ def kinds_of_scenes(rows):
     kinds = {}
     for name in TRAITS:
         if name not in makers.values():
-            kinds[name] = {base for base, maker in makers.items() if not rows[(maker, name) if (maker, name) in rows else (name, maker)]["sentence"]}
+            row = lambda maker: rows.get((maker, name)) or rows.get((name, maker))  # none: both set the same member
+            kinds[name] = {base for base, maker in makers.items() if row(maker) and not row(maker)["sentence"]}
     return kinds
 
 

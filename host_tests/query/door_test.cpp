@@ -133,6 +133,7 @@ struct Impacts : ingot::Scene {
     static constexpr int max_bodies = 5;
     static constexpr bool translates = true;
     static constexpr int max_contacts = 8;
+    using solver = ingot::FrictionlessImpacts;
     using shapes = ingot::Shapes<ingot::Sphere, ingot::Box, ingot::HalfSpace>;
 };
 

@@ -13,6 +13,7 @@ struct Drop : ingot::Scene {
     static constexpr int max_bodies = 1 + box_count + ball_count;
     static constexpr bool translates = true;
     static constexpr int max_contacts = 20;  ///< four corners a box, one point a ball, and two to spare
+    using solver = ingot::FrictionlessImpacts;
     using shapes = ingot::Shapes<ingot::Sphere, ingot::Box, ingot::HalfSpace>;
 
     static constexpr ingot::scalar h = ingot::scalar(1) / 240;  ///< s

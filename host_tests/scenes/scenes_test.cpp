@@ -62,6 +62,7 @@ TEST(Tumblers, keep_energy_and_account_for_momentum) {
 
 struct OneBox : ingot::Scene {
     static constexpr int max_bodies = 2, max_contacts = 8;
+    using solver = ingot::FrictionlessImpacts;
     static constexpr bool translates = true;
     using shapes = ingot::Shapes<ingot::Box, ingot::HalfSpace>;
 };

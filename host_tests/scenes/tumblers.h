@@ -16,6 +16,7 @@ struct Tumblers : ingot::Scene {
     static constexpr int max_bodies = ball_count + 6;
     static constexpr bool translates = true;
     static constexpr int max_contacts = 48;
+    using solver = ingot::FrictionlessImpacts;
     using shapes = ingot::Shapes<ingot::Sphere, ingot::HalfSpace>;
 
     static constexpr ingot::scalar h = ingot::scalar(1) / 120;  ///< s

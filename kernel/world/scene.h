@@ -4,6 +4,7 @@
 #include "../broad_phase/all_pairs.h"
 #include "../broad_phase/sorted_tree.h"
 #include "../shape/compound.h"
+#include "../impulse/frictionless_impacts.h"
 #include "../solver/direct/hybrid_islands.h"
 #include "../motion/forced_flight.h"
 #include "../motion/exact_elliptic.h"
@@ -23,6 +24,7 @@ namespace ingot { inline namespace INGOT_ABI {
 ///         static constexpr int  max_bodies   = 10;
 ///         static constexpr bool translates   = true;    // r_CM, v_CM, forces, gravity
 ///         static constexpr int  max_contacts = 80;      // and collisions
+///         using solver = ingot::FrictionlessImpacts;
 ///         using shapes = ingot::Shapes<ingot::Box, ingot::HalfSpace>;
 ///     };
 ///     static ingot::World<Crates> world;                // .bss; no constructor runs; memcpy is a snapshot
@@ -33,8 +35,8 @@ struct Scene {
     static constexpr int  max_bodies   = 1;      ///< 1 .. 65536
     static constexpr bool translates   = false;
     static constexpr bool gravity_shares = false; ///< bodies may feel more or less of gravity than others: World::set_gravity_share
-    static constexpr int  max_contacts = 0;      ///< points of contact in one step, 0 .. 65535
-    static constexpr int  max_manifolds = 0;     ///< pairs of bodies that touch in one step, 0 .. 65534: friction, stacks, piles
+    static constexpr int  max_contacts = 0;      ///< points of contact in one step, 0 .. 65535, of FrictionlessImpacts
+    static constexpr int  max_manifolds = 0;     ///< pairs of bodies that touch in one step, 0 .. 65534, of every other solver
     static constexpr int  max_pairs    = 0;      ///< pairs of bodies whose bounds overlap in one step; 0: twice max_manifolds
     static constexpr bool filters      = false;  ///< bodies have a BodyFilter that says whom they meet
     static constexpr int  max_overlaps = 0;      ///< pairs of a sensor and a body in it, in one step, 0 .. 65535
@@ -49,10 +51,11 @@ struct Scene {
     static constexpr bool surface_velocities = false;  ///< surfaces may move by themselves, as belts do: World::set_surface_velocity
     static constexpr bool continuous   = false;  ///< fast bodies are followed within a step, impact by impact: none passes through another
     using broad_phase = AllPairs;                ///< or SortedTree, for many bodies
-    /// Of contacts with friction. Sweeps carry piles, towers of 20, and up to 100 kg on 1 kg, with no memory of their own: what a small target
+    /// Of contacts. BlockSweeps carry piles, towers of 20, and up to 100 kg on 1 kg, with no memory of their own: what a small target
     /// wants. HybridIslands<> picks for each island: sweeps, or for mass ratios from 50 on, towers of 15 and more, and what sweeps do not settle
     /// a direct solve in double; it takes 121 KB of RAM (HybridIslands<20, 10>, for smaller islands, 38), so a scene has to name it.
-    /// SequentialImpulses is for a few bodies on a small target: a third less flash than BlockSweeps, and half of the RAM.
+    /// SequentialImpulses is for a few bodies on a small target: a third less flash than BlockSweeps, and half of the RAM. These three have friction,
+    /// stacks and piles. FrictionlessImpacts is the article's collision: what flies and bounces, in max_contacts.
     using solver = BlockSweeps;
     using shapes   = Shapes<>;
     static constexpr NoHulls hulls = {};         ///< or `static constexpr ConvexHull hulls[]`, in flash: the forms of its Hull shapes, in body frames

@@ -26,6 +26,7 @@ struct Moving : Turning {
 struct Impacts : Moving {
     static constexpr int max_bodies = 3;
     static constexpr int max_contacts = 3;
+    using solver = ingot::FrictionlessImpacts;
     using shapes = ingot::Shapes<ingot::Sphere, ingot::HalfSpace>;
 };
 struct Balls : Moving {

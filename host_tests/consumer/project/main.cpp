@@ -9,6 +9,7 @@ struct Crates : ingot::Scene {
     static constexpr int  max_bodies   = 11;
     static constexpr bool translates   = true;
     static constexpr int  max_contacts = 44;
+    using solver = ingot::FrictionlessImpacts;
     using shapes = ingot::Shapes<ingot::Box, ingot::HalfSpace>;
 };
 static ingot::World<Crates> world;

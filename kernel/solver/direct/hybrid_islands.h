@@ -28,7 +28,7 @@ void solve_hybrid(View& view, const DirectViewOf<View::rolls>& direct, const Con
 template <int max_island = 48, int entries_of_row = 24>
 struct HybridIslands {
     static constexpr const char* name = "hybrid_islands";
-    static constexpr bool is_direct = true, is_pointwise = false;
+    static constexpr bool is_frictionless = false, is_direct = true, is_pointwise = false;
     static constexpr int island_capacity = max_island, entries_per_row = entries_of_row;
 
     template <bool rolls, bool has_belts, bool>

@@ -31,7 +31,7 @@ struct LandingPart<max_manifolds, false> {
 /// solve the points of a manifold at once.
 struct SequentialImpulses {
     static constexpr const char* name = "sequential_impulses";
-    static constexpr bool is_direct = false, is_pointwise = true;
+    static constexpr bool is_frictionless = false, is_direct = false, is_pointwise = true;
 
     template <bool rolls, bool has_belts, bool bounces>
     using View = PointViewOf<rolls, has_belts, bounces>;

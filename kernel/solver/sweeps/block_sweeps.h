@@ -19,7 +19,7 @@ void solve_by_sweeps(View& view, const ContactStep& step, StepReport& report);
 /// StepReport::residual: some 1e-6 m/s where contacts rest; 0.1 and more where a heavy body crushes a light one.
 struct BlockSweeps {
     static constexpr const char* name = "block_sweeps";
-    static constexpr bool is_direct = false, is_pointwise = false;
+    static constexpr bool is_frictionless = false, is_direct = false, is_pointwise = false;
 
     template <bool rolls, bool has_belts, bool>
     using View = MaterialViewOf<rolls, has_belts>;

@@ -154,6 +154,10 @@ struct Impacts : Feature {
         static_assert(!collides<S> || S::translates, "bodies that collide move: set translates = true, or max_contacts = 0");
         static_assert(!(collides<S> && stacks<S>),
                       "a scene has impacts without friction, max_contacts, or contacts with friction, max_manifolds: set one of them");
+        static_assert(!collides<S> || S::solver::is_frictionless,
+                      "max_contacts is the room of impacts without friction: say using solver = FrictionlessImpacts, or set max_manifolds");
+        static_assert(!stacks<S> || !S::solver::is_frictionless,
+                      "FrictionlessImpacts finds its contacts anew in every step: set max_contacts for max_manifolds, or name another solver");
         return true;
     }
     template <class S>
@@ -195,6 +199,7 @@ struct Manifolds : Feature {
     template <class S>
     static constexpr bool check_solver() {
         static_assert(S::bounces || !solves_directly<S>, "a solver that picks itself lets bodies bounce: name BlockSweeps, or set bounces = true");
+        static_assert(!solves_directly<S> || stacks<S>, "HybridIslands is for contacts with friction: set max_manifolds, or name no solver");
         static_assert(!solves_pointwise<S> || stacks<S>, "SequentialImpulses is for contacts with friction: set max_manifolds, or name no solver");
         static_assert(!solves_pointwise<S> || !S::continuous,
                       "SequentialImpulses follows no fast bodies: name BlockSweeps, or set continuous = false");
