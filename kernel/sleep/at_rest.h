@@ -23,9 +23,8 @@ using SensorMarks = const uint8_t*;
 /// Bounds of all shapes, for the first step after a world began or was loaded: those of active bodies and sensors are searched for.
 void make_all_bounds(const SearchView& search, const RestView& rest, SensorMarks is_sensor, scalar h);
 
-/// Bounds of the shapes of active bodies; the others have theirs. Those that are searched for anew, because they left their fat AABB or were
-/// not searched
-/// for in the step before, have a new fat AABB, and are due: due[0 .. count), where due is not null.
+/// Bounds of the shapes of active bodies; the others have theirs. Those that are searched for anew, because they left their fat AABB or were not
+/// searched for in the step before, have a new fat AABB, and are due: due[0 .. count), where due is not null.
 /// Returns: how many. Cost: about 40 flops a shape of an active body.
 int refresh_active_bounds(const SearchView& search, const RestView& rest, scalar h, uint32_t* due);
 

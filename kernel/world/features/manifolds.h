@@ -44,7 +44,7 @@ template <class S>
 struct ManifoldTraitsPart : AnchorPart<S, S::recycles_manifolds>, BodyPairPart<S, has_compounds<S> && !S::sleeps>, BroadPhasePart<S, S::sleeps>,
                             S::solver::template Memory<S::max_bodies, S::max_manifolds, S::rolling_resistance, S::bounces> {};
 
-/// What a solver works in that solves manifolds as blocks. The light solver brings all it needs.
+/// What a solver works in that solves manifolds as blocks. The sequential solver brings all it needs.
 template <class S, bool present>
 struct BlockPart : ManifoldTraitsPart<S> {
     static constexpr unsigned body_capacity = static_cast<unsigned>(S::max_bodies) + 1;
