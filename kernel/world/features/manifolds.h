@@ -6,7 +6,7 @@
 #include "../../impulse/find_contacts.h"
 #include "shapes.h"
 
-namespace ingot { inline namespace INGOT_ABI {
+namespace ingot { inline namespace INGOT_ABI { namespace features {
 
 template <class S>
 inline constexpr int pair_capacity = static_cast<int>(pairs_with_own<S>);
@@ -268,4 +268,4 @@ struct Unsettled : Feature {
     };
 };
 
-} }  // namespace ingot
+} } }  // namespace ingot::features

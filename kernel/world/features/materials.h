@@ -6,7 +6,7 @@
 #include "../../solver/sequential/point_view.h"
 #include "manifolds.h"
 
-namespace ingot { inline namespace INGOT_ABI {
+namespace ingot { inline namespace INGOT_ABI { namespace features {
 
 /// Of rolling: rows by block, or what the sequential solver has by manifold.
 template <class S>
@@ -177,4 +177,4 @@ struct Belts : Feature {
     };
 };
 
-} }  // namespace ingot
+} } }  // namespace ingot::features
