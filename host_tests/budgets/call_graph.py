@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Worst-case stack of a function of a linked firmware, and proof that there is one.
 
-    call_graph.py --root step_of_scene firmware.elf --objects moser_veselov.cpp.obj step_of_scene.cpp.obj ...
+    call_graph.py --root step_of_scene firmware.elf --objects moser_veselov_6.cpp.obj step_of_scene.cpp.obj ...
 
 Frames come from the compiler for all that it compiled (-fcallgraph-info=su leaves them beside the objects), and from the
 disassembly for what came compiled: the soft-float helpers of libgcc, memcpy and memset. Calls come from both. The compiler's

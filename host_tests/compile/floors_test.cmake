@@ -32,7 +32,7 @@ set(freestanding "stdint\\.h|stddef\\.h|float\\.h|limits\\.h")
 set(motion_shares acceleration flight_clock turn moser_veselov moser_veselov_series moser_veselov_stage force_field forced_tile elliptic_functions integrate_r)
 set(shape_shares shapes surface convex_hull placed_shape)
 set(broad_phase_shares body_bounds body_pairs bound_shape all_pairs search_view sorted_tree tree_walk)
-set(narrow_phase_shares manifold manifold_points contact_geometry contact_patch collide_pairs nearest_points plane_between manifold_record
+set(narrow_phase_shares manifold manifold_points box_axes contact_geometry contact_patch collide_pairs nearest_points plane_between manifold_record
   manifold_anchors)
 set(query_shares candidates query_filter ray_on_shapes cast_ray)
 set(impulse_shares contact collide_shapes contact_rows impulse)

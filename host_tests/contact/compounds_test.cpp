@@ -610,8 +610,8 @@ TEST(CompoundFilters, are_of_the_body) {
 /// A scene of bodies of one shape knows nothing of this: nothing of it is in its storage, and its bodies are the shapes.
 TEST(OneShape, is_the_body) {
     using S = Hulled<4, 8>;
-    static_assert(std::is_empty_v<ingot::Compounds::Memory<S, ingot::has_compounds<S>>> &&
-                  std::is_empty_v<ingot::BodyPairPart<S, ingot::has_compounds<S>>>);
+    static_assert(std::is_empty_v<ingot::features::Compounds::Memory<S, ingot::has_compounds<S>>> &&
+                  std::is_empty_v<ingot::features::BodyPairPart<S, ingot::has_compounds<S>>>);
     ingot::Storage<S> storage{};
     EXPECT_EQ(storage.shapes().rotation, storage.bodies().rotation);
     EXPECT_EQ(storage.manifolds_of_bodies().pairs, storage.pairs);

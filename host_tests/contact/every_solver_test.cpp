@@ -73,7 +73,7 @@ private:
 using Solvers = ::testing::Types<ingot::BlockSweeps, ingot::HybridIslands<8>, ingot::SequentialImpulses>;
 TYPED_TEST_SUITE(EverySolver, Solvers);
 
-/// (5/7) g lever / R, on the ground and on a slab that is a hundredth as heavy: there the direct solver is at work. The light solver is not for
+/// (5/7) g lever / R, on the ground and on a slab that is a hundredth as heavy: there the direct solver is at work. The sequential solver is not for
 /// those, and gets one as heavy.
 TYPED_TEST(EverySolver, slows_a_ball_that_rolls_by_its_lever) {
     double worst = 0;

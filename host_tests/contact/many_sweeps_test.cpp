@@ -239,7 +239,7 @@ double sum_by_lanes(const ingot::SolverView& solver) {
     return sum;
 }
 
-/// The light solver on a pile, whose bodies have the velocities of the problem.
+/// The sequential solver on a pile, whose bodies have the velocities of the problem.
 struct LightPile {
     std::vector<ingot::PointBody> bodies;
     std::vector<ingot::PointContact> contacts;
@@ -284,7 +284,8 @@ struct LightPile {
     }
 };
 
-/// The light solver's rows lead there too. Point by point these piles shrink by 0.99 and faster, and what points and bodies round is as much more.
+/// The sequential solver's rows lead there too. Point by point these piles shrink by 0.99 and faster, and what points and bodies round is as much
+/// more.
 void expect_points_meet_the_exact_solution(double mu_max) {
     RandomInput random(8);
     double worst = 0, worst_share = 0;

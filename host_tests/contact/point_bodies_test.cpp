@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the light solver takes in and gives back: motion that is finite, or none.
+// What the sequential solver takes in and gives back: motion that is finite, or none.
 #include <gtest/gtest.h>
 #include <ingot/body/auxiliary.h>
 #include <ingot/solver/sequential/move_point_bodies.h>

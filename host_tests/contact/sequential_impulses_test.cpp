@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The light solver, SequentialImpulses, at what the other solver is asked: towers, inclines, spin, balls, momentum; and with what else
+// SequentialImpulses, at what the other solver is asked: towers, inclines, spin, balls, momentum; and with what else
 // a scene may name.
 #include <gtest/gtest.h>
 

@@ -20,7 +20,7 @@ void expect_near(const scalar (&angles)[lanes]) {
     ingot::store(cosines, found.cos);
     for (int lane_i = 0; lane_i < lanes; ++lane_i) {
         const auto angle = static_cast<long double>(angles[lane_i]);
-        // sin_cos.h: a rounding or two, and what is left of the angle's reduction.
+        // As sin_cos: a rounding or two, and what is left of the angle's reduction.
         const double allowed = 4 * static_cast<double>(ingot::epsilon);
         EXPECT_NEAR(static_cast<double>(sines[lane_i]), static_cast<double>(std::sin(angle)), allowed) << static_cast<double>(angle);
         EXPECT_NEAR(static_cast<double>(cosines[lane_i]), static_cast<double>(std::cos(angle)), allowed) << static_cast<double>(angle);

@@ -67,7 +67,7 @@ bool has(uint32_t parts, uint32_t part) { return (parts & part) != 0; }
 /// The numbers of all features of the parts that stand in one place.
 template <class Level>
 void read_numbers(Reader& in, uint32_t parts) {
-    ingot::Features::over_all([&](auto feature) {
+    ingot::features::All::over_all([&](auto feature) {
         typename Level::template Numbers<decltype(feature)> numbers{};
         if (has(parts, decltype(feature)::part)) numbers.numbers(in, parts);
     });
@@ -77,7 +77,7 @@ void read_body(Reader& in, uint32_t parts) {
     ingot::SavedBody body{};
     body.numbers(in, parts);
     uint8_t shape_count = 1;
-    if (has(parts, ingot::Compounds::part)) in("shapes", shape_count);
+    if (has(parts, ingot::features::Compounds::part)) in("shapes", shape_count);
     for (int shape_i = 0; shape_i < shape_count; ++shape_i) read_numbers<ingot::OfShape>(in, parts);
     read_numbers<ingot::OfBody>(in, parts);
 }
@@ -124,9 +124,9 @@ std::string read_fields(const std::vector<uint8_t>& bytes, SnapshotFields& snaps
     }
     in.at_slot(-1);
     uint16_t manifolds = 0;
-    if (has(parts, ingot::Manifolds::part)) in("manifolds", manifolds);
+    if (has(parts, ingot::features::Manifolds::part)) in("manifolds", manifolds);
     for (int manifold_i = 0; manifold_i < manifolds && !in.overrun(); ++manifold_i) read_numbers<ingot::OfManifold>(in, parts);
-    ingot::Features::over_all([&](auto feature) {
+    ingot::features::All::over_all([&](auto feature) {
         using F = decltype(feature);
         uint16_t entries = 0;
         if (F::has_entries && has(parts, F::part)) in("entries", entries);

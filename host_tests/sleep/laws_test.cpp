@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Laws of worlds that sleep in parts: what is awake does not feel who sleeps elsewhere, what sleeps does not feel who is awake, an island
-// wakes as a whole
-// and no other does; and the same for bodies of several shapes and in a field.
+// Laws of worlds that sleep in parts: what is awake does not feel who sleeps elsewhere, what sleeps does not feel who is awake, an island wakes as a
+// whole and no other does; and the same for bodies of several shapes and in a field.
 #include "sleep/nursery.h"
 
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The laws of contact, each written once: T is lane, scalar or wide_scalar, and they serve the sweeps, the light solver and the direct one.
+// The laws of contact, each written once: T is lane, scalar or wide_scalar, and they serve the sweeps, the sequential solver and the direct one.
 #pragma once
 
 #include "../base/limits.h"

@@ -5,7 +5,8 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// One point where two bodies touch: geometry from collide/, the row and its impulse from solve/.
+/// One point where two bodies touch: geometry from find_contacts, the row from contact_rows, its impulse from solve_impacts or
+/// solve_contact_forces.
 ///
 /// A and B are body slots, n points from B to A. With k = inv_I_world (r x n) and symmetric inertia, n.(omega x r) = L.k:
 /// a row reads v_CM and L, and writes v_CM and L, and needs neither omega nor a gyroscopic term.

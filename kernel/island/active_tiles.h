@@ -6,10 +6,9 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// Tiles with a body that is awake or settling, as two levels of bits: a bit a tile, and a bit for each word of those that is not zero. So a
-/// step finds
-/// them in their order without looking at the others. Cost of a walk: a few instructions a tile that is active, and one look for every 1024 that are
-/// not.
+/// Tiles with a body that is awake or settling, as two levels of bits: a bit a tile, and a bit for each word of those that is not zero. So a step
+/// finds them in their order without looking at the others. Cost of a walk: a few instructions a tile that is active, and one look for every 1024
+/// that are not.
 struct ActiveTiles {
     static constexpr int bits_of_word = 32;
     static constexpr int words_for(int bits) { return (bits + bits_of_word - 1) / bits_of_word; }

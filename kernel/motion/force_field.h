@@ -74,9 +74,8 @@ INGOT_INLINE Vec3<lane> splat(const Vector& v) { return {splat<lane>(v.x), splat
 /// makes the body freeze, see World::is_frozen. What it gives to immovable bodies counts nothing.
 struct ForceField {
     static constexpr bool depends_on_velocity = true;
-    /// What the field gives a body at rest depends on the body, its place and the numbers of the field alone, not on the time: bodies may sleep
-    /// in it,
-    /// and wake when its numbers change. See Scene::sleeps.
+    /// What the field gives a body at rest depends on the body, its place and the numbers of the field alone, not on the time: bodies may sleep in
+    /// it, and wake when its numbers change. See Scene::sleeps.
     static constexpr bool is_steady = false;
 };
 

@@ -73,124 +73,149 @@ INGOT_INLINE Vec3<lane> turn_of_energy_return(const Vec3<lane>& y, const Vec3<la
     return x * ((e - e_0) * splat<lane>(scalar(1) / 16) / (length_sq(x) + damping));
 }
 
-/// The substeps of bodies that turn far within a step: n of them, 1, 2, 4 ... substeps_max, so that none turns by more than
-/// limits::angle_per_substep. What even the most do not reach is left out: such a body is clamped.
-struct Substeps {
-    lane n, fraction;  ///< fraction: of the step, in each
-    mask clamped;      ///< within the range of spins, beyond what substeps reach
-    mask in_range;     ///< false where the spin has run away, or is NaN
-    int most;          ///< of all lanes
+/// The bodies of a tile in flight, in units of a substep.
+///
+/// A, A_low and L stay in memory while the turn is found: few cores have registers for all.
+struct TileFlight {
+    Vec3<lane> j;      ///< ratios of the inverse moments
+    lane step;         ///< h scale of a substep: takes A^T L to y
+    Vec3<lane> y, w;   ///< y and j y
+    lane n;            ///< substeps of each body, a power of two
+    int substeps;      ///< the most of them
+    mask good;         ///< false where the spin has run away, or is NaN
+    uint16_t clamped;  ///< bits of bodies that turn further than the most substeps reach
+    bool driven;       ///< a torque acts: integrate_L has marked it
+
+    /// Finds y, at the A that the tile has now. L is never -0, so that L less no torque is L to the bit.
+    INGOT_INLINE void look_at(const RotationTile& tile, scalar kick_ahead) {
+        Vec3<lane> L = load(tile.L);
+        if (driven) L -= load(tile.tau_T) * splat<lane>(kick_ahead);
+        y = transpose_times(load(tile.A), L) * step;
+        w = scaled(j, y);
+    }
 };
-INGOT_INLINE Substeps substeps_for(lane angle_sq, scalar h, int substeps_max) {
+
+/// Bodies that turn far within a step take substeps, 1, 2, 4 ... substeps_max, so that none turns by more than limits::angle_per_substep. A body that
+/// turns further than the most of them reach is clamped: the rest of its turn is left out.
+INGOT_INLINE void cut_into_substeps(TileFlight& flight, lane angle_sq, scalar h, int substeps_max) {
     const lane one = splat<lane>(1);
     const scalar angle_max = limits::spin_runaway * h;
-    Substeps of{one, one, one < one, angle_sq <= splat<lane>(angle_max * angle_max), 1};
+    flight.good = angle_sq <= splat<lane>(angle_max * angle_max);
     scalar limit = limits::angle_per_substep, doubled = 2;
     // bound: log2(substeps_max): most doubles
     for (int most = 2; most <= substeps_max; most *= 2, doubled *= 2, limit *= 2) {
         const mask beyond = angle_sq > splat<lane>(limit * limit);
-        of.n = select(beyond, splat<lane>(doubled), of.n);
-        if (any(beyond)) of.most = most;
+        flight.n = select(beyond, splat<lane>(doubled), flight.n);
+        if (any(beyond)) flight.substeps = most;
     }
-    of.clamped = both(of.in_range, angle_sq > splat<lane>(limit * limit));
-    if (any(of.clamped))
-        of.fraction = select(of.clamped, splat<lane>(limit) / sqrt(select(of.clamped, angle_sq, one)), one);
-    of.fraction = of.fraction / of.n;
-    return of;
+    const mask clamped = both(flight.good, angle_sq > splat<lane>(limit * limit));
+    lane fraction = one;  // of the step, in a substep
+    if (any(clamped)) fraction = select(clamped, splat<lane>(limit) / sqrt(select(clamped, angle_sq, one)), one);
+    fraction = fraction / flight.n;
+    flight.clamped = bits(clamped);
+    flight.step = flight.step * fraction;
+    flight.y = flight.y * fraction;
+    flight.w = scaled(flight.j, flight.y);
+}
+
+INGOT_INLINE TileFlight begin_flight(const RotationTile& tile, scalar h, scalar kick_ahead, int substeps_max) {
+    constexpr scalar far_sq = limits::angle_per_substep * limits::angle_per_substep;
+    TileFlight flight;
+    flight.j = load(tile.inv_I_ratio);
+    flight.driven = tile.kicked != 0;
+    flight.step = load(tile.inv_I_scale) * splat<lane>(h);
+    flight.look_at(tile, kick_ahead);
+    flight.n = splat<lane>(1);
+    flight.good = flight.n > lane{};
+    flight.substeps = 1;
+    flight.clamped = 0;
+    const lane angle_sq = length_sq(flight.w);
+    if (any(angle_sq > splat<lane>(far_sq))) cut_into_substeps(flight, angle_sq, h, substeps_max);
+    return flight;
+}
+
+/// The energy at the begin of this flight, in the units of a substep: n is a power of two, so the change is exact. 0 where it is not known.
+INGOT_INLINE lane begin_energy(const EnergyTile& energy, const TileFlight& flight, uint16_t restarts) {
+    lane e_0 = load(energy.E_0);
+    if (flight.substeps > 1) e_0 = e_0 / (flight.n * flight.n);
+    if (restarts != 0) e_0 = select(mask_from_bits(restarts), lane{}, e_0);
+    return e_0;
+}
+
+/// Turns the tile through its substeps. A body that does not come out of one is no longer good.
+template <int order, bool compensate, bool energy_return>
+INGOT_INLINE void turn_tile(const BodyView& bodies, int tile_i, scalar kick_ahead, TileFlight& flight, lane& e_0) {
+    RotationTile& tile = bodies.rotation[tile_i];
+    mask good = flight.good, turning = good;
+    scalar taken = 0;
+    // bound: substeps_max: left at substep_i == substeps, a power of two up to substeps_max
+    for (int substep_i = 1;; ++substep_i) {
+        const lane H = dot(flight.y, flight.w) * splat<lane>(scalar(0.5)), C = length_sq(flight.y) * splat<lane>(scalar(0.5));
+        Vec3<lane> c = solve_turn<order>(flight.j, flight.y, H, C);
+        if constexpr (energy_return) {
+            e_0 = select(e_0 > lane{}, e_0, H);
+            c += turn_of_energy_return(flight.y, flight.w, H, e_0);
+        }
+        c = select(turning, c, Vec3<lane>{});
+        good = both(good, length_sq(c) <= splat<lane>(1));  // false for NaN too; a good turn has |c| near 1/4 or less
+        if (!any(good)) break;
+        c = select(good, c, Vec3<lane>{});
+        // A body that left the range keeps its last good pose in every digit: none that waited in A_low enters.
+        if constexpr (compensate)
+            turn_body<true>(tile.A, bodies.compensation[tile_i].A_low, c, good);
+        else
+            turn_body<false>(tile.A, nullptr, c, good);
+
+        if (substep_i == flight.substeps) break;
+        taken += 1;
+        turning = flight.n > splat<lane>(taken);
+        flight.look_at(tile, kick_ahead);
+    }
+    flight.good = good;
+}
+
+/// A polar step, of all bodies or of those that take substeps. An immovable body keeps its A to the bit.
+template <bool compensate>
+INGOT_INLINE void return_to_rotations(const BodyView& bodies, int tile_i, const TileFlight& flight, bool all) {
+    RotationTile& tile = bodies.rotation[tile_i];
+    const lane one = splat<lane>(1);
+    const mask polar_due = both(both(flight.good, load(tile.inv_I_scale) > lane{}), all ? one > lane{} : flight.n > one);
+    const Mat3<lane> A = load(tile.A), correction = select(polar_due, polar_correction(A), Mat3<lane>{});
+    // With compensation the correction enters at the next step, with the digits it has.
+    if constexpr (compensate)
+        store(bodies.compensation[tile_i].A_low, load(bodies.compensation[tile_i].A_low) + correction);
+    else
+        store(tile.A, A + correction);
 }
 
 template <int order, bool compensate, bool energy_return>
 int integrate_A_moser_veselov(const BodyView& bodies, scalar h, const FlightClock& clock, int substeps_max) {
     INGOT_ASSERT(!compensate || bodies.compensation != nullptr);
     INGOT_ASSERT(!energy_return || bodies.energy != nullptr);
-    constexpr scalar far_sq = limits::angle_per_substep * limits::angle_per_substep;
     const bool polar_step = clock.steps % limits::polar_interval == 0;
     int clamped_count = 0;
     for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) {  // bound: max_bodies / lanes, rounded up
         RotationTile& tile = bodies.rotation[tile_i];
-        const Vec3<lane> j = load(tile.inv_I_ratio);
-        // integrate_L has marked what a torque drives; L is never -0, so that L less no torque is L to the bit.
-        const bool driven = tile.kicked != 0;
-        // A, A_low and L stay in memory while the turn is found: few cores have registers for all.
-        const auto y_of = [&](lane step) {
-            Vec3<lane> L = load(tile.L);
-            if (driven) L -= load(tile.tau_T) * splat<lane>(clock.kick_ahead);
-            return transpose_times(load(tile.A), L) * step;
-        };
-        lane step = load(tile.inv_I_scale) * splat<lane>(h);  // h scale: takes A^T L to y
-        Vec3<lane> y = y_of(step), w = scaled(j, y);
+        TileFlight flight = begin_flight(tile, h, clock.kick_ahead, substeps_max);
+        const uint16_t clamped = flight.clamped;
+        if (clamped != 0) clamped_count += count_bits(clamped);
 
-        lane n = splat<lane>(1);
-        mask good = n > lane{};
-        int substeps = 1;
-        uint16_t restarts = clock.h_changed ? all_lanes : tile.kicked, clamped = 0;
-        const lane angle_sq = length_sq(w);
-        if (any(angle_sq > splat<lane>(far_sq))) {
-            const Substeps far = substeps_for(angle_sq, h, substeps_max);
-            n = far.n;
-            good = far.in_range;
-            substeps = far.most;
-            clamped = bits(far.clamped);
-            restarts = static_cast<uint16_t>(restarts | clamped);
-            clamped_count += count_bits(clamped);
-            step = step * far.fraction;
-            y = y * far.fraction;
-            w = scaled(j, y);
-        }
-
-        // The energy at the begin of this flight, in the units of a substep: n is a power of two, so the change is exact.
+        // Bodies whose energy is to be taken anew.
+        const uint16_t restarts = static_cast<uint16_t>((clock.h_changed ? all_lanes : tile.kicked) | clamped);
         lane e_0{};
-        if constexpr (energy_return) {
-            e_0 = load(bodies.energy[tile_i].E_0);
-            if (substeps > 1) e_0 = e_0 / (n * n);
-            if (restarts != 0) e_0 = select(mask_from_bits(restarts), lane{}, e_0);
-        }
+        if constexpr (energy_return) e_0 = begin_energy(bodies.energy[tile_i], flight, restarts);
         // A torque leaves L half a kick beyond the L of this drift: the energy of the flight after it is not known yet.
         if (restarts != 0) {
             const Vec3<lane> tau_T = load(tile.tau_T);
             tile.kicked = static_cast<uint16_t>(clamped | bits(abs(tau_T.x) + abs(tau_T.y) + abs(tau_T.z) > lane{}));
         }
 
-        mask turning = good;
-        scalar taken = 0;
-        // bound: substeps_max: left at substep_i == substeps, a power of two up to substeps_max
-        for (int substep_i = 1;; ++substep_i) {
-            const lane H = dot(y, w) * splat<lane>(scalar(0.5)), C = length_sq(y) * splat<lane>(scalar(0.5));
-            Vec3<lane> c = solve_turn<order>(j, y, H, C);
-            if constexpr (energy_return) {
-                e_0 = select(e_0 > lane{}, e_0, H);
-                c += turn_of_energy_return(y, w, H, e_0);
-            }
-            c = select(turning, c, Vec3<lane>{});
-            good = both(good, length_sq(c) <= splat<lane>(1));  // false for NaN too; a good turn has |c| near 1/4 or less
-            if (!any(good)) break;
-            c = select(good, c, Vec3<lane>{});
-            // A body that left the range keeps its last good pose in every digit: none that waited in A_low enters.
-            if constexpr (compensate)
-                turn_body<true>(tile.A, bodies.compensation[tile_i].A_low, c, good);
-            else
-                turn_body<false>(tile.A, nullptr, c, good);
-
-            if (substep_i == substeps) break;
-            taken += 1;
-            turning = n > splat<lane>(taken);
-            y = y_of(step);
-            w = scaled(j, y);
-        }
-        mark_bad(tile.bad, good);
-        // Every polar_interval steps; every step where it has substeps. An immovable body keeps its A to the bit.
-        if (polar_step || substeps > 1) {
-            const lane one = splat<lane>(1);
-            const mask polar_due = both(both(good, load(tile.inv_I_scale) > lane{}), polar_step ? one > lane{} : n > one);
-            const Mat3<lane> A = load(tile.A), correction = select(polar_due, polar_correction(A), Mat3<lane>{});
-            // With compensation the correction enters at the next step, with the digits it has.
-            if constexpr (compensate)
-                store(bodies.compensation[tile_i].A_low, load(bodies.compensation[tile_i].A_low) + correction);
-            else
-                store(tile.A, A + correction);
-        }
+        turn_tile<order, compensate, energy_return>(bodies, tile_i, clock.kick_ahead, flight, e_0);
+        mark_bad(tile.bad, flight.good);
+        // Every polar_interval steps; every step where it has substeps.
+        if (polar_step || flight.substeps > 1) return_to_rotations<compensate>(bodies, tile_i, flight, polar_step);
         if constexpr (energy_return) {
-            if (substeps > 1) e_0 = e_0 * (n * n);
+            if (flight.substeps > 1) e_0 = e_0 * (flight.n * flight.n);
             store(bodies.energy[tile_i].E_0, e_0);
         }
     }

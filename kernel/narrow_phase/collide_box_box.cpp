@@ -1,18 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Two boxes by their 15 separating axes; see Gottschalk, Lin, Manocha, "OBBTree", 1996, for the axes, and Sutherland, Hodgman,
-// "Reentrant polygon clipping", 1974, for the points.
-#include "contact_geometry.h"
+// Two boxes by their separating axes (box_axes.h); see Sutherland, Hodgman, "Reentrant polygon clipping", 1974, for the points.
+#include "box_axes.h"
 #include "collide_pairs.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
-
-constexpr uint8_t axis_after[5] = {0, 1, 2, 0, 1};  // axis_after[i + 1] and axis_after[i + 2] are the other two axes
-
-// Axes by number: 0 .. 2 the faces of A, 3 .. 5 those of B, 6 + 3 i + j the edges i of A and j of B.
-constexpr int first_edge_axis = 6;
-constexpr int no_axis = -1;
 
 constexpr uint32_t feature_of(int axis, bool negative, uint32_t rest) {
     return static_cast<uint32_t>(axis) << 24 | (negative ? 1u << 23 : 0u) | rest;
@@ -61,85 +54,6 @@ void clip(const Polygon& from, bool along_y, scalar sign, scalar limit, uint8_t 
         last = i;
         last_over = over;
     }
-}
-
-
-INGOT_INLINE const Vector& column(const Matrix& A, int i) { return i == 0 ? A.c0 : i == 1 ? A.c1 : A.c2; }
-
-/// Which axis separates the boxes best, where that is by no more than the margin.
-struct BestAxis {
-    int face;            ///< 0 .. 5
-    int edge;            ///< 6 .. 14 where two edges separate clearly better than any face, else no_axis
-    scalar separation;   ///< m, of the better of the two
-    scalar smallest;     ///< m, half extent
-};
-
-/// False where an axis separates the boxes by more than the margin: the manifold has its direction.
-bool find_axis(const PlacedShape& A, const PlacedShape& B, scalar margin, int axis_before, BestAxis& best, Manifold& manifold) {
-    const scalar a[3] = {A.shape.size.x, A.shape.size.y, A.shape.size.z}, b[3] = {B.shape.size.x, B.shape.size.y, B.shape.size.z};
-    const Vector d = A.r - B.r, d_A = transpose_times(A.A, d);
-    const scalar d_of_A[3] = {d_A.x, d_A.y, d_A.z};
-    scalar R[3][3];  // R[j][i] = A_i . B_j
-    scalar reach_A[3] = {a[0], a[1], a[2]};
-    const scalar smallest_a = smallest_of(A.shape.size), smallest_b = smallest_of(B.shape.size);
-    best.smallest = smallest_a < smallest_b ? smallest_a : smallest_b;
-    const scalar hysteresis = limits::axis_hysteresis * best.smallest;
-    best.separation = -scalar_max;
-    best.face = 0;
-    best.edge = no_axis;
-    scalar kept = -scalar_max;
-    const auto look_at_face = [&](int axis, scalar s) {
-        if (axis == axis_before) kept = s;
-        if (!(s > best.separation)) return;
-        best.separation = s;
-        best.face = axis;
-    };
-
-    for (int j = 0; j < 3; ++j) {
-        const Vector& B_j = column(B.A, j);
-        const Vector r = transpose_times(A.A, B_j);
-        R[j][0] = r.x, R[j][1] = r.y, R[j][2] = r.z;
-        for (int i = 0; i < 3; ++i) reach_A[i] += b[j] * abs(R[j][i]);
-        const scalar along = dot(B_j, d), s = abs(along) - (b[j] + (a[0] * abs(r.x) + a[1] * abs(r.y) + a[2] * abs(r.z)));
-        if (s > margin) return no_points(along < 0 ? -B_j : B_j, manifold), false;
-        look_at_face(3 + j, s);
-    }
-    for (int i = 0; i < 3; ++i) {
-        const scalar s = abs(d_of_A[i]) - reach_A[i];
-        if (s > margin) return no_points(d_of_A[i] < 0 ? -column(A.A, i) : column(A.A, i), manifold), false;
-        look_at_face(i, s);
-    }
-    if (axis_before >= 0 && axis_before < first_edge_axis && kept + hysteresis >= best.separation) {
-        best.separation = kept;
-        best.face = axis_before;
-    }
-
-    // Edges: what is compared is less by the rounding of a product that nearly cancels.
-    scalar least = best.separation + limits::edge_preference * best.smallest;
-    for (int j = 0; j < 3; ++j) {
-        const int j1 = axis_after[j + 1], j2 = axis_after[j + 2];
-        for (int i = 0; i < 3; ++i) {
-            const int i1 = axis_after[i + 1], i2 = axis_after[i + 2];
-            const scalar length_sq_of_axis = R[j][i1] * R[j][i1] + R[j][i2] * R[j][i2];
-            if (!(length_sq_of_axis > limits::parallel_sin_sq)) continue;
-            const scalar along = d_of_A[i2] * R[j][i1] - d_of_A[i1] * R[j][i2];
-            const scalar reach =
-                (a[i1] * abs(R[j][i2]) + a[i2] * abs(R[j][i1])) + (b[j1] * abs(R[j2][i]) + b[j2] * abs(R[j1][i]));
-            const scalar inv_length = 1 / sqrt(length_sq_of_axis);
-            scalar s = (abs(along) - reach - 8 * epsilon * (abs(along) + reach)) * inv_length;
-            if (s > margin) {
-                const Vector n = cross(column(A.A, i), column(B.A, j)) * (along < 0 ? -inv_length : inv_length);
-                return no_points(n, manifold), false;
-            }
-            const int axis = first_edge_axis + 3 * i + j;
-            if (axis == axis_before) s += hysteresis;
-            if (!(s > least)) continue;
-            least = s;
-            best.separation = s;
-            best.edge = axis;
-        }
-    }
-    return true;
 }
 
 /// A box seen along one of its edges: the edge nearest to the other box, and the sum of the outward normals of the two faces that make it.
@@ -214,6 +128,77 @@ bool ridge_points(const PlacedShape& A, const PlacedShape& B, const Vector& n, s
     return true;
 }
 
+/// The face that separates best, and the other box above it.
+struct ReferenceFace {
+    const PlacedShape &box, &other;
+    int axis;                 ///< of its box, along its normal
+    scalar h_x, h_y;          ///< m, half extents
+    const Vector &e_x, &e_y;  ///< unit, along them
+    Vector up;                ///< unit, its outward normal
+    Vector centre;            ///< m, of the other box, from that of this one
+    bool of_A;                ///< of A: n, from B to A, is then against `up`
+    bool negative;            ///< up is against that axis of its box
+};
+
+/// The face of the other box that looks most against `up`: its axis, and the cosine of that with `up`.
+struct IncidentFace {
+    int axis;
+    scalar along;
+    INGOT_INLINE bool flipped() const { return along > 0; }  ///< against its axis, to look against `up`
+};
+
+INGOT_INLINE IncidentFace incident_face(const ReferenceFace& face) {
+    int facing = 0;
+    scalar along = dot(face.other.A.c0, face.up);
+    for (int j = 1; j < 3; ++j) {
+        const scalar c = dot(column(face.other.A, j), face.up);
+        if (abs(c) > abs(along)) {
+            facing = j;
+            along = c;
+        }
+    }
+    return {facing, along};
+}
+
+/// The corners of the incident face along e_x, e_y, and above the reference face, m; reach: how far they get to +x, -x, +y, -y.
+INGOT_INLINE void place_polygon(const ReferenceFace& face, const IncidentFace& incident, Polygon& polygon, scalar (&reach)[4]) {
+    const PlacedShape& other = face.other;
+    const int facing = incident.axis;
+    const scalar h_facing = component(other.shape.size, facing);
+    const Vector u = column(other.A, axis_after[facing + 1]) * component(other.shape.size, axis_after[facing + 1]);
+    const Vector v = column(other.A, axis_after[facing + 2]) * component(other.shape.size, axis_after[facing + 2]);
+    const Vector c = face.centre + column(other.A, facing) * (incident.flipped() ? -h_facing : h_facing);
+    const scalar c_x = dot(c, face.e_x), c_y = dot(c, face.e_y), c_z = dot(c, face.up) - component(face.box.shape.size, face.axis);
+    const scalar u_x = dot(u, face.e_x), u_y = dot(u, face.e_y), u_z = dot(u, face.up);
+    const scalar v_x = dot(v, face.e_x), v_y = dot(v, face.e_y), v_z = dot(v, face.up);
+    for (int i = 0; i < 4; ++i) {
+        const scalar p = i == 1 || i == 2 ? scalar(-1) : scalar(1), q = i >= 2 ? scalar(-1) : scalar(1);
+        polygon.x[i] = c_x + p * u_x + q * v_x;
+        polygon.y[i] = c_y + p * u_y + q * v_y;
+        polygon.z[i] = c_z + p * u_z + q * v_z;
+        polygon.in[i] = static_cast<uint8_t>((i + 3) & 3);
+        polygon.out[i] = static_cast<uint8_t>(i);
+    }
+    polygon.count = 4;
+    const scalar spread_x = abs(u_x) + abs(v_x), spread_y = abs(u_y) + abs(v_y);
+    reach[0] = c_x + spread_x, reach[1] = spread_x - c_x, reach[2] = c_y + spread_y, reach[3] = spread_y - c_y;
+}
+
+/// Cuts polygons[0] to the reference face, by those of its sides that it reaches over. What is left is one of the two.
+INGOT_INLINE const Polygon& clip_to_face(const ReferenceFace& face, const scalar (&reach)[4], Polygon (&polygons)[2]) {
+    Polygon* polygon = &polygons[0];
+    const scalar limit_x = face.h_x * (1 + limits::corner_slack), limit_y = face.h_y * (1 + limits::corner_slack);
+    const bool over[4] = {reach[0] > limit_x, reach[1] > limit_x, reach[2] > limit_y, reach[3] > limit_y};
+    for (int side = 0; side < 4; ++side) {
+        if (!over[side]) continue;
+        Polygon* to = polygon == &polygons[0] ? &polygons[1] : &polygons[0];
+        clip(*polygon, side >= 2, (side & 1) != 0 ? scalar(-1) : scalar(1), side >= 2 ? limit_y : limit_x,
+             static_cast<uint8_t>(4 + side), *to);
+        polygon = to;
+    }
+    return *polygon;
+}
+
 /// The points of a face against the other box, whose nearest face is clipped.
 void face_points(const PlacedShape& A, const PlacedShape& B, const BestAxis& best, scalar margin, const Before& before,
                  Manifold& manifold) {
@@ -227,65 +212,30 @@ void face_points(const PlacedShape& A, const PlacedShape& B, const BestAxis& bes
     const scalar above = dot(centre, up);
     const bool negative = of_A ? above > 0 ? false : true : above < 0;  // n is that axis or its opposite when all is level
     if (negative) up = -up;
-
-    int facing = 0;
-    scalar along = dot(other.A.c0, up);
-    for (int j = 1; j < 3; ++j) {
-        const scalar c = dot(column(other.A, j), up);
-        if (abs(c) > abs(along)) {
-            facing = j;
-            along = c;
-        }
-    }
-    if (abs(along) < limits::facing_cos && ridge_points(A, B, of_A ? -up : up, limits::ridge * best.smallest, margin, manifold)) return;
-    const bool flipped = along > 0;  // the face that looks against `up`
-    const scalar h_facing = component(other.shape.size, facing);
+    const ReferenceFace face{reference, other, axis, h_x, h_y, e_x, e_y, up, centre, of_A, negative};
+    const IncidentFace incident = incident_face(face);
+    if (abs(incident.along) < limits::facing_cos &&
+        ridge_points(A, B, face.of_A ? -face.up : face.up, limits::ridge * best.smallest, margin, manifold))
+        return;
 
     Polygon polygons[2];
-    Polygon* polygon = &polygons[0];
-    scalar most_x, least_x, most_y, least_y;
-    {
-        const Vector u = column(other.A, axis_after[facing + 1]) * component(other.shape.size, axis_after[facing + 1]);
-        const Vector v = column(other.A, axis_after[facing + 2]) * component(other.shape.size, axis_after[facing + 2]);
-        const Vector c = centre + column(other.A, facing) * (flipped ? -h_facing : h_facing);
-        const scalar c_x = dot(c, e_x), c_y = dot(c, e_y), c_z = dot(c, up) - component(reference.shape.size, axis);
-        const scalar u_x = dot(u, e_x), u_y = dot(u, e_y), u_z = dot(u, up);
-        const scalar v_x = dot(v, e_x), v_y = dot(v, e_y), v_z = dot(v, up);
-        for (int i = 0; i < 4; ++i) {
-            const scalar p = i == 1 || i == 2 ? scalar(-1) : scalar(1), q = i >= 2 ? scalar(-1) : scalar(1);
-            polygon->x[i] = c_x + p * u_x + q * v_x;
-            polygon->y[i] = c_y + p * u_y + q * v_y;
-            polygon->z[i] = c_z + p * u_z + q * v_z;
-            polygon->in[i] = static_cast<uint8_t>((i + 3) & 3);
-            polygon->out[i] = static_cast<uint8_t>(i);
-        }
-        polygon->count = 4;
-        const scalar spread_x = abs(u_x) + abs(v_x), spread_y = abs(u_y) + abs(v_y);
-        most_x = c_x + spread_x, least_x = spread_x - c_x, most_y = c_y + spread_y, least_y = spread_y - c_y;
-    }
+    scalar reach[4];
+    place_polygon(face, incident, polygons[0], reach);
+    const Polygon& polygon = clip_to_face(face, reach, polygons);
 
-    const scalar limit_x = h_x * (1 + limits::corner_slack), limit_y = h_y * (1 + limits::corner_slack);
-    const bool over[4] = {most_x > limit_x, least_x > limit_x, most_y > limit_y, least_y > limit_y};
-    for (int side = 0; side < 4; ++side) {
-        if (!over[side]) continue;
-        Polygon* to = polygon == &polygons[0] ? &polygons[1] : &polygons[0];
-        clip(*polygon, side >= 2, (side & 1) != 0 ? scalar(-1) : scalar(1), side >= 2 ? limit_y : limit_x,
-             static_cast<uint8_t>(4 + side), *to);
-        polygon = to;
-    }
-
-    const uint32_t faces = feature_of(best.face, negative, (static_cast<uint32_t>(facing) << 1 | (flipped ? 1u : 0u)) << 16);
-    const scalar to_n = of_A ? scalar(-1) : scalar(1);  // n is this times `up`
+    const uint32_t faces =
+        feature_of(best.face, face.negative, (static_cast<uint32_t>(incident.axis) << 1 | (incident.flipped() ? 1u : 0u)) << 16);
+    const scalar to_n = face.of_A ? scalar(-1) : scalar(1);  // n is this times `up`
     Candidate candidates[8];
     int count = 0;
     // bound: Patch::corners_max
-    for (int i = 0; i < polygon->count; ++i) {
-        const scalar s = polygon->z[i];
+    for (int i = 0; i < polygon.count; ++i) {
+        const scalar s = polygon.z[i];
         if (!(s <= margin)) continue;
-        candidates[count++] = {clamp(polygon->x[i], h_x), clamp(polygon->y[i], h_y), to_n * s * scalar(0.5), s,
-                               faces | static_cast<uint32_t>(polygon->in[i]) << 4 | polygon->out[i]};
+        candidates[count++] = {clamp(polygon.x[i], face.h_x), clamp(polygon.y[i], face.h_y), to_n * s * scalar(0.5), s,
+                               faces | static_cast<uint32_t>(polygon.in[i]) << 4 | polygon.out[i]};
     }
-    const ContactFrame frame{reference.r + up * component(reference.shape.size, axis), e_x, e_y, up * to_n};
+    const ContactFrame frame{face.box.r + face.up * component(face.box.shape.size, face.axis), face.e_x, face.e_y, face.up * to_n};
     keep_points(candidates, count, frame, limits::flatness * best.smallest, before, manifold);
 }
 

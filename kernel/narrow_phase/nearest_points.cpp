@@ -152,23 +152,33 @@ bool reduce(Simplex& s) {
     return outside;
 }
 
-}  // namespace
+INGOT_INLINE bool has_corner(const Simplex& s, const Vector& w) {
+    bool known = false;
+    for (int i = 0; i < s.count; ++i) known |= length_sq(s.corners[i].w - w) <= 0;  // bound: 4
+    return known;
+}
 
-Nearest nearest_cores(const PlacedShape& A, const PlacedShape& B, scalar enough, scalar known_gap) {
-    const Vector d = A.r - B.r;
-    Simplex simplex{};
+/// What a search for nearest points ends with.
+struct NearestSearch {
+    Simplex simplex;  ///< its point nearest to the origin is the difference of the nearest points
+    bool overlapping;
+    scalar at_least;  ///< m; proven along n, where it exceeds what was known before
+    Vector n;
+};
+
+/// Walks to the point of the difference nearest to the origin, v: the furthest corner against v joins the simplex, and its nearest part stays.
+NearestSearch search_nearest(const PlacedShape& A, const PlacedShape& B, const Vector& d, scalar enough, scalar known_gap) {
+    NearestSearch found{{}, false, known_gap, {}};
+    Simplex& simplex = found.simplex;
     Vector v = length_sq(d) > 0 ? d : Vector{1, 0, 0};
-    scalar v_sq = scalar_max, size = 0, at_least = known_gap;
-    Vector n{};
-    bool overlapping = false;
+    scalar v_sq = scalar_max, size = 0;
     for (int iteration = 0; iteration < limits::nearest_iterations_max; ++iteration) {
-        const Vector a = d + A.A * core_support(A, transpose_times(A.A, -v)),
-                     b = B.A * core_support(B, transpose_times(B.A, v));
+        const Vector a = d + A.A * core_support(A, transpose_times(A.A, -v)), b = B.A * core_support(B, transpose_times(B.A, v));
         const Vector w = a - b;
         const scalar length_v = sqrt(length_sq(v)), gap = dot(v, w) / length_v;
-        if (gap > at_least) {
-            at_least = gap;
-            n = v * (1 / length_v);
+        if (gap > found.at_least) {
+            found.at_least = gap;
+            found.n = v * (1 / length_v);
             if (gap > enough) {
                 if (simplex.count == 0) {  // whoever stops here still wants two points
                     simplex.corners[simplex.count++] = {w, a, b};
@@ -178,20 +188,15 @@ Nearest nearest_cores(const PlacedShape& A, const PlacedShape& B, scalar enough,
             }
         }
         // The first v is a direction, not a point of the difference.
-        if (simplex.count > 0) {
-            if (!(length_v - gap > limits::nearest_accuracy * length_v)) break;
-            bool known = false;
-            for (int i = 0; i < simplex.count; ++i) known |= length_sq(simplex.corners[i].w - w) <= 0;  // bound: 4
-            if (known) break;
-        }
+        if (simplex.count > 0 && (!(length_v - gap > limits::nearest_accuracy * length_v) || has_corner(simplex, w))) break;
         const scalar w_size = abs(a.x) + abs(a.y) + abs(a.z) + abs(b.x) + abs(b.y) + abs(b.z);
         size = w_size > size ? w_size : size;
 
         const Simplex last = simplex;
         simplex.corners[simplex.count++] = {w, a, b};
         if (!reduce(simplex)) {
-            overlapping = !(at_least > 0);  // what is proven apart only looks enclosed
-            if (!overlapping) simplex = last;
+            found.overlapping = !(found.at_least > 0);  // what is proven apart only looks enclosed
+            if (!found.overlapping) simplex = last;
             break;
         }
         const Vector next = point_of(simplex, &Corner::w);
@@ -204,23 +209,30 @@ Nearest nearest_cores(const PlacedShape& A, const PlacedShape& B, scalar enough,
         v_sq = next_sq;
         const scalar touching = 2 * epsilon * size;
         if (v_sq <= touching * touching) {
-            overlapping = true;
+            found.overlapping = true;
             break;
         }
     }
+    return found;
+}
+
+}  // namespace
+
+Nearest nearest_cores(const PlacedShape& A, const PlacedShape& B, scalar enough, scalar known_gap) {
+    NearestSearch found = search_nearest(A, B, A.r - B.r, enough, known_gap);
     Nearest nearest{};
-    if (overlapping && simplex.count == 4)
-        for (scalar& weight : simplex.weight) weight = scalar(0.25);
-    const Vector a = point_of(simplex, &Corner::a), b = point_of(simplex, &Corner::b);
+    if (found.overlapping && found.simplex.count == 4)
+        for (scalar& weight : found.simplex.weight) weight = scalar(0.25);
+    const Vector a = point_of(found.simplex, &Corner::a), b = point_of(found.simplex, &Corner::b);
     nearest.P_A = B.r + a;
     nearest.P_B = B.r + b;
-    nearest.overlap = overlapping;
-    if (overlapping) return nearest;
+    nearest.overlap = found.overlapping;
+    if (found.overlapping) return nearest;
     const Vector apart = a - b;
     nearest.distance = sqrt(length_sq(apart));
     // The direction that is proven: where what is round is all but touched, the last point may be nearer but no longer has one.
-    nearest.n = at_least > known_gap || !(nearest.distance > 0) ? n : apart * (1 / nearest.distance);
-    nearest.at_least = at_least;
+    nearest.n = found.at_least > known_gap || !(nearest.distance > 0) ? found.n : apart * (1 / nearest.distance);
+    nearest.at_least = found.at_least;
     return nearest;
 }
 

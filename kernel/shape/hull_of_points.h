@@ -189,6 +189,91 @@ struct Wrapping {
     }
 };
 
+/// Sets the points and the tolerance, and checks their place and size.
+template <unsigned room>
+constexpr Status take_points(const Vector (&points)[room], Wrapping<room>& wrapping) {
+    double size = 0;
+    // bound: limits::hull_vertices_max
+    for (int i = 0; i < wrapping.N; ++i) {
+        const Vector& p = points[i];
+        if (!(abs(p.x) <= limits::position_max && abs(p.y) <= limits::position_max && abs(p.z) <= limits::position_max))
+            return Status::out_of_range;
+        wrapping.points[i] = {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)};
+        const double away = length(wrapping.points[i] - wrapping.points[0]);
+        size = away > size ? away : size;
+    }
+    if (!(size >= static_cast<double>(limits::size_min) && size <= 4 * static_cast<double>(limits::size_max)))
+        return size > 1 ? Status::out_of_range : Status::bad_shape;
+    wrapping.tolerance = static_cast<double>(limits::hull_flatness) * size;
+    return Status::ok;
+}
+
+/// The corners in use, in the order of the points; renamed: their new numbers. Returns their middle.
+template <unsigned room>
+constexpr Point name_corners(const Vector (&points)[room], const Wrapping<room>& wrapping, uint8_t (&renamed)[room], HullOf<room>& hull) {
+    const int loops_end = wrapping.loop_first[wrapping.face_count];
+    Point sum{};
+    // bound: limits::hull_vertices_max
+    for (int i = 0; i < wrapping.N; ++i) {
+        bool used = false;
+        // bound: 6 limits::hull_vertices_max
+        for (int k = 0; k < loops_end; ++k) used = used || wrapping.loops[k] == i;
+        if (!used) continue;
+        renamed[i] = hull.vertex_count;
+        hull.vertices[hull.vertex_count++] = points[i];
+        sum = sum + (wrapping.points[i] - wrapping.points[0]);
+        const double radius = length(wrapping.points[i]) * (1 + 4 * static_cast<double>(epsilon));  // its roundings
+        hull.radius = static_cast<double>(hull.radius) < radius ? static_cast<scalar>(radius) : hull.radius;
+    }
+    return wrapping.points[0] + sum * (1.0 / hull.vertex_count);
+}
+
+/// The plane and the loop of a face. False where it has no area, or points lie above it.
+template <unsigned room>
+constexpr bool describe_face(const Wrapping<room>& wrapping, int face_i, const uint8_t (&renamed)[room], const Point& centre, HullOf<room>& hull) {
+    const int first = wrapping.loop_first[face_i], end = wrapping.loop_first[face_i + 1];
+    // The vector area: for a polygon that is flat but for rounding the best normal (Newell).
+    Point area{};
+    const Point& origin = wrapping.points[wrapping.loops[first]];
+    // bound: limits::hull_vertices_max: ++k
+    for (int k = first + 1; k + 1 < end; ++k)
+        area = area + cross(wrapping.points[wrapping.loops[k]] - origin, wrapping.points[wrapping.loops[k + 1]] - origin);
+    const double area_length = length(area);
+    if (!(area_length > 0)) return false;
+    const Point n = area * (1 / area_length);
+    double offset = dot(n, origin);
+    for (int k = first; k < end; ++k) {
+        const double along = dot(n, wrapping.points[wrapping.loops[k]]);
+        offset = along > offset ? along : offset;
+        hull.loops[k] = renamed[wrapping.loops[k]];
+    }
+    for (int i = 0; i < wrapping.N; ++i)
+        if (dot(n, wrapping.points[i]) - offset > 4 * wrapping.tolerance) return false;
+    const auto depth = static_cast<scalar>(offset - dot(n, centre));
+    hull.inner_radius = face_i == 0 || depth < hull.inner_radius ? depth : hull.inner_radius;
+    hull.faces[face_i] = {{static_cast<scalar>(n.x), static_cast<scalar>(n.y), static_cast<scalar>(n.z)},
+                          static_cast<scalar>(offset),
+                          static_cast<uint8_t>(first),
+                          static_cast<uint8_t>(end - first)};
+    return true;
+}
+
+/// The edges around a face that the faces before it have not named. False where one of them has not two faces.
+template <unsigned room>
+constexpr bool name_edges(const Wrapping<room>& wrapping, int face_i, const uint8_t (&renamed)[room], HullOf<room>& hull) {
+    constexpr int N = Wrapping<room>::N;
+    const int first = wrapping.loop_first[face_i], end = wrapping.loop_first[face_i + 1];
+    for (int k = first; k < end; ++k) {
+        const int a = wrapping.loops[k], b = wrapping.loops[k + 1 < end ? k + 1 : first];
+        const int right = wrapping.face_with(b, a);
+        if (right < 0 || wrapping.face_with(a, b) != face_i) return false;  // open, or three faces at an edge
+        if (a > b) continue;
+        if (hull.edge_count >= 3 * N - 6) return false;
+        hull.edges[hull.edge_count++] = {renamed[a], renamed[b], static_cast<uint8_t>(face_i), static_cast<uint8_t>(right)};
+    }
+    return true;
+}
+
 }  // namespace hulls
 
 /// The convex hull of N points. Points closer to a face, an edge or each other than limits::hull_flatness of the size are part
@@ -202,7 +287,6 @@ struct Wrapping {
 /// Source:  Chand and Kapur, "An algorithm for convex polytopes", 1970 (gift wrapping).
 template <unsigned room>
 constexpr Result<HullOf<room>> convex_hull(const Vector (&points)[room]) {
-    using hulls::Point;
     constexpr int N = static_cast<int>(room);
     Result<HullOf<room>> result{};
     for (const Vector& p : points)
@@ -212,76 +296,18 @@ constexpr Result<HullOf<room>> convex_hull(const Vector (&points)[room]) {
 
     if constexpr (N >= 4 && N <= limits::hull_vertices_max) {
         hulls::Wrapping<room> wrapping{};
-        double size = 0;
-        for (int i = 0; i < N; ++i) {
-            const Vector& p = points[i];
-            if (!(abs(p.x) <= limits::position_max && abs(p.y) <= limits::position_max && abs(p.z) <= limits::position_max))
-                return {Status::out_of_range, {}};
-            wrapping.points[i] = {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)};
-            const double away = hulls::length(wrapping.points[i] - wrapping.points[0]);
-            size = away > size ? away : size;
-        }
-        if (!(size >= static_cast<double>(limits::size_min) && size <= 4 * static_cast<double>(limits::size_max)))
-            return {size > 1 ? Status::out_of_range : Status::bad_shape, {}};
-        wrapping.tolerance = static_cast<double>(limits::hull_flatness) * size;
+        const Status taken = hulls::take_points(points, wrapping);
+        if (taken != Status::ok) return {taken, {}};
         if (!wrapping.add_first_face() || !wrapping.close()) return {Status::bad_shape, {}};
 
-        // The corners in use keep the order of the points.
         HullOf<room>& hull = result.value;
         uint8_t renamed[room] = {};
-        const int loops_end = wrapping.loop_first[wrapping.face_count];
-        Point sum{};
-        for (int i = 0; i < N; ++i) {
-            bool used = false;
-            // bound: 6 limits::hull_vertices_max
-            for (int k = 0; k < loops_end; ++k) used = used || wrapping.loops[k] == i;
-            if (!used) continue;
-            renamed[i] = hull.vertex_count;
-            hull.vertices[hull.vertex_count++] = points[i];
-            sum = sum + (wrapping.points[i] - wrapping.points[0]);
-            const double radius = hulls::length(wrapping.points[i]) * (1 + 4 * static_cast<double>(epsilon));  // its roundings
-            hull.radius = static_cast<double>(hull.radius) < radius ? static_cast<scalar>(radius) : hull.radius;
-        }
-        const Point centre = wrapping.points[0] + sum * (1.0 / hull.vertex_count);
+        const hulls::Point centre = hulls::name_corners(points, wrapping, renamed, hull);
         hull.centre = {static_cast<scalar>(centre.x), static_cast<scalar>(centre.y), static_cast<scalar>(centre.z)};
-
         // bound: 2 limits::hull_vertices_max - 4
-        for (int face_i = 0; face_i < wrapping.face_count; ++face_i) {
-            const int first = wrapping.loop_first[face_i], end = wrapping.loop_first[face_i + 1];
-            // The vector area: for a polygon that is flat but for rounding the best normal (Newell).
-            Point area{};
-            const Point& origin = wrapping.points[wrapping.loops[first]];
-            // bound: limits::hull_vertices_max: ++k
-            for (int k = first + 1; k + 1 < end; ++k)
-                area =
-                    area + cross(wrapping.points[wrapping.loops[k]] - origin, wrapping.points[wrapping.loops[k + 1]] - origin);
-            const double area_length = hulls::length(area);
-            if (!(area_length > 0)) return {Status::bad_shape, {}};
-            const Point n = area * (1 / area_length);
-            double offset = dot(n, origin);
-            for (int k = first; k < end; ++k) {
-                const double along = dot(n, wrapping.points[wrapping.loops[k]]);
-                offset = along > offset ? along : offset;
-                hull.loops[k] = renamed[wrapping.loops[k]];
-            }
-            for (int i = 0; i < N; ++i)
-                if (dot(n, wrapping.points[i]) - offset > 4 * wrapping.tolerance) return {Status::bad_shape, {}};
-            const auto depth = static_cast<scalar>(offset - dot(n, centre));
-            hull.inner_radius = face_i == 0 || depth < hull.inner_radius ? depth : hull.inner_radius;
-            hull.faces[face_i] = {{static_cast<scalar>(n.x), static_cast<scalar>(n.y), static_cast<scalar>(n.z)},
-                                  static_cast<scalar>(offset),
-                                  static_cast<uint8_t>(first),
-                                  static_cast<uint8_t>(end - first)};
-            for (int k = first; k < end; ++k) {
-                const int a = wrapping.loops[k], b = wrapping.loops[k + 1 < end ? k + 1 : first];
-                const int right = wrapping.face_with(b, a);
-                if (right < 0 || wrapping.face_with(a, b) != face_i) return {Status::bad_shape, {}};  // open, or three faces at an edge
-                if (a > b) continue;
-                if (hull.edge_count >= 3 * N - 6) return {Status::bad_shape, {}};
-                hull.edges[hull.edge_count++] = {renamed[a], renamed[b], static_cast<uint8_t>(face_i),
-                                                 static_cast<uint8_t>(right)};
-            }
-        }
+        for (int face_i = 0; face_i < wrapping.face_count; ++face_i)
+            if (!hulls::describe_face(wrapping, face_i, renamed, centre, hull) || !hulls::name_edges(wrapping, face_i, renamed, hull))
+                return {Status::bad_shape, {}};
         hull.face_count = static_cast<uint8_t>(wrapping.face_count);
         if (hull.vertex_count - hull.edge_count + hull.face_count != 2) return {Status::bad_shape, {}};
     }

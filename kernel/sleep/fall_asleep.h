@@ -26,9 +26,8 @@ struct SleepLimits {
 void fall_asleep(const BodyView& bodies, const SurfaceView& surfaces, const Vector& gravity, scalar h, const SleepLimits& limits,
                  const RestView& rest, const scalar* pull_sq = nullptr);
 
-/// In a force field: how strongly gravity and forces pull at the bodies that are awake, |gravity| + |F_T| / M, in m s^-2, squared, by slot.
-/// What balances them is
-/// measured by that, as what balances gravity is where there is no field. Needs: F_T before contacts are solved.
+/// In a force field: how strongly gravity and forces pull at the bodies that are awake, |gravity| + |F_T| / M, in m s^-2, squared, by slot. What
+/// balances them is measured by that, as what balances gravity is where there is no field. Needs: F_T before contacts are solved.
 void note_pulls(const BodyView& bodies, const RestView& rest, const Vector& gravity, scalar* pull_sq);
 
 } }  // namespace ingot

@@ -46,7 +46,7 @@ constexpr uint32_t snapshot_parts() {
     uint32_t parts = sizeof(scalar) == sizeof(double) ? SnapshotPart::doubles : 0;
     if (stacks<S> && S::recycles_manifolds) parts |= SnapshotPart::anchors;
     if (stacks<S> && solves_pointwise<S>) parts |= SnapshotPart::pointwise;
-    Features::over_named<S>([&parts](auto feature) { parts |= decltype(feature)::part; });
+    features::All::over_named<S>([&parts](auto feature) { parts |= decltype(feature)::part; });
     return parts;
 }
 
@@ -54,7 +54,7 @@ constexpr uint32_t snapshot_parts() {
 template <class Level, class S>
 constexpr size_t saved_size() {
     ByteCounter counter;
-    Features::over_named<S>([&counter](auto feature) {
+    features::All::over_named<S>([&counter](auto feature) {
         typename Level::template Numbers<decltype(feature)> saved{};
         saved.numbers(counter, snapshot_parts<S>());
     });
@@ -63,7 +63,7 @@ constexpr size_t saved_size() {
 /// They themselves; where: see NoNumbers.
 template <class Level, class S, class... Where>
 void write_numbers(ByteWriter& writer, const Storage<S>& storage, const Where&... where) {
-    Features::over_named<S>([&](auto feature) {
+    features::All::over_named<S>([&](auto feature) {
         typename Level::template Numbers<decltype(feature)> saved{};
         saved.take(storage, where...);
         saved.numbers(writer, snapshot_parts<S>());
@@ -73,7 +73,7 @@ void write_numbers(ByteWriter& writer, const Storage<S>& storage, const Where&..
 template <class Level, class S, class Context, class... Where>
 Status read_numbers(ByteReader& reader, Storage<S>* to, Context& context, const Where&... where) {
     bool sound = true;
-    Features::over_named<S>([&](auto feature) {
+    features::All::over_named<S>([&](auto feature) {
         typename Level::template Numbers<decltype(feature)> saved{};
         saved.numbers(reader, snapshot_parts<S>());
         sound = sound && saved.template is_valid<S>(context);
@@ -87,7 +87,7 @@ template <class S>
 constexpr size_t saved_field_size() {
     ByteCounter counter;
     if constexpr (has_field<S>) {
-        static_assert(names_its_numbers<typename S::force_field>,
+        static_assert(features::names_its_numbers<typename S::force_field>,
                       "a snapshot holds the numbers of the force_field: give it a function numbers, see motion/force_field.h");
         typename S::force_field field{};
         field.numbers(counter);
@@ -125,7 +125,7 @@ constexpr size_t snapshot_size_of(size_t slots_used, size_t living, size_t shape
 template <class S>
 constexpr size_t snapshot_size() {
     size_t lists = 0;
-    Features::over_named<S>([&lists](auto feature) {
+    features::All::over_named<S>([&lists](auto feature) {
         using F = decltype(feature);
         lists += saved_list_size<S, F>(F::template entry_capacity<S>);
     });
@@ -150,7 +150,7 @@ constexpr uint64_t scene_signature() {
     Signature signature;
     signature(snapshot_parts<S>());
     int number = 0;
-    Features::over_all([&](auto feature) {
+    features::All::over_all([&](auto feature) {
         using F = decltype(feature);
         ++number;
         if (traits_signature<S, F>() == traits_signature<Scene, F>()) return;
@@ -204,7 +204,7 @@ void write_manifolds([[maybe_unused]] ByteWriter& writer, [[maybe_unused]] const
 /// Who is in sensors, who touches whom, what the last step told.
 template <class S>
 void write_lists(ByteWriter& writer, const Storage<S>& storage) {
-    Features::over_named<S>([&](auto feature) {
+    features::All::over_named<S>([&](auto feature) {
         using F = decltype(feature);
         if constexpr (F::has_entries) {
             uint16_t count = F::entry_count(storage);
@@ -229,7 +229,7 @@ size_t snapshot_size_of(const Storage<S>& storage) {
         shape_count += static_cast<size_t>(shape_count_of(storage, slot));
     }
     size_t lists = 0;
-    Features::over_named<S>([&](auto feature) { lists += saved_list_size<S, decltype(feature)>(feature.entry_count(storage)); });
+    features::All::over_named<S>([&](auto feature) { lists += saved_list_size<S, decltype(feature)>(feature.entry_count(storage)); });
     return lists + snapshot_size_of<S>(static_cast<size_t>(storage.slots_used), living, shape_count, manifold_count);
 }
 
@@ -280,7 +280,7 @@ Status read_whole(ByteReader& reader, SavedWorld& whole, Storage<S>* to) {
         to->free_hint = static_cast<int32_t>(whole.free_hint);
         // bound: max_bodies, rounded up to whole tiles
         for (int slot = 0; slot < to->bodies().tile_count * lanes; ++slot) set_identity_body(to->bodies(), slot);
-        Features::over_named<S>([to](auto feature) { decltype(feature)::begin_load(*to); });
+        features::All::over_named<S>([to](auto feature) { decltype(feature)::begin_load(*to); });
     }
     const Status status = read_numbers<OfWorld, S>(reader, to, whole);
     if constexpr (has_field<S>) {
@@ -327,7 +327,7 @@ Status read_manifolds([[maybe_unused]] ByteReader& reader, [[maybe_unused]] uint
 template <class S>
 Status read_lists(ByteReader& reader, uint32_t slots_used, Storage<S>* to) {
     bool sound = true;
-    Features::over_named<S>([&](auto feature) {
+    features::All::over_named<S>([&](auto feature) {
         using F = decltype(feature);
         if constexpr (F::has_entries) {
             uint16_t count = 0;
@@ -363,7 +363,7 @@ Status read_snapshot_contents(ByteReader reader, Storage<S>* to) {
     if (status == Status::ok) status = read_manifolds<S>(reader, whole.slots_used, to);
     if (status == Status::ok) status = read_lists<S>(reader, whole.slots_used, to);
     if (status != Status::ok) return status;
-    if (to != nullptr) Features::over_named<S>([to](auto feature) { decltype(feature)::finish_load(*to); });
+    if (to != nullptr) features::All::over_named<S>([to](auto feature) { decltype(feature)::finish_load(*to); });
     return reader.at_end() ? Status::ok : Status::bad_snapshot;
 }
 

@@ -205,7 +205,7 @@ constexpr Shape shape_of(const SavedSurface& surface) { return {static_cast<Shap
 /// Whether one living body sleeps, in scenes with sleep. Its island is known from the manifolds. Who is due is told from who is not: a
 /// manifold that was found at rest and is then renewed from its anchors is the same but for rounding, and not to the bit.
 struct SavedRest {
-    uint8_t awake;  ///< 0: at rest, and its manifolds are kept; 1: awake; 2: at rest and due, see sleep/rest_view.h
+    uint8_t awake;  ///< 0: at rest, and its manifolds are kept; 1: awake; 2: at rest and due, see island/rest_view.h
     scalar rest_time;
 
     template <class Stream>

@@ -43,7 +43,7 @@ template <class S>
 void notice_field([[maybe_unused]] Step<S>& now) {
     if constexpr (has_field<S> && S::sleeps) {
         auto& storage = now.storage;
-        if (SteadyField::changed(storage))
+        if (features::SteadyField::changed(storage))
             wake_by(storage, [&](const ManifoldView& manifolds) { wake_all(now.bodies, storage.rest_view(), manifolds); });
         storage.field_changed = 0;
         __builtin_memcpy(static_cast<void*>(&storage.field_before), static_cast<const void*>(&storage.field), sizeof storage.field);
@@ -181,7 +181,7 @@ void resolve_impacts([[maybe_unused]] Step<S>& now) {
 /// What features add to the forces that the user has summed since the last step (Eqs. 14, 16).
 template <class S>
 INGOT_INLINE void sum_forces(Step<S>& now) {
-    Features::over_named<S>([&now](auto feature) { decltype(feature)::sum_forces(now.storage, now.h); });
+    features::All::over_named<S>([&now](auto feature) { decltype(feature)::sum_forces(now.storage, now.h); });
 }
 
 /// How fast points approach before contacts change it: events tell it.

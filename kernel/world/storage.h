@@ -11,8 +11,8 @@
 namespace ingot { inline namespace INGOT_ABI {
 
 template <class S>
-struct Storage : Features::Memory<S> {
-    RotationTile rotation[tile_capacity<S>] = {};
+struct Storage : features::All::Memory<S> {
+    RotationTile rotation[features::tile_capacity<S>] = {};
     uint32_t generation[static_cast<unsigned>(S::max_bodies)] = {};  ///< see BodyId: odd while a body lives in the slot
     uint32_t steps = 0;         ///< taken
     int32_t slots_used = 0;     ///< slots that hold or held a body

@@ -96,15 +96,15 @@ public:
     Status remove(BodyId id) {
         const Result<int> slot = find(id);
         if (!slot.ok()) return slot.status;
-        Features::over_named<S>([&](auto feature) { decltype(feature)::before_removal(storage_, slot.value); });
+        features::All::over_named<S>([&](auto feature) { decltype(feature)::before_removal(storage_, slot.value); });
         ++storage_.generation[slot.value];
         if (slot.value < storage_.free_hint) storage_.free_hint = slot.value;
         set_identity_body(storage_.bodies(), slot.value);
         storage_.set_generation_of_shapes(slot.value, storage_.generation[slot.value]);
         // bound: max_shapes_of_body
         for (int shape_slot = slot.value * S::max_shapes_of_body; shape_slot < (slot.value + 1) * S::max_shapes_of_body; ++shape_slot)
-            Features::over_named<S>([&](auto feature) { decltype(feature)::forget_shape(storage_, shape_slot); });
-        Features::over_named<S>([&](auto feature) { decltype(feature)::forget_body(storage_, slot.value); });
+            features::All::over_named<S>([&](auto feature) { decltype(feature)::forget_shape(storage_, shape_slot); });
+        features::All::over_named<S>([&](auto feature) { decltype(feature)::forget_body(storage_, slot.value); });
         return Status::ok;
     }
 
@@ -341,7 +341,7 @@ private:
         if constexpr (has_shapes<S>) status = check_surface(def);
         if (status == Status::ok) status = check_definition(def, S::translates, has_shapes<S> && S::shapes::has(def.shape.kind));
         if (status == Status::ok && !ShapesOf<S>::names_its_hull(def.shape)) status = Status::bad_shape;
-        Features::over_all([&](auto feature) {
+        features::All::over_all([&](auto feature) {
             const Status of_feature = decltype(feature)::template check_def<S>(def);
             if (of_feature != Status::ok) status = of_feature;
         });
@@ -356,15 +356,15 @@ private:
         ++storage_.generation[slot];
         write_body(storage_.bodies(), slot, def);
         storage_.set_generation_of_shapes(slot, storage_.generation[slot]);
-        Features::over_named<S>([&](auto feature) { decltype(feature)::begin_body(storage_, slot, def); });
+        features::All::over_named<S>([&](auto feature) { decltype(feature)::begin_body(storage_, slot, def); });
     }
     void write_shape(int slot, int shape_i, const BodyDef& def, const ShapePlace& place) {
         const int shape_slot = slot * S::max_shapes_of_body + shape_i;
-        Features::over_named<S>([&](auto feature) { decltype(feature)::begin_shape(storage_, shape_slot, def, place); });
+        features::All::over_named<S>([&](auto feature) { decltype(feature)::begin_shape(storage_, shape_slot, def, place); });
     }
     uint64_t hash_of(int slot, uint64_t hash) const {
         hash = hash_body(storage_.bodies(), slot, hash);
-        Features::over_named<S>([&](auto feature) { hash = decltype(feature)::hash_body(storage_, slot, hash); });
+        features::All::over_named<S>([&](auto feature) { hash = decltype(feature)::hash_body(storage_, slot, hash); });
         return hash;
     }
     static bool same(const Vector& a, const Vector& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }

@@ -28,7 +28,7 @@ void add_up(const Direct& island) {
     set_free<displaces>(island);
     for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {  // bound: max_island of HybridIslands: larger islands are swept
         const ManifoldOf<Direct>& manifold = island.manifolds[manifold_i];
-        for (int row = 0; row < Direct::row_count; ++row) {  // bound: direct_rows and two of rolling
+        for (int row = 0; row < Direct::row_count; ++row) {  // bound: direct_rows_of: nine, with rolling
             if (!has(manifold.rows, row)) continue;
             DirectRow& at = island.rows[manifold_i * Direct::row_count + row];
             const wide_scalar j = at.j;

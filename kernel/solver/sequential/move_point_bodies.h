@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bodies on their way into the light solver, through its substeps, and out of it.
+// Bodies on their way into the sequential solver, through its substeps, and out of it.
 #pragma once
 
 #include "point_view.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the light solver works on, without its capacities: bodies as its rows read and write them, and what it keeps of a manifold within a step.
+// What the sequential solver works on, without its capacities: bodies as its rows read and write them, and what it keeps of a manifold within a step.
 //
 // Rows are not stored. What a manifold does to two bodies is an impulse at a point and a moment; what a row reads is their motion against each
 // other at a point. Both are worked out in the visit, from r_CM and inv_I_world, and are the same for velocities and for displacements.
@@ -75,7 +75,7 @@ struct PointLandings {
     scalar at[Manifold::points_max];
 };
 
-/// What scenes add that name rolling resistance, surfaces that move, or restitution. The verbs of the light solver are templates over the view:
+/// What scenes add that name rolling resistance, surfaces that move, or restitution. The verbs of the sequential solver are templates over the view:
 /// of one without, nothing of this is compiled in.
 template <bool surfaces_roll, bool surfaces_move, bool bodies_bounce>
 struct PointMaterialView : PointView {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A manifold as the light solver visits it, and how its bodies move there.
+// A manifold as the sequential solver visits it, and how its bodies move there.
 #pragma once
 
 #include "point_rows.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The light solver as conduct_substeps asks for it, for solve_sequentially.cpp and sequential_materials.cpp.
+// The sequential solver as conduct_substeps asks for it, for solve_sequentially.cpp and sequential_materials.cpp.
 #pragma once
 
 #include "../../base/limits.h"

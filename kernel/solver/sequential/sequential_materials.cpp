@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The light solver in scenes whose surfaces resist being rolled, move by themselves, or bounce.
+// The sequential solver in scenes whose surfaces resist being rolled, move by themselves, or bounce.
 #include "point_visits.h"
 #include "sequential_contacts.h"
 

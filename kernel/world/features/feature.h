@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A feature is a record: all that a trait of a scene brings along stands in one struct.
+// A feature is a record: all that a trait of a scene brings along stands in one struct. They have plain names, in a namespace of their own.
 //
 // Storage, checks, World::add and remove, snapshot, state hash, signature and replay fold over the list in features.h; none of them names a
 // feature. A new one is a struct here, a line in that list and a trait in scene.h. `gravity_shares.h` is a short example.
@@ -14,26 +14,6 @@ namespace ingot { inline namespace INGOT_ABI {
 
 template <class S>
 struct Storage;
-
-/// Numbers that a snapshot holds of the world, a body, a shape, a manifold, or an entry of a list: here none.
-///
-///     numbers(each, parts)    hands out each number under its name, in the order of the bytes; parts: those of SnapshotHeader
-///     take(storage, where)    fetches them; where: nothing, a slot, a shape slot, a BodyPair, an index
-///     put(storage, where)     gives them back; a manifold comes into the record whose number is its place in the snapshot
-///     is_valid<S>(context)    false for what no world of the scene can have become; context: SavedWorld, SavedBody, ManifoldContext,
-///                             EntryContext
-struct NoNumbers {
-    template <class Each>
-    constexpr void numbers(Each&, uint32_t) {}
-    template <class S, class... Where>
-    void take(const Storage<S>&, const Where&...) {}
-    template <class S, class... Where>
-    void put(Storage<S>&, const Where&...) const {}
-    template <class S, class... Context>
-    constexpr bool is_valid(const Context&...) const {
-        return true;
-    }
-};
 
 /// The numbers of a world beside those of its bodies and its features.
 struct SavedWorld {
@@ -60,6 +40,28 @@ struct ManifoldContext {
 struct EntryContext {
     uint32_t shape_slots;  ///< in use
     uint32_t key_before;   ///< of the pair before; 0: of none
+};
+
+namespace features {
+
+/// Numbers that a snapshot holds of the world, a body, a shape, a manifold, or an entry of a list: here none.
+///
+///     numbers(each, parts)    hands out each number under its name, in the order of the bytes; parts: those of SnapshotHeader
+///     take(storage, where)    fetches them; where: nothing, a slot, a shape slot, a BodyPair, an index
+///     put(storage, where)     gives them back; a manifold comes into the record whose number is its place in the snapshot
+///     is_valid<S>(context)    false for what no world of the scene can have become; context: SavedWorld, SavedBody, ManifoldContext,
+///                             EntryContext
+struct NoNumbers {
+    template <class Each>
+    constexpr void numbers(Each&, uint32_t) {}
+    template <class S, class... Where>
+    void take(const Storage<S>&, const Where&...) {}
+    template <class S, class... Where>
+    void put(Storage<S>&, const Where&...) const {}
+    template <class S, class... Context>
+    constexpr bool is_valid(const Context&...) const {
+        return true;
+    }
 };
 
 /// What a feature says where it has nothing to say. Each also has
@@ -151,5 +153,7 @@ struct FeatureList {
         return differ;
     }
 };
+
+}  // namespace features
 
 } }  // namespace ingot

@@ -10,19 +10,20 @@
 #include "shapes.h"
 #include "sleep.h"
 
-namespace ingot { inline namespace INGOT_ABI {
+namespace ingot { inline namespace INGOT_ABI { namespace features {
 
-using Features = FeatureList<Rotation, Translation, Compensation, EnergyReturn, FieldOfForce, Surfaces, Compounds, Impacts, Manifolds, Unsettled,
-                             RollingResistance, Belts, Filters, Sensors, Continuous, Events, ToldEvents, Sleep,
-                             GravityShares, TouchAside, SteadyField>;
+using All = FeatureList<Rotation, Translation, Compensation, EnergyReturn, FieldOfForce, Surfaces, Compounds, Impacts, Manifolds, Unsettled,
+                        RollingResistance, Belts, Filters, Sensors, Continuous, Events, ToldEvents, Sleep, GravityShares, TouchAside, SteadyField>;
 
-static_assert(Features::bits_differ(SnapshotPart::doubles | SnapshotPart::anchors | SnapshotPart::pointwise));  // of a snapshot's parts
+static_assert(All::bits_differ(SnapshotPart::doubles | SnapshotPart::anchors | SnapshotPart::pointwise));  // of a snapshot's parts
+
+}  // namespace features
 
 /// Turns a scene that contradicts itself into a sentence.
 template <class S>
 constexpr bool check_scene() {
     bool sound = true;
-    Features::over_all([&sound](auto feature) { sound = decltype(feature)::template check<S>() && sound; });
+    features::All::over_all([&sound](auto feature) { sound = decltype(feature)::template check<S>() && sound; });
     return sound;
 }
 

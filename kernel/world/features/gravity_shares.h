@@ -6,7 +6,7 @@
 #include "../../motion/gravity_shares.h"
 #include "motion.h"
 
-namespace ingot { inline namespace INGOT_ABI {
+namespace ingot { inline namespace INGOT_ABI { namespace features {
 
 struct GravityShares : Feature {
     static constexpr uint32_t part = 1u << 17;
@@ -72,4 +72,4 @@ struct GravityShares : Feature {
     };
 };
 
-} }  // namespace ingot
+} } }  // namespace ingot::features

@@ -7,7 +7,7 @@
 #include "../../impulse/find_contacts.h"
 #include "shapes.h"
 
-namespace ingot { inline namespace INGOT_ABI {
+namespace ingot { inline namespace INGOT_ABI { namespace features {
 
 template <class S>
 inline constexpr int pair_capacity = static_cast<int>(pairs_with_own<S>);
@@ -45,7 +45,7 @@ template <class S>
 struct ManifoldTraitsPart : AnchorPart<S, S::recycles_manifolds>, BodyPairPart<S, has_compounds<S> && !S::sleeps>, BroadPhasePart<S, S::sleeps>,
                             S::solver::template Memory<S::max_bodies, S::max_manifolds, S::rolling_resistance, S::bounces> {};
 
-/// What a solver works in that solves manifolds as blocks. The light solver brings all it needs.
+/// What a solver works in that solves manifolds as blocks. The sequential solver brings all it needs.
 template <class S, bool present>
 struct BlockPart : ManifoldTraitsPart<S> {
     static constexpr unsigned body_capacity = static_cast<unsigned>(S::max_bodies) + 1;
@@ -274,4 +274,4 @@ struct Unsettled : Feature {
     };
 };
 
-} }  // namespace ingot
+} } }  // namespace ingot::features

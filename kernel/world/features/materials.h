@@ -6,15 +6,15 @@
 #include "../../solver/sequential/point_view.h"
 #include "manifolds.h"
 
-namespace ingot { inline namespace INGOT_ABI {
+namespace ingot { inline namespace INGOT_ABI { namespace features {
 
-/// Of rolling: rows by block, or what the light solver has by manifold.
+/// Of rolling: rows by block, or what the sequential solver has by manifold.
 template <class S>
 using RollingRowsOf = If<solves_pointwise<S>, PointRolling, RollingRows>;
 template <class S>
 inline constexpr unsigned row_capacity_of = solves_pointwise<S> ? static_cast<unsigned>(S::max_manifolds) : block_capacity_of<S>;
 
-/// The light solver has no rows of belts: it takes their velocities as they are.
+/// The sequential solver has no rows of belts: it takes their velocities as they are.
 template <class S, bool present>
 struct BeltRowPart {
     BeltRows belt_rows[block_capacity_of<S>] = {};
@@ -177,4 +177,4 @@ struct Belts : Feature {
     };
 };
 
-} }  // namespace ingot
+} } }  // namespace ingot::features

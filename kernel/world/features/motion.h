@@ -8,7 +8,7 @@
 #include "../../sleep/fall_asleep.h"
 #include "feature.h"
 
-namespace ingot { inline namespace INGOT_ABI {
+namespace ingot { inline namespace INGOT_ABI { namespace features {
 
 template <class S>
 inline constexpr int tile_capacity = (S::max_bodies + lanes - 1) / lanes;
@@ -186,7 +186,6 @@ private:
     uint64_t hash_ = state_hash_seed;
 };
 
-/// Time, and the field. The field's own numbers are the user's: a snapshot writes them after those of the world.
 /// A field in which bodies sleep: its numbers are compared, not who asked for them.
 struct SteadyField : Feature {
     static constexpr uint32_t part = 1u << 19;
@@ -241,6 +240,7 @@ struct SteadyField : Feature {
     };
 };
 
+/// Time, and the field. The field's own numbers are the user's: a snapshot writes them after those of the world.
 struct FieldOfForce : Feature {
     static constexpr uint32_t part = 16;
     template <class S>
@@ -321,4 +321,4 @@ struct FieldOfForce : Feature {
     };
 };
 
-} }  // namespace ingot
+} } }  // namespace ingot::features

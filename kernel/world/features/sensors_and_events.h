@@ -5,7 +5,7 @@
 #include "../../events/contact_events.h"
 #include "manifolds.h"
 
-namespace ingot { inline namespace INGOT_ABI {
+namespace ingot { inline namespace INGOT_ABI { namespace features {
 
 /// Two bodies of a list, by their shapes.
 struct SavedPair : NoNumbers {
@@ -262,4 +262,4 @@ struct ToldEvents : Feature {
     }
 };
 
-} }  // namespace ingot
+} } }  // namespace ingot::features

@@ -5,7 +5,7 @@
 #include "../edit_bodies.h"
 #include "motion.h"
 
-namespace ingot { inline namespace INGOT_ABI {
+namespace ingot { inline namespace INGOT_ABI { namespace features {
 
 template <class S>
 inline constexpr int shape_tile_capacity = (shape_capacity<S> + lanes - 1) / lanes;
@@ -225,4 +225,4 @@ struct Filters : Feature {
     };
 };
 
-} }  // namespace ingot
+} } }  // namespace ingot::features

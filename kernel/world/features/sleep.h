@@ -13,67 +13,6 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-struct Continuous : Feature {
-    template <class S>
-    static constexpr bool named = S::continuous;
-
-    template <class S, bool present>
-    struct Memory {
-        BodyPath paths[static_cast<unsigned>(S::max_bodies)] = {};
-    };
-    template <class S>
-    struct Memory<S, false> {};
-
-    template <class S, class Each>
-    static constexpr void traits(Each& each) {
-        each(S::continuous);
-    }
-    template <class S>
-    static constexpr bool check() {
-        static_assert(!S::continuous || stacks<S>,
-                      "fast bodies are followed in scenes of contacts with friction: set max_manifolds, or continuous = false");
-        static_assert(!S::continuous || (!has_compounds<S> && !S::shapes::has(ShapeKind::hull)),
-                      "fast bodies are followed where each has one shape, and none is a hull: set continuous = false");
-        static_assert(!S::continuous || !S::sleeps, "fast bodies are followed where nothing sleeps: set continuous or sleeps = false");
-        return true;
-    }
-};
-
-/// Of manifolds that are put aside, which touch: the list of those that do holds the pairs of the step alone.
-struct TouchAside : Feature {
-    static constexpr uint32_t part = 1u << 18;
-    template <class S>
-    static constexpr bool named = S::sleeps && has_events<S>;
-
-    template <class S, bool present>
-    struct Memory {
-        uint8_t touches_aside[static_cast<unsigned>(S::max_manifolds)] = {};  ///< by record; 0 for those of the step
-    };
-    template <class S>
-    struct Memory<S, false> {};
-
-    struct OfManifold : NoNumbers {
-        uint8_t touches;
-
-        template <class Each>
-        constexpr void numbers(Each& each, uint32_t) {
-            each("touches_aside", touches);
-        }
-        template <class S>
-        void take(const Storage<S>& storage, const BodyPair& pair) {
-            touches = storage.touches_aside[pair.record];
-        }
-        template <class S>
-        void put(Storage<S>& storage, uint16_t record) const {
-            storage.touches_aside[record] = touches;
-        }
-        template <class S>
-        bool is_valid(const ManifoldContext&) const {
-            return touches <= 1;
-        }
-    };
-};
-
 /// Of the manifolds that have come back behind the first `sorted`, those that touch go to the list of those that do.
 template <class S>
 void list_woken_touch(Storage<S>& storage, int sorted) {
@@ -174,6 +113,69 @@ void empty_bounds(Storage<S>& storage, int first, int last) {
     for (int shape_slot = first; shape_slot <= last; ++shape_slot) empty_bounds(storage.bounds, shape_slot);  // bound: max_shapes_of_body and lanes
 }
 
+namespace features {
+
+struct Continuous : Feature {
+    template <class S>
+    static constexpr bool named = S::continuous;
+
+    template <class S, bool present>
+    struct Memory {
+        BodyPath paths[static_cast<unsigned>(S::max_bodies)] = {};
+    };
+    template <class S>
+    struct Memory<S, false> {};
+
+    template <class S, class Each>
+    static constexpr void traits(Each& each) {
+        each(S::continuous);
+    }
+    template <class S>
+    static constexpr bool check() {
+        static_assert(!S::continuous || stacks<S>,
+                      "fast bodies are followed in scenes of contacts with friction: set max_manifolds, or continuous = false");
+        static_assert(!S::continuous || (!has_compounds<S> && !S::shapes::has(ShapeKind::hull)),
+                      "fast bodies are followed where each has one shape, and none is a hull: set continuous = false");
+        static_assert(!S::continuous || !S::sleeps, "fast bodies are followed where nothing sleeps: set continuous or sleeps = false");
+        return true;
+    }
+};
+
+/// Of manifolds that are put aside, which touch: the list of those that do holds the pairs of the step alone.
+struct TouchAside : Feature {
+    static constexpr uint32_t part = 1u << 18;
+    template <class S>
+    static constexpr bool named = S::sleeps && has_events<S>;
+
+    template <class S, bool present>
+    struct Memory {
+        uint8_t touches_aside[static_cast<unsigned>(S::max_manifolds)] = {};  ///< by record; 0 for those of the step
+    };
+    template <class S>
+    struct Memory<S, false> {};
+
+    struct OfManifold : NoNumbers {
+        uint8_t touches;
+
+        template <class Each>
+        constexpr void numbers(Each& each, uint32_t) {
+            each("touches_aside", touches);
+        }
+        template <class S>
+        void take(const Storage<S>& storage, const BodyPair& pair) {
+            touches = storage.touches_aside[pair.record];
+        }
+        template <class S>
+        void put(Storage<S>& storage, uint16_t record) const {
+            storage.touches_aside[record] = touches;
+        }
+        template <class S>
+        bool is_valid(const ManifoldContext&) const {
+            return touches <= 1;
+        }
+    };
+};
+
 struct Sleep : Feature {
     static constexpr uint32_t part = 4096;
     template <class S>
@@ -266,5 +268,7 @@ struct Sleep : Feature {
         }
     };
 };
+
+}  // namespace features
 
 } }  // namespace ingot
