@@ -170,6 +170,7 @@ inline constexpr scalar together_share = scalar(0.25);
 inline constexpr scalar skin_share = scalar(0.1);
 inline constexpr int skins_max = 6;  ///< that are left out, one after another, of bodies that are deeper in each other already
 inline constexpr int impacts_in_step_max = 64;  ///< of fast bodies; those that are left wait for the next step, and are counted
+inline constexpr int pair_manifolds_max = 8;  ///< of two bodies of several shapes that meet: the deepest; the others have no room
 inline constexpr scalar last_moment = scalar(1e-5);  ///< of a step; what meets later does so in the next
 
 // Narrow phase (collide/). Fractions of a length are of the smallest half extent of both shapes, unless another is named.
