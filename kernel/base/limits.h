@@ -162,8 +162,8 @@ inline constexpr scalar fast_share = 1;
 inline constexpr scalar impact_gap = scalar(1e-3);
 inline constexpr scalar impact_gap_max = touching_gap / 4;  ///< m
 inline constexpr int approaches_max = 64;     ///< of the search for a time of impact; then they are taken for met: too early, never too late
-inline constexpr scalar angle_per_path = scalar(0.5);  ///< rad; a body that turns further in a step is followed in parts
-inline constexpr int path_parts_max = 32;              ///< of a whole step
+inline constexpr scalar angle_per_path = scalar(0.25);  ///< rad; a body that turns further in a step is followed in parts
+inline constexpr int path_parts_max = 256;             ///< of a whole step
 /// Bodies that meet are together for as long as they take for this part of the lesser of their least half extents, with half the turn of a path.
 inline constexpr scalar together_share = scalar(0.25);
 /// Bodies that touch already are looked at without this part of one of them: so deep they may get before they have met again.
