@@ -20,7 +20,7 @@ set(solver_sweeps_may base math body narrow_phase constraint island solver)
 set(solver_direct_may ${solver_sweeps_may} solver/sweeps)
 set(solver_sequential_may base math body narrow_phase constraint solver)
 set(events_may base math body broad_phase narrow_phase constraint)
-set(continuous_may base math body shape motion narrow_phase constraint solver solver/sweeps)
+set(continuous_may base math body shape motion narrow_phase constraint island solver solver/sweeps)
 set(world_features_may base math body shape motion broad_phase narrow_phase impulse constraint island sleep solver/sweeps solver/direct
   solver/sequential events continuous world)
 set(world_may world/features base math body shape motion broad_phase narrow_phase query impulse constraint island sleep solver solver/sweeps solver/direct solver/sequential
@@ -30,7 +30,7 @@ set(freestanding "stdint\\.h|stddef\\.h|float\\.h|limits\\.h")
 # A stage is a .h/.cpp pair of these rooms; what it may include of its own room is shared vocabulary, not another stage.
 # integrate_r is there for forced_flight, which is made of stages.
 set(motion_shares acceleration flight_clock turn moser_veselov moser_veselov_series moser_veselov_stage force_field forced_tile elliptic_functions integrate_r)
-set(shape_shares shapes surface convex_hull placed_shape)
+set(shape_shares shapes surface convex_hull placed_shape compound)
 set(broad_phase_shares body_bounds body_pairs bound_shape all_pairs search_view sorted_tree tree_walk)
 set(narrow_phase_shares manifold manifold_points box_axes contact_geometry contact_patch collide_pairs nearest_points plane_between manifold_record
   manifold_anchors)
@@ -41,7 +41,8 @@ set(constraint_shares belts block_bodies block_rows block_solve contact contact_
 set(island_shares active_tiles awake_tiles disjoint_sets rest_view)
 set(sleep_shares wake)
 set(events_shares contact_events pair_rules)
-set(continuous_shares body_path fast_pairs time_of_impact pair_sub_world)
+set(continuous_shares body_path fast_pairs time_of_impact pair_sub_world pair_contacts continuous_collision next_impact
+  free_paths resolve_impact)
 # swept_contacts has the stages of a substep, for block_sweeps and hybrid_islands to conduct; plan_islands begins a batch.
 set(solver_sweeps_shares block_sweeps swept_contacts conjugate_gradients move_bodies note_impulses order_manifolds plan_islands predict_contacts
   sequence_impacts solve_velocities sweep_positions sweep_velocities warm_start)

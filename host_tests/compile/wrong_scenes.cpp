@@ -157,11 +157,6 @@ struct Wrong : ingot::Scene {
     static constexpr bool bounces = false;
     using solver = ingot::SequentialImpulses;
 #endif
-#ifdef POINT_SWEEPS_OF_FAST_BODIES
-    static constexpr bool translates = true, bounces = false, continuous = true;
-    static constexpr int max_manifolds = 4;
-    using solver = ingot::SequentialImpulses;
-#endif
 #ifdef NOTHING_BOUNCES_DIRECTLY
     static constexpr int max_manifolds = 4;
     static constexpr bool bounces = false;
@@ -183,14 +178,6 @@ struct Wrong : ingot::Scene {
 #endif
 #ifdef EVENTS_WITHOUT_CONTACTS
     static constexpr int max_events = 4;
-#endif
-#ifdef CONTINUOUS_COMPOUNDS
-    static constexpr bool translates = true, continuous = true;
-    static constexpr int max_manifolds = 4, max_shapes_of_body = 2;
-#endif
-#ifdef CONTINUOUS_SLEEP
-    static constexpr bool translates = true, continuous = true, sleeps = true;
-    static constexpr int max_manifolds = 4;
 #endif
 #ifdef CONTINUOUS_WITHOUT_CONTACTS
     static constexpr bool continuous = true;
@@ -217,10 +204,6 @@ struct Wrong : ingot::Scene {
 #endif
 #ifdef BELTS_WITHOUT_CONTACTS
     static constexpr bool surface_velocities = true;
-#endif
-#ifdef CONTINUOUS_BELTS
-    static constexpr bool translates = true, surface_velocities = true, continuous = true;
-    static constexpr int max_manifolds = 4;
 #endif
 #ifdef SUBSTEPS_OF_METHOD
     using rotation = ingot::DiscreteMoserVeselov<6, true, true, 3>;

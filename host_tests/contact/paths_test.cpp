@@ -5,12 +5,14 @@
 #include <ingot/base/limits.h>
 #include <ingot/body/auxiliary.h>
 #include <ingot/continuous/time_of_impact.h>
-#include <ingot/continuous/pair_sub_world.h>
+#include <ingot/continuous/pair_contacts.h>
 
+#include <algorithm>
 #include <cstring>
 #include <limits>
 
 #include "collide/placed.h"
+#include "scenes/hulls.h"
 #include "stages/tiles.h"
 
 namespace {
@@ -43,10 +45,10 @@ TEST(Path, goes_from_its_begin_to_its_end_by_a_parabola_and_a_steady_turn) {
         EXPECT_EQ(path.next, ingot::never);
         for (const double share : {0.0, 0.25, 0.5, 1.0}) {
             const double u = time * share;
-            const PlacedShape at = ingot::place_on_path(path, ingot::Sphere{1}, static_cast<scalar>(from + u));
+            const ingot::PathFrame at = ingot::frame_on_path(path, static_cast<scalar>(from + u));
             // r = begin + u (way + u fall) with r(time) = end: the way is away / time - fall time.
             const Vector3d r = in_double(begin.r_CM) + u * (away / time - fall * time + u * fall);
-            EXPECT_LE((in_double(at.r) - r).norm(), 64 * eps) << i << " at " << share;
+            EXPECT_LE((in_double(at.r_CM) - r).norm(), 64 * eps) << i << " at " << share;
             // The turn that is off by d = off time is put right by a vector that is added to it: to |turn| |d| / 2, half the commutator of
             // the two, and d^2. A turn by x is sqrt(2) x in Frobenius' norm.
             const Eigen::Matrix3d A_at = turn_by(turn * u) * A;
@@ -67,6 +69,10 @@ TEST(Path, of_a_body_that_turns_far_ends_where_it_has_turned_by_an_angle) {
         }
     }
 }
+
+/// The only shape of the body that goes this path.
+ingot::ShapeOnPath on(const BodyPath& path, const Shape& shape) { return {path, shape, nullptr, nullptr, bounding_radius(shape)}; }
+scalar least_half_extent(const Shape& shape) { return ingot::least_half_extent(shape, nullptr); }
 
 /// A sphere, a capsule or a box of 0.1 to 0.5 m.
 Shape any_shape(RandomInput& random) {
@@ -113,7 +119,7 @@ double gap_at(const BodyPath& path_A, const Shape& A, const BodyPath& path_B, co
 
 /// Where two shapes have met, but for roundings.
 double meeting_gap(const Shape& A, const Shape& B) {
-    const scalar least = std::min(ingot::least_half_extent(A), ingot::least_half_extent(B));
+    const scalar least = std::min(least_half_extent(A), least_half_extent(B));
     return std::min(static_cast<double>(ingot::limits::impact_gap * least), static_cast<double>(ingot::limits::impact_gap_max));
 }
 
@@ -137,11 +143,8 @@ TEST(TimeOfImpact, is_when_the_shapes_meet_and_never_later) {
         }
         if (least_before < 0.05) continue;
         const double roundings = 64 * eps * 4, near = meeting_gap(A, B) + roundings;
-        const double t = static_cast<double>(ingot::time_of_impact(path_A, A, path_B, B, 1, false));
-        ingot::Surface surface_A{}, surface_B{};
-        surface_A.shape = A, surface_B.shape = B;
-        surface_A.bounding_radius = bounding_radius(A), surface_B.bounding_radius = bounding_radius(B);
-        const bool may = ingot::may_meet(path_A, surface_A, path_B, surface_B);
+        const double t = static_cast<double>(ingot::time_of_impact(on(path_A, A), on(path_B, B), 1, false));
+        const bool may = ingot::may_meet(on(path_A, A), on(path_B, B));
         ruled_out += may ? 0 : 1;
         if (first <= 1) {
             EXPECT_TRUE(may) << i;
@@ -159,7 +162,7 @@ TEST(TimeOfImpact, is_when_the_shapes_meet_and_never_later) {
         EXPECT_GE(gap(t), -roundings) << i << ": and no further";
         // No look before it saw them overlap, and with a deadline before it nothing is met.
         EXPECT_GE(first, t - 1e-5) << i;
-        EXPECT_EQ(ingot::time_of_impact(path_A, A, path_B, B, static_cast<scalar>(begin + (t - begin) * 0.9), false), ingot::never);
+        EXPECT_EQ(ingot::time_of_impact(on(path_A, A), on(path_B, B), static_cast<scalar>(begin + (t - begin) * 0.9), false), ingot::never);
     }
     EXPECT_GT(met, 150);
     EXPECT_LE(early, met / 50) << "and they have come together";
@@ -178,7 +181,7 @@ TEST(TimeOfImpact, of_balls_is_that_of_the_parabola) {
             path_A.from = static_cast<scalar>(from);
             path_A.until = path_B.until = 4;
             const double t =
-                static_cast<double>(ingot::time_of_impact(path_A, ingot::Sphere{scalar(0.5)}, path_B, ingot::Sphere{scalar(0.25)}, 4, false));
+                static_cast<double>(ingot::time_of_impact(on(path_A, ingot::Sphere{scalar(0.5)}), on(path_B, ingot::Sphere{scalar(0.25)}), 4, false));
             // 2 - u - fall u^2 = 0.75
             const double u = fall > 0 ? (-1 + std::sqrt(1 + 5 * fall)) / (2 * fall) : 1.25, speed = 1 + 2 * fall * u;
             EXPECT_LE(t, from + u + 1e-6);
@@ -196,7 +199,7 @@ TEST(TimeOfImpact, of_small_balls_is_at_a_gap_as_small) {
         path_A.way = {0, 0, scalar(-0.5)};
         path_A.until = path_B.until = 1;
         const Shape A = ingot::Sphere{static_cast<scalar>(radius)}, B = ingot::Sphere{static_cast<scalar>(2 * radius)};
-        const double t = static_cast<double>(ingot::time_of_impact(path_A, A, path_B, B, 1, false)), meets = (0.25 - 3 * radius) / 0.5;
+        const double t = static_cast<double>(ingot::time_of_impact(on(path_A, A), on(path_B, B), 1, false)), meets = (0.25 - 3 * radius) / 0.5;
         // Positions of up to 0.25 m are rounded, each some times; t, which is below 1, itself.
         const double roundings = 16 * eps;
         EXPECT_LE(t, meets + roundings) << radius;
@@ -217,7 +220,7 @@ TEST(TimeOfImpact, of_a_long_rod_is_not_later_for_its_length) {
             path_A.way = {0, 0, -1};
             path_A.until = path_B.until = 1;
             const Shape &A = rod_first ? rod : ball, &B = rod_first ? ball : rod;
-            const double t = static_cast<double>(ingot::time_of_impact(path_A, A, path_B, B, 1, false)), meets = 1 - 0.1875;
+            const double t = static_cast<double>(ingot::time_of_impact(on(path_A, A), on(path_B, B), 1, false)), meets = 1 - 0.1875;
             EXPECT_LE(t, meets + 8 * eps) << half;
             EXPECT_GE(t, meets - meeting_gap(A, B) - 4 * eps * (half + 4)) << half;
         }
@@ -246,7 +249,7 @@ TEST(TimeOfImpact, of_bodies_that_touch_unsolved_is_at_once_where_they_close_by_
                     of_box.from = static_cast<scalar>(from);
                     const BodyPath &path_A = box_first ? of_box : of_ball, &path_B = box_first ? of_ball : of_box;
                     const Shape &A = box_first ? box : ball, &B = box_first ? ball : box;
-                    const scalar t = ingot::time_of_impact(path_A, A, path_B, B, 1, true);
+                    const scalar t = ingot::time_of_impact(on(path_A, A), on(path_B, B), 1, true);
                     EXPECT_EQ(t, share > 1 ? static_cast<scalar>(from) : ingot::never)
                         << "from " << from << ", box " << (box_first ? "first" : "second") << (turns ? ", turns, " : ", falls, ") << share;
                 }
@@ -265,7 +268,7 @@ TEST(TimeOfImpact, of_bodies_that_begin_in_each_other_is_when_what_is_left_of_on
         path_A.r_CM = {0, 0, static_cast<scalar>(distance)};
         path_A.way = {0, 0, static_cast<scalar>(way)};
         path_A.until = path_B.until = 1;
-        return static_cast<double>(ingot::time_of_impact(path_A, A, path_B, ingot::Sphere{1}, 1, false));
+        return static_cast<double>(ingot::time_of_impact(on(path_A, A), on(path_B, ingot::Sphere{1}), 1, false));
     };
     const Shape plate = ingot::Box{{1, scalar(0.125), 1}};
     const double core = 1 - static_cast<double>(ingot::limits::skin_share) * ingot::limits::skins_max, half_ball = 0.0625, begin = 1 + core - 0.1;
@@ -293,27 +296,28 @@ TEST(TimeOfImpact, of_bodies_that_begin_in_each_other_is_when_what_is_left_of_on
 }
 
 TEST(Path, of_a_body_has_a_half_extent_of_its_shape) {
-    EXPECT_EQ(ingot::least_half_extent(ingot::Sphere{2}), 2);
-    EXPECT_EQ(ingot::least_half_extent(ingot::Capsule{2, 1}), 2);
-    EXPECT_EQ(ingot::least_half_extent(ingot::Cylinder{2, 3}), 2);
-    EXPECT_EQ(ingot::least_half_extent(ingot::Cylinder{3, 2}), 2);
+    EXPECT_EQ(least_half_extent(ingot::Sphere{2}), 2);
+    EXPECT_EQ(least_half_extent(ingot::Capsule{2, 1}), 2);
+    EXPECT_EQ(least_half_extent(ingot::Cylinder{2, 3}), 2);
+    EXPECT_EQ(least_half_extent(ingot::Cylinder{3, 2}), 2);
     for (const ingot::Vector& size : {ingot::Vector{1, 2, 3}, ingot::Vector{2, 1, 3}, ingot::Vector{2, 3, 1}})
-        EXPECT_EQ(ingot::least_half_extent(ingot::Box{size}), 1);
-    EXPECT_EQ(ingot::least_half_extent(ingot::Hull{2}), 2 * scalar(0.1));
-    EXPECT_EQ(ingot::least_half_extent(ingot::HalfSpace{{0, 0, 1}, 0}), ingot::limits::unbounded);
-    EXPECT_EQ(ingot::least_half_extent(Shape{}), ingot::limits::unbounded);
+        EXPECT_EQ(least_half_extent(ingot::Box{size}), 1);
+    // Of a hull that is a cube, as that of the cube; of a tetrahedron the radius of a ball about the mean of its corners, (1, 1, 1) / 4.
+    const ingot::ConvexHull cube = scenes::cube_hull.hull.value.view(), tetrahedron = scenes::tetrahedron_hull.hull.value.view();
+    EXPECT_NEAR(static_cast<double>(ingot::least_half_extent(ingot::Hull{1}, &cube)), 0.5, 4 * eps);
+    EXPECT_NEAR(static_cast<double>(ingot::least_half_extent(ingot::Hull{1}, &tetrahedron)), 0.25 / std::sqrt(3.0), 4 * eps);
+    EXPECT_EQ(least_half_extent(ingot::HalfSpace{{0, 0, 1}, 0}), ingot::limits::unbounded);
+    EXPECT_EQ(least_half_extent(Shape{}), ingot::limits::unbounded);
 }
 
 TEST(Path, is_fast_by_way_and_turn_and_not_when_it_is_no_number) {
-    ingot::Surface surface{};
-    surface.shape = ingot::Sphere{1};
-    surface.bounding_radius = 1;
+    const ingot::BodyExtent ball = {1, 1};
     const scalar enough = ingot::limits::fast_share, nan = std::numeric_limits<scalar>::quiet_NaN(),
                  infinity = std::numeric_limits<scalar>::infinity();
     const auto fast = [&](const ingot::Vector& way, const ingot::Vector& fall, const ingot::Vector& turn, scalar from) {
         BodyPath path{};
         path.way = way, path.fall = fall, path.turn = turn, path.from = from, path.until = 1;
-        return ingot::is_fast_path(path, surface);
+        return ingot::is_fast_path(path, ball);
     };
     EXPECT_TRUE(fast({enough * 2, 0, 0}, {}, {}, 0));
     EXPECT_FALSE(fast({enough / 2, 0, 0}, {}, {}, 0));
@@ -358,7 +362,11 @@ TEST(Path, begins_with_the_motion_of_its_body) {
         ingot::refresh_inv_I_world(tiles.view());
         BodyPath paths[slots];
         std::memset(static_cast<void*>(paths), 0x5a, sizeof paths);  // of the step before
-        ingot::begin_paths(tiles.view(), {surfaces, slots}, h, paths);
+        const ingot::BodyShapes shapes = {{surfaces, slots}, nullptr, {}, 1};
+        for (int slot = 0; slot < slots; ++slot) {
+            paths[slot].fast = ingot::begins_fast(tiles.view(), shapes, h, slot);
+            ingot::begin_path(tiles.view(), h, slot, paths[slot]);
+        }
         for (int slot = 0; slot < slots; ++slot) {
             const BodyPath& path = paths[slot];
             EXPECT_EQ(exact(path.r_CM), exact(states[slot].r_CM));
@@ -418,19 +426,49 @@ TEST(PairSubWorld, refuse_a_state_that_is_no_number) {
     }
 }
 
-/// They press on each other where any of the points of their manifold has an impulse; what is left of points before does not count.
-TEST(PairSubWorld, press_on_each_other_where_a_point_carries) {
-    static ingot::PairSubWorld room;
-    for (int count = 0; count <= 4; ++count) {
-        for (unsigned carrying = 0; carrying < 16; ++carrying) {
-            ingot::Manifold manifold{};
-            manifold.count = count;
-            room.set_manifold(manifold);
-            EXPECT_FALSE(room.carries());
-            for (int point_i = 0; point_i < 4; ++point_i) room.record.j[point_i] = (carrying >> point_i & 1u) != 0 ? scalar(0.5) : 0;
-            EXPECT_EQ(room.carries(), (carrying & ((1u << count) - 1u)) != 0) << count << " points, " << carrying;
+/// They press on each other where any of the points of their manifolds has an impulse; what is left of points before does not count.
+TEST(PairContacts, press_on_each_other_where_a_point_carries) {
+    static ingot::PairContacts<2, ingot::SolverView> contacts;
+    uint16_t lost = 0;
+    for (int at = 0; at < 2; ++at) {
+        for (int count = 0; count <= 4; ++count) {
+            for (unsigned carrying = 0; carrying < 16; ++carrying) {
+                contacts.count = 0;
+                ingot::Manifold manifold{};
+                manifold.count = count;
+                for (int i = 0; i < 2; ++i) contacts.put(contacts.place_for(manifold, lost), manifold, {{0}, {i}});
+                EXPECT_FALSE(contacts.carries());
+                for (int point_i = 0; point_i < 4; ++point_i)
+                    contacts.records[at].j[point_i] = (carrying >> point_i & 1u) != 0 ? scalar(0.5) : 0;
+                EXPECT_EQ(contacts.carries(), (carrying & ((1u << count) - 1u)) != 0) << count << " points, " << carrying;
+            }
         }
     }
+    EXPECT_EQ(lost, 0);
+}
+
+/// Where there is no room the deepest are kept, whatever their order, and the others counted.
+TEST(PairContacts, keep_the_deepest) {
+    using Contacts = ingot::PairContacts<3, ingot::SolverView>;
+    static Contacts contacts;
+    int order[5] = {0, 1, 2, 3, 4};
+    do {
+        contacts.count = 0;
+        uint16_t lost = 0;
+        for (const int depth : order) {
+            ingot::Manifold manifold{};
+            manifold.count = 1;
+            manifold.points[0].separation = static_cast<scalar>(-depth);
+            const int place = contacts.place_for(manifold, lost);
+            if (place >= 0) contacts.put(place, manifold, {{depth}, {0}});
+        }
+        EXPECT_EQ(contacts.count, 3);
+        EXPECT_EQ(lost, 2);
+        for (int i = 0; i < 3; ++i) {
+            EXPECT_GE(contacts.shapes[i].A.number, 2);
+            EXPECT_EQ(contacts.pairs[i].record, i);
+        }
+    } while (std::next_permutation(order, order + 5));
 }
 
 /// How long two bodies move little against each other, whether one gets past its size, and how far apart they may be to touch: closed forms.
@@ -455,7 +493,7 @@ TEST(PairSubWorld, know_how_far_they_move_in_a_while) {
         }
         static ingot::PairSubWorld room;
         room.clear();
-        for (int which = 0; which < 2; ++which) room.take(which, tiles.view(), {surfaces, 2}, which);
+        for (int which = 0; which < 2; ++which) room.take(which, tiles.view(), {{surfaces, 2}, nullptr, {}, 1}, which);
         const double near = 32 * eps;
         const auto reach = [&](int which) { return std::min(spin[which] * h, 2.0) * radius[which]; };
         const double margin = static_cast<double>(ingot::limits::contact_margin) + v * h + reach(0) + reach(1);

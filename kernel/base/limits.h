@@ -169,8 +169,8 @@ inline constexpr scalar fast_share = 1;
 inline constexpr scalar impact_gap = scalar(1e-3);
 inline constexpr scalar impact_gap_max = touching_gap / 4;  ///< m
 inline constexpr int approaches_max = 64;              ///< of the search for a time of impact; then they are taken for met: too early, never too late
-inline constexpr scalar angle_per_path = scalar(0.5);  ///< rad; a body that turns further in a step is followed in parts
-inline constexpr int path_parts_max = 32;              ///< of a whole step
+inline constexpr scalar angle_per_path = scalar(0.25);  ///< rad; a body that turns further in a step is followed in parts
+inline constexpr int path_parts_max = 256;             ///< of a whole step
 /// Two bodies that meet are solved together for as long as they get no further than this part of the lesser of their least half extents, and turn
 /// by no more than half of angle_per_path.
 inline constexpr scalar together_share = scalar(0.25);
@@ -178,6 +178,7 @@ inline constexpr scalar together_share = scalar(0.25);
 inline constexpr scalar skin_share = scalar(0.1);
 inline constexpr int skins_max = 6;                  ///< times skin_share, for bodies that are deeper in each other already
 inline constexpr int impacts_in_step_max = 64;       ///< of fast bodies; the other impacts wait for the next step, and are counted
+inline constexpr int pair_manifolds_max = 8;          ///< of two bodies of several shapes that meet: the deepest; the others have no room
 inline constexpr scalar last_moment = scalar(1e-5);  ///< of a step; bodies that meet later do so in the next
 
 // Points of two shapes (narrow_phase/). Fractions of a length are of the smallest half extent of both shapes, unless another is named.

@@ -52,6 +52,7 @@ struct Visit {
 };
 
 struct SolverView {
+    static constexpr bool is_pointwise = false;
     static constexpr bool rolls = false, has_belts = false;  ///< see material_view.h
     static constexpr int points_max = block_rows;            ///< of a manifold
 

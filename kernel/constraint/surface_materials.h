@@ -8,6 +8,12 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
+/// What surfaces have beside friction and restitution, by shape slot; null where the scene names none.
+struct ShapeMaterials {
+    const scalar* rolling_levers;      ///< m
+    const Vector* surface_velocities;  ///< m/s, in the shape's axes
+};
+
 /// Rolling resistance of two bodies that touch.
 struct RollingRecord {
     scalar lever;  ///< m; of the two, the larger

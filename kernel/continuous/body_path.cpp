@@ -25,47 +25,59 @@ Matrix turned_by(const Matrix& A, const Vector& turn) {
 /// The small turn that takes A to B: a_i x b_i of their columns add up to twice it.
 Vector turn_between(const Matrix& A, const Matrix& B) { return (cross(A.c0, B.c0) + cross(A.c1, B.c1) + cross(A.c2, B.c2)) * scalar(0.5); }
 
-bool is_fast(const Surface& surface, scalar travel, scalar angle) {
-    const scalar spin = (angle < 2 ? angle : scalar(2)) * surface.bounding_radius;  // no point gets further from where it was than the diameter
-    return travel + spin > limits::fast_share * least_half_extent(surface.shape);
+bool is_fast(const BodyExtent& extent, scalar travel, scalar angle) {
+    const scalar spin = (angle < 2 ? angle : scalar(2)) * extent.radius;  // no point gets further from where it was than the diameter
+    return travel + spin > limits::fast_share * extent.least;
 }
 
 }  // namespace
 
-scalar least_half_extent(const Shape& shape) {
+scalar least_half_extent(const Shape& shape, const ConvexHull* hull) {
     const Vector& size = shape.size;
-    const auto lesser = [](scalar a, scalar b) { return a < b ? a : b; };
     switch (shape.kind) {
         case ShapeKind::sphere:
         case ShapeKind::capsule: return size.x;
-        case ShapeKind::cylinder: return lesser(size.x, size.y);
-        case ShapeKind::box: return lesser(size.x, lesser(size.y, size.z));
-        case ShapeKind::hull: return size.x * scalar(0.1);  // its form is not known here
+        case ShapeKind::cylinder: return min(size.x, size.y);
+        case ShapeKind::box: return min(size.x, min(size.y, size.z));
+        case ShapeKind::hull: return hull->inner_radius;
         default: return limits::unbounded;
     }
 }
 
-PlacedShape place_on_path(const BodyPath& path, const Shape& shape, scalar t) {
-    const scalar u = t - path.from;
-    return {shape, path.r_CM + (path.way + path.fall * u) * u, turned_by(path.A, path.turn * u), nullptr};
+BodyExtent extent_of(const BodyShapes& shapes, int slot) {
+    BodyExtent extent = {limits::unbounded, 0};
+    shapes.for_shapes(slot, [&](ShapeSlot shape) {
+        const Surface& surface = shapes.surface(shape);
+        extent.least = min(extent.least, least_half_extent(surface.shape, shapes.hull(shape)));
+        extent.radius = max(extent.radius, surface.bounding_radius);
+    });
+    return extent;
 }
 
-void begin_paths(const BodyView& bodies, const SurfaceView& surfaces, scalar h, BodyPath* paths) {
-    for (int slot = 0; slot < surfaces.slot_count; ++slot) {  // bound: max_bodies
-        const Place at = place_of(slot);
-        const Vector way = lane_of(bodies.translation[at.tile].v_CM, at.lane) * h, turn = omega_of(bodies, slot) * h;
-        BodyPath& path = paths[slot];
-        path = {};
-        path.way = way;
-        path.turn = turn;
-        path.r_CM = lane_of(bodies.translation[at.tile].r_CM, at.lane);
-        path.A = lane_of(bodies.rotation[at.tile].A, at.lane);
-        path.v_CM = lane_of(bodies.translation[at.tile].v_CM, at.lane);
-        path.L = lane_of(bodies.rotation[at.tile].L, at.lane);
-        path.until = 1;
-        path.next = never;
-        path.fast = is_dynamic(bodies, slot) && is_fast(surfaces.surfaces[slot], sqrt(length_sq(way)), sqrt(length_sq(turn)));
-    }
+PathFrame frame_on_path(const BodyPath& path, scalar t) {
+    const scalar u = t - path.from;
+    return {path.r_CM + (path.way + path.fall * u) * u, turned_by(path.A, path.turn * u)};
+}
+
+bool begins_fast(const BodyView& bodies, const BodyShapes& shapes, scalar h, int slot) {
+    if (!is_dynamic(bodies, slot)) return false;
+    const Vector way = lane_of(bodies.translation[place_of(slot).tile].v_CM, place_of(slot).lane) * h, turn = omega_of(bodies, slot) * h;
+    return is_fast(extent_of(shapes, slot), sqrt(length_sq(way)), sqrt(length_sq(turn)));
+}
+
+void begin_path(const BodyView& bodies, scalar h, int slot, BodyPath& path) {
+    const Place at = place_of(slot);
+    const bool fast = path.fast;
+    path = {};
+    path.r_CM = lane_of(bodies.translation[at.tile].r_CM, at.lane);
+    path.A = lane_of(bodies.rotation[at.tile].A, at.lane);
+    path.v_CM = lane_of(bodies.translation[at.tile].v_CM, at.lane);
+    path.L = lane_of(bodies.rotation[at.tile].L, at.lane);
+    path.way = path.v_CM * h;
+    path.turn = omega_of(bodies, slot) * h;
+    path.until = 1;
+    path.next = never;
+    path.fast = fast;
 }
 
 scalar end_of_path(const Vector& turn, scalar from) {
@@ -87,24 +99,24 @@ void lay_path(const PathPoint& begin, scalar from, const PathPoint& end, scalar 
     path.next = never;
 }
 
-bool is_fast_path(const BodyPath& path, const Surface& surface) {
+bool is_fast_path(const BodyPath& path, const BodyExtent& extent) {
     const scalar left = 1 - path.from;
     return is_finite(path.way) && is_finite(path.turn) &&
-           is_fast(surface, sqrt(length_sq(path.way + path.fall * left)) * left, sqrt(length_sq(path.turn)) * left);
+           is_fast(extent, sqrt(length_sq(path.way + path.fall * left)) * left, sqrt(length_sq(path.turn)) * left);
 }
 
 bool FastPairs::meets_hard(const BodyPair& pair, const Manifold& manifold) const {
-    const int slots[2] = {pair.body_A, pair.body_B};
+    const ShapeSlot of_pair[2] = {{pair.body_A}, {pair.body_B}};
     Vector r[2], v[2], omega[2];
     scalar least_extent = limits::unbounded, least_fast = limits::unbounded, closing = 0;
     for (int which = 0; which < 2; ++which) {
-        const int slot = slots[which];
+        const int slot = shapes.body_of(of_pair[which]);
         const Place at = place_of(slot);
         if (!paths[slot].fast && is_dynamic(bodies, slot)) return false;
         r[which] = lane_of(bodies.translation[at.tile].r_CM, at.lane);
         v[which] = lane_of(bodies.translation[at.tile].v_CM, at.lane);
         omega[which] = omega_of(bodies, slot);
-        const scalar extent = least_half_extent(surfaces.surfaces[slot].shape);
+        const scalar extent = least_half_extent(shapes.surface(of_pair[which]).shape, shapes.hull(of_pair[which]));
         least_extent = min(least_extent, extent);
         if (paths[slot].fast) least_fast = min(least_fast, extent);
     }

@@ -3,8 +3,7 @@
 #pragma once
 
 #include "../body/body_tiles.h"
-#include "../shape/surface.h"
-#include "../shape/placed_shape.h"
+#include "../shape/body_shapes.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -25,14 +24,41 @@ struct BodyPath {
 
 inline constexpr scalar never = 2;
 
-/// The least half extent of a shape; what holds no ball about its centre is infinitely thick. Units: m.
-scalar least_half_extent(const Shape& shape);
+/// The least half extent of a shape; of a hull, the radius of the ball about its centre that it holds. What has no size is infinitely thick.
+/// Units: m. hull: the form of a hull; else null.
+scalar least_half_extent(const Shape& shape, const ConvexHull* hull);
 
-/// The shape of a slot at time t.
-PlacedShape place_on_path(const BodyPath& path, const Shape& shape, scalar t);
+/// Of a body with all its shapes.
+struct BodyExtent {
+    scalar least;   ///< m; the least half extent of any of them
+    scalar radius;  ///< m; of the ball about the centre of mass that holds them all
+};
+BodyExtent extent_of(const BodyShapes& shapes, int slot);
 
-/// Before a step of h seconds: where every body begins, and who is fast, by v_CM and omega.
-void begin_paths(const BodyView& bodies, const SurfaceView& surfaces, scalar h, BodyPath* paths);
+/// A shape on the path of its body.
+struct ShapeOnPath {
+    const BodyPath& path;
+    Shape shape;
+    const ShapePlace* place;  ///< on the body; null: the body's frame is the shape's own
+    const ConvexHull* hull;   ///< of a hull; else null
+    scalar radius;            ///< m; of the ball about the body's centre of mass that holds the shape; 0: a half space
+};
+INGOT_INLINE ShapeOnPath shape_on_path(const BodyShapes& shapes, ShapeSlot shape, const BodyPath& path) {
+    const Surface& surface = shapes.surface(shape);
+    return {path, surface.shape, shapes.place(shape), shapes.hull(shape), surface.bounding_radius};
+}
+
+/// Where the centre of mass of a body and its axes are at time t.
+struct PathFrame {
+    Vector r_CM;  ///< m
+    Matrix A;     ///< body to world
+};
+PathFrame frame_on_path(const BodyPath& path, scalar t);
+
+/// Before a step of h seconds: whether a body is fast, by v_CM and omega.
+bool begins_fast(const BodyView& bodies, const BodyShapes& shapes, scalar h, int slot);
+/// And where it begins. Whether it is fast stays as it is known.
+void begin_path(const BodyView& bodies, scalar h, int slot, BodyPath& path);
 
 /// The motion of a body at one time.
 struct PathPoint {
@@ -49,7 +75,7 @@ scalar end_of_path(const Vector& turn, scalar from);
 void lay_path(const PathPoint& begin, scalar from, const PathPoint& end, scalar until, const Vector& fall, BodyPath& path);
 
 /// Whether a path is fast.
-bool is_fast_path(const BodyPath& path, const Surface& surface);
+bool is_fast_path(const BodyPath& path, const BodyExtent& extent);
 
 /// A path that ends where the body is put: it stays there.
 void end_path(BodyPath& path, const Vector& r_CM, const Matrix& A, scalar t);

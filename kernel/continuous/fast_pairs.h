@@ -8,17 +8,20 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// Pairs with a body that is too fast for the step, as the search for manifolds asks for them.
+/// Pairs of shapes with a body that is too fast for the step, as the search for manifolds asks for them.
 struct FastPairs {
     BodyView bodies;
-    SurfaceView surfaces;
-    const BodyPath* paths;
+    BodyShapes shapes;
+    const BodyPath* paths;  ///< by body slot
     scalar h;
 
-    bool has(const BodyPair& pair) const { return paths[pair.body_A].fast || paths[pair.body_B].fast; }
+    bool has(const BodyPair& pair) const { return is_fast({pair.body_A}) || is_fast({pair.body_B}); }
     /// Touching bodies that would get through each other's skin in the step, or turn their faces away: what they do is over in a moment of
     /// it. Others slide or rest, or a slow body among others is hit: these are solved together.
     bool meets_hard(const BodyPair& pair, const Manifold& manifold) const;
+
+private:
+    bool is_fast(ShapeSlot shape) const { return paths[shapes.body_of(shape)].fast; }
 };
 
 } }  // namespace ingot

@@ -5,7 +5,6 @@
 #include "../body/auxiliary.h"
 #include "../body/freeze_bad_bodies.h"
 #include "../math/sqrt.h"
-#include "body_path.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -44,7 +43,7 @@ void PairSubWorld::clear() {
     for (int slot = 0; slot < tiles * lanes; ++slot) set_identity_body(all, slot);
 }
 
-void PairSubWorld::take(int which, const BodyView& from, const SurfaceView& surfaces_from, int slot) {
+void PairSubWorld::take(int which, const BodyView& from, const BodyShapes& shapes, int slot) {
     const Place at = place_of(which), from_at = place_of(slot);
     put_state(bodies(), which, flight_state(from, slot));
     const TranslationTile& translation_from = from.translation[from_at.tile];
@@ -54,31 +53,7 @@ void PairSubWorld::take(int which, const BodyView& from, const SurfaceView& surf
     set_lane(rotation[at.tile].tau_T, at.lane, lane_of(rotation_from.tau_T, from_at.lane));
     set_lane(rotation[at.tile].inv_I_ratio, at.lane, lane_of(rotation_from.inv_I_ratio, from_at.lane));
     rotation[at.tile].inv_I_scale[at.lane] = rotation_from.inv_I_scale[from_at.lane];
-    surfaces[which] = surfaces_from.surfaces[slot];
-}
-
-SolverView PairSubWorld::solver(const SolverView& done) {
-    SolverView own = done;
-    own.pairs = &pair;
-    own.records = &record;
-    own.friction_references = &friction_reference;
-    own.manifold_count = 1;
-    own.local_of = local_of;
-    for (uint16_t& local : local_of) local = 0;
-    own.body_count = own.island_count = 0;
-    return own;
-}
-
-void PairSubWorld::set_manifold(const Manifold& manifold) {
-    record = {};
-    record.manifold = manifold;
-}
-
-bool PairSubWorld::carries() const {
-    bool some = false;
-    // bound: 4: Manifold::points_max
-    for (int point_i = 0; point_i < record.manifold.count; ++point_i) some = some || record.j[point_i] > 0;
-    return some;
+    extents[which] = extent_of(shapes, slot);
 }
 
 void PairSubWorld::keep_forces() {
@@ -98,15 +73,14 @@ void PairSubWorld::return_forces() {
 }
 
 scalar PairSubWorld::moment() {
-    const scalar size_A = least_half_extent(surfaces[0].shape), size_B = least_half_extent(surfaces[1].shape);
     const Vector v_A = flight_state(bodies(), 0).v_CM, v_B = flight_state(bodies(), 1).v_CM;
     scalar spin = 0, fastest = sqrt(max(length_sq(v_A - v_B), max(length_sq(v_A), length_sq(v_B))));
     for (int which = 0; which < 2; ++which) {
         const scalar own = sqrt(length_sq(omega_of(bodies(), which)));
-        fastest += own * surfaces[which].bounding_radius;
+        fastest += own * extents[which].radius;
         spin = own > spin ? own : spin;
     }
-    const scalar way = limits::together_share * (size_A < size_B ? size_A : size_B), angle = limits::angle_per_path / 2;
+    const scalar way = limits::together_share * min(extents[0].least, extents[1].least), angle = limits::angle_per_path / 2;
     const scalar by_way = fastest * limits::step_max > way ? way / fastest : limits::step_max,
                  by_turn = spin * limits::step_max > angle ? angle / spin : limits::step_max;
     return by_way < by_turn ? by_way : by_turn;
@@ -116,7 +90,7 @@ bool PairSubWorld::some_fast(scalar h) {
     bool some = false;
     for (int which = 0; which < 2; ++which) {
         const scalar travel = sqrt(length_sq(flight_state(bodies(), which).v_CM)) * h, turn = sqrt(length_sq(omega_of(bodies(), which))) * h;
-        some = some || travel + turn * surfaces[which].bounding_radius > limits::fast_share * least_half_extent(surfaces[which].shape);
+        some = some || travel + turn * extents[which].radius > limits::fast_share * extents[which].least;
     }
     return some;
 }
@@ -125,7 +99,7 @@ scalar PairSubWorld::margin(scalar h) {
     scalar reach = 0;
     for (int which = 0; which < 2; ++which) {
         const scalar angle = sqrt(length_sq(omega_of(bodies(), which))) * h;
-        reach += (angle < 2 ? angle : scalar(2)) * surfaces[which].bounding_radius;
+        reach += (angle < 2 ? angle : scalar(2)) * extents[which].radius;
     }
     return limits::contact_margin + sqrt(length_sq(flight_state(bodies(), 0).v_CM - flight_state(bodies(), 1).v_CM)) * h + reach;
 }

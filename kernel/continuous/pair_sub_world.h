@@ -2,9 +2,7 @@
 // A world of two bodies, for what they do to each other within a step of all.
 #pragma once
 
-#include "../constraint/solver_view.h"
-#include "../body/body_tiles.h"
-#include "../shape/surface.h"
+#include "body_path.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -23,25 +21,14 @@ struct PairSubWorld {
     TranslationTile translation[tiles];
     CompensationTile compensation[tiles];
     EnergyTile energy[tiles];
-    Surface surfaces[2];
-    BodyPair pair;
-    ManifoldRecord record;
-    Vector friction_reference;
-    uint16_t local_of[tiles * lanes];
+    BodyExtent extents[2];
     Vector F_T[2], tau_T[2];
 
     BodyView bodies() { return {rotation, translation, compensation, energy, tiles}; }
-    SurfaceView surface_view() const { return {surfaces, 2}; }
     /// Empty places, all zero but for what makes a body of none.
     void clear();
     /// Copies the body of a slot, with its forces.
-    void take(int which, const BodyView& from, const SurfaceView& surfaces_from, int slot);
-    /// The pair's own solver, in the memory of another that is done.
-    SolverView solver(const SolverView& done);
-    /// Prepares the one manifold of the pair.
-    void set_manifold(const Manifold& manifold);
-    /// The manifold still carries something at the end.
-    bool carries() const;
+    void take(int which, const BodyView& from, const BodyShapes& shapes, int slot);
     /// The forces of users, while those of contacts stand in their place.
     void keep_forces();
     void return_forces();

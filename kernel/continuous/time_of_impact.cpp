@@ -11,34 +11,33 @@ namespace {
 
 scalar sum_of_extents(const Vector& v) { return abs(v.x) + abs(v.y) + abs(v.z); }
 
-/// Two bodies at a time, A seen from B: what is far from the origin loses no more digits.
+/// Two shapes at a time, seen from the centre of mass of B's body: what is far from the origin loses no more digits.
 struct Approach {
     PlacedShape A, B;
-    Vector v, a;  ///< m, per step and step^2; of A against B
+    Vector r;     ///< m, the centre of mass of A's body
+    Vector v, a;  ///< m, per step and step^2; of A's body against B's
     scalar R_A, R_B;
 };
 
 Vector way_at(const BodyPath& path, scalar t) { return path.way + path.fall * (2 * (t - path.from)); }
 
-Approach approach_at(const BodyPath& path_A, const Shape& A, const BodyPath& path_B, const Shape& B, scalar t) {
-    Approach now = {place_on_path(path_A, A, t), place_on_path(path_B, B, t), way_at(path_A, t) - way_at(path_B, t),
-                    (path_A.fall - path_B.fall) * scalar(2), bounding_radius(A), bounding_radius(B)};
-    now.A.r -= now.B.r;
-    now.B.r = {};
-    return now;
+Approach approach_at(const ShapeOnPath& A, const ShapeOnPath& B, scalar t) {
+    const PathFrame frame_A = frame_on_path(A.path, t), frame_B = frame_on_path(B.path, t);
+    const Vector r = frame_A.r_CM - frame_B.r_CM;
+    return {place_on_body(A.shape, A.place, A.hull, r, frame_A.A), place_on_body(B.shape, B.place, B.hull, {}, frame_B.A), r,
+            way_at(A.path, t) - way_at(B.path, t), (A.path.fall - B.path.fall) * scalar(2), A.radius, B.radius};
 }
 
 /// The gap that is as good as none.
-scalar meeting_gap(const Approach& now, const Vector& r_A, const Vector& r_B) {
-    const scalar least = min(least_half_extent(now.A.shape), least_half_extent(now.B.shape));
-    const scalar roundings = 4 * epsilon * (sum_of_extents(now.A.r) + sum_of_extents(r_A) + sum_of_extents(r_B) + now.R_A + now.R_B);
+scalar meeting_gap(const Approach& now, scalar least, const Vector& r_A, const Vector& r_B) {
+    const scalar roundings = 4 * epsilon * (sum_of_extents(now.r) + sum_of_extents(r_A) + sum_of_extents(r_B) + now.R_A + now.R_B);
     return min(limits::impact_gap * least, limits::impact_gap_max) + roundings;
 }
 
-/// The most that a point of a turning shape moves along m / |turn|: m . p of the point furthest along m.
-scalar reach_along(const PlacedShape& s, const Vector& m) {
+/// The most that a point of a shape that turns about r moves along m / |turn|: m . p of the point furthest along m.
+scalar reach_along(const PlacedShape& s, const Vector& r, const Vector& m) {
     const scalar length = sqrt(length_sq(m));
-    return length > 0 ? dot(m, support_point(s, m * (1 / length)) - s.r) : 0;
+    return length > 0 ? dot(m, support_point(s, m * (1 / length)) - r) : 0;
 }
 
 /// Twice the gap over this is a time in which it does not close.
@@ -51,19 +50,24 @@ scalar closing_rate(scalar speed, scalar bend, scalar gap) {
 scalar time_open(const Approach& now, const Vector& turn_A, const Vector& turn_B, const PlacedShape& A, const Vector& n, scalar gap) {
     const scalar closing = -dot(n, now.v), pull = -dot(n, now.a), fall = pull > 0 ? pull : 0;
     const scalar spin_A = sqrt(length_sq(turn_A)), spin_B = sqrt(length_sq(turn_B));
-    const scalar turning = reach_along(A, cross(turn_A, n)) + (spin_B > 0 ? reach_along(now.B, cross(n, turn_B)) : 0);
+    const scalar turning = reach_along(A, now.r, cross(turn_A, n)) + (spin_B > 0 ? reach_along(now.B, {}, cross(n, turn_B)) : 0);
     const scalar bend = spin_A * spin_A * now.R_A + spin_B * spin_B * now.R_B;
     const scalar rate = min(closing_rate(closing + turning, bend + fall, gap),
                                closing_rate(closing + spin_A * now.R_A + spin_B * now.R_B, fall, gap));
     return rate * never > 2 * gap ? 2 * gap / rate : never;
 }
 
-Shape core_of(const Shape& shape, int skins) {
-    return {shape.kind, shape.size * (1 - limits::skin_share * static_cast<scalar>(skins)), shape.offset};
+/// The shape without some of its skins. A hull shrinks about its centre, by the axes that it is seen along.
+PlacedShape core_of(const PlacedShape& s, int skins) {
+    const scalar left = 1 - limits::skin_share * static_cast<scalar>(skins);
+    if (s.hull == nullptr) return {{s.shape.kind, s.shape.size * left, s.shape.offset}, s.r, s.A, nullptr};
+    return {s.shape, s.r + s.A * s.hull->centre * (1 - left), s.A * left, s.hull};
 }
 
 /// The ball about the centre that is half as large as the shape is thick.
-Shape ball_in(const Shape& shape) { return Sphere{least_half_extent(shape) * scalar(0.5)}; }
+PlacedShape ball_in(const PlacedShape& s, scalar least) {
+    return {Sphere{least * scalar(0.5)}, s.hull == nullptr ? s.r : s.r + s.A * s.hull->centre, s.A, nullptr};
+}
 
 bool is_clear(const PlacedShape& A, const PlacedShape& B, const Nearest& nearest, scalar gap) {
     return !nearest.overlap && plane_between(A, B, nearest).gap > gap;
@@ -71,39 +75,40 @@ bool is_clear(const PlacedShape& A, const PlacedShape& B, const Nearest& nearest
 
 }  // namespace
 
-scalar time_of_impact(const BodyPath& path_A, const Shape& A, const BodyPath& path_B, const Shape& B, scalar latest, bool unsolved) {
+scalar time_of_impact(const ShapeOnPath& A, const ShapeOnPath& B, scalar latest, bool unsolved) {
+    const BodyPath &path_A = A.path, &path_B = B.path;
+    const scalar least_A = least_half_extent(A.shape, A.hull), least = min(least_A, least_half_extent(B.shape, B.hull));
     scalar t = path_A.from > path_B.from ? path_A.from : path_B.from;
     bool touching = true, deep = false;  // until they are seen apart
     int skins = 1;
     for (int approach_i = 0; approach_i < limits::approaches_max; ++approach_i) {
-        const Approach now = approach_at(path_A, A, path_B, B, t);
-        const scalar gap = meeting_gap(now, path_A.r_CM, path_B.r_CM);
-        PlacedShape A_now = now.A;
-        if (deep) A_now.shape = ball_in(A);
+        const Approach now = approach_at(A, B, t);
+        const scalar gap = meeting_gap(now, least, path_A.r_CM, path_B.r_CM);
+        PlacedShape A_now = deep ? ball_in(now.A, least_A) : now.A;
         Nearest nearest = closest_points(A_now, now.B);
         if (nearest.overlap && (deep || !touching)) return deep && approach_i == 0 ? never : t;
         PlaneBetween plane = {};
         if (!nearest.overlap) plane = plane_between(A_now, now.B, nearest);
         touching = touching && plane.gap <= gap;
         if (touching) {
-            A_now.shape = core_of(A, skins);
+            A_now = core_of(now.A, skins);
             nearest = closest_points(A_now, now.B);
             // bound: limits::skins_max: ++skins
             while (approach_i == 0 && !is_clear(A_now, now.B, nearest, gap) && skins < limits::skins_max) {
-                A_now.shape = core_of(A, ++skins);
+                A_now = core_of(now.A, ++skins);
                 nearest = closest_points(A_now, now.B);
             }
             if (nearest.overlap && approach_i == 0) {
                 deep = true;
-                A_now.shape = ball_in(A);
+                A_now = ball_in(now.A, least_A);
                 nearest = closest_points(A_now, now.B);
                 if (nearest.overlap) return never;
             }
             if (nearest.overlap) return t;
             plane = plane_between(A_now, now.B, nearest);
             if (approach_i == 0 && unsolved && !deep) {
-                const scalar skin = limits::skin_share * min(least_half_extent(A), least_half_extent(B));
-                const Vector v = now.v + cross(path_A.turn, nearest.P_A - now.A.r) - cross(path_B.turn, nearest.P_B);
+                const scalar skin = limits::skin_share * least;
+                const Vector v = now.v + cross(path_A.turn, nearest.P_A - now.r) - cross(path_B.turn, nearest.P_B);
                 if (-dot(plane.n, v) * (1 - t) > skin) return t;
             }
             touching = !deep;
@@ -117,8 +122,9 @@ scalar time_of_impact(const BodyPath& path_A, const Shape& A, const BodyPath& pa
     return t;
 }
 
-bool may_meet(const BodyPath& path_A, const Surface& A, const BodyPath& path_B, const Surface& B) {
+bool may_meet(const ShapeOnPath& A, const ShapeOnPath& B) {
     if (B.shape.kind == ShapeKind::half_space) return true;
+    const BodyPath &path_A = A.path, &path_B = B.path;
     const scalar begin = path_A.from > path_B.from ? path_A.from : path_B.from;
     const scalar end = min(path_A.until, path_B.until);
     const auto place = [](const BodyPath& path, scalar t) { return path.r_CM + (path.way + path.fall * (t - path.from)) * (t - path.from); };
@@ -127,7 +133,7 @@ bool may_meet(const BodyPath& path_A, const Surface& A, const BodyPath& path_B, 
     const scalar t = along > 0 ? (along < way_sq ? along / way_sq : scalar(1)) : scalar(0);
     // A parabola leaves its chord by a quarter of the fall.
     const scalar bulge = (sum_of_extents(path_A.fall) + sum_of_extents(path_B.fall)) * scalar(0.25);
-    const scalar reach = (A.bounding_radius + B.bounding_radius) * (1 + limits::flatness) + bulge + limits::impact_gap_max +
+    const scalar reach = (A.radius + B.radius) * (1 + limits::flatness) + bulge + limits::impact_gap_max +
                          8 * epsilon * (sum_of_extents(path_A.r_CM) + sum_of_extents(path_B.r_CM) + sum_of_extents(way));
     return length_sq(between + way * t) <= reach * reach;
 }

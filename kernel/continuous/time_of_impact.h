@@ -5,7 +5,7 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// When two bodies on their paths first meet, before `latest`: a fraction of the step, or `never`. A is no half space.
+/// When two shapes on the paths of their bodies first meet, before `latest`: a fraction of the step, or `never`. A is no half space.
 ///
 /// Conservative advancement: the nearest points give a plane between the shapes. How fast points of either come towards it is bounded by the speed
 /// of the centres along n, by omega x r of the points furthest along omega x n, and by the accelerations omega^2 R and that of the fall; so the time
@@ -19,9 +19,9 @@ namespace ingot { inline namespace INGOT_ABI {
 /// in the rest of the step, they meet at once.
 /// After limits::approaches_max they are taken for met where they are: too early, never too late.
 /// Frames: world. Source: Mirtich, "Impulse-based dynamic simulation", 1996, 2.3; the second order is ours.
-scalar time_of_impact(const BodyPath& path_A, const Shape& A, const BodyPath& path_B, const Shape& B, scalar latest, bool unsolved);
+scalar time_of_impact(const ShapeOnPath& A, const ShapeOnPath& B, scalar latest, bool unsolved);
 
 /// False where the balls that hold the shapes stay apart.
-bool may_meet(const BodyPath& path_A, const Surface& A, const BodyPath& path_B, const Surface& B);
+bool may_meet(const ShapeOnPath& A, const ShapeOnPath& B);
 
 } }  // namespace ingot

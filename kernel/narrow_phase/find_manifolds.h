@@ -92,6 +92,17 @@ INGOT_INLINE bool renew_manifold(const BodyView& bodies, const SurfaceView& surf
     return renew_from_anchors(frame_of(bodies, pair.body_A), frame_of(bodies, pair.body_B), limits::recycled_slip * R, margin, anchors, manifold);
 }
 
+/// The same for shapes in any order. `before` and the manifold have their normals from B to A.
+template <class Shapes>
+bool collide_placed(const PlacedShape& A, const PlacedShape& B, scalar margin, const Manifold& before, Manifold& manifold) {
+    if (!(B.shape.kind < A.shape.kind)) return collide_shapes<Shapes>(A, B, margin, manifold, before);
+    Manifold seen = before;
+    seen.n = -seen.n;
+    const bool tested = collide_shapes<Shapes>(B, A, margin, manifold, seen);
+    manifold.n = -manifold.n;
+    return tested;
+}
+
 /// The manifold of a pair, found by the routine for its shapes; false if there is none.
 template <class Shapes>
 bool find_manifold(const BodyView& bodies, const SurfaceView& surfaces, const BodyPair& pair, scalar margin, const Manifold& before,
@@ -103,15 +114,8 @@ bool find_manifold(const BodyView& bodies, const SurfaceView& surfaces, const Bo
             return true;
         }
     }
-    const bool swap = surfaces.surfaces[pair.body_B].shape.kind < surfaces.surfaces[pair.body_A].shape.kind;
-    const PlacedShape A = placed_body<Shapes>(bodies, surfaces, swap ? pair.body_B : pair.body_A);
-    const PlacedShape B = placed_body<Shapes>(bodies, surfaces, swap ? pair.body_A : pair.body_B);
-    if (!swap) return collide_shapes<Shapes>(A, B, margin, manifold, before);
-    Manifold seen = before;
-    seen.n = -seen.n;
-    const bool tested = collide_shapes<Shapes>(A, B, margin, manifold, seen);
-    manifold.n = -manifold.n;
-    return tested;
+    return collide_placed<Shapes>(placed_body<Shapes>(bodies, surfaces, pair.body_A), placed_body<Shapes>(bodies, surfaces, pair.body_B), margin,
+                                  before, manifold);
 }
 
 inline constexpr Manifold no_manifold_before = {};

@@ -77,6 +77,15 @@ void place_shapes([[maybe_unused]] Step<S>& now) {
         now.storage.place_all_shapes();
 }
 
+/// Calls each(slot) for the bodies that are looked at in a step: all, or those that are awake or settling.
+template <class S, class Each>
+INGOT_INLINE void over_active_bodies(Step<S>& now, const Each& each) {
+    if constexpr (S::sleeps)
+        for_active(now.storage.rest_view(), each);
+    else
+        EveryBody{now.storage.slots_used}.for_each(each);
+}
+
 /// The search in scenes whose bodies sleep: it looks at what is active, and the first one after a world began or was loaded at all. True when the
 /// list has changed.
 template <class S>
@@ -121,13 +130,17 @@ void find_pairs([[maybe_unused]] Step<S>& now) {
     }
 }
 
-/// Which pairs are too fast for a step.
+/// Which bodies begin the step fast; and which pairs are too fast for it.
 template <class S>
-auto fast_pairs_of([[maybe_unused]] Step<S>& now) {
-    if constexpr (S::continuous)
-        return FastPairs{now.bodies, now.storage.surface_view(), now.storage.paths, now.h};
-    else
+auto find_fast_pairs([[maybe_unused]] Step<S>& now) {
+    if constexpr (S::continuous) {
+        auto& storage = now.storage;
+        const BodyShapes shapes = storage.body_shapes();
+        over_active_bodies(now, [&](int slot) { storage.paths[slot].fast = begins_fast(now.bodies, shapes, now.h, slot); });
+        return FastPairs{now.bodies, shapes, storage.paths, now.h};
+    } else {
         return NoFastPairs{};
+    }
 }
 
 /// Manifolds of the pairs that touch, or are near enough to; sensors note who is in them.
@@ -136,11 +149,10 @@ void find_manifolds([[maybe_unused]] Step<S>& now) {
     if constexpr (stacks<S>) {
         auto& storage = now.storage;
         const ManifoldView manifolds = storage.manifold_view();
-        if constexpr (S::continuous) begin_paths(now.bodies, storage.surface_view(), now.h, storage.paths);
         if constexpr (has_events<S> && has_sensors<S>) copy_list(storage.overlap_list(), storage.overlap_list_before());
         update_manifolds<ShapesOf<S>, S::recycles_manifolds>(storage.shapes(), storage.surface_view(), storage.bounds, now.h,
                                                              storage.pair_rules(now.report), storage.pair_list(), manifolds, now.report,
-                                                             fast_pairs_of(now));
+                                                             find_fast_pairs(now));
         count(now.report.pairs_lost, storage.pairs_lost);
         if constexpr (S::sleeps)
             count(now.report.contacts, storage.aside_count);
@@ -190,15 +202,47 @@ void note_approaches([[maybe_unused]] Step<S>& now) {
     if constexpr (has_events<S>) note_approaches(now.bodies, now.storage.gravity, now.h, now.storage.moving_manifolds(), now.storage.notes);
 }
 
+/// What fast bodies are followed by, of a scene: see ContinuousCollision.
+template <class S>
+struct FastBodiesOf {
+    using Shapes = ShapesOf<S>;
+    using Rotation = typename S::rotation;
+    using Solver = typename S::solver;
+    using View = decltype(solver_of_scene<S>());
+    static constexpr bool notes_impulses = has_events<S>, bounces = S::bounces;
+    static constexpr int shape_pairs = S::max_shapes_of_body * S::max_shapes_of_body;
+    static constexpr int room = limits::pair_manifolds_max < S::max_manifolds ? limits::pair_manifolds_max : S::max_manifolds;
+    static constexpr int pair_manifolds = shape_pairs < room ? shape_pairs : room;
+};
+
+/// The bodies that a step may move.
+template <class S>
+auto moving_bodies(Step<S>& now) {
+    if constexpr (S::sleeps)
+        return AwakeBodies{now.storage.rest_view()};
+    else
+        return EveryBody{now.storage.slots_used};
+}
+
+/// Where the bodies begin that may turn out to be fast: all that are awake by now.
+template <class S>
+void begin_paths([[maybe_unused]] Step<S>& now) {
+    if constexpr (S::continuous)
+        moving_bodies(now).for_each([&now](int slot) { begin_path(now.bodies, now.h, slot, now.storage.paths[slot]); });
+}
+
 /// Fast bodies meet others within the step, impact by impact.
 template <class S>
 void follow_fast_bodies([[maybe_unused]] Step<S>& now) {
     if constexpr (S::continuous) {
         auto& storage = now.storage;
-        const auto meets = [&storage](int slot_A, int slot_B) { return storage.can_meet(slot_A, slot_B); };
-        const ContinuousCollision<decltype(meets)> collision = {now.bodies,    storage.surface_view(),  now.solver,
-                                                                storage.paths, {storage.gravity, now.h}, meets};
-        follow_fast_bodies<ShapesOf<S>, typename S::rotation, has_events<S>>(collision, now.report);
+        const auto meets = [&storage](int shape_A, int shape_B) { return storage.can_meet(shape_A, shape_B); };
+        const auto moving = moving_bodies(now);
+        const ManifoldView solved = storage.manifold_view();
+        const ContinuousCollision<FastBodiesOf<S>, decltype(moving), decltype(meets)> collision = {
+            now.bodies, storage.body_shapes(), storage.shape_materials(), now.solver, solved.pairs, *solved.count, storage.paths,
+            {storage.gravity, now.h}, moving, meets};
+        follow_fast_bodies(collision, now.report);
     }
 }
 

@@ -26,6 +26,7 @@ StepReport step(World<S>& world, scalar h) {
     resolve_impacts(now);            // Fig. 4, without friction
     sum_forces(now);                 // Eqs. 14, 16, and the field
     note_approaches(now);            // events: how fast they meet
+    begin_paths(now);                // of bodies that may be fast
     advance(now);                    // contacts with friction; Eqs. 10, 18, 20; Eq. 1
     follow_fast_bodies(now);         // impacts within the step
     fall_asleep(now);

@@ -41,6 +41,10 @@ struct Storage : features::All::Memory<S> {
     /// All shapes, for search, narrow phase and queries; the bodies themselves, where each has one shape.
     BodyView shapes() { return this->shape_view(bodies(), slots_used); }
     BodyView shapes() const { return const_cast<Storage*>(this)->shapes(); }
+    /// The shapes of bodies as they lie on them.
+    BodyShapes body_shapes() const { return {surface_view(), this->places_of_shapes(), hulls_of<S>, S::max_shapes_of_body}; }
+    /// What they have beside friction and restitution.
+    ShapeMaterials shape_materials() const { return {this->levers_of_shapes(), this->velocities_of_shapes()}; }
     CompoundView compound_view() { return {this->surfaces, this->shape_places, shapes(), S::max_shapes_of_body}; }
     /// Shapes are where their bodies are.
     void place_all_shapes() {
@@ -87,11 +91,11 @@ struct Storage : features::All::Memory<S> {
             return this->solver();
         }
     }
-    /// Bodies whose surfaces are solid to each other.
-    bool can_meet(int slot_A, int slot_B) const {
+    /// Shapes that are solid to each other.
+    bool can_meet(int shape_A, int shape_B) const {
         if constexpr (has_sensors<S>)
-            if (this->is_sensor[slot_A] != 0 || this->is_sensor[slot_B] != 0) return false;
-        return this->filter_view().let_meet(slot_A, slot_B);
+            if (this->is_sensor[shape_A] != 0 || this->is_sensor[shape_B] != 0) return false;
+        return this->filter_view().let_meet(shape_A, shape_B);
     }
     ContactView contact_view() { return {this->contacts, &this->contact_count, S::max_contacts}; }
 };

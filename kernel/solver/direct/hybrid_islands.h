@@ -34,6 +34,12 @@ struct HybridIslands {
     template <bool rolls, bool has_belts, bool>
     using View = MaterialViewOf<rolls, has_belts>;
 
+    /// The contacts of two bodies that meet within a step, see continuous/: an impact is left to the sweeps in islands too.
+    template <bool notes_impulses, bool bounces, class View>
+    static void solve_pair(View& view, const ContactStep& step, StepReport& report) {
+        solve_by_sweeps<notes_impulses, bounces>(view, step, report);
+    }
+
     template <int max_bodies, int max_manifolds, bool rolls = false, bool = true>
     struct Memory {
         static constexpr unsigned island = static_cast<unsigned>(max_island < max_manifolds ? max_island : max_manifolds);

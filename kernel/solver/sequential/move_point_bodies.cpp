@@ -91,19 +91,19 @@ int root_of(const PointView& solver, int slot) {
     return slot;
 }
 
-bool takes_part(const PointView& solver, int slot) { return solver.bodies[slot].root != no_root; }
+bool is_of_an_island(const PointView& solver, int slot) { return solver.bodies[slot].root != no_root; }
 
 }  // namespace
 
 void join_bodies(const PointView& solver) {
     for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i) {
         const BodyPair& pair = solver.pairs[manifold_i];
-        if (!takes_part(solver, pair.body_A) || !takes_part(solver, pair.body_B)) continue;
+        if (!is_of_an_island(solver, pair.body_A) || !is_of_an_island(solver, pair.body_B)) continue;
         const int A = root_of(solver, pair.body_A), B = root_of(solver, pair.body_B);
         solver.bodies[A < B ? B : A].root = static_cast<uint16_t>(A < B ? A : B);
     }
     for (int slot = 0; slot < solver.slot_count; ++slot)
-        if (takes_part(solver, slot)) solver.bodies[slot].root = static_cast<uint16_t>(root_of(solver, slot));
+        if (is_of_an_island(solver, slot)) solver.bodies[slot].root = static_cast<uint16_t>(root_of(solver, slot));
 }
 
 int next_island(PointView& solver, int slot) {

@@ -51,6 +51,7 @@ struct PointContact {
 };
 
 struct PointView {
+    static constexpr bool is_pointwise = true;
     static constexpr bool rolls = false, has_belts = false, bounces = false;  ///< see PointViewOf
 
     const BodyPair* pairs;    ///< that touch, sorted by slots
@@ -63,6 +64,9 @@ struct PointView {
     int slot_count;           ///< bodies looked at
     int member_count, body_count;
 };
+
+/// Whether the body of a slot is one that a manifold of the step moves.
+inline bool takes_part(const PointView& solver, int slot) { return solver.bodies[slot].inv_M > 0; }
 
 /// Of a manifold whose surfaces resist being rolled.
 struct PointRolling {

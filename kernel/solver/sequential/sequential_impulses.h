@@ -36,6 +36,12 @@ struct SequentialImpulses {
     template <bool rolls, bool has_belts, bool bounces>
     using View = PointViewOf<rolls, has_belts, bounces>;
 
+    /// The contacts of two bodies that meet within a step: see continuous/.
+    template <bool notes_impulses, bool, class View>
+    static void solve_pair(View& view, const ContactStep& step, StepReport& report) {
+        solve_sequentially<notes_impulses>(view, step, report);
+    }
+
     template <int max_bodies, int max_manifolds, bool = false, bool bounces = false>
     struct Memory : LandingPart<max_manifolds, bounces> {
         PointBody point_bodies[static_cast<unsigned>((max_bodies + lanes - 1) / lanes * lanes)] = {};

@@ -24,6 +24,12 @@ struct BlockSweeps {
     template <bool rolls, bool has_belts, bool>
     using View = MaterialViewOf<rolls, has_belts>;
 
+    /// The contacts of two bodies that meet within a step: see continuous/.
+    template <bool notes_impulses, bool bounces, class View>
+    static void solve_pair(View& view, const ContactStep& step, StepReport& report) {
+        solve_by_sweeps<notes_impulses, bounces>(view, step, report);
+    }
+
     template <int max_bodies, int max_manifolds, bool rolls = false, bool = true>
     struct Memory {
         template <bool notes_impulses, bool bounces, class View>

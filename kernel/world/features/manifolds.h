@@ -201,8 +201,6 @@ struct Manifolds : Feature {
         static_assert(S::bounces || !solves_directly<S>, "a solver that picks itself lets bodies bounce: name BlockSweeps, or set bounces = true");
         static_assert(!solves_directly<S> || stacks<S>, "HybridIslands is for contacts with friction: set max_manifolds, or name no solver");
         static_assert(!solves_pointwise<S> || stacks<S>, "SequentialImpulses is for contacts with friction: set max_manifolds, or name no solver");
-        static_assert(!solves_pointwise<S> || !S::continuous,
-                      "SequentialImpulses follows no fast bodies: name BlockSweeps, or set continuous = false");
         return true;
     }
     template <class S>

@@ -41,6 +41,7 @@ struct RollingResistance : Feature {
         RollingRecord rolling_records[static_cast<unsigned>(S::max_manifolds)] = {};
         RollingRowsOf<S> rolling_rows[row_capacity_of<S>] = {};
 
+        const scalar* levers_of_shapes() const { return rolling_levers; }
         void mix_rolling(const ManifoldView& manifolds) { mix_rolling_levers(manifolds, rolling_levers, rolling_records); }
         template <class View>
         void show_rolling(View& view) {
@@ -50,6 +51,7 @@ struct RollingResistance : Feature {
     };
     template <class S>
     struct Memory<S, false> {
+        static constexpr const scalar* levers_of_shapes() { return nullptr; }
         static void mix_rolling(const ManifoldView&) {}
         template <class View>
         static void show_rolling(View&) {}
@@ -63,8 +65,6 @@ struct RollingResistance : Feature {
     static constexpr bool check() {
         static_assert(!S::rolling_resistance || stacks<S>,
                       "rolling resistance is of contacts with friction: set max_manifolds, or rolling_resistance = false");
-        static_assert(!has_materials<S> || !S::continuous,
-                      "fast bodies are followed where surfaces neither resist rolling nor move: set continuous = false, or both of them");
         return true;
     }
     template <class S>
@@ -124,6 +124,7 @@ struct Belts : Feature {
         Vector surface_velocities[static_cast<unsigned>(shape_capacity<S>)] = {};  ///< m/s, in the shape's axes, by shape slot
         Vector belt_velocities[static_cast<unsigned>(S::max_manifolds)] = {};      ///< m/s, world, by record
 
+        const Vector* velocities_of_shapes() const { return surface_velocities; }
         void turn_belts(const BodyView& shapes, const ManifoldView& manifolds) {
             turn_surface_velocities(shapes, manifolds, surface_velocities, belt_velocities);
         }
@@ -135,6 +136,7 @@ struct Belts : Feature {
     };
     template <class S>
     struct Memory<S, false> {
+        static constexpr const Vector* velocities_of_shapes() { return nullptr; }
         static void turn_belts(const BodyView&, const ManifoldView&) {}
         template <class View>
         static void show_belts(View&) {}

@@ -98,6 +98,7 @@ struct Compounds : Feature {
         BodyView shape_view(const BodyView&, int slots_used) {
             return {shape_rotation, shape_translation, nullptr, nullptr, (slots_used * S::max_shapes_of_body + lanes - 1) / lanes};
         }
+        const ShapePlace* places_of_shapes() const { return shape_places; }
         const uint32_t* generation_of_shapes(const uint32_t*) const { return shape_generation; }
         void set_generation_of_shapes(int slot, uint32_t generation) {
             for (int shape_i = 0; shape_i < S::max_shapes_of_body; ++shape_i) shape_generation[slot * S::max_shapes_of_body + shape_i] = generation;
@@ -106,6 +107,7 @@ struct Compounds : Feature {
     template <class S>
     struct Memory<S, false> {
         static BodyView shape_view(const BodyView& bodies, int) { return bodies; }
+        static constexpr const ShapePlace* places_of_shapes() { return nullptr; }
         static const uint32_t* generation_of_shapes(const uint32_t* of_bodies) { return of_bodies; }
         static void set_generation_of_shapes(int, uint32_t) {}
     };
