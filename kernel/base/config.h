@@ -64,6 +64,9 @@
 #define INGOT_INLINE inline __attribute__((always_inline))
 #endif
 
+/// A part of one function, that has a name of its own for readers: inlined on every target.
+#define INGOT_PART inline __attribute__((always_inline))
+
 /// Code of sweeps that runs rarely. With one lane it is a function of its own, small, and one for all its callers; vectors do not
 /// cross calls.
 #if INGOT_LANES == 1 || defined(INGOT_CALLS_HELPERS)

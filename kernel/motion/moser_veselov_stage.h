@@ -97,7 +97,7 @@ struct TileFlight {
 
 /// Bodies that turn far within a step take substeps, 1, 2, 4 ... substeps_max, so that none turns by more than limits::angle_per_substep. A body that
 /// turns further than the most of them reach is clamped: the rest of its turn is left out.
-INGOT_INLINE void cut_into_substeps(TileFlight& flight, lane angle_sq, scalar h, int substeps_max) {
+INGOT_PART void cut_into_substeps(TileFlight& flight, lane angle_sq, scalar h, int substeps_max) {
     const lane one = splat<lane>(1);
     const scalar angle_max = limits::spin_runaway * h;
     flight.good = angle_sq <= splat<lane>(angle_max * angle_max);
@@ -118,7 +118,7 @@ INGOT_INLINE void cut_into_substeps(TileFlight& flight, lane angle_sq, scalar h,
     flight.w = scaled(flight.j, flight.y);
 }
 
-INGOT_INLINE TileFlight begin_flight(const RotationTile& tile, scalar h, scalar kick_ahead, int substeps_max) {
+INGOT_PART TileFlight begin_flight(const RotationTile& tile, scalar h, scalar kick_ahead, int substeps_max) {
     constexpr scalar far_sq = limits::angle_per_substep * limits::angle_per_substep;
     TileFlight flight;
     flight.j = load(tile.inv_I_ratio);
@@ -135,7 +135,7 @@ INGOT_INLINE TileFlight begin_flight(const RotationTile& tile, scalar h, scalar 
 }
 
 /// The energy at the begin of this flight, in the units of a substep: n is a power of two, so the change is exact. 0 where it is not known.
-INGOT_INLINE lane begin_energy(const EnergyTile& energy, const TileFlight& flight, uint16_t restarts) {
+INGOT_PART lane begin_energy(const EnergyTile& energy, const TileFlight& flight, uint16_t restarts) {
     lane e_0 = load(energy.E_0);
     if (flight.substeps > 1) e_0 = e_0 / (flight.n * flight.n);
     if (restarts != 0) e_0 = select(mask_from_bits(restarts), lane{}, e_0);
@@ -144,7 +144,7 @@ INGOT_INLINE lane begin_energy(const EnergyTile& energy, const TileFlight& fligh
 
 /// Turns the tile through its substeps. A body that does not come out of one is no longer good.
 template <int order, bool compensate, bool energy_return>
-INGOT_INLINE void turn_tile(const BodyView& bodies, int tile_i, scalar kick_ahead, TileFlight& flight, lane& e_0) {
+INGOT_PART void turn_tile(const BodyView& bodies, int tile_i, scalar kick_ahead, TileFlight& flight, lane& e_0) {
     RotationTile& tile = bodies.rotation[tile_i];
     mask good = flight.good, turning = good;
     scalar taken = 0;
@@ -176,7 +176,7 @@ INGOT_INLINE void turn_tile(const BodyView& bodies, int tile_i, scalar kick_ahea
 
 /// A polar step, of all bodies or of those that take substeps. An immovable body keeps its A to the bit.
 template <bool compensate>
-INGOT_INLINE void return_to_rotations(const BodyView& bodies, int tile_i, const TileFlight& flight, bool all) {
+INGOT_PART void return_to_rotations(const BodyView& bodies, int tile_i, const TileFlight& flight, bool all) {
     RotationTile& tile = bodies.rotation[tile_i];
     const lane one = splat<lane>(1);
     const mask polar_due = both(both(flight.good, load(tile.inv_I_scale) > lane{}), all ? one > lane{} : flight.n > one);

@@ -11,17 +11,20 @@ using Bits = uint64_t;
 using Bits = uint32_t;
 #endif
 
+uint64_t with_number(uint64_t hash, scalar x) {
+    Bits b;
+    __builtin_memcpy(&b, &x, sizeof b);
+    for (unsigned byte_i = 0; byte_i < sizeof b; ++byte_i) {
+        hash = (hash ^ static_cast<uint64_t>(b & 0xffu)) * 0x100000001b3u;
+        b >>= 8;
+    }
+    return hash;
+}
+
 /// A lane of so many rows, one after the other.
 uint64_t hash_rows(uint64_t hash, const scalar* first, int rows) {
     // bound: 9: numbers of a matrix
-    for (int row_i = 0; row_i < rows; ++row_i) {
-        Bits b;
-        __builtin_memcpy(&b, first + row_i * lanes, sizeof b);
-        for (unsigned byte_i = 0; byte_i < sizeof b; ++byte_i) {
-            hash = (hash ^ static_cast<uint64_t>(b & 0xffu)) * 0x100000001b3u;
-            b >>= 8;
-        }
-    }
+    for (int row_i = 0; row_i < rows; ++row_i) hash = with_number(hash, first[row_i * lanes]);
     return hash;
 }
 
