@@ -11,7 +11,7 @@ namespace ingot { inline namespace INGOT_ABI {
 /// Full: pairs of the lowest slots are kept.
 void find_all_pairs(const BodyView& bodies, const BoundsTile* bounds, const PairList& pairs);
 
-/// The same but for pairs of two shapes that rest: see awake_search.h.
+/// The same, without pairs of two shapes at rest: see awake_search.h.
 void find_all_awake_pairs(const SearchView& search, const PairList& pairs);
 
 /// `using broad_phase = ingot::AllPairs;`, for up to a few hundred bodies.
@@ -22,7 +22,7 @@ struct AllPairs {
         void find_pairs(const BodyView& bodies, const BoundsTile* bounds, const PairList& pairs) { find_all_pairs(bodies, bounds, pairs); }
     };
 
-    /// For scenes whose bodies sleep. The pairs of those that are due are found with all others.
+    /// For scenes whose bodies sleep. It has no search of its own for shapes that are due: all pairs are found anew.
     template <int max_bodies, int max_pairs>
     struct AwakeMemory {
         static uint32_t* due_shapes() { return nullptr; }

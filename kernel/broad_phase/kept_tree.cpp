@@ -97,7 +97,7 @@ void find_pairs_of(const SearchView& search, const SortedTreeView& tree, int slo
     }
 }
 
-/// Below this many the tree is as good as new.
+/// With fewer shapes moved than this the tree is as good as new.
 constexpr int moved_min = 64;
 
 }  // namespace
