@@ -3,7 +3,7 @@
 #pragma once
 
 #include <ingot/shape/hull_of_points.h>
-#include <ingot/narrow_phase/collide_pairs.h>
+#include <ingot/narrow_phase/find_manifolds.h>
 
 #include <array>
 #include <deque>
@@ -98,35 +98,11 @@ inline Eigen::Matrix3d turned(const Eigen::Vector3d& axis, double angle) {
     return Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix();
 }
 
-/// The routine of two kinds, in either order.
+/// The routine of two kinds, by the kernel's own list.
 inline bool collide(const PlacedShape& A, const PlacedShape& B, scalar margin, Manifold& manifold,
                     const Manifold* before = nullptr) {
-    using K = ShapeKind;
-    const auto are = [&](K a, K b) { return A.shape.kind == a && B.shape.kind == b; };
-#define INGOT_PAIR(a, b) \
-    if (are(K::a, K::b)) return ingot::collide_##a##_##b(A, B, margin, manifold, before), true
-    INGOT_PAIR(sphere, sphere);
-    INGOT_PAIR(sphere, capsule);
-    INGOT_PAIR(sphere, box);
-    INGOT_PAIR(sphere, cylinder);
-    INGOT_PAIR(sphere, hull);
-    INGOT_PAIR(sphere, half_space);
-    INGOT_PAIR(capsule, capsule);
-    INGOT_PAIR(capsule, box);
-    INGOT_PAIR(capsule, cylinder);
-    INGOT_PAIR(capsule, hull);
-    INGOT_PAIR(capsule, half_space);
-    INGOT_PAIR(box, box);
-    INGOT_PAIR(box, cylinder);
-    INGOT_PAIR(box, hull);
-    INGOT_PAIR(box, half_space);
-    INGOT_PAIR(cylinder, cylinder);
-    INGOT_PAIR(cylinder, hull);
-    INGOT_PAIR(cylinder, half_space);
-    INGOT_PAIR(hull, hull);
-    INGOT_PAIR(hull, half_space);
-#undef INGOT_PAIR
-    return false;
+    using All = ingot::Shapes<ingot::Sphere, ingot::Capsule, ingot::Box, ingot::Cylinder, ingot::Hull, ingot::HalfSpace>;
+    return ingot::collide_pair<All>(A, B, margin, manifold, before);
 }
 
 inline long double least(const Manifold& m) {

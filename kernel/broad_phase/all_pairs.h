@@ -11,7 +11,7 @@ namespace ingot { inline namespace INGOT_ABI {
 /// Full: pairs of the lowest slots are kept.
 void find_all_pairs(const BodyView& bodies, const BoundsTile* bounds, const PairList& pairs);
 
-/// The same but for pairs of two shapes that rest: see search_view.h.
+/// The same, without pairs of two shapes at rest: see search_view.h.
 void find_all_awake_pairs(const SearchView& search, const PairList& pairs);
 
 /// Bounds of the step, and a search where a shape has left its fat AABB. True when the list has changed. See stages.h, find_pairs.
@@ -28,7 +28,7 @@ struct AllPairs {
         static bool search(const SearchView& search, scalar h, const PairList& pairs) { return search_all_pairs(search, h, pairs); }
     };
 
-    /// For scenes whose bodies sleep. The pairs of those that are due are found with all others.
+    /// For scenes whose bodies sleep. It has no search of its own for shapes that are due: all pairs are found anew.
     template <int max_bodies, int max_pairs>
     struct AwakeMemory {
         static uint32_t* due_shapes() { return nullptr; }

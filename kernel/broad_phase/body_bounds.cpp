@@ -9,7 +9,7 @@ using namespace bounding;
 
 namespace {
 
-/// What cannot move needs no skin.
+/// A body that cannot move needs no skin.
 INGOT_INLINE void widen(BoundsTile& tile, lane inv_M) {
     const lane tenth = select(inv_M > lane{}, splat<lane>(skin_share), lane{});
     for (int axis = 0; axis < 3; ++axis) {

@@ -26,7 +26,7 @@ struct FilterView {
     bool let_meet(int slot_A, int slot_B) const { return meet(of(slot_A), of(slot_B)); }
 };
 
-/// The filters of a scene that has none: the same questions, answered when it is compiled.
+/// The filters of a scene that has none. It answers the same questions, when the scene is compiled.
 struct NoFilters {
     static constexpr BodyFilter of(int) { return meets_all; }
     static constexpr bool let_meet(int, int) { return true; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a box is put around one shape: for the stage that does so for all, and for the one that does for those that are awake.
+// How a box is put around one shape. Two stages share it: one bounds all shapes, the other those of bodies that are awake.
 #pragma once
 
 #include "body_bounds.h"
@@ -15,7 +15,7 @@ INGOT_INLINE Vector absolute(const Vector& v) { return {abs(v.x), abs(v.y), abs(
 /// Half extents along the world axes.
 INGOT_INLINE Vector reach_of(const Surface& surface, const Matrix& A) {
     const Vector& size = surface.shape.size;
-    const scalar R = size.x;  // of a ball, and of that which holds a hull
+    const scalar R = size.x;  // of a ball, or of the ball around a hull
     switch (surface.shape.kind) {
         case ShapeKind::box: return absolute(A.c0) * size.x + absolute(A.c1) * size.y + absolute(A.c2) * size.z;
         case ShapeKind::capsule: return absolute(A.c2) * size.y + Vector{size.x, size.x, size.x};
@@ -33,7 +33,7 @@ INGOT_INLINE void set_bounds(BoundsTile& bounds, int lane_i, const Vector& low, 
 }
 
 inline constexpr Vector everywhere = {limits::unbounded, limits::unbounded, limits::unbounded};
-inline constexpr Vector nowhere = everywhere * scalar(2);  ///< empty bounds begin there; so that not even a half space overlaps them
+inline constexpr Vector nowhere = everywhere * scalar(2);  ///< empty bounds begin there: not even a half space reaches them
 
 /// A half space whose face lies along two of the axes ends there; any other is everywhere. It never moves.
 INGOT_INLINE void bound_half_space(const BodyView& bodies, const Surface& surface, Place at, BoundsTile& tile) {
@@ -83,7 +83,7 @@ INGOT_INLINE mask refresh_tile(const BodyView& bodies, const SurfaceView& surfac
     return left;
 }
 
-/// Of the box: so it fits bodies of every size. It costs some pairs that do not touch and saves most searches.
+/// Of the box's extent, so it fits bodies of every size. It costs some pairs that do not touch, and saves most searches.
 inline constexpr scalar skin_share = scalar(0.1);
 
 } } }  // namespace ingot::bounding

@@ -22,7 +22,7 @@ inline TreeBox box_of(const BoundsTile* bounds, int slot) {
     const Place at = place_of(slot);
     return {lane_of(bounds[at.tile].fat_low, at.lane), lane_of(bounds[at.tile].fat_high, at.lane)};
 }
-/// What has no end on a side is not in the way of how the others are sorted: it counts as if it lay at the origin.
+/// A box without an end on a side counts as if it lay at the origin, so that it does not spoil the order of the others.
 inline scalar centre(scalar low, scalar high) {
     return low <= -limits::unbounded || high >= limits::unbounded ? scalar(0) : (low + high) * scalar(0.5);
 }
@@ -122,7 +122,7 @@ inline void make_leaves(const BodyView& bodies, const BoundsTile* bounds, const 
     for (int box_i = tree.leaf_places - 1; box_i > 0; --box_i) tree.boxes[box_i] = around(tree.boxes[2 * box_i], tree.boxes[2 * box_i + 1]);
 }
 
-/// Pairs between two leaves, or within one, of those that are wanted(slot, slot).
+/// The pairs between two leaves, or within one, for which wanted(slot, slot) is true.
 template <class Wanted>
 INGOT_INLINE void test_leaves(const TreeLeaf& A, const TreeLeaf& B, const PairList& pairs, const Wanted& wanted) {
     const bool same = &A == &B;

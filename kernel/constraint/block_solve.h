@@ -57,7 +57,7 @@ struct Row4 {
     lane at[block_rows];
 };
 
-/// Starting over, row by row: for the rare case in which dropping the most negative leads astray. It never gains energy.
+/// Starts over, row by row, in the rare case that dropping the most negative row leads to no solution. It never gains energy.
 template <int rows>
 INGOT_RARE Row4 solve_row_by_row(const Sym4& K, const Row4& w, const Row4& before, const mask (&pulls)[block_rows]) {
     Row4 l = before;
@@ -82,7 +82,7 @@ INGOT_INLINE mask any_of(const mask (&masks)[block_rows]) {
 /// A solution with some rows out, as `inverse` says: it has zero rows for them, and the inverse of the rest elsewhere.
 struct Attempt {
     Row4 l;
-    mask fails;  ///< a row pulls that may not, or one that is out approaches
+    mask fails;  ///< a row pulls although it may not, or a row that is out approaches
 };
 template <int rows>
 INGOT_INLINE Attempt solve_with(const scalar (&K_rows)[10][lanes], const scalar (&inverse_rows)[10][lanes], Row4 w, const Row4& before,
@@ -129,7 +129,8 @@ INGOT_INLINE Sym4 inverse_of_used(const Sym4& K, lane count) {
     return all;
 }
 
-/// The search for the rows that are out: from none, the most negative is dropped from the inverse by a rank-one change while there is one.
+/// The search for the rows that are out. It begins with none; while a row is negative, the most negative is dropped from the inverse by a rank-one
+/// change.
 template <int rows>
 INGOT_RARE Row4 drop_rows(const Sym4& K, lane count, Sym4& left, const Row4& w, const Row4& before, const mask (&pulls)[block_rows]) {
     const lane one = splat<lane>(1);
@@ -188,10 +189,10 @@ INGOT_RARE Row4 drop_rows(const Sym4& K, lane count, Sym4& left, const Row4& w, 
 
 /// l >= 0 with w + K (l - before) >= 0 and one of the two zero in each row. A row that `pulls` takes any sign.
 ///
-/// K is the compliance of the rows, `cached_inverse` inverse_of_used without the rows that were out at the last visit: when they still are,
-/// its product with w is the answer. Else the search begins anew; with `hold`, cached_inverse keeps what it finds. Rows that are not used
-/// have zero rows in cached_inverse, 1 on the diagonal of K, and w = 0; with or without them, the others come out the same to the bit.
-/// slack: speed, or length, at which a row that is out may approach unnoticed. Bound: 4 drops, 6 rounds.
+/// K is the compliance of the rows. cached_inverse is inverse_of_used without the rows that were out at the last visit. If the same rows are out now,
+/// its product with w is the answer. Else the search begins anew; with `hold`, cached_inverse keeps what it finds. A row that is not used has a zero
+/// row in cached_inverse, 1 on the diagonal of K, and w = 0: the others come out the same to the bit as without it.
+/// slack: speed, or length, at which a row that is out may approach. Bound: 4 drops, 6 rounds.
 /// Source: active set by symmetric sweeps; the cached inverse, and the start over, are ours.
 template <int rows, bool hold>
 INGOT_INLINE Row4 solve_block(const scalar (&K_rows)[10][lanes], const scalar (&count)[lanes], scalar (&cached_inverse)[10][lanes],

@@ -9,7 +9,7 @@
 //     solve       makes the velocities right for the moment
 //     push        the same for displacements
 //     remember    writes the impulses to the record
-//     for_rows    shows the rows to whoever wants rows without knowing the kind
+//     for_rows    shows the rows to code that does not know the kind of constraint
 //
 // and a composition has the same verbs as its parts. To add one: a header like torsion.h, and its name in ContactConstraint.
 // Source: ITwoBodyConstraintFunctions of Bepu, with its rows named by the article's symbols.
@@ -55,8 +55,8 @@ struct Compose {
     }
 };
 
-/// The contact of a view. Solved: friction last, for what it holds is not to be moved by the others. Given again, numbered and shown:
-/// normals 0 .. 3, friction 4 and 5, torsion 6, rolling 7 and 8.
+/// The contact of a view. It is solved with friction last, so that no other part moves a contact that friction has just stopped. It is warm started,
+/// numbered and shown in this order: normals 0 .. 3, friction 4 and 5, torsion 6, rolling 7 and 8.
 template <class View>
 struct ContactConstraint {
     using Rubs = Friction<If<View::has_belts, MovingSurfaces, StillSurfaces>>;

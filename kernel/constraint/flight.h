@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Restitution: points that fly on parabolas in time, when they meet, how fast, and where they are at the end. T: lane or scalar.
+// Restitution: points fly on parabolas. When they meet, how fast, and where they are at the end of the substep. T: lane or scalar.
 //
 //     s(t) = s + u t + a t^2 / 2                     separation along n, of the begin of a substep of h seconds
 //     t*   = 2 s / (sqrt(u^2 - 2 a s) - u)           they meet: the root that loses no digits
@@ -59,8 +59,8 @@ INGOT_INLINE auto bounces_off(const RowImpact<T>& impact, T e) {
     return both(both(impact.meets, -impact.speed > impact.rest_speed), e > T{});
 }
 
-/// A target that stops nothing. A point that does not get there is left alone: to stop it as if it touched would take energy
-/// from the bounce to come.
+/// A target that stops nothing. A point that does not reach the other body in this substep is left alone: stopping it, as if it touched, would take
+/// energy from the bounce to come.
 template <class T>
 INGOT_INLINE T no_bound(const RowFlight<T>& from, T h) {
     return -splat<T>(2) * (abs(from.speed) + abs(from.a) * h) - max(from.s, T{}) / h;

@@ -24,7 +24,8 @@ struct FrictionRows : RowPair {
     scalar reference[2][lanes];  ///< slow mean of j
 };
 
-/// Friction is drawn a tenth towards its slow mean, which follows it; where it slides, and while it is young, the mean is what it is.
+/// Friction is drawn a tenth towards its slow mean, and the mean towards it. Where it slides, and while the manifold is young, the mean is friction
+/// itself.
 struct Smoothed {
     lane j, reference;
 };
@@ -34,7 +35,7 @@ INGOT_INLINE Smoothed smoothed(lane j, lane reference, mask young) {
     return {select(young, j, drawn), select(young, j, reference + tenth * (drawn - reference))};
 }
 
-/// Two directions across n, the same for the same n: from the axis that n is furthest from.
+/// Two directions across n, made from the axis that n is furthest from: the same n gives the same two.
 INGOT_INLINE void tangents(const Vec3<lane>& n, Vec3<lane>& t_1, Vec3<lane>& t_2) {
     const lane one = splat<lane>(1);
     const mask across_x = both(abs(n.x) <= abs(n.y), abs(n.x) <= abs(n.z)), across_y = both(opposite(across_x), abs(n.y) <= abs(n.z));
@@ -81,8 +82,8 @@ struct Friction {
         prepare_pair(friction, K_11, K_12, K_22, there);
     }
 
-    /// As components of what they were in the world.
-    /// The slow mean of a new manifold is its friction itself: what is on record there is that of whoever had the record before.
+    /// Impulses on record are vectors in the world: they become components along t_1 and t_2.
+/// The slow mean of a new manifold is its friction itself: the mean on record is that of the manifold that had the record before.
     template <class View, class Kept>
     static void recall(const View& solver, int block_i, int lane_i, const Kept& kept) {
         auto& block = solver.blocks[block_i];

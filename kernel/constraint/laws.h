@@ -11,28 +11,28 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// Room that a point has left before it rests, m: from touching_gap on points stop as if they touched. In a substep of h seconds it may be used up,
-/// so A approaches B with -resting_room / h at most.
+/// The way that a point may still go before it rests, m: points stop at touching_gap as if they touched. In a substep of h seconds a point may go all
+/// of that way, so A approaches B with -resting_room / h at most.
 template <class T>
 INGOT_INLINE T resting_room(T s) {
     return max(s - splat<T>(limits::touching_gap), T{});
 }
 
-/// How far from its place a point is, m, with s its separation: of an overlap, or of a gap between points that press each other, 0.4 is taken back
-/// in a substep, up to `deepest` (which is negative); other points may come closer by all of their gap.
+/// How far a point is from its place, m; s: its separation. In a substep 0.4 of an overlap is taken back, up to `deepest` (which is negative), and
+/// 0.4 of a gap between points that press each other. Other points may come closer by all of their gap.
 template <class T, class Mask>
 INGOT_INLINE T position_target(T s, Mask pressed, T deepest) {
     return select(either(pressed, s < T{}), max(s * splat<T>(limits::position_share), deepest), s);
 }
 
-/// What counts of a point in the middle of a manifold, where friction takes hold: all up to the contact margin, nothing from twice as far on, where
-/// this is negative.
+/// How much a point counts in the middle of its manifold, where friction takes hold: 1 up to the contact margin, 0 at twice that. Further away this
+/// is negative.
 template <class T>
 INGOT_INLINE T nearness(T s) {
     return min(splat<T>(1), splat<T>(2) - s / splat<T>(limits::contact_margin));
 }
 
-/// What is given again of a normal's impulse, on a body that was hit: of an impact no more than twice what it was before, and what forces explain.
+/// How much of a normal's impulse is given again to a body that was hit: no more than twice the impulse before the impact, and what forces explain.
 /// allowance: m/s, 2 h times the larger acceleration; K: compliance.
 template <class T>
 INGOT_INLINE T impulse_after_impact(T j, T j_before, T allowance, T K) {

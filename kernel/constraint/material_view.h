@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the solver works on in scenes whose surfaces resist being rolled, or move by themselves. Stages are templates over the view: of one without,
-// nothing of this is compiled in.
+// What the solver works on in scenes whose surfaces resist being rolled, or move by themselves. Stages are templates over the view: a scene without
+// such surfaces compiles nothing of this.
 #pragma once
 
 #include "../base/if.h"

@@ -79,7 +79,7 @@ struct Normals {
         }
     }
 
-    /// Given again: of bodies that were hit, no more than gravity explains; of points that bounce, nothing.
+    /// Gives the impulses again: to bodies that were hit no more than gravity explains, to points that bounce nothing.
     template <class Visit>
     static INGOT_INLINE void warm_start(Visit& at, BodyPairLanes& pair, scalar h) {
         const Row4 j = impulses_kept<Visit::rows>(at.solver, at.block, pair, h);
@@ -141,7 +141,7 @@ struct Normals {
         }
         return due;
     }
-    /// What is off is little at rest: then there is nothing to solve.
+    /// Solves for the pushes. At rest hardly a row is off, and this is not called.
     template <int rows, class Block>
     static INGOT_RARE Row4 push(Block& block, const Pushes& due, scalar slack, mask active) {
         const Row4 none = {};
@@ -179,7 +179,7 @@ private:
         return both(central, there[0]);
     }
 
-    /// But for the rounding of P: there the normal has no lever.
+    /// True where the normal has no lever, to the rounding of P.
     template <class Contacts>
     static INGOT_INLINE mask is_central(const Contacts& contacts) {
         const Vec3<lane> P = contacts.P[0], n = contacts.n;

@@ -21,14 +21,14 @@ KeptOfLane kept_of(const SolverView& solver, uint16_t manifold_i) {
     return {solver.records[record_i], record_i, shares_of_substep(solver)};
 }
 
-/// What is collected lane by lane, for the vectors to take over.
+/// Numbers that are collected lane by lane, before vectors work on them.
 struct Collected {
     CollectedBodies A, B;
     scalar n[3][lanes], P[block_rows][3][lanes], used[block_rows][lanes], separation[block_rows][lanes];
 };
 
-/// Names the bodies of a block, and collects them. A body that is 0 to the solver is all zero here too; between two of them there
-/// is nothing to solve: the lane is as if it had no points.
+/// Names the bodies of a block, and collects them. Body 0 of the solver cannot move: it is all zero here too. Between two of them there is nothing to
+/// solve, and the lane is left as if it had no points.
 void collect(const SolverView& solver, const BodyView& bodies, ContactBlock& block, Collected& in) {
     block.rows = 1;
     for (int lane_i = 0; lane_i < lanes; ++lane_i) {

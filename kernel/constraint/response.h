@@ -56,7 +56,7 @@ private:
 };
 using Response = ResponseOf<FreeBody>;
 
-/// What is collected lane by lane, for the vectors to take over.
+/// Numbers that are collected lane by lane, before vectors work on them.
 struct CollectedBodies {
     scalar r_CM[3][lanes], inv_I_world[6][lanes], inv_M[lanes];
 

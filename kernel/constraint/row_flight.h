@@ -40,7 +40,7 @@ INGOT_INLINE BlockFlight flight_of(const SolverView& solver, const ContactBlock&
     return flight;
 }
 
-/// How fast points may approach that are to meet without restitution.
+/// How fast points without restitution may approach.
 INGOT_INLINE lane resting_target(lane s, lane inv_h) {
     return -resting_room(s) * inv_h;
 }

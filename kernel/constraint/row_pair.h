@@ -30,7 +30,8 @@ INGOT_INLINE lane prepare_pair(RowPair& pair, lane K_11, lane K_12, lane K_22, m
     const lane one = splat<lane>(1), half = splat<lane>(scalar(0.5)), difference = (K_11 - K_22) * half;
     const lane K_max = select(there, (K_11 + K_22) * half + sqrt(difference * difference + K_12 * K_12), one);
     const lane inv_K_max = select(there, one / K_max, lane{});
-    // Of a lever beside which the mass is a rounding, one direction is all that is known of the pair: then both are taken as stiff as it is.
+    // With a lever so long that the mass is a rounding beside it, only one direction of the pair is known. Both are then taken for as stiff as that
+    // one.
     const lane det = K_11 * K_22 - K_12 * K_12;
     const mask regular = both(there, det > splat<lane>(4 * epsilon) * (K_11 * K_22));
     const lane inv_det = one / select(regular, det, one);
@@ -64,7 +65,7 @@ INGOT_INLINE PairImpulse solve_pair(RowPair& pair, lane u_1, lane u_2, lane limi
     lane j_1 = before_1 - (inv_K_11 * u_1 + inv_K_12 * u_2), j_2 = before_2 - (inv_K_12 * u_1 + inv_K_22 * u_2);
     const mask slides = j_1 * j_1 + j_2 * j_2 > limit * limit;
     if (any(slides)) {
-        // What sticks is found along inv_K u. What slides is pulled against u itself: only then does it end along the slip.
+        // A pair that sticks changes by -inv_K u. A pair that slides is pulled against u itself: only then does its force end along the slip.
         const lane inv_K_max = load(pair.inv_K_max);
         lane slide_1 = before_1 - inv_K_max * u_1, slide_2 = before_2 - inv_K_max * u_2;
         clamp_to_cone(slide_1, slide_2, limit);

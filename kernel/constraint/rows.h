@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rows of two bodies, `lanes` at once: how they are read, how they are applied, and how they are shown to those who do not know their kind.
+// Rows of two bodies, `lanes` at once: how they are read, how they are applied, and how they are shown to code that does not know their kind.
 //
 // A row says how fast A and B move against each other in one direction. With J, what a unit impulse along it does to angular momentum, and
 // k, what that does to the spin (response.h), symmetric inertia gives n.(omega x r) = L.k:
@@ -84,7 +84,7 @@ struct Change {
     }
 };
 
-/// A row of a block as those see it who want rows, whatever they belong to: conjugate directions, impacts, the direct solver.
+/// A row of a block without its kind: conjugate directions, impacts and the direct solver work on these.
 struct SeenRow {
     int number;                    ///< of the constraint's rows: see contact.h
     const scalar (&d)[3][lanes];   ///< direction; or axis, where it only turns

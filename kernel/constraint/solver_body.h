@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bodies as the contact solver reads and writes them: packed, because what touches is scattered over the tiles.
+// Bodies as the contact solver reads and writes them: packed, because bodies that touch are scattered over the tiles.
 #pragma once
 
 #include "../body/body_tiles.h"
@@ -36,7 +36,7 @@ using QuadOfBody = scalar (SolverBody::*)[4];
 INGOT_INLINE LaneQuad gather(const SolverBody* bodies, const uint16_t* index, QuadOfBody part) {
     return gather4([&](int lane_i) { return static_cast<const scalar*>(bodies[index[lane_i]].*part); });
 }
-/// Lanes that share a body do so only in the body that cannot move, whose numbers stay zero.
+/// No two lanes share a body, other than the one that cannot move, whose numbers stay zero.
 INGOT_INLINE void scatter(SolverBody* bodies, const uint16_t* index, QuadOfBody part, const LaneQuad& value) {
     scatter4(value, [&](int lane_i) { return static_cast<scalar*>(bodies[index[lane_i]].*part); });
 }

@@ -8,8 +8,8 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// How the step of an island is cut and swept, in the order in which they come. A steady one that turns out not to be begins again with
-/// the plan that follows.
+/// How the step of an island is cut and swept, in the order of the batches. A steady island that turns out to accelerate begins again with the plan
+/// that follows.
 enum class SweepPlan : uint8_t {
     small_steady,  ///< limits::steady_substeps; few contacts, swept upwards until they are settled
     small,         ///< limits::substeps
@@ -99,10 +99,10 @@ INGOT_INLINE bool has_one_row([[maybe_unused]] const View& solver, const Contact
     return View::points_max == 1 || block.rows == 1;
 }
 
-/// Impulses are kept as they are in a step of limits::substeps substeps; a longer one has so many times as much.
+/// Impulses are kept as those of one of limits::substeps substeps. A longer substep has this many times as much.
 inline scalar shares_of_substep(const SolverView& solver) { return static_cast<scalar>(limits::substeps / solver.substeps); }
 
-/// Whether the body of a slot is one of the solver's; local_of keeps what it says of others from earlier steps.
+/// Whether the body of a slot is one of the solver's. local_of alone does not tell: its entries for other slots are of earlier steps.
 inline bool takes_part(const SolverView& solver, int slot) {
     const uint16_t body_i = solver.local_of[slot];
     return body_i != 0 && body_i < solver.body_count && solver.slot_of[body_i] == slot;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What surfaces may have beside friction and restitution, for scenes that name it: resistance to being rolled, and a velocity of their own.
 //
-// Both are kept by shape slot, apart from Surface, and of a pair made anew in every step: so they may be changed while bodies touch.
+// Both are kept by shape slot, apart from Surface. Those of a pair are made anew in every step, so they may be changed while bodies touch.
 #pragma once
 
 #include "../narrow_phase/manifold_record.h"
@@ -20,7 +20,7 @@ struct RollingRecord {
     Vector j;      ///< N m s, world, given to A in the last substep
 };
 
-/// By record, for all pairs that touch. One that has just begun to has no impulse yet, whoever had its record before.
+/// By record, for all pairs that touch. A pair that has just begun to touch has no impulse yet, whichever pair had its record before.
 /// lever_of_shape: m, by the slots that manifolds name.
 void mix_rolling_levers(const ManifoldView& manifolds, const scalar* lever_of_shape, RollingRecord* of_record);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The twist about n that an area of contact resists.
+// Torsion: an area of contact resists a turn about n.
 //
 //     u + K (j - j_0) = 0, cut to |j| <= mu N radius
 //

@@ -21,7 +21,7 @@ Mover mover(const BodyView& bodies, const Vector& gravity, int slot) {
     return {lane_of(tile.r_CM, at.lane), lane_of(tile.v_CM, at.lane), omega_of(bodies, slot), a};
 }
 
-/// Speed at which a gap of s closes that shrinks at `speed`, growing by `a`; 0 if it does not within h.
+/// Speed at which a gap of s closes: it shrinks at `speed`, which grows by `a`. 0 if it stays open for h.
 scalar closing_speed(scalar speed, scalar a, scalar s, scalar h) {
     const scalar v_sq = speed * speed + 2 * a * s, at_end = speed + a * h;
     const scalar most = at_end > speed ? at_end : speed;  // a body on its way out comes back no faster than this

@@ -84,8 +84,8 @@ void note_approaches(const BodyView& bodies, const Vector& gravity, scalar h, co
 
 /// After the solve: the pairs that touch, in the order of manifolds.pairs.
 ///
-/// Two bodies begin to touch when they push each other, or overlap at the begin of a step; they touch until they do neither and
-/// are further apart than limits::touching_gap. So a body at rest does not flicker.
+/// Two bodies begin to touch when they push each other, or overlap at the begin of a step. They stop when they do neither and are further apart than
+/// limits::touching_gap. So a body at rest does not flicker.
 void find_touching(const ManifoldView& manifolds, const ImpactNote* notes, const uint32_t* generation, const PairOfBodiesList& before,
                    const PairOfBodiesList& touching);
 

@@ -23,7 +23,7 @@ struct PairOfBodies {
     }
 };
 
-/// By members: a pair has a gap, which would take bytes of the stack along, and make equal worlds differ.
+/// Copies member by member: a pair has a gap, whose bytes would come from the stack and make equal worlds differ.
 INGOT_INLINE void write_pair(PairOfBodies& to, const PairOfBodies& pair) {
     to.body_A = pair.body_A;
     to.body_B = pair.body_B;

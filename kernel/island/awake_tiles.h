@@ -29,8 +29,8 @@ void over_active_runs(const BodyView& bodies, const RestView& rest, const Chosen
     if (first != end) stage(tiles_of(bodies, first, end - first));
 }
 
-/// Calls stage(view) until it has seen every tile once that has an active body. Of those that rest in such a tile it changes nothing that is not
-/// so already: for stages that clear and look.
+/// Calls stage(view) until it has seen every tile with an active body once. Such a tile may hold bodies at rest too: this is for stages that look,
+/// or clear what those have clear already.
 template <class Stage>
 void over_active_tiles(const BodyView& bodies, const RestView& rest, const Stage& stage) {
     over_active_runs(bodies, rest, [](int) { return true; }, stage);
@@ -42,7 +42,7 @@ INGOT_INLINE unsigned sleepers_of(const BodyView& bodies, const RestView& rest, 
     return free_lanes & ~static_cast<unsigned>(rest.awake[tile_i]);
 }
 
-/// What stages of motion write to a tile, to be given back to its lanes that sleep.
+/// A copy of what stages of motion write to a tile: lanes that sleep get it back.
 class KeptTile {
 public:
     KeptTile(const BodyView& bodies, int tile_i) : rotation_(bodies.rotation[tile_i]), translation_(bodies.translation[tile_i]) {

@@ -6,8 +6,8 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// Joins the bodies of all manifolds of the step: two that can move and have a manifold are of one island, whether they touch or are only near enough
-/// to meet within a step. Immovable bodies join nothing. Islands that sleep keep their trees; one that meets a settling body takes it in.
+/// Joins the bodies of all manifolds of the step. Two bodies that can move and have a manifold belong to one island, whether they touch already or
+/// may only meet within the step. Immovable bodies join nothing. Islands that sleep keep their trees; one that meets a settling body takes it in.
 ///
 /// Needs:  manifolds after update_manifolds. The root of an island is its lowest slot, whatever the order of manifolds.
 /// Cost:   near-linear in bodies that are active and their manifolds: union-find with halved paths.

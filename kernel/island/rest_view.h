@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Who sleeps, in scenes that name `sleeps`.
 //
-// A body is awake, or at rest: one that can move is at rest when it sleeps, one that cannot when nothing was done to it in the last step.
-// What comes to rest is settling for one step more: its bounds and manifolds are made for the place where it stays. Then its manifolds are put aside:
-// no list of a step holds them any more, until the island wakes. So a step costs what is awake, however much sleeps.
+// A body is awake, or at rest: a body that can move is at rest when it sleeps, an immovable one when nothing was done to it in the last step. A body
+// that comes to rest is settling for one more step, in which its bounds and manifolds are made for the place where it stays. Then its manifolds are
+// put aside: no list of a step holds them until the island wakes. So the cost of a step depends on the bodies awake, not on those asleep.
 #pragma once
 
 #include "../body/body_tiles.h"

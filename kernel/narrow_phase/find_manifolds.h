@@ -44,14 +44,12 @@ INGOT_INLINE scalar margin_of_fast(const BodyView& bodies, const BodyPair& pair)
 }
 
 /// The routine for the two shapes; A has the kind that comes first. Only the routines of shapes that the scene names are linked.
-/// False for a pair that has none.
+/// False for a pair that has none. before: of the last step, or null.
 template <class Shapes>
-bool collide_shapes(const PlacedShape& A, const PlacedShape& B, scalar margin, Manifold& manifold, const Manifold& before) {
-    manifold.n = {};
-    manifold.count = 0;
+bool collide_pair(const PlacedShape& A, const PlacedShape& B, scalar margin, Manifold& manifold, const Manifold* before) {
 #define INGOT_PAIR(a, b)                                                             \
     if constexpr (Shapes::has(ShapeKind::a) && Shapes::has(ShapeKind::b))            \
-        if (A.shape.kind == ShapeKind::a && B.shape.kind == ShapeKind::b) return collide_##a##_##b(A, B, margin, manifold, &before), true
+        if (A.shape.kind == ShapeKind::a && B.shape.kind == ShapeKind::b) return collide_##a##_##b(A, B, margin, manifold, before), true
     INGOT_PAIR(sphere, sphere);
     INGOT_PAIR(sphere, capsule);
     INGOT_PAIR(sphere, box);
@@ -74,6 +72,14 @@ bool collide_shapes(const PlacedShape& A, const PlacedShape& B, scalar margin, M
     INGOT_PAIR(hull, half_space);
 #undef INGOT_PAIR
     return false;
+}
+
+/// The same, and no points for a pair that has no routine.
+template <class Shapes>
+bool collide_shapes(const PlacedShape& A, const PlacedShape& B, scalar margin, Manifold& manifold, const Manifold& before) {
+    manifold.n = {};
+    manifold.count = 0;
+    return collide_pair<Shapes>(A, B, margin, manifold, &before);
 }
 
 /// Balls are found as quickly as they would be renewed.

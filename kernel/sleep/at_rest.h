@@ -9,7 +9,7 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// The rules of the scene for pairs; and two shapes at rest, of which a step sees only sensors and who is in them, get no manifold.
+/// The rules of the scene for pairs, and one more: two shapes at rest get no manifold. A step sees such pairs only where one is a sensor.
 template <class Rules>
 struct RulesOfRest : Rules {
     RestView rest;
@@ -23,12 +23,12 @@ using SensorMarks = const uint8_t*;
 /// Bounds of all shapes, for the first step after a world began or was loaded: those of active bodies and sensors are searched for.
 void make_all_bounds(const SearchView& search, const RestView& rest, SensorMarks is_sensor, scalar h);
 
-/// Bounds of the shapes of active bodies; the others have theirs. Those that are searched for anew, because they left their fat AABB or were not
-/// searched for in the step before, have a new fat AABB, and are due: due[0 .. count), where due is not null.
+/// Bounds of the shapes of active bodies; the others keep theirs. A shape that left its fat AABB, or that the step before did not search for, gets a
+/// new fat AABB and is due: the search finds its pairs anew. They are due[0 .. count), where due is not null.
 /// Returns: how many. Cost: about 40 flops a shape of an active body.
 int refresh_active_bounds(const SearchView& search, const RestView& rest, scalar h, uint32_t* due);
 
-/// The bodies that were settling are at rest, but for those that are awake again: their shapes are searched for no more.
+/// Bodies that were settling are at rest now, unless they woke again: their shapes are searched for no more.
 /// True when there were some.
 bool end_settling(const SearchView& search, const RestView& rest, SensorMarks is_sensor);
 
@@ -64,7 +64,7 @@ void put_manifolds_aside(const BodyView& bodies, const RestView& rest, const Man
     *manifolds.count = static_cast<uint16_t>(kept);
 }
 
-/// Notes of the pairs that a step has solved, from the order of those to that of all manifolds, in place. The others have nothing to tell.
+/// Moves the notes of the pairs that a step has solved to their places among all manifolds. The other manifolds get empty notes.
 void spread_notes(const ManifoldView& manifolds, const BodyPair* awake_pairs, int awake_count, ImpactNote* notes);
 
 } }  // namespace ingot

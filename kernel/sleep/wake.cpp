@@ -5,7 +5,7 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
-/// One body, and no other of its island. A rotation that keeps the energy of its flight begins a new flight.
+/// Wakes one body, and no other of its island. Its flight begins anew: a rotation that remembers the energy of a flight forgets it.
 void wake_body(const BodyView& bodies, const RestView& rest, int slot) {
     rest.wake(slot);
     rest.rest_time[slot] = 0;

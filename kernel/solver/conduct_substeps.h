@@ -8,8 +8,8 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// What a solver gets of a step. It reads v_CM, L, F_T and tau_T of the begin of the step, before integrate_v and integrate_L, and writes
-/// nothing to bodies but marks: see write_contact_motion.
+/// What a solver gets of a step. It reads v_CM, L, F_T and tau_T of the begin of the step, before integrate_v and integrate_L. To bodies it writes
+/// only marks of those that have gone bad; their motion is written by write_contact_motion.
 struct ContactStep {
     BodyView bodies;
     Vector gravity;     ///< m s^-2

@@ -38,7 +38,7 @@ struct SlideDirection {
     wide_scalar share;  ///< mu N / |x|, at most 1: how much the force turns with the slip
 };
 
-/// What only manifolds have that resist being rolled.
+/// What manifolds have beside the rest if they resist being rolled.
 template <bool rolls>
 struct RollingOfManifold {
     static constexpr int pair_count = 1;  ///< pairs of rows within a circle: friction
@@ -102,7 +102,7 @@ struct FreeMotion {
     scalar v_CM[3], L[3];
 };
 
-/// Which contacts are solved together, and what became of it.
+/// How an island is solved, and how that went.
 enum class IslandState : uint8_t {
     swept,
     chosen,  ///< to be solved

@@ -164,8 +164,8 @@ int work_of_factor(const Direct& island) {
     return island.some_slide ? 4 * work : work;  // two factors, with entries of several couplings each
 }
 
-/// Takes the work of the factor at hand from what is left, unless this attempt has: of one that the attempt before left, too. Whether it is there
-/// depends on who else is solved directly; what an attempt may do must not. False: there is not so much left.
+/// Takes the work of the factor at hand from the work that is left, once in an attempt, and even if the attempt before has left the factor: whether
+/// it has depends on which other islands are solved directly, and what an attempt may do must not. False: there is not so much left.
 template <class Direct>
 bool pay(Direct& island) {
     if (!island.paid) island.work_left -= work_of_factor(island);

@@ -5,13 +5,12 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// Lists the active rows, and factors their matrix A = J M^-1 J^T as L D L^T. Returns at once when they are
-/// those of the last call. False: entries is full, or the work is more than work_left; that of the first factor of an attempt counts though it is
-/// there already.
+/// Lists the active rows, and factors their matrix A = J M^-1 J^T as L D L^T. Returns at once when they are those of the last call. False: entries is
+/// full, or the work is more than work_left. The first factor of an attempt counts even if it is there already.
 ///
-/// Only what lies between the first entry of a row that is not zero and the diagonal is stored and looked at. Manifolds come by
-/// level, so that those which share a body are near each other: about 10 entries a row in a tower. 1e-12 of the diagonal is
-/// added, because contacts of bodies that rest on several others depend on each other; refinement takes out what that changes.
+/// Of each row only the entries from the first that is not zero to the diagonal are stored. Manifolds are ordered by level, so manifolds that share a
+/// body are near each other: a tower has about 10 entries a row. Contacts of a body that rests on several others depend on each other, so 1e-12 of
+/// the diagonal is added to it; refinement takes out what that changes.
 /// Cost: rows times the square of entries per row.
 template <class Direct>
 bool factor_rows(Direct& island);

@@ -7,15 +7,15 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// As solve_by_sweeps, with islands that sweeps do not serve solved directly: see choose_islands and solve_island. What the direct solve
-/// does not answer, the sweeps do.
+/// As solve_by_sweeps, but islands that sweeps do not serve are solved directly: see choose_islands and solve_island. Where the direct solve finds no
+/// solution, the island is swept.
 template <bool notes_impulses, bool bounces, class View>
 void solve_hybrid(View& view, const DirectViewOf<View::rolls>& direct, const ContactStep& step, StepReport& report);
 
-/// `using solver = ingot::HybridIslands<>;`: a solver that picks itself, island by island. Sweeps, and a direct solve in double
-/// for islands of up to max_island manifolds that sweeps do not serve: heavy bodies on light ones, tall towers, and whatever
-/// sweeps at their bound leave uneven for limits::unsettled_steps steps (see choose_islands). entries_of_row: of the matrix, on
-/// average; 10 are a tower, 3 max_island is full. Islands without room are swept, and StepReport::direct says so.
+/// `using solver = ingot::HybridIslands<>;`: sweeps or a direct solve in double, chosen island by island. The direct solve is for islands of up to
+/// max_island manifolds that sweeps do not serve: heavy bodies on light ones, tall towers, and islands that sweeps have not settled for
+/// limits::unsettled_steps steps (see choose_islands). entries_of_row: of the matrix, on average; a tower has 10, a full matrix 3 max_island. Islands
+/// without room are swept, and StepReport::direct says so.
 ///
 /// RAM of the world: max_island (1.4 KB + 48 entries_of_row bytes), and 27 bytes a body, 1 a manifold of the scene:
 /// HybridIslands<4> 9 KB, HybridIslands<20, 10> 38 KB, HybridIslands<> 121 KB; never more islands than max_manifolds.

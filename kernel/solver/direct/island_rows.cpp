@@ -35,8 +35,8 @@ void load_row(const Direct& direct, const ManifoldOf<Direct>& manifold, DirectRo
 
 DirectVector lane_in_double(const scalar (&rows)[3][lanes], int lane_i) { return in_double(lane_of(rows, lane_i)); }
 
-/// Puts a row that the block shows among the manifold's. Levers of normals come anew, from the points: four points of one plane have three
-/// normals that are independent, to the rounding of doubles; the floats of the block would make a fourth of their own rounding.
+/// Puts a row that the block shows among the manifold's. Levers of normals are found anew from the points, in double: four points of one plane have
+/// three independent normals, and rounding of the block's floats would make a fourth.
 template <class Direct>
 void load_seen_row(Direct& direct, ManifoldOf<Direct>& manifold, DirectRow* rows, const SeenRow& seen, const ManifoldRecord& record) {
     const int lane_i = manifold.position % lanes;

@@ -33,8 +33,7 @@ void drop_least(const Direct& island, ManifoldOf<Direct>& manifold, DirectRow* r
     give<displaces>(island, manifold, rows[least], -rows[least].j);
 }
 
-/// The one change of the normals of four points that moves nothing: impulses in proportion to it. False: there are not four, or
-/// no three are active.
+/// The one change of four normals that moves nothing: impulses in proportion to it cancel. False: there are not four points, or no three are active.
 struct IdleChange {
     wide_scalar at[block_rows];
 };
@@ -49,9 +48,8 @@ inline bool idle_change(const OfIsland& manifold, const DirectRow* rows, IdleCha
     return true;
 }
 
-/// The load of four points spread as evenly as none pulls. A load between four points need not lie between the three that are
-/// active: this way it is no reason to change them. The fourth then has an impulse, and is no equation: it follows from the
-/// others.
+/// Spreads the load of four points as evenly as it can without one of them pulling. A load between four points need not lie between the three that
+/// are active; spread so, it is no reason to change the set. The fourth then has an impulse and no equation: its impulse follows from the others.
 template <class Direct>
 inline void spread_load(const Direct& island, const ManifoldOf<Direct>& manifold, DirectRow* rows) {
     IdleChange idle;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Friction and torsion by Coulomb's law, in double: what they would be at the slip there is, and how they follow it.
+// Friction and torsion by Coulomb's law, in double: their values at a given slip, and their derivatives by it.
 #pragma once
 
 #include "island_rows.h"
@@ -17,8 +17,7 @@ PairOfImpulses cut(const PairOfImpulses& t, wide_scalar limit);
 /// t - u / K, with u the slip: what is left of the speed beyond the target.
 template <class Direct>
 PairOfImpulses tried_pair(const Direct& island, const ManifoldOf<Direct>& manifold, const DirectRow* pair);
-/// What Coulomb's law makes of a pair and of torsion at the slip there is: the projection of t - u / K to the cone. At the
-/// solution it is t.
+/// Coulomb's law for a pair and for torsion at the present slip: the projection of t - u / K to the cone. At the solution it is t.
 template <class Direct>
 PairOfImpulses projected_pair(const Direct& island, const ManifoldOf<Direct>& manifold, const DirectRow* pair, wide_scalar limit);
 template <class Direct>

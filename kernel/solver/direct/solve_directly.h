@@ -20,13 +20,12 @@ void keep_free_motion(const SolverView& solver, const Direct& direct);
 template <class View, class Direct>
 void solve_before_sweeps(View& solver, Direct& direct, const BodyView& bodies, scalar h);
 
-/// What the direct solve did not answer, the sweeps did: it is solved from where they ended, and what still is not keeps their result,
-/// without the energy that it should not have.
+/// Islands that the direct solve did not settle have been swept. They are tried again from where the sweeps ended. An island that still does not
+/// settle keeps the result of the sweeps, without the energy that it should not have.
 template <class View, class Direct>
 void solve_after_sweeps(View& solver, Direct& direct, const BodyView& bodies, scalar h, StepReport& report);
 
-/// Positions of the islands that are solved, after which all that are left have their sweeps on; and all are chosen again for the next
-/// substep.
+/// Positions of the islands that are solved; the others are left to the position sweep. All are chosen again for the next substep.
 template <class View, class Direct>
 void place_islands(View& solver, Direct& direct, const BodyView& bodies, scalar h);
 

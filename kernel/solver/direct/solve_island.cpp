@@ -11,7 +11,7 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
-/// What bodies do without contacts.
+/// Sets the bodies to their motion without contacts.
 template <bool displaces, class Direct>
 void set_free(const Direct& island) {
     // bound: max_island + 2: manifolds join at most one body more than they are; and what cannot move
@@ -22,7 +22,7 @@ void set_free(const Direct& island) {
     }
 }
 
-/// The motion that the impulses make, from the start: what is added and taken back in a search leaves its rounding in the sums.
+/// Adds up the motion that the impulses make, from the free motion on: impulses that a search added and took back have left rounding in the sums.
 template <bool displaces, class Direct>
 void add_up(const Direct& island) {
     set_free<displaces>(island);
@@ -91,7 +91,7 @@ void set_friction(const Direct& island, ManifoldOf<Direct>& manifold, DirectRow*
     }
 }
 
-/// Whether friction, torsion and rolling resistance stick, by the impulses: what lies on the cone slides.
+/// Tells by the impulses whether friction, torsion and rolling resistance stick: an impulse on its cone slides.
 template <class Direct>
 void stick_or_slide(const Direct& island, ManifoldOf<Direct>& manifold, DirectRow* rows) {
     const wide_scalar N = load_of(manifold, rows), nearly = 1 - 1e-5;
@@ -110,8 +110,8 @@ void stick_or_slide(const Direct& island, ManifoldOf<Direct>& manifold, DirectRo
     }
 }
 
-/// A body meets another faster than forces drive it within two substeps, while neither is much heavier. Sweeps are better at that: the set of
-/// contacts that an impact leaves is far from the one that it found.
+/// True where a body meets another faster than forces drive it within two substeps, and neither is much heavier. Sweeps are better at that: the set
+/// of contacts after an impact is far from the set before it, from which the direct solve begins.
 template <class Direct>
 bool has_impact(const SolverView& solver, const Direct& island, scalar h) {
     if (island.uneven) return false;
@@ -127,7 +127,7 @@ bool has_impact(const SolverView& solver, const Direct& island, scalar h) {
     return false;
 }
 
-/// Normals that push or do not separate: what falls together is taken for a pile.
+/// Normals that push, or that do not separate: bodies that fall together are taken for a pile.
 template <class Direct>
 void choose_active(Direct& island) {
     for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
@@ -159,8 +159,8 @@ wide_scalar left_of(const Direct& island, int row_i) {
     return pair_compliance(pair) * (projected_pair(island, manifold, pair, manifold.bound_of(pair_i) * N).at[row - first] - rows[row].j);
 }
 
-/// Solves the equations of the active rows, by refinement: what is left is taken from the bodies each time. Where something
-/// slides they are not linear: then the passes are few, and the matrix is made anew. Returns what is left.
+/// Solves the equations of the active rows, by refinement: each pass takes the residuals from the motion of the bodies. Where something slides the
+/// equations are not linear: then there are few passes, and the matrix is made anew. Returns the residual.
 template <bool displaces, class Direct>
 wide_scalar solve_active(const Direct& island, wide_scalar settled) {
     const int passes = island.some_slide ? limits::direct_refinements_of_sliding : limits::direct_refinements_max;
@@ -181,8 +181,8 @@ wide_scalar solve_active(const Direct& island, wide_scalar settled) {
     }
 }
 
-/// Sticking friction (torsion, rolling resistance) beyond the cone slides, sliding friction within it sticks, what has no load has none; true if
-/// something changed.
+/// Sticking friction (torsion, rolling resistance) beyond its cone begins to slide, sliding friction within it sticks again; without load there is
+/// none. True if something changed.
 template <class Direct>
 bool change_friction(const Direct& island, ManifoldOf<Direct>& manifold, DirectRow* rows, wide_scalar settled) {
     const auto active = manifold.active, sliding = manifold.sliding;
@@ -209,8 +209,8 @@ bool change_friction(const Direct& island, ManifoldOf<Direct>& manifold, DirectR
     return manifold.active != active || manifold.sliding != sliding;
 }
 
-/// Corrects the set by what has been solved; false: it stays. All manifolds at once find most sets in a few rounds, and can go
-/// round in circles: after half of the rounds it is one at a time, which starts where the last one changed.
+/// Corrects the set by the solution; false: it stays. Correcting all manifolds at once finds most sets in a few rounds, but may go round in circles.
+/// So after half of the rounds one manifold is corrected at a time, beginning with the one that changed last.
 template <bool displaces, class Direct>
 bool change_active(const Direct& island, wide_scalar settled, int set_i, int& begin) {
     bool differs = false;
@@ -275,7 +275,7 @@ IslandState solve_island(const View& solver, Direct& island, scalar h, bool afte
 
 namespace {
 
-/// What the position stage wants of each normal, as the sweep does. False: nothing is off.
+/// The displacement that each normal is to have, by the law of the position sweep. False: no normal is off.
 template <class Direct>
 bool begin_placing(const SolverView& solver, Direct& island, scalar h) {
     for (int body_i = 1; body_i < island.body_count; ++body_i) {

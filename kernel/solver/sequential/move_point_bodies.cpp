@@ -45,7 +45,7 @@ void take_in_point_body(PointBody& body, const BodyView& bodies, const Vector& g
     body.root = static_cast<uint16_t>(slot);
 }
 
-/// What a substep begins with: forces change the velocity of a body for h seconds, or it changes again by what it changed in the substep before.
+/// The begin of a substep: forces change the velocity of a body for h seconds, or it changes by as much again as in the substep before.
 scalar begin_substep(const PointView& solver, bool again, scalar h) {
     scalar fastest_sq = 0;
     for (int i = 0; i < solver.body_count; ++i) {  // bound: max_bodies + 1
@@ -142,7 +142,7 @@ SubstepOfPoints drift_bodies(const PointView& solver, scalar h) {
 
 namespace {
 
-/// By how much v is more than the mean of the step, twice as much a second: what a force is that leads from the one to the other.
+/// The constant force that leads from the begin of the step to v: twice what v exceeds the mean of the step by, per second.
 INGOT_SHARED Vector rate_beyond_mean(const Vector& v, const Vector& displacement, scalar inv_h) {
     return (v - displacement * inv_h) * (2 * inv_h);
 }

@@ -19,7 +19,7 @@ struct PointMotion {
     Vector moment;   ///< kg m^2/s, which is L; kg m^2
 };
 
-/// World axes. With inv_M = 0 it cannot move, has gone bad, or touches nothing, and of the rest but hit and root nothing means anything.
+/// World axes. A body with inv_M = 0 cannot move, has gone bad, or touches nothing: of its other members only hit and root are valid.
 struct PointBody {
     Vector r_CM;      ///< m
     scalar inv_M;     ///< kg^-1
@@ -43,7 +43,7 @@ struct PointImpulses {
 /// A compliance of 0 is not known yet: it is worked out by the first row that changes.
 struct PointContact {
     Vector middle;      ///< m, where friction takes hold
-    scalar radius;      ///< m, mean distance of the points from it: the lever that resists a twist; 0 for one point
+    scalar radius;      ///< m, mean distance of the points from it: the lever of torsion; 0 for one point
     scalar K[Manifold::points_max];       ///< kg^-1, of the normals
     scalar K_friction;                    ///< kg^-1, at the middle, across n: no less than 3/4 of the greatest
     scalar target[Manifold::points_max];  ///< m/s, that A may approach B with in the substep, at least
@@ -79,8 +79,8 @@ struct PointLandings {
     scalar at[Manifold::points_max];
 };
 
-/// What scenes add that name rolling resistance, surfaces that move, or restitution. The verbs of the sequential solver are templates over the view:
-/// of one without, nothing of this is compiled in.
+/// The part of scenes that name rolling resistance, surfaces that move, or restitution. The verbs of the sequential solver are templates over the
+/// view: scenes that name none of them compile nothing of this.
 template <bool surfaces_roll, bool surfaces_move, bool bodies_bounce>
 struct PointMaterialView : PointView {
     static constexpr bool rolls = surfaces_roll, has_belts = surfaces_move, bounces = bodies_bounce;

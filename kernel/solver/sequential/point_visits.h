@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a visit to a manifold does, for sweep_points.cpp and sequential_materials.cpp: a view of its own file, so that what the one takes is no
-// matter of the other.
+// What a visit to a manifold does, for sweep_points.cpp and sequential_materials.cpp. Each of them compiles it for a view of its own, so a scene
+// links only the one that it needs.
 #pragma once
 
 #include "../../constraint/flight.h"
@@ -42,7 +42,7 @@ INGOT_SHARED Vector across(const Vector& n, const Vector& v) { return v - n * do
 /// Of gravity and forces, m^2 s^-4.
 scalar pull_sq_on(const PointBody& body) { return body.inv_M > 0 ? length_sq(body.forces.linear) : 0; }
 
-/// What is kept of the normals of bodies that were hit: of an impact no more than gravity explains.
+/// Cuts the impulses of normals on bodies that were hit: of an impact no more is kept than gravity explains.
 [[maybe_unused]] void cut_impulses_of_hit(const PointVisit& visit, scalar h) {
     const scalar allowance = 2 * h * sqrt(max(pull_sq_on(visit.pair.A), pull_sq_on(visit.pair.B)));
     for (int point_i = 0; point_i < visit.count(); ++point_i) {

@@ -27,8 +27,8 @@ struct LandingPart<max_manifolds, false> {
 /// point in scalar arithmetic, whatever `lanes` is. Nothing bounces: set bounces = false.
 ///
 /// RAM of the world in float: 188 bytes a body and 116 a manifold, where BlockSweeps on one lane takes 220 and 720. Flash on a
-/// Cortex-M4F: 7 KB, where they take 20. Time at rest is less than theirs. What begins to move takes up to four times as much, for they
-/// solve the points of a manifold at once.
+/// Cortex-M4F: 7 KB, where BlockSweeps takes 20. Bodies at rest take less time than with BlockSweeps. Bodies that begin to move take up to four times
+/// as much, because BlockSweeps solves the points of a manifold at once.
 struct SequentialImpulses {
     static constexpr const char* name = "sequential_impulses";
     static constexpr bool is_frictionless = false, is_direct = false, is_pointwise = true;

@@ -15,8 +15,8 @@ void begin_contacts(const View& solver, scalar share, scalar h);
 template <class View>
 void end_contacts(const View& solver, scalar share, bool steady);
 
-/// At the begin of a substep of h seconds, before its forces: which points restitution throws back within it, how fast and to what place. True if
-/// some are. Where bodies bounce; one whose points do not meet is left alone.
+/// At the begin of a substep of h seconds, before its forces, in scenes whose bodies bounce: which points restitution throws back within it, how
+/// fast, and to what place. True if there are some. Points that do not meet in this substep are left alone.
 template <class View>
 bool predict_point_bounces(const View& solver, scalar h);
 
@@ -29,8 +29,8 @@ struct SweepOfPoints {
     scalar fastest;  ///< m/s, the largest speed that a row corrected
     scalar size;     ///< J, sum of (change of impulse)^2 times compliance
 };
-/// One sweep: normals until they agree within the manifold, twist, rolling resistance, friction. A row that is off by no more than `ignored`, m/s, is
-/// left alone.
+/// One sweep: normals until they agree within the manifold, torsion, rolling resistance, friction. A row that is off by no more than `ignored`, m/s,
+/// is left alone.
 template <class View>
 SweepOfPoints sweep_point_velocities(const View& solver, bool forward, scalar ignored);
 
@@ -40,7 +40,7 @@ template <class View>
 void go_on_along(const View& solver, scalar beta);
 
 /// One sweep that takes a part of the overlaps back, by displacements that no velocity ever sees. Notes how fast points may approach in the next
-/// substep, and cuts what it is to give again of bodies that were hit to what gravity explains.
+/// substep. Cuts the impulses on bodies that were hit to what gravity explains, before the next substep gives them again.
 template <class View>
 void sweep_point_positions(const View& solver, scalar h);
 

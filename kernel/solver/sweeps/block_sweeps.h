@@ -15,8 +15,8 @@ namespace ingot { inline namespace INGOT_ABI {
 template <bool notes_impulses, bool bounces, class View>
 void solve_by_sweeps(View& view, const ContactStep& step, StepReport& report);
 
-/// `using solver = ingot::BlockSweeps;`, for many bodies of like masses. No memory of its own. What it did not settle is in
-/// StepReport::residual: some 1e-6 m/s where contacts rest; 0.1 and more where a heavy body crushes a light one.
+/// `using solver = ingot::BlockSweeps;`, for many bodies of like masses. No memory of its own. StepReport::residual says how far it got: some 1e-6
+/// m/s where contacts rest, 0.1 and more where a heavy body crushes a light one.
 struct BlockSweeps {
     static constexpr const char* name = "block_sweeps";
     static constexpr bool is_frictionless = false, is_direct = false, is_pointwise = false;

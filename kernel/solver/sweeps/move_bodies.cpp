@@ -52,7 +52,7 @@ void begin_body(const SolverView& solver, int body_i, const BodyMotion& motion) 
     set4(history.tau, motion.tau);
 }
 
-/// The solver's own body of a slot; 0 for one that cannot move, or that has gone bad: what it does must not reach those that touch it.
+/// The solver's own body of a slot; 0 for one that cannot move, or that has gone bad: its motion must not reach those that touch it.
 uint16_t take_in(SolverView& solver, const BodyView& bodies, const Vector& gravity, scalar h, int slot) {
     const Place at = place_of(slot);
     const scalar inv_M = bodies.translation[at.tile].inv_M[at.lane];

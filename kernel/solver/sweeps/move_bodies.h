@@ -6,8 +6,8 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// Fills the solver's bodies with those that touch and can move. One that its forces drive out of the range within the step of h
-/// seconds is marked bad and left out: to those that touch it, it is immovable already, as it is from the next step on.
+/// Fills the solver's bodies with those that touch and can move. A body that forces drive out of the range within the step of h seconds is marked bad
+/// and left out: for the others it is immovable already, as it will be from the next step on.
 void take_in_bodies(SolverView& solver, const BodyView& bodies, const Vector& gravity, scalar h);
 
 /// The bodies of the batch as they were at the begin of the step.
@@ -20,8 +20,8 @@ void kick_bodies(const SolverView& solver, scalar h);
 /// exact. A change beyond 2 h |a| is an impact, which is flagged for the next warm start.
 void drift_bodies(SolverView& solver, const BodyView& bodies, scalar h);
 
-/// Gives the motion that was found to the bodies that touch: v_CM and L of the end of the step, and, in F_T and tau_T, the constant force and
-/// torque that lead to the same displacement: integrate_r and the rotation then take them for what they are.
+/// Gives the bodies that touch the motion that was found: v_CM and L of the end of the step, and in F_T and tau_T the constant force and torque that
+/// lead to the same displacement. So integrate_r and the rotation displace them as they do in free flight.
 /// Comes after integrate_v and integrate_L.
 void write_contact_motion(const SolverView& solver, const BodyView& bodies, const Vector& gravity, scalar h);
 

@@ -9,7 +9,7 @@ namespace ingot { inline namespace INGOT_ABI {
 /// No manifold of the batch has carried an impulse yet.
 void clear_impulse_notes(const SolverView& solver, ImpactNote* notes);
 
-/// Notes which manifolds carry an impulse at the end of a substep: what a bounce gives in one is gone in the next.
+/// Notes which manifolds carry an impulse at the end of a substep. After each substep, because the impulse of a bounce is gone in the next.
 void note_impulses(const SolverView& solver, ImpactNote* notes);
 
 } }  // namespace ingot

@@ -64,8 +64,8 @@ void add_spare_lane(SolverView& solver) {
     block.sum_i[lane_i] = 0;
 }
 
-/// Lets the next colour begin in a block of its own, if room is left for all manifolds that are still to come: `lanes` manifolds to a
-/// visit then, and none that shares its block with another colour. The order of the manifolds is the same either way.
+/// Begins a new block for the next colour, if room is left for all manifolds that are still to come. No block then holds two colours, and a visit
+/// solves `lanes` manifolds. The order of the manifolds is the same either way.
 void begin_block(SolverView& solver, int still_to_come) {
     const int pad = (lanes - solver.lane_count % lanes) % lanes;
     if (solver.lane_count + pad + still_to_come > solver.lane_capacity) return;
@@ -138,8 +138,8 @@ void color_level(SolverView& solver, int begin, int end, int batch_count, uint16
     for (; position < end; ++position) add_visits(solver, by_colour + position, 1, group);  // a body with more: one at a time
 }
 
-/// A visit with all lanes stores whole vectors: the lanes of a block that hold no manifold join the only visit it has. They write the zeros
-/// of the body that cannot move.
+/// Lanes without a manifold join the only visit of their block, because a visit with all lanes stores whole vectors. They write the zeros of the body
+/// that cannot move.
 void take_spare_lanes_along(SolverView& solver, Visit& visit) {
     const ContactBlock& block = solver.blocks[visit.block];
     unsigned spare = 0;

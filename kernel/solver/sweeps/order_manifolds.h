@@ -5,10 +5,10 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-inline constexpr uint16_t unreached_level = 65535;  ///< of a body that hangs free of what cannot move
+inline constexpr uint16_t unreached_level = 65535;  ///< of a body from which no contacts lead to the ground
 
-/// The levels of all bodies: their distance from what cannot move, in contacts. That of a manifold is the lower one of its two bodies'; 0 for
-/// what hangs free.
+/// The levels of all bodies: their distance from a body that cannot move, in contacts. The level of a manifold is the lower one of its two bodies'; 0
+/// where no way leads to the ground.
 /// Bound: limits::level_passes_max passes over the manifolds (a quality, not a condition).
 void find_levels(const SolverView& solver);
 

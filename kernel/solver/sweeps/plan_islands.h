@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which bodies hang together, how each island is cut and swept, and which of them are solved together.
+// Islands of bodies that touch, how each is cut into substeps and swept, and which are solved together.
 #pragma once
 
 #include "../../base/report.h"
@@ -10,11 +10,10 @@ namespace ingot { inline namespace INGOT_ABI {
 /// Finds the islands of the bodies that were taken in, and their plans. An island takes no notice of any other: what it does is the same
 /// alone or beside anything.
 ///
-/// Where the contacts of an island are few, chains of them are long for their number, and sweeps are cheap: many are allowed, to a small
-/// residual, and all go up, which serves heavy bodies on light ones. Where they are many the number is fixed, larger while many are new,
-/// and sweeps go up and down in turn, which carries the weight of a pile to the ground and back. Steady: nothing in the island accelerated
-/// in the step before, and nothing has begun to touch since. A tall tower is not: what it sways by needs the substeps, and no sweep over
-/// few sees it.
+/// A small island has few contacts, in chains that are long for their number, and sweeps are cheap: it may have many, down to a small residual. All
+/// go up, which serves heavy bodies on light ones. In a large island the number of sweeps is fixed, larger while many contacts are new. They go up
+/// and down in turn, which carries the weight of a pile to the ground and back. An island is steady when nothing in it accelerated in the step
+/// before, and nothing has begun to touch since. A tall tower never counts as steady: it sways unless it has all substeps, and sweeps cannot tell.
 /// Needs: find_levels.
 void plan_islands(SolverView& solver);
 
@@ -28,7 +27,7 @@ void end_batch(const SolverView& solver, StepReport& report);
 /// Of a substep: how many sweeps an island may have, and to what speed.
 void plan_sweeps(const SolverView& solver);
 
-/// m/s; what rounding makes of the speeds of an island's bodies, in the substep before.
+/// m/s; how far rounding may put off the speeds of an island's bodies, as they are after the last kick.
 scalar rounding_of_speeds(const Island& island);
 
 inline bool is_steady(SweepPlan plan) { return plan == SweepPlan::small_steady || plan == SweepPlan::large_steady; }

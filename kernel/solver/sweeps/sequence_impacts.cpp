@@ -21,8 +21,7 @@ constexpr uint32_t bouncing = changed - 1;
 constexpr scalar no_impact = limits::unbounded;  ///< no impact in this substep
 constexpr scalar at_hand = -1;               ///< an impact of those that are solved now
 
-/// When a contact has its next impact, s from the begin of the substep: kept where a single bounce keeps the place at which it
-/// lands.
+/// When a contact has its next impact, s from the begin of the substep. Kept in `landing`, where a single bounce keeps the place at which it lands.
 scalar& time_of(ContactBlock& block, int lane_i) { return block.row[0].landing[lane_i]; }
 
 template <class Of>
@@ -72,7 +71,7 @@ void drop_impulses(const View& solver, int block_i, int lane_i) {
     ContactConstraint<View>::Given::for_rows(solver, block_i, [lane_i](const SeenRow& row) { row.j[lane_i] = 0; });
 }
 
-/// Takes back what impulses given at the time `now` have not displaced before.
+/// Impulses given at the time `now` act from the begin of the substep: takes the displacement before `now` back.
 template <class View>
 void take_back(const View& solver, int block_i, int lane_i, scalar now) {
     const ContactBlock& block = solver.blocks[block_i];
@@ -135,7 +134,7 @@ scalar first_impact(const SolverView& solver, const Island& island) {
     return first;
 }
 
-/// What the sweeps of the substep are to do with a contact after its last impact: nothing if it flies, else hold it.
+/// Sets what the sweeps of the substep do with a contact after its last impact: nothing if it flies, else they hold it.
 void aim_at_rest(const SolverView& solver, ContactBlock& block, int lane_i, scalar h) {
     const BlockFlight flight = flight_of(solver, block);
     for (int row = 0; row < block.rows; ++row) {

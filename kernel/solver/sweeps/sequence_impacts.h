@@ -11,20 +11,19 @@ namespace ingot { inline namespace INGOT_ABI {
 /// has another contact that bounces. Needs colours_of_body, which holds the answer for the substeps. Island::has_chains says
 /// which islands have some. False if none has.
 ///
-/// A body that leans on something without restitution is not among them: what it leans on pushes while the impact lasts, and
-/// the two are solved as one. A ball that hits a crate on the floor bounces as off the floor; a ball that hits a row of balls
-/// bounces as off the first of them.
+/// A body that leans on something without restitution is not among them: its support pushes while the impact lasts, and the two are solved as one. A
+/// ball that hits a crate on the floor bounces as if off the floor; a ball that hits a row of balls bounces as if off the first of them.
 bool find_impact_chains(SolverView& solver);
 
 /// Island by island, at the begin of a substep of h seconds, after predict_contacts and before its forces: impacts of those contacts, one after
 /// the other in the order of time, each leaving with -e times its speed. Those of one time are solved together, and what they
 /// make approach comes next.
 ///
-/// Between impacts bodies fly along parabolas. An impulse that is given at the time t is given from the begin on, and -t times
-/// what it does is added to the displacements: later impacts, and the end of the substep, are then where they should be.
-/// Energy: of an impact it changes by -(1 - e) j |u| / 2 summed over its rows: it never grows, and stays for e = 1 without
-/// friction. Bound: limits::impacts_of_contact impacts for each contact; what still approaches then bounces no more in this
-/// substep, and counts in impacts_deferred. notes: of the contacts that carried an impulse; may be null.
+/// Between impacts bodies fly along parabolas. An impulse of the time t is given as if from the begin of the substep on, and -t times the velocity
+/// that it makes is added to the displacements. So later impacts and the end of the substep are where they should be.
+/// Energy: an impact changes it by -(1 - e) j |u| / 2, summed over its rows: it never grows, and stays for e = 1 without friction.
+/// Bound: limits::impacts_of_contact impacts for each contact. A contact that still approaches then does not bounce in this substep, and counts in
+/// impacts_deferred. notes: of the contacts that carried an impulse; may be null.
 template <class View>
 void sequence_impacts(const View& solver, scalar h, ImpactNote* notes, StepReport& report);
 

@@ -30,7 +30,7 @@ void add_live(SolverView& solver, Visit visit) {
     solver.some_visits[solver.live_count++] = visit;
 }
 
-/// Leaves the visits to islands that are not swept out of the live ones. In place, where it is not the first time: the list only gets shorter.
+/// Drops the visits to islands that are not swept from the live ones. From the second time on in place: the list only gets shorter.
 void drop_settled(SolverView& solver) {
     const int count = solver.live_count;
     solver.live_count = 0;

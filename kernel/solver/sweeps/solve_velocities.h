@@ -5,14 +5,14 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// The velocities of a substep: sweeps over the islands whose sweeps are on, joined by nonlinear conjugate gradients, until nothing of an
-/// island changes by more than its settled speed, or it has had its sweeps. An island that is settled is left alone while others are swept.
+/// The velocities of a substep: sweeps over the islands whose sweeps are on, joined by nonlinear conjugate gradients. An island is settled when a
+/// sweep changes nothing in it by more than its settled speed, or when it has had all its sweeps; then it is left alone while others are swept.
 ///
 /// Needs: plan_sweeps.
 template <class View>
 void solve_velocities(View& solver);
 
-/// The visits of a batch to islands whose sweeps are on, as live ones: other lanes are left out. The order stays.
+/// Makes the visits of a batch to islands whose sweeps are on the live ones, without the lanes of other islands. The order stays.
 void select_live(SolverView& solver);
 
 } }  // namespace ingot

@@ -8,14 +8,15 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
-/// True if points of the visit land, which one push brings there within 1 % of the way: `again` pushes no others.
+/// True if points of the visit land. One push leaves them 1 % of the way, so they are pushed `again`; then no other points are.
 template <int rows>
 INGOT_INLINE bool visit_positions(const SolverView& solver, ContactBlock& block, uint16_t lane_bits, scalar h, bool again) {
     const mask active = lanes_of(lane_bits);
     const Vec3<lane> n = load(block.n);
     BodyPairLanes pair = gather_bodies(solver, block, &SolverBody::dp, &SolverBody::dth);
     Pushes due = Normals::pushes_due<rows>(block, n, pair, h);
-    // One point alone is there after one push, and has no more of them in a block of one row: so it is beside others too.
+    // A single point lands by one push, and has no more in a block of one row. It has no more beside manifolds of several points either: the same
+    // bits.
     if (again) due.off = both(both(due.off, due.lands), is_used(block, 1));
     if (!any(due.off)) return false;
     const Row4 q = Normals::push<rows>(block, due, limits::approach_slack * h, active);

@@ -31,7 +31,7 @@ INGOT_INLINE void solve_rows(const View& solver, int block_i, BodyPairLanes& pai
     store_if<whole>(at.block.fastest, visited, whole ? change.fastest : select(active, change.fastest, lane{}));
 }
 
-/// Solves what one visit names, but for the lanes whose bodies neither this sweep nor the one before has stirred.
+/// Solves the lanes of a visit, without those whose bodies neither this sweep nor the one before has changed.
 template <int rows, class View>
 INGOT_INLINE void visit_velocities(const View& solver, int block_i, ContactBlock& block, uint16_t lane_bits, int sweep_i, lane active_threshold) {
     const scalar sweep = static_cast<scalar>(sweep_i);
@@ -53,7 +53,7 @@ INGOT_INLINE void visit_velocities(const View& solver, int block_i, ContactBlock
     scatter_bodies(solver, block, lane_bits, pair, &SolverBody::v_CM, &SolverBody::L);
 }
 
-/// m/s; bodies that a visit changes by more are visited by the next sweep too.
+/// m/s; a body that a visit changes by more is visited by the next sweep too.
 INGOT_INLINE lane active_threshold_of(const SolverView& solver, const Visit& visit, const ContactBlock& block) {
     if (visit.island != no_island) return splat<lane>(limits::active_share * solver.islands[visit.island].settled);
     scalar of_lanes[lanes];

@@ -15,8 +15,8 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// The sweeps as conduct_substeps asks for them. View: SolverView, or a MaterialView. What a scene does not name is not compiled in: events,
-/// restitution, rolling resistance, belts.
+/// The sweeps as conduct_substeps asks for them. View: SolverView, or a MaterialView. Events, restitution, rolling resistance and belts are compiled
+/// in only where a scene names them.
 template <class View, bool notes_impulses, bool bounces>
 struct SweptContacts {
     explicit SweptContacts(View& of) : view(of) {}

@@ -5,10 +5,10 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// After the forces: what is taken over of the impulses of the substep before, and given to the bodies.
+/// After the forces: gives the bodies the impulses of the substep before again.
 ///
-/// An impact is not taken over: impulses of a body that was hit are cut to twice what they were, and what gravity explains. Friction follows
-/// a slow mean of itself, which quietens its ringing.
+/// Those of an impact are not given again: impulses on a body that was hit are cut to twice what they were before it, and what gravity explains.
+/// Friction follows a slow mean of itself, which quietens its ringing.
 template <class View>
 void warm_start(const View& solver, scalar h);
 
