@@ -14,7 +14,7 @@ struct PointSleepers : Sleepy {
     using solver = ingot::SequentialImpulses;
     using rotation = ingot::LieMidpoint;
     using broad_phase = ingot::AllPairs;
-    static constexpr bool bounces = false, recycles_manifolds = false;
+    static constexpr bool bounces = false, recycles_manifolds = false, continuous = true;
     static constexpr int max_events = 4000;
 };
 struct Impacts : ingot::Scene {

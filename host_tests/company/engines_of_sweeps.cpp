@@ -8,12 +8,12 @@ namespace company {
 namespace {
 
 struct Materials : Roomy {
-    static constexpr bool rolling_resistance = true, surface_velocities = true, recycles_manifolds = false;
+    static constexpr bool rolling_resistance = true, surface_velocities = true, recycles_manifolds = false, continuous = true;
     using broad_phase = ingot::AllPairs;
     using force_field = ingot::LinearDrag;
 };
 struct Sleepers : Sleepy {
-    static constexpr bool filters = true;
+    static constexpr bool filters = true, continuous = true;
     static constexpr int max_overlaps = 64, max_events = 4000;
 };
 struct FastBodies : Roomy {
@@ -23,7 +23,7 @@ struct FastBodies : Roomy {
 struct ManyShapes : scenes::Hulled<760, 3600> {
     static constexpr int max_shapes_of_body = 5;
     static constexpr int max_overlaps = 64, max_events = 4000;
-    static constexpr bool filters = true, bounces = false;
+    static constexpr bool filters = true, bounces = false, continuous = true;
     using broad_phase = ingot::SortedTree;
 };
 

@@ -199,6 +199,32 @@ Party bullets() {
     return party;
 }
 
+template <unsigned N>
+Member compound(const scenes::Parts<N>& parts, const Vector& r, int turn_i) {
+    Member member;
+    member.body.def.mass = parts.mass(1);
+    member.body.def.state = ingot::body_state(member.body.def.mass, {r, scenes::scattered_rotation(turn_i)});
+    member.parts.assign(parts.parts, parts.parts + N);
+    return member;
+}
+
+/// The same with hammers, jacks and dumbbells, which turn.
+Party flying_tools() {
+    Party party = {"flying_tools", pit(scalar(10), 5, true)};
+    party.is_fast = true;
+    const scalar half = scalar(0.2);
+    for (int i = 0; i < 3; ++i) party.members.push_back({solid_box(4, {half, half, half}, {1, 0, half + 2 * half * scalar(i)}, mu)});
+    for (int i = 0; i < 3; ++i) {
+        const Vector r = {-3, scalar(1.5) * scalar(i - 1), 1};
+        Member tool = i == 0   ? compound(scenes::hammer(mu), r, i)
+                      : i == 1 ? compound(scenes::jack(mu), r, i)
+                               : compound(scenes::dumbbell(scalar(0.25), scalar(0.75), mu), r, i);
+        tool.body = moving(tool.body, {60 + 60 * scalar(i), 0, 0}, {3, 10, 5});
+        party.members.push_back(tool);
+    }
+    return party;
+}
+
 /// A ball through a sensor, one that the boxes do not meet, and a stack.
 Party watched() {
     Party party = {"watched", pit(scalar(12), 2)};
@@ -214,14 +240,6 @@ Party watched() {
     return party;
 }
 
-template <unsigned N>
-Member compound(const scenes::Parts<N>& parts, const Vector& r, int turn_i) {
-    Member member;
-    member.body.def.mass = parts.mass(1);
-    member.body.def.state = ingot::body_state(member.body.def.mass, {r, scenes::scattered_rotation(turn_i)});
-    member.parts.assign(parts.parts, parts.parts + N);
-    return member;
-}
 Party furniture() {
     Party party = {"furniture", pit(4, 3)};
     for (int i = 0; i < 8; ++i) {
@@ -301,6 +319,7 @@ std::vector<Party> all_parties() {
             overlapping(),
             sugar_cubes(),
             bullets(),
+            flying_tools(),
             watched(),
             furniture(),
             rocks()};
