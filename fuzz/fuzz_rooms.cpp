@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Contacts with friction in scenes that name more than fuzz_friction.cpp: hulls, bodies of several shapes, direct solves, sleep, fast bodies that are
-// followed, as far as a scene can name them together. What is demanded: see friction.h. The first byte chooses the scene.
+// followed, alone and in pairs; fuzz_fast.cpp has them together. What is demanded: see friction.h. The first byte chooses the scene.
 //
 // Compiled once for each lane count. INGOT_FUZZ_RUN names the function.
 #include "friction.h"

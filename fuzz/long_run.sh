@@ -12,7 +12,7 @@ set -u
 folder=$1
 runs=$2
 seconds=${3:-0}
-targets=${4:-numbers hull contacts drift world lanes snapshot friction rooms materials light}
+targets=${4:-numbers hull contacts drift world lanes snapshot friction rooms materials light fast}
 here=$(dirname "$0")
 found=0
 printf '%-12s %14s %12s %9s\n' target executions per_second findings
@@ -26,6 +26,7 @@ for target in $targets; do
         *) len=600 ;;
     esac
     corpus=$here/corpus_$target
+    [ "$target" != fast ] || corpus=$here/corpus_rooms
     [ -d "$corpus" ] || corpus=$here/corpus
     mkdir -p "$folder/long/$target"
     log=$folder/long/$target.log
