@@ -2,6 +2,7 @@
 // What the collision of a step works on: bodies, their shapes and paths, and who may move.
 #pragma once
 
+#include "../constraint/flight_impact.h"
 #include "../island/rest_view.h"
 #include "pair_contacts.h"
 
@@ -40,7 +41,8 @@ struct AwakeBodies {
 ///
 /// Scene: as types and numbers, Shapes (with the forms of hulls), Rotation, Solver, View (of that solver), notes_impulses, bounces, and
 /// pair_manifolds, the room for what two bodies do to each other.
-template <class Scene, class MovingBodies, class Meets>
+/// Meets: bool(shape slot, shape slot), of those that are solid to each other. Sensors: PassedSensors, or NoPassedSensors.
+template <class Scene, class MovingBodies, class Meets, class Sensors>
 struct ContinuousCollision {
     using SceneTraits = Scene;
     using Contacts = PairContacts<Scene::pair_manifolds, typename Scene::View>;
@@ -54,7 +56,9 @@ struct ContinuousCollision {
     BodyPath* paths;              ///< by body slot
     FallClock clock;
     MovingBodies moving;
-    Meets meets;                  ///< bool(shape slot, shape slot)
+    Meets meets;
+    Sensors sensors;
+    FlightImpactList flights;     ///< for events, where Scene::notes_impulses
 };
 
 /// Two bodies and their contacts, for a while of the step.

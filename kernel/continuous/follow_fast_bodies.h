@@ -85,6 +85,8 @@ void follow_fast_bodies(const Collision& collision, StepReport& report) {
         const int slots[2] = {slot_A, A.next_slot};
         const BodyPath& B = path_of(collision, slots[1], at_rest);
         const scalar t = A.next;
+        note_passed_sensors(collision, slot_A, t);
+        if (slots[1] != slot_A && collision.moving.has(slots[1])) note_passed_sensors(collision, slots[1], t);
         if (slots[1] == slot_A) {
             lay_free_path(collision, slot_A, motion_at(collision, slot_A, t, room.two), t, room.two);
         } else if (impacts < limits::impacts_in_step_max && is_followed(collision, A, B, slots[1], t)) {
@@ -98,6 +100,7 @@ void follow_fast_bodies(const Collision& collision, StepReport& report) {
         }
         find_next_anew(collision, slot_A, slots[1]);
     }
+    collision.moving.for_each([&](int slot) { note_passed_sensors(collision, slot, 1); });
 }
 
 } }  // namespace ingot

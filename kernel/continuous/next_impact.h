@@ -27,6 +27,27 @@ void consider(const Collision& collision, int slot, int other) {
     });
 }
 
+/// Sensors that a fast body passes on its path until time t.
+template <class Collision>
+void note_passed_sensors([[maybe_unused]] const Collision& collision, [[maybe_unused]] int slot, [[maybe_unused]] scalar t) {
+    if constexpr (decltype(collision.sensors)::some) {
+        const BodyPath& path = collision.paths[slot];
+        if (!path.fast) return;
+        for (int other = 0; other < collision.shapes.body_count(); ++other) {  // bound: max_bodies
+            if (other == slot) continue;
+            BodyPath at_rest;
+            const BodyPath& path_B = path_of(collision, other, at_rest);
+            collision.shapes.for_shapes(slot, [&](ShapeSlot shape_A) {
+                collision.shapes.for_shapes(other, [&](ShapeSlot shape_B) {
+                    if (!collision.sensors.has(shape_A.number, shape_B.number)) return;
+                    const ShapeOnPath A = shape_on_path(collision.shapes, shape_A, path), B = shape_on_path(collision.shapes, shape_B, path_B);
+                    if (may_meet(A, B) && time_of_impact(A, B, t, false) <= t) collision.sensors.note(shape_A.number, shape_B.number);
+                });
+            });
+        }
+    }
+}
+
 /// The first that comes to a body.
 template <class Collision>
 void find_next(const Collision& collision, int slot) {

@@ -9,6 +9,34 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
+/// How fast the points of two bodies approach each other.
+INGOT_INLINE ImpactNote note_of(const BodyView& two, const Manifold& manifold) {
+    const FlightState A = flight_state(two, 0), B = flight_state(two, 1);
+    const Vector omega_A = omega_of(two, 0), omega_B = omega_of(two, 1);
+    ImpactNote note{};
+    // bound: 4: Manifold::points_max
+    for (int point_i = 0; point_i < manifold.count; ++point_i) {
+        const Vector& P = manifold.points[point_i].P;
+        const scalar speed = dot(manifold.n, B.v_CM + cross(omega_B, P - B.r_CM) - A.v_CM - cross(omega_A, P - A.r_CM));
+        if (!(speed > note.speed)) continue;
+        note.speed = speed;
+        note.point = static_cast<uint8_t>(point_i);
+    }
+    return note;
+}
+
+/// The shapes that gave each other an impulse, for events.
+template <class Collision>
+void note_flights(const Collision& collision, const typename Collision::Contacts& contacts) {
+    for (int place = 0; place < contacts.count; ++place) {  // bound: limits::pair_manifolds_max
+        if (!contacts.notes[place].carried) continue;
+        const Manifold& manifold = contacts.records[place].manifold;
+        const int A = contacts.shapes[place].A.number, B = contacts.shapes[place].B.number;
+        collision.flights.note({static_cast<uint16_t>(A < B ? A : B), static_cast<uint16_t>(A < B ? B : A),
+                                manifold.points[contacts.notes[place].point].P, A < B ? manifold.n : -manifold.n, contacts.notes[place].speed});
+    }
+}
+
 /// The manifolds of two bodies in their room that can touch within h seconds, with what their surfaces are to each other.
 template <class Collision>
 void find_pair_contacts(const Collision& collision, const int (&slots)[2], PairRoom<Collision>& room, scalar h, StepReport& report) {
@@ -34,6 +62,7 @@ void find_pair_contacts(const Collision& collision, const int (&slots)[2], PairR
             room.contacts.put(place, found, {shape_A, shape_B});
             const BodyPair pair = {static_cast<uint16_t>(shape_A.number), static_cast<uint16_t>(shape_B.number), no_record};
             mix_materials(collision.shapes.surfaces, pair, room.contacts.records[place]);
+            room.contacts.notes[place] = note_of(room.two.bodies(), found);
             room.contacts.mix(place, collision.materials, {A.A, B.A});
         });
     });
@@ -78,6 +107,7 @@ void resolve_impact(const Collision& collision, const int (&slots)[2], scalar t,
     }
     const scalar h = (1 - t) * collision.clock.h, moment = min(h, two.moment());
     bool pressed = solve_pair_for(collision, slots, room, moment, report);
+    if constexpr (Collision::SceneTraits::notes_impulses) note_flights(collision, room.contacts);
     const scalar parted = moment < h ? t + moment / collision.clock.h : scalar(1);
     const bool over = parted >= 1 - limits::last_moment;
     PathPoint after[2];

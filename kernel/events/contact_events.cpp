@@ -72,8 +72,36 @@ struct Finger {
 BodyId name_A(const PairOfBodies& pair, uint16_t world_tag) { return {pair.body_A, world_tag, pair.generation_A}; }
 BodyId name_B(const PairOfBodies& pair, uint16_t world_tag) { return {pair.body_B, world_tag, pair.generation_B}; }
 
-Event event_of(EventKind kind, const PairOfBodies& pair, uint16_t world_tag, const Manifold& manifold, const ImpactNote& note) {
-    return {kind, 0, 0, name_A(pair, world_tag), name_B(pair, world_tag), manifold.points[note.point].P, manifold.n, note.speed};
+/// How the bodies of a pair met.
+struct Meeting {
+    Vector P, n;
+    scalar speed;
+    bool carried;
+};
+
+/// Walks along the contacts of a step, ahead of a walk along those that touch.
+template <class Flights>
+struct MeetingFinger {
+    const ContactsOfStep<Flights>& contacts;
+    int at = 0;
+
+    /// By manifold or in flight, whichever was faster.
+    Meeting of(const PairOfBodies& pair) {
+        const ManifoldView& manifolds = contacts.manifolds;
+        // bound: max_manifolds: over the whole walk: at only grows
+        while (at < *manifolds.count && manifolds.pairs[at].key() < pair.key()) ++at;
+        const bool has_manifold = at < *manifolds.count && manifolds.pairs[at].key() == pair.key();
+        const FlightImpact* const flight = contacts.flights.find(pair.key());
+        if (flight != nullptr && !(has_manifold && contacts.notes[at].speed >= flight->speed)) return {flight->P, flight->n, flight->speed, true};
+        if (!has_manifold) return {};
+        const Manifold& manifold = manifold_of(manifolds, at);
+        const ImpactNote& note = contacts.notes[at];
+        return {manifold.points[note.point].P, manifold.n, note.speed, note.carried};
+    }
+};
+
+Event event_of(EventKind kind, const PairOfBodies& pair, uint16_t world_tag, const Meeting& meeting) {
+    return {kind, 0, 0, name_A(pair, world_tag), name_B(pair, world_tag), meeting.P, meeting.n, meeting.speed};
 }
 
 }  // namespace
@@ -107,32 +135,51 @@ void emit_missing(const PairOfBodiesList& before, const PairOfBodiesList& now, E
     }
 }
 
-void emit_begins(const ManifoldView& manifolds, const ImpactNote* notes, const PairOfBodiesList& before, const PairOfBodiesList& touching,
-                 uint16_t world_tag, const EventList& events) {
-    Finger finger{before};
-    int manifold_i = 0;
-    for (int pair_i = 0; pair_i < *touching.count; ++pair_i) {  // bound: max_overlaps or max_manifolds
-        const PairOfBodies& pair = touching.pairs[pair_i];
-        if (finger.finds(pair)) continue;
-        // bound: max_manifolds: over the whole walk: the pair is in the list, and manifold_i only grows
-        while (manifolds.pairs[manifold_i].key() < pair.key()) ++manifold_i;  // it is there
-        events.add(event_of(EventKind::begin, pair, world_tag, manifold_of(manifolds, manifold_i), notes[manifold_i]));
+void list_flights(const FlightImpactList& flights, const uint32_t* generation, const PairOfBodiesList& touching) {
+    // bound: limits::impacts_in_step_max
+    for (int flight_i = 0; flight_i < *flights.count; ++flight_i) {
+        const FlightImpact& flight = flights.impacts[flight_i];
+        int place = *touching.count;
+        // bound: max_manifolds and limits::impacts_in_step_max
+        while (place > 0 && touching.pairs[place - 1].key() > flight.key()) --place;
+        if (place > 0 && touching.pairs[place - 1].key() == flight.key()) continue;
+        // bound: max_manifolds and limits::impacts_in_step_max
+        for (int i = (*touching.count)++; i > place; --i) write_pair(touching.pairs[i], touching.pairs[i - 1]);
+        write_pair(touching.pairs[place], {flight.shape_A, flight.shape_B, generation[flight.shape_A], generation[flight.shape_B], false});
     }
 }
 
-void emit_hits(const ManifoldView& manifolds, const ImpactNote* notes, scalar hit_speed, const PairOfBodiesList& before,
-               const PairOfBodiesList& touching, uint16_t world_tag, const EventList& events) {
+template <class Flights>
+void emit_begins(const ContactsOfStep<Flights>& contacts, const PairOfBodiesList& before, const PairOfBodiesList& touching, uint16_t world_tag,
+                 const EventList& events) {
     Finger finger{before};
-    int manifold_i = 0;
-    for (int pair_i = 0; pair_i < *touching.count; ++pair_i) {
-        PairOfBodies& pair = touching.pairs[pair_i];
-        // bound: max_manifolds: over the whole walk: the pair is in the list, and manifold_i only grows
-        while (manifolds.pairs[manifold_i].key() < pair.key()) ++manifold_i;
-        const ImpactNote& note = notes[manifold_i];
-        pair.hit = note.carried && note.speed > hit_speed;
-        if (pair.hit && !(finger.finds(pair) && before.pairs[finger.at].hit))
-            events.add(event_of(EventKind::hit, pair, world_tag, manifold_of(manifolds, manifold_i), note));
+    MeetingFinger<Flights> meetings{contacts};
+    for (int pair_i = 0; pair_i < *touching.count; ++pair_i) {  // bound: max_overlaps or max_manifolds
+        const PairOfBodies& pair = touching.pairs[pair_i];
+        if (!finger.finds(pair)) events.add(event_of(EventKind::begin, pair, world_tag, meetings.of(pair)));
     }
 }
+
+template <class Flights>
+void emit_hits(const ContactsOfStep<Flights>& contacts, scalar hit_speed, const PairOfBodiesList& before, const PairOfBodiesList& touching,
+               uint16_t world_tag, const EventList& events) {
+    Finger finger{before};
+    MeetingFinger<Flights> meetings{contacts};
+    for (int pair_i = 0; pair_i < *touching.count; ++pair_i) {
+        PairOfBodies& pair = touching.pairs[pair_i];
+        const Meeting meeting = meetings.of(pair);
+        pair.hit = meeting.carried && meeting.speed > hit_speed;
+        if (pair.hit && !(finger.finds(pair) && before.pairs[finger.at].hit))
+            events.add(event_of(EventKind::hit, pair, world_tag, meeting));
+    }
+}
+
+// The linker takes the ones that the scene calls.
+#define INGOT_FLIGHTS(Flights)                                                                                                                     \
+    template void emit_begins(const ContactsOfStep<Flights>&, const PairOfBodiesList&, const PairOfBodiesList&, uint16_t, const EventList&);       \
+    template void emit_hits(const ContactsOfStep<Flights>&, scalar, const PairOfBodiesList&, const PairOfBodiesList&, uint16_t, const EventList&)
+INGOT_FLIGHTS(NoFlightImpacts);
+INGOT_FLIGHTS(FlightImpactList);
+#undef INGOT_FLIGHTS
 
 } }  // namespace ingot

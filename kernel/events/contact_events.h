@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../base/ids.h"
+#include "../constraint/flight_impact.h"
 #include "../constraint/impact_note.h"
 #include "../narrow_phase/manifold_record.h"
 #include "pair_rules.h"
@@ -22,7 +23,7 @@ struct Event {
     EventKind kind{};
     uint8_t shape_A{}, shape_B{};  ///< which of their shapes, where a body has several; else 0
     BodyId A{}, B{};
-    Vector P{};    ///< m, world, of the point that met fastest, at the begin of the step; begin and hit
+    Vector P{};    ///< m, world, of the point that met fastest, at the begin of the step, or when fast bodies met in it; begin and hit
     Vector n{};    ///< unit, from B to A; begin and hit
     scalar speed{};  ///< m/s, at which A and B approached each other along n at P, just before they met; begin and hit
 };
@@ -97,11 +98,23 @@ INGOT_INLINE void copy_list(const PairOfBodiesList& from, const PairOfBodiesList
 
 /// Pairs of `before` that are not in `now`, as events of the kind.
 void emit_missing(const PairOfBodiesList& before, const PairOfBodiesList& now, EventKind kind, uint16_t world_tag, const EventList& events);
+/// Pairs that met within the step touch in it: they come to those that do. Needs: room for them.
+void list_flights(const FlightImpactList& flights, const uint32_t* generation, const PairOfBodiesList& touching);
+
+/// What a step knows of contacts: manifolds and what was noted of them; and who met in flight, a FlightImpactList or NoFlightImpacts.
+template <class Flights>
+struct ContactsOfStep {
+    ManifoldView manifolds;
+    const ImpactNote* notes;
+    Flights flights;
+};
 /// Pairs that touch now and did not before.
-void emit_begins(const ManifoldView& manifolds, const ImpactNote* notes, const PairOfBodiesList& before, const PairOfBodiesList& touching,
-                 uint16_t world_tag, const EventList& events);
+template <class Flights>
+void emit_begins(const ContactsOfStep<Flights>& contacts, const PairOfBodiesList& before, const PairOfBodiesList& touching, uint16_t world_tag,
+                 const EventList& events);
 /// Pairs whose points met faster than hit_speed, m/s, and did not in the step before: the solver may need two steps to stop a body.
-void emit_hits(const ManifoldView& manifolds, const ImpactNote* notes, scalar hit_speed, const PairOfBodiesList& before,
-               const PairOfBodiesList& touching, uint16_t world_tag, const EventList& events);
+template <class Flights>
+void emit_hits(const ContactsOfStep<Flights>& contacts, scalar hit_speed, const PairOfBodiesList& before, const PairOfBodiesList& touching,
+               uint16_t world_tag, const EventList& events);
 
 } }  // namespace ingot

@@ -62,6 +62,37 @@ struct SensorView {
     }
 };
 
+/// Who passes through sensors within a step, in flight: it comes to those that are in one, once. Needs overlaps in the order of their keys.
+template <class Filters>
+struct PassedSensors {
+    static constexpr bool some = true;
+    Filters filters;
+    SensorView sensors;
+
+    /// True for a sensor and another that is none.
+    bool has(int shape_A, int shape_B) const {
+        return (sensors.is_sensor[shape_A] != 0) != (sensors.is_sensor[shape_B] != 0) && filters.let_meet(shape_A, shape_B);
+    }
+    void note(int shape_A, int shape_B) const {
+        const bool first = sensors.is_sensor[shape_A] != 0;
+        const auto sensor = static_cast<uint16_t>(first ? shape_A : shape_B), visitor = static_cast<uint16_t>(first ? shape_B : shape_A);
+        const PairOfBodies passing = {sensor, visitor, sensors.generation[sensor], sensors.generation[visitor], false};
+        const PairOfBodiesList& list = sensors.overlaps;
+        int place = *list.count;
+        // bound: max_overlaps
+        while (place > 0 && list.pairs[place - 1].key() > passing.key()) --place;
+        if (place > 0 && list.pairs[place - 1].key() == passing.key()) return;
+        if (*list.count == list.capacity) return count(*sensors.lost);
+        // bound: max_overlaps
+        for (int i = (*list.count)++; i > place; --i) write_pair(list.pairs[i], list.pairs[i - 1]);
+        write_pair(list.pairs[place], passing);
+    }
+};
+/// Of scenes without sensors.
+struct NoPassedSensors {
+    static constexpr bool some = false;
+};
+
 struct NoSensors {
     template <class Overlap>
     static constexpr bool take(const BodyPair&, const Overlap&) {

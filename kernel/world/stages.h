@@ -29,6 +29,7 @@ struct Step {
     const BodyView& bodies;
     StepReport& report;
     decltype(solver_of_scene<S>()) solver{};  ///< of contacts with friction: filled by advance, read by follow_fast_bodies
+    FlightImpactList flights{};               ///< of fast bodies: for events
 };
 
 /// False for an h that is no step: nothing changes then.
@@ -231,6 +232,28 @@ void begin_paths([[maybe_unused]] Step<S>& now) {
         moving_bodies(now).for_each([&now](int slot) { begin_path(now.bodies, now.h, slot, now.storage.paths[slot]); });
 }
 
+/// Where impacts in flight are noted, for events: an empty list, or nowhere.
+template <class S>
+FlightImpactList begin_flights([[maybe_unused]] Step<S>& now) {
+    if constexpr (has_events<S>) {
+        now.storage.flight_impact_count = 0;
+        now.flights = now.storage.flights(now.report);
+    }
+    return now.flights;
+}
+
+/// Who passes sensors in flight.
+template <class S>
+auto passed_sensors([[maybe_unused]] Step<S>& now) {
+    if constexpr (has_sensors<S>) {
+        auto& storage = now.storage;
+        const SensorView so_far = storage.sensor_view_so_far(storage.generation_of_shapes(storage.generation), now.report);
+        return PassedSensors<decltype(storage.filter_view())>{storage.filter_view(), so_far};
+    } else {
+        return NoPassedSensors{};
+    }
+}
+
 /// Fast bodies meet others within the step, impact by impact.
 template <class S>
 void follow_fast_bodies([[maybe_unused]] Step<S>& now) {
@@ -239,9 +262,10 @@ void follow_fast_bodies([[maybe_unused]] Step<S>& now) {
         const auto meets = [&storage](int shape_A, int shape_B) { return storage.can_meet(shape_A, shape_B); };
         const auto moving = moving_bodies(now);
         const ManifoldView solved = storage.manifold_view();
-        const ContinuousCollision<FastBodiesOf<S>, decltype(moving), decltype(meets)> collision = {
+        const auto sensors = passed_sensors(now);
+        const ContinuousCollision<FastBodiesOf<S>, decltype(moving), decltype(meets), decltype(sensors)> collision = {
             now.bodies, storage.body_shapes(), storage.shape_materials(), now.solver, solved.pairs, *solved.count, storage.paths,
-            {storage.gravity, now.h}, moving, meets};
+            {storage.gravity, now.h}, moving, meets, sensors, begin_flights(now)};
         follow_fast_bodies(collision, now.report);
     }
 }
@@ -252,6 +276,17 @@ void fall_asleep([[maybe_unused]] Step<S>& now) {
     if constexpr (S::sleeps)
         fall_asleep(now.bodies, now.storage.surface_view(), now.storage.gravity, now.h, {S::sleep_speed, S::sleep_time}, now.storage.rest_view(),
                     now.storage.pull_of_bodies());
+}
+
+/// Those that met in flight touch in this step.
+template <class S>
+auto list_flights([[maybe_unused]] Step<S>& now, [[maybe_unused]] const PairOfBodiesList& touching) {
+    if constexpr (S::continuous) {
+        list_flights(now.flights, now.storage.generation_of_shapes(now.storage.generation), touching);
+        return now.flights;
+    } else {
+        return NoFlightImpacts{};
+    }
 }
 
 /// Ends, then begins, then hits, each in the order of slots: when the array is full, those that come later in this order are lost.
@@ -266,12 +301,14 @@ void tell_events([[maybe_unused]] Step<S>& now) {
         copy_list(touching, before);
         if constexpr (S::sleeps) spread_notes(manifolds, storage.awake_pairs, storage.awake_pair_count, storage.notes);
         find_touching(manifolds, storage.notes, storage.generation_of_shapes(storage.generation), before, touching);
+        auto flights = list_flights(now, touching);
+        const ContactsOfStep<decltype(flights)> contacts = {manifolds, storage.notes, flights};
 
         emit_missing(before, touching, EventKind::end, tag, events);
         if constexpr (has_sensors<S>) emit_missing(storage.overlap_list_before(), storage.overlap_list(), EventKind::leave, tag, events);
-        emit_begins(manifolds, storage.notes, before, touching, tag, events);
+        emit_begins(contacts, before, touching, tag, events);
         if constexpr (has_sensors<S>) emit_missing(storage.overlap_list(), storage.overlap_list_before(), EventKind::enter, tag, events);
-        emit_hits(manifolds, storage.notes, S::hit_speed, before, touching, tag, events);
+        emit_hits(contacts, S::hit_speed, before, touching, tag, events);
         if constexpr (has_compounds<S>) name_bodies<S::max_shapes_of_body>(events);
     }
 }

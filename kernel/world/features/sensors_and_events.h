@@ -54,6 +54,10 @@ struct Sensors : Feature {
         /// With an empty list of overlaps, for a step to fill.
         SensorView sensor_view(const uint32_t* generation, StepReport& report) {
             overlap_count = 0;
+            return sensor_view_so_far(generation, report);
+        }
+        /// With those that the step has noted.
+        SensorView sensor_view_so_far(const uint32_t* generation, StepReport& report) {
             return {is_sensor, generation, overlap_list(), &report.overlaps_lost};
         }
     };
@@ -145,16 +149,32 @@ struct Events : Feature {
     struct SensorMemory<S, false> {};
 
     template <class S, bool present>
-    struct Memory : SensorMemory<S, has_sensors<S>> {
-        static constexpr unsigned touching_capacity = static_cast<unsigned>(S::max_manifolds);
+    struct FlightMemory {
+        FlightImpact flight_impacts[static_cast<unsigned>(limits::impacts_in_step_max)] = {};
+        uint16_t flight_impact_count = 0;
+
+        FlightImpactList flights(StepReport& report) {
+            return {flight_impacts, &flight_impact_count, limits::impacts_in_step_max, &report.events_lost};
+        }
+    };
+    template <class S>
+    struct FlightMemory<S, false> {};
+
+    /// Pairs that touch have a manifold, or met in flight.
+    template <class S>
+    static constexpr int touching_capacity_of = S::max_manifolds + (S::continuous ? limits::impacts_in_step_max : 0);
+
+    template <class S, bool present>
+    struct Memory : SensorMemory<S, has_sensors<S>>, FlightMemory<S, S::continuous> {
+        static constexpr unsigned touching_capacity = static_cast<unsigned>(touching_capacity_of<S>);
         Event events[static_cast<unsigned>(S::max_events)] = {};
-        ImpactNote notes[touching_capacity] = {};
+        ImpactNote notes[static_cast<unsigned>(S::max_manifolds)] = {};
         PairOfBodies touching[touching_capacity] = {}, touching_before[touching_capacity] = {};
         uint16_t event_count = 0, touching_count = 0, touching_count_before = 0;
 
         ImpactNote* impact_notes() { return notes; }
-        PairOfBodiesList touching_list() { return {touching, &touching_count, S::max_manifolds}; }
-        PairOfBodiesList touching_list_before() { return {touching_before, &touching_count_before, S::max_manifolds}; }
+        PairOfBodiesList touching_list() { return {touching, &touching_count, touching_capacity_of<S>}; }
+        PairOfBodiesList touching_list_before() { return {touching_before, &touching_count_before, touching_capacity_of<S>}; }
         /// Empty, for a step to fill.
         EventList begin_events(StepReport& report) {
             event_count = 0;
@@ -192,7 +212,7 @@ struct Events : Feature {
     };
     static constexpr bool has_entries = true;
     template <class S>
-    static constexpr int entry_capacity = S::max_manifolds;
+    static constexpr int entry_capacity = touching_capacity_of<S>;
     template <class S>
     static uint16_t entry_count(const Storage<S>& storage) {
         return storage.touching_count;
