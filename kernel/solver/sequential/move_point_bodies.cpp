@@ -143,7 +143,7 @@ SubstepOfPoints drift_bodies(const PointView& solver, scalar h) {
 namespace {
 
 /// The constant force that leads from the begin of the step to v: twice what v exceeds the mean of the step by, per second.
-INGOT_SHARED Vector rate_beyond_mean(const Vector& v, const Vector& displacement, scalar inv_h) {
+INGOT_INLINE Vector rate_beyond_mean(const Vector& v, const Vector& displacement, scalar inv_h) {
     return (v - displacement * inv_h) * (2 * inv_h);
 }
 
