@@ -83,6 +83,7 @@ struct SortedTree {
         void find_pairs(const BodyView& bodies, const BoundsTile* bounds, const PairList& pairs) {
             find_pairs_by_tree(bodies, bounds, sorted(), pairs);
         }
+        SortedTreeView tree_of_bounds() { return sorted(); }
         SortedTreeView sorted() { return {leaves, boxes, places(), keys, other_keys, other_pairs, counters}; }
     };
 
