@@ -20,7 +20,7 @@ set(solver_sweeps_may base math body narrow_phase constraint island solver)
 set(solver_direct_may ${solver_sweeps_may} solver/sweeps)
 set(solver_sequential_may base math body narrow_phase constraint solver)
 set(events_may base math body broad_phase narrow_phase constraint)
-set(continuous_may base math body shape motion narrow_phase constraint island solver solver/sweeps)
+set(continuous_may base math body shape motion broad_phase narrow_phase constraint island solver solver/sweeps)
 set(world_features_may base math body shape motion broad_phase narrow_phase impulse constraint island sleep solver/sweeps solver/direct
   solver/sequential events continuous world)
 set(world_may world/features base math body shape motion broad_phase narrow_phase query impulse constraint island sleep solver solver/sweeps solver/direct solver/sequential
@@ -31,7 +31,7 @@ set(freestanding "stdint\\.h|stddef\\.h|float\\.h|limits\\.h")
 # integrate_r is there for forced_flight, which is made of stages.
 set(motion_shares acceleration flight_clock turn moser_veselov moser_veselov_series moser_veselov_stage force_field forced_tile elliptic_functions integrate_r)
 set(shape_shares shapes surface convex_hull placed_shape compound)
-set(broad_phase_shares body_bounds body_pairs bound_shape all_pairs search_view sorted_tree tree_walk)
+set(broad_phase_shares near_shapes body_bounds body_pairs bound_shape all_pairs search_view sorted_tree tree_walk)
 set(narrow_phase_shares manifold manifold_points box_axes contact_geometry contact_patch collide_pairs nearest_points plane_between manifold_record
   manifold_anchors)
 set(query_shares candidates query_filter ray_on_shapes cast_ray)

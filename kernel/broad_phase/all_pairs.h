@@ -17,12 +17,20 @@ void find_all_awake_pairs(const SearchView& search, const PairList& pairs);
 /// Bounds of the step, and a search where a shape has left its fat AABB. True when the list has changed. See stages.h, find_pairs.
 bool search_all_pairs(const SearchView& search, scalar h, const PairList& pairs);
 
+/// What it knows of who is near: nothing.
+struct NoTree {};
+template <class Tree>
+inline constexpr bool is_tree = true;
+template <>
+inline constexpr bool is_tree<NoTree> = false;
+
 /// `using broad_phase = ingot::AllPairs;`, for up to a few hundred bodies.
 struct AllPairs {
     static constexpr const char* name = "all_pairs";
     template <int max_bodies, int max_pairs>
     struct Memory {
         static constexpr uint8_t* search_flags = nullptr;
+        static constexpr NoTree tree_of_bounds() { return {}; }
 
         static void find_pairs(const SearchView& search, const PairList& pairs) { find_all_pairs(search.shapes, search.bounds, pairs); }
         static bool search(const SearchView& search, scalar h, const PairList& pairs) { return search_all_pairs(search, h, pairs); }
@@ -31,6 +39,7 @@ struct AllPairs {
     /// For scenes whose bodies sleep. It has no search of its own for shapes that are due: all pairs are found anew.
     template <int max_bodies, int max_pairs>
     struct AwakeMemory {
+        static constexpr NoTree tree_of_bounds() { return {}; }
         static uint32_t* due_shapes() { return nullptr; }
         static void find_pairs(const SearchView& search, const PairList& pairs) { find_all_awake_pairs(search, pairs); }
         static void find_due_pairs(const SearchView& search, int, const PairList& pairs) { find_all_awake_pairs(search, pairs); }

@@ -79,6 +79,7 @@ struct SortedTree {
         uint16_t places_used = 0, shapes_moved = 0;
 
         SortedTreeView sorted() { return {leaves, boxes, places(), keys, other_keys, other_pairs, counters, place, &places_used, &shapes_moved}; }
+        SortedTreeView tree_of_bounds() { return sorted(); }
         void find_pairs(const SearchView& search, const PairList& pairs) { find_pairs_by_tree(search, sorted(), pairs); }
     };
 

@@ -99,6 +99,12 @@ void lay_path(const PathPoint& begin, scalar from, const PathPoint& end, scalar 
     path.next = never;
 }
 
+bool leaves_bounds(const PathPoint& begin, const Vector& way, const Vector& turn, const BodyExtent& extent) {
+    const scalar spare = limits::contact_margin / 4;
+    const bool further = abs(way.x) > abs(begin.way.x) + spare || abs(way.y) > abs(begin.way.y) + spare || abs(way.z) > abs(begin.way.z) + spare;
+    return !(!further && sqrt(length_sq(turn)) * extent.radius <= sqrt(length_sq(begin.turn)) * extent.radius + spare);
+}
+
 bool is_fast_path(const BodyPath& path, const BodyExtent& extent) {
     const scalar left = 1 - path.from;
     return is_finite(path.way) && is_finite(path.turn) &&

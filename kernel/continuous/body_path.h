@@ -19,6 +19,9 @@ struct BodyPath {
     uint16_t next_slot;  ///< whom it meets; its own slot: nobody, the path ends
     bool fast;         ///< it may get beyond something within a step
     bool falls_free;   ///< nothing touches it on the way: its motion is known exactly at every time
+    uint16_t next_fast, next_stray;  ///< 1 + slot of the next of FastBodies; 0: none
+    bool is_listed;          ///< among the fast
+    bool is_stray;           ///< it may be outside of the bounds that the step began with
     bool in_contact;         ///< it takes part in the contacts of the step, or waits for the next
 };
 
@@ -70,6 +73,28 @@ struct PathPoint {
 /// From one time on at most by this turn: what turns freely does so steadily for a short while only.
 /// Returns: when the path ends, if it begins with that turn at `from`.
 scalar end_of_path(const Vector& turn, scalar from);
+
+/// Lists of the bodies that a step has to look at again and again, through their paths.
+struct FastBodies {
+    uint16_t first_fast, first_stray;  ///< 1 + slot; 0: none. Who was fast stays in its list
+
+    void add_fast(BodyPath* paths, int slot) {
+        if (paths[slot].is_listed) return;
+        paths[slot].is_listed = true;
+        paths[slot].next_fast = first_fast;
+        first_fast = static_cast<uint16_t>(slot + 1);
+    }
+    void add_stray(BodyPath* paths, int slot) {
+        if (paths[slot].is_stray) return;
+        paths[slot].is_stray = true;
+        paths[slot].next_stray = first_stray;
+        first_stray = static_cast<uint16_t>(slot + 1);
+    }
+};
+
+/// Whether a body that was to go by `begin`, m and rad in the step, may have left its bounds by going by `way` and `turn`: they have half of
+/// limits::contact_margin to spare.
+bool leaves_bounds(const PathPoint& begin, const Vector& way, const Vector& turn, const BodyExtent& extent);
 
 /// The path from one point to another, as it turns in the mean of both, and what that leaves to the other's A. fall: m in a step, squared.
 void lay_path(const PathPoint& begin, scalar from, const PathPoint& end, scalar until, const Vector& fall, BodyPath& path);

@@ -2,6 +2,8 @@
 // What the collision of a step works on: bodies, their shapes and paths, and who may move.
 #pragma once
 
+#include "../broad_phase/all_pairs.h"
+#include "../broad_phase/near_shapes.h"
 #include "../constraint/flight_impact.h"
 #include "../island/rest_view.h"
 #include "pair_contacts.h"
@@ -42,9 +44,11 @@ struct AwakeBodies {
 /// Scene: as types and numbers, Shapes (with the forms of hulls), Rotation, Solver, View (of that solver), notes_impulses, bounces, and
 /// pair_manifolds, the room for what two bodies do to each other.
 /// Meets: bool(shape slot, shape slot), of those that are solid to each other. Sensors: PassedSensors, or NoPassedSensors.
-template <class Scene, class MovingBodies, class Meets, class Sensors>
+/// Tree: a SortedTreeView over the fat AABBs of all shapes, or NoTree.
+template <class Scene, class MovingBodies, class Meets, class Sensors, class Tree>
 struct ContinuousCollision {
     using SceneTraits = Scene;
+    using TreeType = Tree;
     using Contacts = PairContacts<Scene::pair_manifolds, typename Scene::View>;
 
     BodyView bodies;
@@ -59,6 +63,8 @@ struct ContinuousCollision {
     Meets meets;
     Sensors sensors;
     FlightImpactList flights;     ///< for events, where Scene::notes_impulses
+    Tree tree;
+    FastBodies* lists;            ///< empty as the step begins
 };
 
 /// Two bodies and their contacts, for a while of the step.

@@ -22,6 +22,7 @@ template <class Collision>
 void lay_path_of_step(const Collision& collision, int slot, PairSubWorld& two) {
     BodyPath& path = collision.paths[slot];
     const PathPoint begin = {path.r_CM, path.way, path.turn, path.A};
+    const Vector way = flight_state(collision.bodies, slot).r_CM - begin.r_CM;
     path.in_contact = takes_part(collision.solver, slot);
     path.falls_free = !path.in_contact;
     path.until = 1;
@@ -33,8 +34,12 @@ void lay_path_of_step(const Collision& collision, int slot, PairSubWorld& two) {
     } else if (path.fast) {
         lay_free_path(collision, slot, {path.r_CM, path.v_CM, path.L, path.A}, 0, two);
     } else {
-        path.way = flight_state(collision.bodies, slot).r_CM - begin.r_CM;
+        path.way = way;
     }
+    const Vector turn = path.in_contact ? path.turn : omega_of(collision.bodies, slot) * collision.clock.h;
+    if (is_tree<typename Collision::TreeType> && leaves_bounds(begin, way, turn, extent_of(collision.shapes, slot)))
+        collision.lists->add_stray(collision.paths, slot);
+    if (path.fast) collision.lists->add_fast(collision.paths, slot);
 }
 
 /// The paths of all bodies that move. True if one is fast.
@@ -67,14 +72,13 @@ bool is_followed(const Collision& collision, const BodyPath& A, const BodyPath& 
 /// Of bodies of several shapes the first pair of shapes that meets counts, and all that touch then are solved together; those that find no room
 /// among limits::pair_manifolds_max are counted in report.contacts_lost.
 /// Bound: impacts_in_step_max impacts, and as many parts of paths as their turns need, limits::path_parts_max a body and step.
-/// Cost:  a look at every body for each fast one, and some searches for nearest points for those near its path.
+/// Cost:  for each fast body and part of its path O(log bodies) with a tree, a look at every body without; and some searches for nearest points for
+///        those near its path.
 template <class Collision>
 void follow_fast_bodies(const Collision& collision, StepReport& report) {
     PairRoom<Collision> room;
     if (!lay_all_paths(collision, room.two)) return;
-    collision.moving.for_each([&](int slot) {
-        if (collision.paths[slot].fast) find_next(collision, slot);
-    });
+    for_fast(collision, [&](int slot) { find_next(collision, slot); });
 
     int impacts = 0;
     // bound: (limits::path_parts_max + 1) max_bodies + 2 limits::impacts_in_step_max: a path that ends took 1 / path_parts_max of the step
@@ -100,7 +104,7 @@ void follow_fast_bodies(const Collision& collision, StepReport& report) {
         }
         find_next_anew(collision, slot_A, slots[1]);
     }
-    collision.moving.for_each([&](int slot) { note_passed_sensors(collision, slot, 1); });
+    for_fast(collision, [&](int slot) { note_passed_sensors(collision, slot, 1); });
 }
 
 } }  // namespace ingot

@@ -7,10 +7,45 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// Looks whether one body meets another before all else that comes to it.
+INGOT_INLINE scalar sum_of_components(const Vector& v) { return abs(v.x) + abs(v.y) + abs(v.z); }
+
+/// Calls each(slot) for the bodies that a body may meet on its path: all, or those whose bounds it comes near, and those that may be outside of
+/// theirs. Some more than once.
+template <class Collision, class Each>
+void for_others_near(const Collision& collision, int slot, const Each& each) {
+    if constexpr (is_tree<typename Collision::TreeType>) {
+        const BodyPath& path = collision.paths[slot];
+        const scalar time = path.until - path.from;
+        const Vector end = path.r_CM + (path.way + path.fall * time) * time;
+        // A parabola leaves its chord by a quarter of the fall.
+        const scalar reach = extent_of(collision.shapes, slot).radius * (1 + limits::flatness) + sum_of_components(path.fall) * scalar(0.25) +
+                             limits::contact_margin + 8 * epsilon * (sum_of_components(path.r_CM) + sum_of_components(end));
+        const Vector more = {reach, reach, reach};
+        for_near_shapes(collision.tree, {min(path.r_CM, end) - more, max(path.r_CM, end) + more}, [&](int shape) {
+            const int other = collision.shapes.body_of({shape});
+            if (other != slot) each(other);
+        });
+        // bound: max_bodies: a list without rings
+        for (int other = collision.lists->first_stray; other != 0; other = collision.paths[other - 1].next_stray)
+            if (other - 1 != slot) each(other - 1);
+    } else {
+        for (int other = 0; other < collision.shapes.body_count(); ++other)  // bound: max_bodies
+            if (other != slot) each(other);
+    }
+}
+
+/// Calls each(slot) for the bodies that are fast.
+template <class Collision, class Each>
+void for_fast(const Collision& collision, const Each& each) {
+    // bound: max_bodies: a list without rings
+    for (int slot = collision.lists->first_fast; slot != 0; slot = collision.paths[slot - 1].next_fast)
+        if (collision.paths[slot - 1].fast) each(slot - 1);
+}
+
+/// Looks whether one body meets another before all else that comes to it. Of two that come at the same time the first counts, or, where they are
+/// looked at in whatever order, the lower.
 template <class Collision>
-void consider(const Collision& collision, int slot, int other) {
-    if (other == slot) return;
+void consider(const Collision& collision, int slot, int other, bool lower_counts) {
     BodyPath at_rest, &path = collision.paths[slot];
     const BodyPath& path_B = path_of(collision, other, at_rest);
     collision.shapes.for_shapes(slot, [&](ShapeSlot shape_A) {
@@ -20,7 +55,8 @@ void consider(const Collision& collision, int slot, int other) {
             if (!may_meet(A, B) || !collision.meets(shape_A.number, shape_B.number)) return;
             const scalar latest = min(path.next, min(path.until, path_B.until));
             const scalar t = time_of_impact(A, B, latest, !is_solved(collision, {shape_A, shape_B}));
-            if (!(t < latest)) return;
+            const bool ties = lower_counts && t <= latest && !(t < path.next) && path.next_slot != slot && other < path.next_slot;
+            if (!(t < latest || ties)) return;
             path.next = t;
             path.next_slot = static_cast<uint16_t>(other);
         });
@@ -33,8 +69,7 @@ void note_passed_sensors([[maybe_unused]] const Collision& collision, [[maybe_un
     if constexpr (decltype(collision.sensors)::some) {
         const BodyPath& path = collision.paths[slot];
         if (!path.fast) return;
-        for (int other = 0; other < collision.shapes.body_count(); ++other) {  // bound: max_bodies
-            if (other == slot) continue;
+        for_others_near(collision, slot, [&](int other) {
             BodyPath at_rest;
             const BodyPath& path_B = path_of(collision, other, at_rest);
             collision.shapes.for_shapes(slot, [&](ShapeSlot shape_A) {
@@ -44,7 +79,7 @@ void note_passed_sensors([[maybe_unused]] const Collision& collision, [[maybe_un
                     if (may_meet(A, B) && time_of_impact(A, B, t, false) <= t) collision.sensors.note(shape_A.number, shape_B.number);
                 });
             });
-        }
+        });
     }
 }
 
@@ -54,7 +89,7 @@ void find_next(const Collision& collision, int slot) {
     BodyPath& path = collision.paths[slot];
     path.next = path.until < 1 ? path.until : never;
     path.next_slot = static_cast<uint16_t>(slot);
-    for (int other = 0; other < collision.shapes.body_count(); ++other) consider(collision, slot, other);  // bound: max_bodies
+    for_others_near(collision, slot, [&](int other) { consider(collision, slot, other, true); });
 }
 
 /// The fast body to which something comes first; -1: nothing comes.
@@ -62,11 +97,11 @@ template <class Collision>
 int first_of_all(const Collision& collision) {
     int first = -1;
     scalar earliest = 1;
-    collision.moving.for_each([&](int slot) {
-        const BodyPath& path = collision.paths[slot];
-        if (!path.fast || !(path.next < earliest)) return;
+    for_fast(collision, [&](int slot) {
+        const scalar next = collision.paths[slot].next;
+        if (!(next < earliest || (next <= earliest && slot < first))) return;
         first = slot;
-        earliest = path.next;
+        earliest = next;
     });
     return first;
 }
@@ -74,14 +109,13 @@ int first_of_all(const Collision& collision) {
 /// After the paths of two bodies have changed: the impacts that are no more, and those that come of it.
 template <class Collision>
 void find_next_anew(const Collision& collision, int slot_A, int slot_B) {
-    collision.moving.for_each([&](int slot) {
+    for_fast(collision, [&](int slot) {
         const BodyPath& path = collision.paths[slot];
-        if (!path.fast) return;
         if (slot == slot_A || slot == slot_B || path.next_slot == slot_A || path.next_slot == slot_B) {
             find_next(collision, slot);
         } else {
-            consider(collision, slot, slot_A);
-            if (slot_B != slot_A) consider(collision, slot, slot_B);
+            consider(collision, slot, slot_A, false);
+            if (slot_B != slot_A) consider(collision, slot, slot_B, false);
         }
     });
 }

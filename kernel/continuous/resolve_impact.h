@@ -132,6 +132,8 @@ void resolve_impact(const Collision& collision, const int (&slots)[2], scalar t,
         else
             lay_free_path(collision, slot, states[which], parted, two);
         path.fast = !over && is_valid(collision, slot) && is_fast_path(path, extents[which]);
+        collision.lists->add_stray(collision.paths, slot);
+        if (path.fast) collision.lists->add_fast(collision.paths, slot);
     }
 }
 

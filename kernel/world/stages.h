@@ -205,7 +205,7 @@ void note_approaches([[maybe_unused]] Step<S>& now) {
 
 /// What fast bodies are followed by, of a scene: see ContinuousCollision.
 template <class S>
-struct FastBodiesOf {
+struct FastSceneOf {
     using Shapes = ShapesOf<S>;
     using Rotation = typename S::rotation;
     using Solver = typename S::solver;
@@ -263,9 +263,11 @@ void follow_fast_bodies([[maybe_unused]] Step<S>& now) {
         const auto moving = moving_bodies(now);
         const ManifoldView solved = storage.manifold_view();
         const auto sensors = passed_sensors(now);
-        const ContinuousCollision<FastBodiesOf<S>, decltype(moving), decltype(meets), decltype(sensors)> collision = {
+        auto tree = storage.tree_of_bounds();
+        FastBodies lists = {};
+        const ContinuousCollision<FastSceneOf<S>, decltype(moving), decltype(meets), decltype(sensors), decltype(tree)> collision = {
             now.bodies, storage.body_shapes(), storage.shape_materials(), now.solver, solved.pairs, *solved.count, storage.paths,
-            {storage.gravity, now.h}, moving, meets, sensors, begin_flights(now)};
+            {storage.gravity, now.h}, moving, meets, sensors, begin_flights(now), tree, &lists};
         follow_fast_bodies(collision, now.report);
     }
 }

@@ -115,7 +115,8 @@ public:
         return {Status::ok, storage_.surface_velocities[shape_slot.value]};
     }
 
-    // Bodies in sensors, as they were at the begin of the last step; 0 <= index < overlap_count(), in the order of slots.
+    // Bodies in sensors, as they were at the begin of the last step, and those that passed one in flight; 0 <= index < overlap_count(), in the
+    // order of slots.
     // Full: those that come first in this order are kept, the others count in StepReport::overlaps_lost.
 
     int overlap_count() const {

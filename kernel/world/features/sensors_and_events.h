@@ -109,7 +109,7 @@ struct Sensors : Feature {
             return sensor <= 1;
         }
     };
-    /// Who is in one, as of the begin of the last step.
+    /// Who is in one, as of the begin of the last step, or passed it in flight.
     struct OfEntry : SavedPair {
         template <class S>
         void take(const Storage<S>& storage, int overlap_i) {
