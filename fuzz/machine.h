@@ -255,7 +255,7 @@ protected:
         // Of contacts with friction, in every substep; calm steps that are calm no more begin again, with all of theirs, but for those of points.
         // A body that is followed has as many again at each of its impacts.
         constexpr int begun_again = ingot::solves_pointwise<S> ? 0 : limits::steady_substeps;
-        constexpr int substeps = (begun_again + limits::substeps) * (S::continuous ? limits::impacts_in_step_max + 1 : 1);
+        constexpr int substeps = (begun_again + limits::substeps) * (S::continuous ? limits::impacts_of_body_max * S::max_bodies + 1 : 1);
         const int waves_of_stacks = ingot::solves_pointwise<S> ? 0 : substeps * limits::impacts_of_contact * report.contacts;
         const int waves_max = ingot::stacks<S> ? waves_of_stacks : limits::impact_waves_max;
         demand(report.impact_waves <= waves_max, "waves are bounded");

@@ -112,7 +112,7 @@ TYPED_TEST_SUITE(EveryEngine, Engines);
 /// A shot of 1 to 800 m/s in a closed room, for half a second.
 ///
 /// It does not leave. Without friction it never has more energy than at the start: each part of a path and each impact rounds v_CM, L and A, by less
-/// than four epsilon of the energy together, and a step has no more of them than path_parts_max and impacts_in_step_max; what restitution takes
+/// than four epsilon of the energy together, and a step has no more of them than path_parts_max and impacts_of_body_max; what restitution takes
 /// is more than that in every other step. (With friction Newton's restitution itself may give energy to what is hit off its centre: Kane and
 /// Levinson, "Dynamics", 1985.) A bystander outside goes on as if there were no shot, to the bit.
 template <class S>
@@ -144,7 +144,7 @@ void expect_shot_stays(Kind kind, int shot, RandomInput& random) {
                M * static_cast<double>(standard_gravity) * static_cast<double>(world.state(thrown).value.r_CM.z);
     };
     const double start = energy(), lowest = -M * static_cast<double>(standard_gravity * half_room);
-    const double roundings = 4 * eps * (ingot::limits::path_parts_max + ingot::limits::impacts_in_step_max);
+    const double roundings = 4 * eps * (ingot::limits::path_parts_max + ingot::limits::impacts_of_body_max);
     for (int step_i = 0; step_i < 30; ++step_i) {
         (void)ingot::step(without, display_rate_h);
         const StepReport report = ingot::step(world, display_rate_h);

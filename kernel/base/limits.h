@@ -177,7 +177,8 @@ inline constexpr scalar together_share = scalar(0.25);
 /// One of two bodies that touch already is taken to be smaller by this part: they meet again when they have got so much deeper.
 inline constexpr scalar skin_share = scalar(0.1);
 inline constexpr int skins_max = 6;                  ///< times skin_share, for bodies that are deeper in each other already
-inline constexpr int impacts_in_step_max = 64;       ///< of fast bodies; the other impacts wait for the next step, and are counted
+inline constexpr int impacts_of_body_max = 64;       ///< of a fast body in a step; its other impacts wait for the next, and are counted
+inline constexpr int flight_impacts_max = 64;        ///< of fast bodies that events tell of in a step
 inline constexpr int pair_manifolds_max = 8;          ///< of two bodies of several shapes that meet: the deepest; the others have no room
 inline constexpr scalar last_moment = scalar(1e-5);  ///< of a step; bodies that meet later do so in the next
 

@@ -35,7 +35,7 @@ struct FlightImpactList {
     /// The place of the first that is not before the key.
     int place_of_key(uint32_t key) const {
         int place = 0;
-        // bound: limits::impacts_in_step_max
+        // bound: limits::flight_impacts_max
         while (place < *count && impacts[place].key() < key) ++place;
         return place;
     }
@@ -51,7 +51,7 @@ struct FlightImpactList {
             return;
         }
         if (*count == capacity) return ingot::count(*lost);
-        // bound: limits::impacts_in_step_max
+        // bound: limits::flight_impacts_max
         for (int i = *count; i > place; --i) write(impacts[i], impacts[i - 1]);
         ++*count;
         write(impacts[place], impact);

@@ -17,6 +17,7 @@ struct BodyPath {
     scalar from, until;
     scalar next;         ///< when it first meets something, or where its path has to be laid on; never: neither
     uint16_t next_slot;  ///< whom it meets; its own slot: nobody, the path ends
+    uint8_t impacts;   ///< followed in this step
     bool fast;         ///< it may get beyond something within a step
     bool falls_free;   ///< nothing touches it on the way: its motion is known exactly at every time
     uint16_t next_fast, next_stray;  ///< 1 + slot of the next of FastBodies; 0: none

@@ -61,17 +61,27 @@ bool is_followed(const Collision& collision, const BodyPath& A, const BodyPath& 
     return (t <= limits::last_moment && !sleeps) || (!A.in_contact && !B.in_contact);
 }
 
+/// Counts an impact that is to be followed, for both bodies. False where one of them has had as many as there may be: what a body does to others
+/// elsewhere takes nothing from it. What cannot move has them without end.
+template <class Collision>
+bool take_impact(const Collision& collision, const int (&slots)[2], bool followed) {
+    for (const int slot : slots) followed = followed && !(is_valid(collision, slot) && collision.paths[slot].impacts >= limits::impacts_of_body_max);
+    for (const int slot : slots)
+        if (followed && is_valid(collision, slot)) ++collision.paths[slot].impacts;
+    return followed;
+}
+
 /// Follows the fast bodies of a step of h seconds through their impacts. Comes last, when all bodies are where they would be without.
 ///
 /// Impact by impact in the order of time, two bodies that meet are taken back to that time, touch as in any step, with restitution, friction,
 /// forces, and what else their surfaces have, and go on to the end of the step. A body that takes part in the contacts of the step is not taken from
 /// them: whoever meets it waits there for the next step, which finds both touching, as does whoever meets one that waits or sleeps; so do those that
-/// are left after limits::impacts_in_step_max. Only what meets at the very begin is not left waiting, lest it wait for ever. They are counted in
+/// a body has after limits::impacts_of_body_max. Only what meets at the very begin is not left waiting, lest it wait for ever. They are counted in
 /// report.impacts_deferred: the rest of the step is lost to them, and no energy or momentum.
 /// What was made fast by the contacts of this step is seen too: all goes by the ways that bodies have gone.
 /// Of bodies of several shapes the first pair of shapes that meets counts, and all that touch then are solved together; those that find no room
 /// among limits::pair_manifolds_max are counted in report.contacts_lost.
-/// Bound: impacts_in_step_max impacts, and as many parts of paths as their turns need, limits::path_parts_max a body and step.
+/// Bound: impacts_of_body_max impacts a body, and as many parts of paths as their turns need, limits::path_parts_max a body and step.
 /// Cost:  for each fast body and part of its path O(log bodies) with a tree, a look at every body without; and some searches for nearest points for
 ///        those near its path.
 template <class Collision>
@@ -80,8 +90,7 @@ void follow_fast_bodies(const Collision& collision, StepReport& report) {
     if (!lay_all_paths(collision, room.two)) return;
     for_fast(collision, [&](int slot) { find_next(collision, slot); });
 
-    int impacts = 0;
-    // bound: (limits::path_parts_max + 1) max_bodies + 2 limits::impacts_in_step_max: a path that ends took 1 / path_parts_max of the step
+    // bound: (limits::path_parts_max + 1 + 2 limits::impacts_of_body_max) max_bodies: a path that ends took 1 / path_parts_max of the step
     // or more; impacts are counted; a body that waits is fast no more, and an impact makes one more fast at most
     for (int slot_A = first_of_all(collision); slot_A >= 0; slot_A = first_of_all(collision)) {
         BodyPath at_rest;
@@ -93,8 +102,7 @@ void follow_fast_bodies(const Collision& collision, StepReport& report) {
         if (slots[1] != slot_A && collision.moving.has(slots[1])) note_passed_sensors(collision, slots[1], t);
         if (slots[1] == slot_A) {
             lay_free_path(collision, slot_A, motion_at(collision, slot_A, t, room.two), t, room.two);
-        } else if (impacts < limits::impacts_in_step_max && is_followed(collision, A, B, slots[1], t)) {
-            ++impacts;
+        } else if (take_impact(collision, slots, is_followed(collision, A, B, slots[1], t))) {
             resolve_impact(collision, slots, t, room, report);
         } else {
             const bool both = B.fast;

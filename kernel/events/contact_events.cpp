@@ -136,14 +136,14 @@ void emit_missing(const PairOfBodiesList& before, const PairOfBodiesList& now, E
 }
 
 void list_flights(const FlightImpactList& flights, const uint32_t* generation, const PairOfBodiesList& touching) {
-    // bound: limits::impacts_in_step_max
+    // bound: limits::flight_impacts_max
     for (int flight_i = 0; flight_i < *flights.count; ++flight_i) {
         const FlightImpact& flight = flights.impacts[flight_i];
         int place = *touching.count;
-        // bound: max_manifolds and limits::impacts_in_step_max
+        // bound: max_manifolds and limits::flight_impacts_max
         while (place > 0 && touching.pairs[place - 1].key() > flight.key()) --place;
         if (place > 0 && touching.pairs[place - 1].key() == flight.key()) continue;
-        // bound: max_manifolds and limits::impacts_in_step_max
+        // bound: max_manifolds and limits::flight_impacts_max
         for (int i = (*touching.count)++; i > place; --i) write_pair(touching.pairs[i], touching.pairs[i - 1]);
         write_pair(touching.pairs[place], {flight.shape_A, flight.shape_B, generation[flight.shape_A], generation[flight.shape_B], false});
     }

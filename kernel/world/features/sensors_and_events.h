@@ -150,11 +150,11 @@ struct Events : Feature {
 
     template <class S, bool present>
     struct FlightMemory {
-        FlightImpact flight_impacts[static_cast<unsigned>(limits::impacts_in_step_max)] = {};
+        FlightImpact flight_impacts[static_cast<unsigned>(limits::flight_impacts_max)] = {};
         uint16_t flight_impact_count = 0;
 
         FlightImpactList flights(StepReport& report) {
-            return {flight_impacts, &flight_impact_count, limits::impacts_in_step_max, &report.events_lost};
+            return {flight_impacts, &flight_impact_count, limits::flight_impacts_max, &report.events_lost};
         }
     };
     template <class S>
@@ -162,7 +162,7 @@ struct Events : Feature {
 
     /// Pairs that touch have a manifold, or met in flight.
     template <class S>
-    static constexpr int touching_capacity_of = S::max_manifolds + (S::continuous ? limits::impacts_in_step_max : 0);
+    static constexpr int touching_capacity_of = S::max_manifolds + (S::continuous ? limits::flight_impacts_max : 0);
 
     template <class S, bool present>
     struct Memory : SensorMemory<S, has_sensors<S>>, FlightMemory<S, S::continuous> {
