@@ -53,7 +53,7 @@ struct Scene {
     using broad_phase = AllPairs;                ///< or SortedTree, for many bodies
     /// Of contacts. BlockSweeps carry piles, towers of 20, and up to 100 kg on 1 kg, with no memory of their own: what a small target
     /// wants. HybridIslands<> picks for each island: sweeps, or for mass ratios from 50 on, towers of 15 and more, and what sweeps do not settle
-    /// a direct solve in double; it takes 123 KB of RAM (HybridIslands<20, 10>, for smaller islands, 40), so a scene has to name it.
+    /// a direct solve in double; it takes 121 KB of RAM (HybridIslands<20, 10>, for smaller islands, 39), so a scene has to name it.
     /// SequentialImpulses is for a few bodies on a small target: a third less flash than BlockSweeps, and half of the RAM. These three have friction,
     /// stacks and piles. FrictionlessImpacts is the article's collision: what flies and bounces, in max_contacts.
     using solver = BlockSweeps;

@@ -18,7 +18,7 @@ void solve_hybrid(View& view, const DirectViewOf<View::rolls>& direct, const Con
 /// without room are swept, and StepReport::direct says so.
 ///
 /// RAM of the world: max_island (1.4 KB + 48 entries_of_row bytes), and 27 bytes a body, 1 a manifold of the scene:
-/// HybridIslands<4> 9 KB, HybridIslands<20, 10> 38 KB, HybridIslands<> 121 KB; never more islands than max_manifolds.
+/// HybridIslands<4> 9 KB, HybridIslands<20, 10> 39 KB, HybridIslands<> 121 KB; never more islands than max_manifolds.
 /// With rolling resistance 0.35 KB more for each manifold of max_island.
 /// Flash: 38 KB on a Cortex-M4F.
 /// Time: a factor, rows times the square of entries_of_row, for each substep whose set of contacts is new, none while it stays.
@@ -26,19 +26,10 @@ void solve_hybrid(View& view, const DirectViewOf<View::rolls>& direct, const Con
 /// software where the core has none, to the same bits, at some 100 instructions an operation: a heavy cube on a light one takes a
 /// Cortex-M4F 1.6 million instructions a step, twenty cubes in a column 22 million.
 template <int max_island = 48, int entries_of_row = 24>
-struct HybridIslands {
+struct HybridIslands : BlockSolver {
     static constexpr const char* name = "hybrid_islands";
-    static constexpr bool is_frictionless = false, is_direct = true, is_pointwise = false;
+    static constexpr bool is_direct = true;
     static constexpr int island_capacity = max_island, entries_per_row = entries_of_row;
-
-    template <bool rolls, bool has_belts, bool>
-    using View = MaterialViewOf<rolls, has_belts>;
-
-    /// The contacts of two bodies that meet within a step, see continuous/: an impact is left to the sweeps in islands too.
-    template <bool notes_impulses, bool bounces, class View>
-    static void solve_pair(View& view, const ContactStep& step, StepReport& report) {
-        solve_by_sweeps<notes_impulses, bounces>(view, step, report);
-    }
 
     template <int max_bodies, int max_manifolds, bool rolls = false, bool = true>
     struct Memory {

@@ -15,20 +15,25 @@ namespace ingot { inline namespace INGOT_ABI {
 template <bool notes_impulses, bool bounces, class View>
 void solve_by_sweeps(View& view, const ContactStep& step, StepReport& report);
 
-/// `using solver = ingot::BlockSweeps;`, for many bodies of like masses. No memory of its own. StepReport::residual says how far it got: some 1e-6
-/// m/s where contacts rest, 0.1 and more where a heavy body crushes a light one.
-struct BlockSweeps {
-    static constexpr const char* name = "block_sweeps";
-    static constexpr bool is_frictionless = false, is_direct = false, is_pointwise = false;
+/// What solvers have in common that work on blocks.
+struct BlockSolver {
+    static constexpr bool is_frictionless = false, is_pointwise = false;
 
     template <bool rolls, bool has_belts, bool>
     using View = MaterialViewOf<rolls, has_belts>;
 
-    /// The contacts of two bodies that meet within a step: see continuous/.
+    /// The contacts of two bodies that meet within a step, see continuous/: they are left to the sweeps, whatever else the solver has.
     template <bool notes_impulses, bool bounces, class View>
     static void solve_pair(View& view, const ContactStep& step, StepReport& report) {
         solve_by_sweeps<notes_impulses, bounces>(view, step, report);
     }
+};
+
+/// `using solver = ingot::BlockSweeps;`, for many bodies of like masses. No memory of its own. StepReport::residual says how far it got: some 1e-6
+/// m/s where contacts rest, 0.1 and more where a heavy body crushes a light one.
+struct BlockSweeps : BlockSolver {
+    static constexpr const char* name = "block_sweeps";
+    static constexpr bool is_direct = false;
 
     template <int max_bodies, int max_manifolds, bool rolls = false, bool = true>
     struct Memory {
