@@ -21,7 +21,7 @@ void fly_freely(const BodyView& bodies, const Vector& gravity, scalar h) {
     integrate_r(bodies, h, gravity);
 }
 
-/// A body in free fall, alone in the two, from the begin of its path to time t.
+/// A body in free fall, alone in its sub-world, from the begin of its path to time t.
 template <class Collision>
 void fly_alone(const Collision& collision, int slot, scalar t, PairSubWorld& two) {
     const BodyPath& path = collision.paths[slot];

@@ -7,8 +7,6 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-INGOT_INLINE scalar sum_of_components(const Vector& v) { return abs(v.x) + abs(v.y) + abs(v.z); }
-
 /// Calls each(slot) for the bodies that a body may meet on its path: all, or those whose bounds it comes near, and those that may be outside of
 /// theirs. Some more than once.
 template <class Collision, class Each>

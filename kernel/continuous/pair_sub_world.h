@@ -32,7 +32,7 @@ struct PairSubWorld {
     /// The forces of users, while those of contacts stand in their place.
     void keep_forces();
     void return_forces();
-    /// s; as long as the two move little, against each other and against all that is not in the room.
+    /// s; as long as the two move little, against each other and against all that is not in the sub-world.
     scalar moment();
     /// One of them gets past its own size within h seconds.
     bool some_fast(scalar h);

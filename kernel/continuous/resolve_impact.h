@@ -37,7 +37,7 @@ void note_flights(const Collision& collision, const typename Collision::Contacts
     }
 }
 
-/// The manifolds of two bodies in their room that can touch within h seconds, with what their surfaces are to each other.
+/// The manifolds of two bodies in their sub-world that can touch within h seconds, with what their surfaces are to each other.
 template <class Collision>
 void find_pair_contacts(const Collision& collision, const int (&slots)[2], PairRoom<Collision>& room, scalar h, StepReport& report) {
     const scalar margin = room.two.margin(h);
@@ -68,7 +68,7 @@ void find_pair_contacts(const Collision& collision, const int (&slots)[2], PairR
     });
 }
 
-/// Two bodies in their room for h seconds, by the laws of any step. True if they press on each other at the end.
+/// Two bodies in their sub-world for h seconds, by the laws of any step. True if they press on each other at the end.
 template <class Collision>
 bool solve_pair_for(const Collision& collision, const int (&slots)[2], PairRoom<Collision>& room, scalar h, StepReport& report) {
     using Traits = typename Collision::SceneTraits;

@@ -9,8 +9,6 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
-scalar sum_of_extents(const Vector& v) { return abs(v.x) + abs(v.y) + abs(v.z); }
-
 /// Two shapes at a time, seen from the centre of mass of B's body: what is far from the origin loses no more digits.
 struct Approach {
     PlacedShape A, B;
@@ -30,7 +28,7 @@ Approach approach_at(const ShapeOnPath& A, const ShapeOnPath& B, scalar t) {
 
 /// The gap that is as good as none.
 scalar meeting_gap(const Approach& now, scalar least, const Vector& r_A, const Vector& r_B) {
-    const scalar roundings = 4 * epsilon * (sum_of_extents(now.r) + sum_of_extents(r_A) + sum_of_extents(r_B) + now.R_A + now.R_B);
+    const scalar roundings = 4 * epsilon * (sum_of_components(now.r) + sum_of_components(r_A) + sum_of_components(r_B) + now.R_A + now.R_B);
     return min(limits::impact_gap * least, limits::impact_gap_max) + roundings;
 }
 
@@ -132,9 +130,9 @@ bool may_meet(const ShapeOnPath& A, const ShapeOnPath& B) {
     const scalar way_sq = length_sq(way), along = -dot(between, way);
     const scalar t = along > 0 ? (along < way_sq ? along / way_sq : scalar(1)) : scalar(0);
     // A parabola leaves its chord by a quarter of the fall.
-    const scalar bulge = (sum_of_extents(path_A.fall) + sum_of_extents(path_B.fall)) * scalar(0.25);
+    const scalar bulge = (sum_of_components(path_A.fall) + sum_of_components(path_B.fall)) * scalar(0.25);
     const scalar reach = (A.radius + B.radius) * (1 + limits::flatness) + bulge + limits::impact_gap_max +
-                         8 * epsilon * (sum_of_extents(path_A.r_CM) + sum_of_extents(path_B.r_CM) + sum_of_extents(way));
+                         8 * epsilon * (sum_of_components(path_A.r_CM) + sum_of_components(path_B.r_CM) + sum_of_components(way));
     return length_sq(between + way * t) <= reach * reach;
 }
 

@@ -5,6 +5,9 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
+/// Of their magnitudes: what coordinates round by is a share of it.
+INGOT_INLINE scalar sum_of_components(const Vector& v) { return abs(v.x) + abs(v.y) + abs(v.z); }
+
 /// When two shapes on the paths of their bodies first meet, before `latest`: a fraction of the step, or `never`. A is no half space.
 ///
 /// Conservative advancement: the nearest points give a plane between the shapes. How fast points of either come towards it is bounded by the speed
