@@ -143,6 +143,10 @@ void list_flights(const FlightImpactList& flights, const uint32_t* generation, c
         // bound: max_manifolds and limits::flight_impacts_max
         while (place > 0 && touching.pairs[place - 1].key() > flight.key()) --place;
         if (place > 0 && touching.pairs[place - 1].key() == flight.key()) continue;
+        if (*touching.count == touching.capacity) {
+            count(*flights.lost);
+            continue;
+        }
         // bound: max_manifolds and limits::flight_impacts_max
         for (int i = (*touching.count)++; i > place; --i) write_pair(touching.pairs[i], touching.pairs[i - 1]);
         write_pair(touching.pairs[place], {flight.shape_A, flight.shape_B, generation[flight.shape_A], generation[flight.shape_B], false});

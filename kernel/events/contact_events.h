@@ -98,7 +98,7 @@ INGOT_INLINE void copy_list(const PairOfBodiesList& from, const PairOfBodiesList
 
 /// Pairs of `before` that are not in `now`, as events of the kind.
 void emit_missing(const PairOfBodiesList& before, const PairOfBodiesList& now, EventKind kind, uint16_t world_tag, const EventList& events);
-/// Pairs that met within the step touch in it: they come to those that do. Needs: room for them.
+/// Pairs that met within the step touch in it: they come to those that do. Who has no room is counted in flights.lost.
 void list_flights(const FlightImpactList& flights, const uint32_t* generation, const PairOfBodiesList& touching);
 
 /// What a step knows of contacts: manifolds and what was noted of them; and who met in flight, a FlightImpactList or NoFlightImpacts.

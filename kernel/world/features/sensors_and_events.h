@@ -162,7 +162,10 @@ struct Events : Feature {
 
     /// Pairs that touch have a manifold, or met in flight.
     template <class S>
-    static constexpr int touching_capacity_of = S::max_manifolds + (S::continuous ? limits::flight_impacts_max : 0);
+    static constexpr int most_touching = S::max_manifolds + (S::continuous ? limits::flight_impacts_max : 0);
+    /// As far as 16 bits count them.
+    template <class S>
+    static constexpr int touching_capacity_of = most_touching<S> < 65535 ? most_touching<S> : 65535;
 
     template <class S, bool present>
     struct Memory : SensorMemory<S, has_sensors<S>>, FlightMemory<S, S::continuous> {
