@@ -116,7 +116,7 @@ def write_units(folder, count):
 
 
 def sentences_of(compile_command, scenes):
-    """Compiles worlds of {struct: text} and returns {struct: the first sentence against it}. One unit for all: each error names its scene."""
+    """Compiles worlds of {struct: text} and returns {struct: the sentences against it, in the order of the compiler}. One unit for all: each error names its scene."""
     text = HEAD + "".join(scenes.values())
     text += "".join(f"constexpr unsigned long size_of_{struct} = sizeof(ingot::World<{struct}>);\n" for struct in scenes) + "\n}  // namespace pairs\n"
     with tempfile.TemporaryDirectory() as folder:
@@ -133,18 +133,18 @@ def sentences_of(compile_command, scenes):
         if error and "check_scene" not in error.group(1):
             sentence = error.group(1)
             if struct and not inside:
-                found.setdefault(struct, sentence)
+                found.setdefault(struct, []).append(sentence)
         elif re.search(r"error: ", line) and struct is None:
             raise SystemExit(f"pairs_of_traits: no sentence, but\n{line}")
         requested = re.search(r"instantiation of .*<pairs::(\w+)>' requested here", line)
         if requested and sentence:  # clang: after it
-            found.setdefault(requested.group(1), sentence)
+            found.setdefault(requested.group(1), []).append(sentence)
             sentence = None
     return found
 
 
 def judge(compile_command):
-    """{pair: (base, None)} of those that compile, {pair: (base, sentence)} of those that are refused."""
+    """{pair: (base, [])} of those that compile, {pair: (base, sentences)} of those that are refused."""
     alone = {struct_name(name, "in", base): (name, base) for name in TRAITS for base in BASES}
     refused_alone = sentences_of(compile_command, {struct: scene(struct, base, name) for struct, (name, base) in alone.items()})
     stands = {key for struct, key in alone.items() if struct not in refused_alone}
@@ -157,9 +157,9 @@ def judge(compile_command):
     refused = sentences_of(compile_command, {struct: scene(struct, base, a, b) for struct, (a, b, base) in tried.items()})
     verdict = {}
     for struct, (a, b, base) in tried.items():
-        sentence = refused.get(struct)
-        if (a, b) not in verdict or (verdict[a, b][1] and not sentence):
-            verdict[a, b] = (base, sentence)
+        sentences = refused.get(struct, [])
+        if (a, b) not in verdict or (verdict[a, b][1] and not sentences):
+            verdict[a, b] = (base, sentences)
     return verdict
 
 
@@ -228,16 +228,19 @@ def check_refused(compile_command):
     rows, verdict = read_table(), judge(compile_command)
     if missing := [pair for pair in verdict if pair not in rows]:
         fail([f"{a} with {b} has no row in pairs.csv" for a, b in missing])
-    fail([f"{a} with {b}: the table says '{rows[a, b]['sentence'] or 'runs in ' + rows[a, b]['base']}', the compiler '{sentence or 'runs in ' + base}'"
-          for (a, b), (base, sentence) in verdict.items() if (rows[a, b]["base"], rows[a, b]["sentence"]) != (base, sentence or "")])
+    # Where several sentences are said, compilers differ in which comes first.
+    fail([f"{a} with {b}: the table says '{rows[a, b]['sentence'] or 'runs in ' + rows[a, b]['base']}', the compiler {sentences or 'runs in ' + base}"
+          for (a, b), (base, sentences) in verdict.items()
+          if rows[a, b]["base"] != base or (rows[a, b]["sentence"] not in sentences if sentences else rows[a, b]["sentence"])])
 
 
 def update_refused(compile_command):
     old = read_table() if TABLE.exists() else {}
     rows = {}
-    for pair, (base, sentence) in judge(compile_command).items():
+    for pair, (base, sentences) in judge(compile_command).items():
+        sentence = sentences[0] if sentences else ""
         kept = {} if sentence else {key: old.get(pair, {}).get(key, "") for key in ("float", "double")}
-        rows[pair] = dict.fromkeys(COLUMNS, "") | {"trait": pair[0], "other": pair[1], "base": base, "sentence": sentence or ""} | kept
+        rows[pair] = dict.fromkeys(COLUMNS, "") | {"trait": pair[0], "other": pair[1], "base": base, "sentence": sentence} | kept
     write_table(rows)
     README.write_text(in_readme(rows)[1])
 

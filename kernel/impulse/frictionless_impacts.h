@@ -12,6 +12,10 @@ namespace ingot { inline namespace INGOT_ABI {
 struct FrictionlessImpacts {
     static constexpr const char* name = "frictionless_impacts";
     static constexpr bool is_frictionless = true, is_direct = false, is_pointwise = false;
+
+    /// Nothing: what a compiler meets on its way to the sentence that refuses a scene with max_manifolds.
+    template <int, int, bool = false, bool = true>
+    struct Memory {};
 };
 
 } }  // namespace ingot
