@@ -27,11 +27,11 @@ bool stays_in_range(const RotationTile& rotation, const Vector& v_CM, const Vect
 }
 
 /// A body at the begin of a step, and what acts on it.
-struct BodyMotion {
+struct MotionAtBegin {
     Vector v_CM, L, a, tau;
     scalar inv_M;
 };
-BodyMotion motion_of(const BodyView& bodies, const Vector& gravity, int slot) {
+MotionAtBegin motion_of(const BodyView& bodies, const Vector& gravity, int slot) {
     const Place at = place_of(slot);
     const TranslationTile& translation = bodies.translation[at.tile];
     const RotationTile& rotation = bodies.rotation[at.tile];
@@ -40,7 +40,7 @@ BodyMotion motion_of(const BodyView& bodies, const Vector& gravity, int slot) {
             lane_of(rotation.tau_T, at.lane), inv_M};
 }
 
-void begin_body(const SolverView& solver, int body_i, const BodyMotion& motion) {
+void begin_body(const SolverView& solver, int body_i, const MotionAtBegin& motion) {
     SolverBody& body = solver.bodies[body_i];
     SolverBodyHistory& history = solver.histories[body_i];
     body = {};
@@ -59,7 +59,7 @@ uint16_t take_in(SolverView& solver, const BodyView& bodies, const Vector& gravi
     if (!(inv_M > 0)) return 0;
     if (takes_part(solver, slot)) return solver.local_of[slot];
     RotationTile& rotation = bodies.rotation[at.tile];
-    const BodyMotion motion = motion_of(bodies, gravity, slot);
+    const MotionAtBegin motion = motion_of(bodies, gravity, slot);
     if (!stays_in_range(rotation, motion.v_CM + motion.a * h, motion.L + motion.tau * h, at.lane)) {
         mark_lane_bad(rotation.bad, at.lane);
         return 0;
