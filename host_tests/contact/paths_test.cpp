@@ -143,8 +143,8 @@ TEST(TimeOfImpact, is_when_the_shapes_meet_and_never_later) {
         }
         if (least_before < 0.05) continue;
         const double roundings = 64 * eps * 4, near = meeting_gap(A, B) + roundings;
-        const double t = static_cast<double>(ingot::time_of_impact(on(path_A, A), on(path_B, B), 1, false));
-        const bool may = ingot::may_meet(on(path_A, A), on(path_B, B));
+        const double t = static_cast<double>(ingot::time_of_impact(on(path_A, A), on(path_B, B), 1, 1, false));
+        const bool may = ingot::may_meet(on(path_A, A), on(path_B, B), 1);
         ruled_out += may ? 0 : 1;
         if (first <= 1) {
             EXPECT_TRUE(may) << i;
@@ -162,7 +162,7 @@ TEST(TimeOfImpact, is_when_the_shapes_meet_and_never_later) {
         EXPECT_GE(gap(t), -roundings) << i << ": and no further";
         // No look before it saw them overlap, and with a deadline before it nothing is met.
         EXPECT_GE(first, t - 1e-5) << i;
-        EXPECT_EQ(ingot::time_of_impact(on(path_A, A), on(path_B, B), static_cast<scalar>(begin + (t - begin) * 0.9), false), ingot::never);
+        EXPECT_EQ(ingot::time_of_impact(on(path_A, A), on(path_B, B), 1, static_cast<scalar>(begin + (t - begin) * 0.9), false), ingot::never);
     }
     EXPECT_GT(met, 150);
     EXPECT_LE(early, met / 50) << "and they have come together";
@@ -181,7 +181,8 @@ TEST(TimeOfImpact, of_balls_is_that_of_the_parabola) {
             path_A.from = static_cast<scalar>(from);
             path_A.until = path_B.until = 4;
             const double t =
-                static_cast<double>(ingot::time_of_impact(on(path_A, ingot::Sphere{scalar(0.5)}), on(path_B, ingot::Sphere{scalar(0.25)}), 4, false));
+                static_cast<double>(ingot::time_of_impact(on(path_A, ingot::Sphere{scalar(0.5)}), on(path_B, ingot::Sphere{scalar(0.25)}), 1, 4,
+                                                          false));
             // 2 - u - fall u^2 = 0.75
             const double u = fall > 0 ? (-1 + std::sqrt(1 + 5 * fall)) / (2 * fall) : 1.25, speed = 1 + 2 * fall * u;
             EXPECT_LE(t, from + u + 1e-6);
@@ -199,7 +200,7 @@ TEST(TimeOfImpact, of_small_balls_is_at_a_gap_as_small) {
         path_A.way = {0, 0, scalar(-0.5)};
         path_A.until = path_B.until = 1;
         const Shape A = ingot::Sphere{static_cast<scalar>(radius)}, B = ingot::Sphere{static_cast<scalar>(2 * radius)};
-        const double t = static_cast<double>(ingot::time_of_impact(on(path_A, A), on(path_B, B), 1, false)), meets = (0.25 - 3 * radius) / 0.5;
+        const double t = static_cast<double>(ingot::time_of_impact(on(path_A, A), on(path_B, B), 1, 1, false)), meets = (0.25 - 3 * radius) / 0.5;
         // Positions of up to 0.25 m are rounded, each some times; t, which is below 1, itself.
         const double roundings = 16 * eps;
         EXPECT_LE(t, meets + roundings) << radius;
@@ -220,7 +221,7 @@ TEST(TimeOfImpact, of_a_long_rod_is_not_later_for_its_length) {
             path_A.way = {0, 0, -1};
             path_A.until = path_B.until = 1;
             const Shape &A = rod_first ? rod : ball, &B = rod_first ? ball : rod;
-            const double t = static_cast<double>(ingot::time_of_impact(on(path_A, A), on(path_B, B), 1, false)), meets = 1 - 0.1875;
+            const double t = static_cast<double>(ingot::time_of_impact(on(path_A, A), on(path_B, B), 1, 1, false)), meets = 1 - 0.1875;
             EXPECT_LE(t, meets + 8 * eps) << half;
             EXPECT_GE(t, meets - meeting_gap(A, B) - 4 * eps * (half + 4)) << half;
         }
@@ -249,7 +250,7 @@ TEST(TimeOfImpact, of_bodies_that_touch_unsolved_is_at_once_where_they_close_by_
                     of_box.from = static_cast<scalar>(from);
                     const BodyPath &path_A = box_first ? of_box : of_ball, &path_B = box_first ? of_ball : of_box;
                     const Shape &A = box_first ? box : ball, &B = box_first ? ball : box;
-                    const scalar t = ingot::time_of_impact(on(path_A, A), on(path_B, B), 1, true);
+                    const scalar t = ingot::time_of_impact(on(path_A, A), on(path_B, B), 1, 1, true);
                     EXPECT_EQ(t, share > 1 ? static_cast<scalar>(from) : ingot::never)
                         << "from " << from << ", box " << (box_first ? "first" : "second") << (turns ? ", turns, " : ", falls, ") << share;
                 }
@@ -268,7 +269,7 @@ TEST(TimeOfImpact, of_bodies_that_begin_in_each_other_is_when_what_is_left_of_on
         path_A.r_CM = {0, 0, static_cast<scalar>(distance)};
         path_A.way = {0, 0, static_cast<scalar>(way)};
         path_A.until = path_B.until = 1;
-        return static_cast<double>(ingot::time_of_impact(on(path_A, A), on(path_B, ingot::Sphere{1}), 1, false));
+        return static_cast<double>(ingot::time_of_impact(on(path_A, A), on(path_B, ingot::Sphere{1}), 1, 1, false));
     };
     const Shape plate = ingot::Box{{1, scalar(0.125), 1}};
     const double core = 1 - static_cast<double>(ingot::limits::skin_share) * ingot::limits::skins_max, half_ball = 0.0625, begin = 1 + core - 0.1;
@@ -435,7 +436,7 @@ TEST(PairContacts, press_on_each_other_where_a_point_carries) {
             for (unsigned carrying = 0; carrying < 16; ++carrying) {
                 contacts.count = 0;
                 ingot::Manifold manifold{};
-                manifold.count = count;
+                manifold.count = static_cast<int16_t>(count);
                 for (int i = 0; i < 2; ++i) contacts.put(contacts.place_for(manifold, lost), manifold, {{0}, {i}});
                 EXPECT_FALSE(contacts.carries());
                 for (int point_i = 0; point_i < 4; ++point_i)
@@ -497,7 +498,7 @@ TEST(PairSubWorld, know_how_far_they_move_in_a_while) {
         const double near = 32 * eps;
         const auto reach = [&](int which) { return std::min(spin[which] * h, 2.0) * radius[which]; };
         const double margin = static_cast<double>(ingot::limits::contact_margin) + v * h + reach(0) + reach(1);
-        EXPECT_NEAR(static_cast<double>(room.margin(static_cast<scalar>(h))), margin, near * 4) << case_i;
+        EXPECT_NEAR(static_cast<double>(room.margin(static_cast<scalar>(h), 1)), margin, near * 4) << case_i;
         const double fastest = v + spin[0] * radius[0] + spin[1] * radius[1], most = static_cast<double>(ingot::limits::step_max);
         const double by_way = std::min(most, static_cast<double>(ingot::limits::together_share) * size[1] / fastest);
         const double by_turn = std::min(most, static_cast<double>(ingot::limits::angle_per_path) / 2 / std::max(spin[0], spin[1]));

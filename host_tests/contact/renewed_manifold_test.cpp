@@ -49,7 +49,8 @@ struct Lying {
     }
     BodyFrame frame(const Pose& at) const { return {to_vector(at.r), to_matrix(at.A)}; }
     bool renewed(double slip, double with_margin, const ManifoldAnchors& anchors, Manifold& manifold) const {
-        return ingot::renew_from_anchors(frame(top), frame(bottom), static_cast<scalar>(slip), static_cast<scalar>(with_margin), anchors, manifold);
+        const ingot::RenewLimits within = {static_cast<scalar>(slip), static_cast<scalar>(with_margin), ingot::limits::contact_margin / 2};
+        return ingot::renew_from_anchors(frame(top), frame(bottom), within, anchors, manifold);
     }
     ManifoldAnchors anchors(const Manifold& manifold) const {
         ManifoldAnchors of{};

@@ -148,7 +148,7 @@ TEST(SolverBodies, are_kicked_by_what_accelerates_them) {
         }
         speed[i] = v.norm();
     }
-    const auto rounding = [&](int island_i) { return static_cast<double>(ingot::rounding_of_speeds(solved.islands[island_i])); };
+    const auto rounding = [&](int island_i) { return static_cast<double>(ingot::rounding_of_speeds(solved.islands[island_i], 1)); };
     for (int i = 1; i < 3; ++i) EXPECT_NEAR(rounding(i - 1), 4 * eps * speed[i], 16 * eps * eps) << "of its own body, " << i;
 
     // Both in one island: the faster one counts.
@@ -160,7 +160,7 @@ TEST(SolverBodies, are_kicked_by_what_accelerates_them) {
 
     solved.bodies[2].v_CM[0] = 2 * ingot::limits::rounding_speed_max;
     ingot::kick_bodies(solver, h);
-    EXPECT_EQ(ingot::rounding_of_speeds(solved.islands[0]), 4 * ingot::epsilon * ingot::limits::rounding_speed_max);
+    EXPECT_EQ(ingot::rounding_of_speeds(solved.islands[0], 1), 4 * ingot::epsilon * ingot::limits::rounding_speed_max);
 }
 
 /// Of a batch only its own bodies move: the others are at the end of their step already, or at its begin.

@@ -2,6 +2,7 @@
 // FLIP(trait, number of the flip, a declaration that differs from Plain's): at least one for each trait of scene.h. No header guard: included twice.
 FLIP(max_bodies, 1, static constexpr int max_bodies = 2)
 FLIP(translates, 1, static constexpr bool translates = true)
+FLIP(length_unit, 1, static constexpr scalar length_unit = scalar(0.5))
 FLIP(max_contacts, 1, static constexpr int max_contacts = 1)
 FLIP(max_contacts, 2, static constexpr int max_contacts = 2)
 FLIP(max_manifolds, 1, static constexpr int max_manifolds = 1)

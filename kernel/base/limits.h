@@ -65,6 +65,10 @@ inline constexpr scalar rest_speed_factor = 2;
 
 // Manifolds (narrow_phase/).
 inline constexpr scalar contact_margin = scalar(0.02);     ///< m; shapes this far apart, and what they travel in a step, have a manifold
+/// length_unit; contact_margin and touching_gap are halved for shapes whose least half extent is less, until it is not less than so much of them: a
+/// margin is no more than a fifth of it.
+inline constexpr scalar thin_extent = 5 * contact_margin;
+inline constexpr unsigned halvings_max = 40;  ///< size_min, where length_unit is 1e5
 inline constexpr scalar fast_margin = 5 * contact_margin;  ///< m; a pair with a larger margin in this step looks for more points
 /// Bodies that have moved by less than this against each other, as a fraction of their size and in radians, keep their manifold.
 inline constexpr scalar recycled_slip = scalar(1e-3);

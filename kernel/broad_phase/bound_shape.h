@@ -36,7 +36,7 @@ inline constexpr Vector everywhere = {limits::unbounded, limits::unbounded, limi
 inline constexpr Vector nowhere = everywhere * scalar(2);  ///< empty bounds begin there: not even a half space reaches them
 
 /// A half space whose face lies along two of the axes ends there; any other is everywhere. It never moves.
-INGOT_INLINE void bound_half_space(const BodyView& bodies, const Surface& surface, Place at, BoundsTile& tile) {
+INGOT_INLINE void bound_half_space(const BodyView& bodies, const Surface& surface, Place at, scalar unit, BoundsTile& tile) {
     set_bounds(tile, at.lane, -everywhere, everywhere);
     tile.spin_reach[at.lane] = 0;  // what was in the slot before may have spun
     const Vector n = lane_of(bodies.rotation[at.tile].A, at.lane) * surface.shape.size, r = lane_of(bodies.translation[at.tile].r_CM, at.lane);
@@ -44,7 +44,7 @@ INGOT_INLINE void bound_half_space(const BodyView& bodies, const Surface& surfac
     for (int axis = 0; axis < 3; ++axis) {
         const scalar along = n_of[axis], place = r_of[axis];
         if (abs(along) != 1 || length_sq(n) != 1) continue;
-        const scalar slack = limits::contact_margin / 2 + 4 * epsilon * (abs(place) + abs(offset));
+        const scalar slack = limits::contact_margin / 2 * unit + 4 * epsilon * (abs(place) + abs(offset));
         if (along > 0)
             tile.high[axis][at.lane] = place + offset + slack;
         else
@@ -53,14 +53,15 @@ INGOT_INLINE void bound_half_space(const BodyView& bodies, const Surface& surfac
 }
 
 /// The box of one shape, and what its spin adds.
-INGOT_INLINE void bound(const BodyView& bodies, const Surface& surface, Place at, scalar h, BoundsTile& tile) {
+INGOT_INLINE void bound(const BodyView& bodies, const SurfaceView& surfaces, Place at, scalar h, BoundsTile& tile) {
+    const Surface& surface = surfaces.surfaces[at.tile * lanes + at.lane];
     if (surface.shape.kind == ShapeKind::none) return set_bounds(tile, at.lane, nowhere, -nowhere);
-    if (surface.shape.kind == ShapeKind::half_space) return bound_half_space(bodies, surface, at, tile);
+    if (surface.shape.kind == ShapeKind::half_space) return bound_half_space(bodies, surface, at, surfaces.unit, tile);
     const Vector r = lane_of(bodies.translation[at.tile].r_CM, at.lane), v = lane_of(bodies.translation[at.tile].v_CM, at.lane);
     const scalar turn = sqrt(length_sq(omega_of(bodies, at.tile * lanes + at.lane))) * h;
     const scalar spin_reach = (turn < 2 ? turn : scalar(2)) * surface.bounding_radius;  // no point is further from where it was than the diameter
     tile.spin_reach[at.lane] = spin_reach;
-    const scalar more = limits::contact_margin / 2 + spin_reach;
+    const scalar more = margin_at(scale_of(surfaces.unit, surface.halvings), surfaces.unit, surfaces.fall) / 2 + spin_reach;
     const Vector reach = reach_of(surface, lane_of(bodies.rotation[at.tile].A, at.lane)) * (1 + limits::flatness) + Vector{more, more, more};
     const Vector travel = absolute(v) * h;
     set_bounds(tile, at.lane, r - reach - travel, r + reach + travel);
@@ -71,7 +72,7 @@ INGOT_INLINE mask refresh_tile(const BodyView& bodies, const SurfaceView& surfac
     for (int lane_i = 0; lane_i < lanes; ++lane_i) {
         const int slot = tile_i * lanes + lane_i;
         if (slot < surfaces.slot_count)
-            bound(bodies, surfaces.surfaces[slot], {tile_i, lane_i}, h, tile);
+            bound(bodies, surfaces, {tile_i, lane_i}, h, tile);
         else
             set_bounds(tile, lane_i, nowhere, -nowhere);
     }

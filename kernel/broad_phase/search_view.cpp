@@ -27,7 +27,7 @@ int refresh_bounds_and_due(const SearchView& search, scalar h, uint32_t* due) {
 bool refresh_bounds_of(const SearchView& search, scalar h, int slot) {
     const Place at = place_of(slot);
     BoundsTile& tile = search.bounds[at.tile];
-    bounding::bound(search.shapes, search.surfaces.surfaces[slot], at, h, tile);
+    bounding::bound(search.shapes, search.surfaces, at, h, tile);
     bool left = false;
     for (int axis = 0; axis < 3; ++axis)
         left = left || tile.low[axis][at.lane] < tile.fat_low[axis][at.lane] || tile.fat_high[axis][at.lane] < tile.high[axis][at.lane];

@@ -14,7 +14,8 @@ struct ContactBlock {
     uint16_t manifold[lanes];               ///< no_manifold in a spare lane
     uint16_t island[lanes];                 ///< of SolverView::islands
     uint8_t sum_i[lanes];                   ///< which of the eight sums of its island its change is added to
-    int rows;                               ///< 1 where no manifold of the block has more points, else block_rows
+    uint8_t halvings[lanes];                ///< of the manifold
+    uint8_t rows;                           ///< 1 where no manifold of the block has more points, else block_rows
     bool central;                           ///< one row, and no normal has a lever: balls
     scalar inv_M_A[lanes], inv_M_B[lanes];  ///< kg^-1
     scalar n[3][lanes], t_1[3][lanes], t_2[3][lanes];

@@ -42,7 +42,7 @@ struct RowImpact {
     decltype(T{} < T{}) meets;
 };
 template <class T>
-INGOT_INLINE RowImpact<T> impact_of(const RowFlight<T>& from, T rest) {
+INGOT_INLINE RowImpact<T> impact_of(const RowFlight<T>& from, T rest, scalar unit) {
     const T two = splat<T>(2), one = splat<T>(1);
     RowImpact<T> impact;
     impact.meets = meets(from, rest);
@@ -51,7 +51,7 @@ INGOT_INLINE RowImpact<T> impact_of(const RowFlight<T>& from, T rest) {
     impact.when = select(both(from.s > T{}, divisor > T{}),
                          min(two * from.s / select(divisor > T{}, divisor, one), rest), T{});
     impact.speed = from.speed + from.a * impact.when;
-    impact.rest_speed = max(splat<T>(limits::bounce_speed_min), two * abs(from.a) * rest);
+    impact.rest_speed = max(splat<T>(limits::bounce_speed_min * unit), two * abs(from.a) * rest);
     return impact;
 }
 template <class T>

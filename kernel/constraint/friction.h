@@ -46,15 +46,15 @@ INGOT_INLINE void tangents(const Vec3<lane>& n, Vec3<lane>& t_1, Vec3<lane>& t_2
     t_2 = cross(n, t_1);
 }
 
-/// Where friction takes hold, and how far the points are from there.
+/// Where friction takes hold, and how far the points are from there. margin: m, contact_margin of the pair.
 template <class Contacts>
-INGOT_INLINE void find_middle(Contacts& contacts, int rows) {
+INGOT_INLINE void find_middle(Contacts& contacts, int rows, lane margin) {
     const lane one = splat<lane>(1), least_weight = splat<lane>(limits::least_point_weight);
     lane weight[block_rows], weights{};
     contacts.middle = Vec3<lane>{};
     contacts.radius = lane{};
     for (int row = 0; row < rows; ++row) {  // bound: 4: block_rows
-        weight[row] = contacts.used[row] * max(lane{}, nearness(contacts.separation[row])) + contacts.used[row] * least_weight;
+        weight[row] = contacts.used[row] * max(lane{}, nearness(contacts.separation[row], margin)) + contacts.used[row] * least_weight;
         contacts.middle += contacts.P[row] * weight[row];
         weights = weights + weight[row];
     }

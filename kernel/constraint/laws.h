@@ -11,11 +11,11 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// The way that a point may still go before it rests, m: points stop at touching_gap as if they touched. In a substep of h seconds a point may go all
-/// of that way, so A approaches B with -resting_room / h at most.
+/// The way that a point may still go before it rests, m: points stop at a gap as if they touched, touching_gap of the pair. In a substep of h
+/// seconds a point may go all of that way, so A approaches B with -resting_room / h at most.
 template <class T>
-INGOT_INLINE T resting_room(T s) {
-    return max(s - splat<T>(limits::touching_gap), T{});
+INGOT_INLINE T resting_room(T s, T gap) {
+    return max(s - gap, T{});
 }
 
 /// How far a point is from its place, m; s: its separation. In a substep 0.4 of an overlap is taken back, up to `deepest` (which is negative), and
@@ -25,11 +25,18 @@ INGOT_INLINE T position_target(T s, Mask pressed, T deepest) {
     return select(either(pressed, s < T{}), max(s * splat<T>(limits::position_share), deepest), s);
 }
 
-/// How much a point counts in the middle of its manifold, where friction takes hold: 1 up to the contact margin, 0 at twice that. Further away this
-/// is negative.
+/// Whether an impulse presses, so that a gap there is drawn together: it changes the speed of the bodies by more than approach_slack. Impulses that
+/// die away from substep to substep never quite reach zero: 1e-300 N s would draw bodies together over centimetres.
 template <class T>
-INGOT_INLINE T nearness(T s) {
-    return min(splat<T>(1), splat<T>(2) - s / splat<T>(limits::contact_margin));
+INGOT_INLINE auto presses(T j, T inv_M_of_both, T unit) {
+    return j * inv_M_of_both > splat<T>(limits::approach_slack) * unit;
+}
+
+/// How much a point counts in the middle of its manifold, where friction takes hold: 1 up to the contact margin of the pair, 0 at twice that. Further
+/// away this is negative.
+template <class T>
+INGOT_INLINE T nearness(T s, T margin) {
+    return min(splat<T>(1), splat<T>(2) - s / margin);
 }
 
 /// How much of a normal's impulse is given again to a body that was hit: no more than twice the impulse before the impact, and what forces explain.

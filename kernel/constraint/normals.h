@@ -109,7 +109,8 @@ struct Normals {
             w.at[row] = rows == 1 ? speed : select(is_used(block, row), speed, lane{});
         }
         const mask none[block_rows] = {};
-        const Row4 j = solve_block<rows, true>(block.K, block.count, block.cached_inverse, w, before, none, limits::approach_slack, at.active);
+        const scalar slack = limits::approach_slack * at.solver.unit;
+        const Row4 j = solve_block<rows, true>(block.K, block.count, block.cached_inverse, w, before, none, slack, at.active);
         lane total{}, given{};
         for (int row = 0; row < rows; ++row) {
             const lane d = j.at[row] - before.at[row];
@@ -125,14 +126,14 @@ struct Normals {
 
     /// The position sweep: what is off, of displacements dp and dth.
     template <int rows, class Block>
-    static INGOT_INLINE Pushes pushes_due(const Block& block, const Vec3<lane>& n, const BodyPairLanes& displaced, scalar h) {
-        const lane deepest = splat<lane>(-limits::push_speed_max * h), settled = splat<lane>(-limits::settled_gap);
-        const lane apart = dot(n, displaced.linear_A - displaced.linear_B);
+    static INGOT_INLINE Pushes pushes_due(const Block& block, const Vec3<lane>& n, const BodyPairLanes& displaced, scalar h, scalar unit) {
+        const lane deepest = splat<lane>(-limits::push_speed_max * h * unit), settled = splat<lane>(-limits::settled_gap * unit);
+        const lane apart = dot(n, displaced.linear_A - displaced.linear_B), inv_M = load(block.inv_M_A) + load(block.inv_M_B);
         Pushes due;
         due.off = due.lands = splat<lane>(1) < lane{};
         for (int row = 0; row < rows; ++row) {
             const lane s = separation_now(block, row, apart, displaced);
-            const mask lands = bounces(block.row[row]), pressed = load(block.row[row].j) > lane{};
+            const mask lands = bounces(block.row[row]), pressed = presses(load(block.row[row].j), inv_M, splat<lane>(unit));
             const lane w = select(lands, s - load(block.row[row].landing), position_target(s, pressed, deepest));
             due.w.at[row] = rows == 1 ? w : select(is_used(block, row), w, lane{});
             due.pulls[row] = either(lands, pressed);

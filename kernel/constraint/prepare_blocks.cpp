@@ -7,7 +7,7 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
-constexpr ManifoldRecord no_contact = {{{0, 0, 1}, 0, {}}, 0, 0, {}, {}, {}, 0, 0, 0};
+constexpr ManifoldRecord no_contact = {{{0, 0, 1}, 0, 0, {}}, 0, 0, {}, {}, {}, 0, 0, 0};
 
 /// What is on record of one lane's manifold. Impulses become `share` times as much: see shares_of_substep.
 struct KeptOfLane {
@@ -38,6 +38,7 @@ void collect(const SolverView& solver, const BodyView& bodies, ContactBlock& blo
         block.mu[lane_i] = record.mu;
         block.e[lane_i] = record.e;
         block.substeps[lane_i] = static_cast<scalar>(age_of(record));
+        block.halvings[lane_i] = static_cast<uint8_t>(record.manifold.halvings);
         set_lane(in.n, lane_i, record.manifold.n);
         if (manifold_i == no_manifold) continue;
         const BodyPair& pair = solver.pairs[manifold_i];
@@ -55,7 +56,7 @@ void collect(const SolverView& solver, const BodyView& bodies, ContactBlock& blo
     }
 }
 
-INGOT_INLINE LaneContacts vectors_of(const Collected& in, int rows) {
+INGOT_INLINE LaneContacts vectors_of(const Collected& in, int rows, lane margin) {
     LaneContacts contacts;
     contacts.response.A = in.A.loaded();
     contacts.response.B = in.B.loaded();
@@ -67,7 +68,7 @@ INGOT_INLINE LaneContacts vectors_of(const Collected& in, int rows) {
         contacts.used[row] = load(in.used[row]);
         contacts.separation[row] = load(in.separation[row]);
     }
-    find_middle(contacts, rows);
+    find_middle(contacts, rows, margin);
     return contacts;
 }
 
@@ -81,7 +82,7 @@ void prepare_block(const View& solver, const BodyView& bodies, int block_i) {
     ContactBlock& block = solver.blocks[block_i];
     Collected in{};
     collect(solver, bodies, block, in);
-    LaneContacts contacts = vectors_of(in, View::points_max == 1 ? 1 : block.rows);
+    LaneContacts contacts = vectors_of(in, View::points_max == 1 ? 1 : block.rows, scale_of(solver, block) * splat<lane>(limits::contact_margin));
     store(block.inv_M_A, contacts.response.A.inv_M);
     store(block.inv_M_B, contacts.response.B.inv_M);
     store(block.n, contacts.n);

@@ -40,9 +40,9 @@ INGOT_INLINE BlockFlight flight_of(const SolverView& solver, const ContactBlock&
     return flight;
 }
 
-/// How fast points without restitution may approach.
-INGOT_INLINE lane resting_target(lane s, lane inv_h) {
-    return -resting_room(s) * inv_h;
+/// How fast points without restitution may approach. gap: m, touching_gap of the pair.
+INGOT_INLINE lane resting_target(lane s, lane gap, lane inv_h) {
+    return -resting_room(s, gap) * inv_h;
 }
 
 } }  // namespace ingot

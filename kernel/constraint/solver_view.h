@@ -4,6 +4,7 @@
 
 #include "../base/limits.h"
 #include "../narrow_phase/manifold_record.h"
+#include "../base/contact_lengths.h"
 #include "contact_block.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -60,6 +61,7 @@ struct SolverView {
     ManifoldRecord* records;   ///< of the pairs
     Vector* friction_references;  ///< by record: N s, world; the slow mean of j_friction
     int manifold_count;
+    scalar unit = 1;           ///< m; of lengths and speeds in limits.h: see base/contact_lengths.h
 
     SolverBody* bodies;        ///< [0] stands for all that cannot move and for spare lanes
     SolverBodyHistory* histories;
@@ -92,6 +94,13 @@ struct SolverView {
 struct BallView : SolverView {
     static constexpr int points_max = 1;
 };
+
+/// What lengths of the contacts of a block are measured by, m.
+INGOT_INLINE lane scale_of(const SolverView& solver, const ContactBlock& block) {
+    scalar scale[lanes];
+    for (int lane_i = 0; lane_i < lanes; ++lane_i) scale[lane_i] = scale_of(solver.unit, block.halvings[lane_i]);
+    return load(scale);
+}
 
 /// Whether a block of the view has one row: then its manifolds have one point.
 template <class View>

@@ -32,18 +32,6 @@ bool is_fast(const BodyExtent& extent, scalar travel, scalar angle) {
 
 }  // namespace
 
-scalar least_half_extent(const Shape& shape, const ConvexHull* hull) {
-    const Vector& size = shape.size;
-    switch (shape.kind) {
-        case ShapeKind::sphere:
-        case ShapeKind::capsule: return size.x;
-        case ShapeKind::cylinder: return min(size.x, size.y);
-        case ShapeKind::box: return min(size.x, min(size.y, size.z));
-        case ShapeKind::hull: return hull->inner_radius;
-        default: return limits::unbounded;
-    }
-}
-
 BodyExtent extent_of(const BodyShapes& shapes, int slot) {
     BodyExtent extent = {limits::unbounded, 0};
     shapes.for_shapes(slot, [&](ShapeSlot shape) {
@@ -99,8 +87,8 @@ void lay_path(const PathPoint& begin, scalar from, const PathPoint& end, scalar 
     path.next = never;
 }
 
-bool leaves_bounds(const PathPoint& begin, const Vector& way, const Vector& turn, const BodyExtent& extent) {
-    const scalar spare = limits::contact_margin / 4;
+bool leaves_bounds(const PathPoint& begin, const Vector& way, const Vector& turn, const BodyExtent& extent, scalar unit) {
+    const scalar spare = limits::contact_margin / 4 * scale_of(unit, halvings_of(extent.least, unit));
     const bool further = abs(way.x) > abs(begin.way.x) + spare || abs(way.y) > abs(begin.way.y) + spare || abs(way.z) > abs(begin.way.z) + spare;
     return !(!further && sqrt(length_sq(turn)) * extent.radius <= sqrt(length_sq(begin.turn)) * extent.radius + spare);
 }

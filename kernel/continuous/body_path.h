@@ -28,9 +28,6 @@ struct BodyPath {
 
 inline constexpr scalar never = 2;
 
-/// The least half extent of a shape; of a hull, the radius of the ball about its centre that it holds. What has no size is infinitely thick.
-/// Units: m. hull: the form of a hull; else null.
-scalar least_half_extent(const Shape& shape, const ConvexHull* hull);
 
 /// Of a body with all its shapes.
 struct BodyExtent {
@@ -95,7 +92,7 @@ struct FastBodies {
 
 /// Whether a body that was to go by `begin`, m and rad in the step, may have left its bounds by going by `way` and `turn`: they have half of
 /// limits::contact_margin to spare.
-bool leaves_bounds(const PathPoint& begin, const Vector& way, const Vector& turn, const BodyExtent& extent);
+bool leaves_bounds(const PathPoint& begin, const Vector& way, const Vector& turn, const BodyExtent& extent, scalar unit);
 
 /// The path from one point to another, as it turns in the mean of both, and what that leaves to the other's A. fall: m in a step, squared.
 void lay_path(const PathPoint& begin, scalar from, const PathPoint& end, scalar until, const Vector& fall, BodyPath& path);

@@ -37,7 +37,7 @@ void lay_path_of_step(const Collision& collision, int slot, PairSubWorld& two) {
         path.way = way;
     }
     const Vector turn = path.in_contact ? path.turn : omega_of(collision.bodies, slot) * collision.clock.h;
-    if (is_tree<typename Collision::TreeType> && leaves_bounds(begin, way, turn, extent_of(collision.shapes, slot)))
+    if (is_tree<typename Collision::TreeType> && leaves_bounds(begin, way, turn, extent_of(collision.shapes, slot), collision.shapes.surfaces.unit))
         collision.lists->add_stray(collision.paths, slot);
     if (path.fast) collision.lists->add_fast(collision.paths, slot);
 }

@@ -17,7 +17,8 @@ void for_others_near(const Collision& collision, int slot, const Each& each) {
         const Vector end = path.r_CM + (path.way + path.fall * time) * time;
         // A parabola leaves its chord by a quarter of the fall.
         const scalar reach = extent_of(collision.shapes, slot).radius * (1 + limits::flatness) + sum_of_components(path.fall) * scalar(0.25) +
-                             limits::contact_margin + 8 * epsilon * (sum_of_components(path.r_CM) + sum_of_components(end));
+                             limits::contact_margin * collision.shapes.surfaces.unit +
+                             8 * epsilon * (sum_of_components(path.r_CM) + sum_of_components(end));
         const Vector more = {reach, reach, reach};
         for_near_shapes(collision.tree, {min(path.r_CM, end) - more, max(path.r_CM, end) + more}, [&](int shape) {
             const int other = collision.shapes.body_of({shape});
@@ -44,15 +45,16 @@ void for_fast(const Collision& collision, const Each& each) {
 /// looked at in whatever order, the lower.
 template <class Collision>
 void consider(const Collision& collision, int slot, int other, bool lower_counts) {
+    const scalar unit = collision.shapes.surfaces.unit;
     BodyPath at_rest, &path = collision.paths[slot];
     const BodyPath& path_B = path_of(collision, other, at_rest);
     collision.shapes.for_shapes(slot, [&](ShapeSlot shape_A) {
         const ShapeOnPath A = shape_on_path(collision.shapes, shape_A, path);
         collision.shapes.for_shapes(other, [&](ShapeSlot shape_B) {
             const ShapeOnPath B = shape_on_path(collision.shapes, shape_B, path_B);
-            if (!may_meet(A, B) || !collision.meets(shape_A.number, shape_B.number)) return;
+            if (!may_meet(A, B, unit) || !collision.meets(shape_A.number, shape_B.number)) return;
             const scalar latest = min(path.next, min(path.until, path_B.until));
-            const scalar t = time_of_impact(A, B, latest, !is_solved(collision, {shape_A, shape_B}));
+            const scalar t = time_of_impact(A, B, unit, latest, !is_solved(collision, {shape_A, shape_B}));
             const bool ties = lower_counts && t <= latest && !(t < path.next) && path.next_slot != slot && other < path.next_slot;
             if (!(t < latest || ties)) return;
             path.next = t;
@@ -65,6 +67,7 @@ void consider(const Collision& collision, int slot, int other, bool lower_counts
 template <class Collision>
 void note_passed_sensors([[maybe_unused]] const Collision& collision, [[maybe_unused]] int slot, [[maybe_unused]] scalar t) {
     if constexpr (decltype(collision.sensors)::some) {
+        const scalar unit = collision.shapes.surfaces.unit;
         const BodyPath& path = collision.paths[slot];
         if (!path.fast) return;
         for_others_near(collision, slot, [&](int other) {
@@ -74,7 +77,7 @@ void note_passed_sensors([[maybe_unused]] const Collision& collision, [[maybe_un
                 collision.shapes.for_shapes(other, [&](ShapeSlot shape_B) {
                     if (!collision.sensors.has(shape_A.number, shape_B.number)) return;
                     const ShapeOnPath A = shape_on_path(collision.shapes, shape_A, path), B = shape_on_path(collision.shapes, shape_B, path_B);
-                    if (may_meet(A, B) && time_of_impact(A, B, t, false) <= t) collision.sensors.note(shape_A.number, shape_B.number);
+                    if (may_meet(A, B, unit) && time_of_impact(A, B, unit, t, false) <= t) collision.sensors.note(shape_A.number, shape_B.number);
                 });
             });
         });

@@ -95,13 +95,13 @@ bool PairSubWorld::some_fast(scalar h) {
     return some;
 }
 
-scalar PairSubWorld::margin(scalar h) {
+scalar PairSubWorld::margin(scalar h, scalar unit) {
     scalar reach = 0;
     for (int which = 0; which < 2; ++which) {
         const scalar angle = sqrt(length_sq(omega_of(bodies(), which))) * h;
         reach += (angle < 2 ? angle : scalar(2)) * extents[which].radius;
     }
-    return limits::contact_margin + sqrt(length_sq(flight_state(bodies(), 0).v_CM - flight_state(bodies(), 1).v_CM)) * h + reach;
+    return limits::contact_margin * unit + sqrt(length_sq(flight_state(bodies(), 0).v_CM - flight_state(bodies(), 1).v_CM)) * h + reach;
 }
 
 } }  // namespace ingot

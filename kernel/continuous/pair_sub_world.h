@@ -37,7 +37,7 @@ struct PairSubWorld {
     /// One of them gets past its own size within h seconds.
     bool some_fast(scalar h);
     /// m; how far apart the two can be and still touch within h seconds.
-    scalar margin(scalar h);
+    scalar margin(scalar h, scalar unit);
 };
 
 } }  // namespace ingot

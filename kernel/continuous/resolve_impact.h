@@ -40,7 +40,8 @@ void note_flights(const Collision& collision, const typename Collision::Contacts
 /// The manifolds of two bodies in their sub-world that can touch within h seconds, with what their surfaces are to each other.
 template <class Collision>
 void find_pair_contacts(const Collision& collision, const int (&slots)[2], PairRoom<Collision>& room, scalar h, StepReport& report) {
-    const scalar margin = room.two.margin(h);
+    const SurfaceView& surfaces = collision.shapes.surfaces;
+    const scalar margin = room.two.margin(h, surfaces.unit);
     const FlightState states[2] = {flight_state(room.two.bodies(), 0), flight_state(room.two.bodies(), 1)};
     const auto placed = [&](int which, ShapeSlot shape) {
         const BodyShapes& shapes = collision.shapes;
@@ -55,13 +56,15 @@ void find_pair_contacts(const Collision& collision, const int (&slots)[2], PairR
             Manifold before, found;
             before.n = {};
             before.count = 0;
-            if (!collide_placed<typename Collision::SceneTraits::Shapes>(A, B, margin, before, found)) count(report.pairs_untested);
+            found.halvings = static_cast<uint16_t>(surfaces.halvings(shape_A.number, shape_B.number));
+            const Margin search = {margin, limits::fast_margin * scale_of(surfaces.unit, found.halvings)};
+            if (!collide_placed<typename Collision::SceneTraits::Shapes>(A, B, search, before, found)) count(report.pairs_untested);
             if (found.count == 0) return;
             const int place = room.contacts.place_for(found, report.contacts_lost);
             if (place < 0) return;
             room.contacts.put(place, found, {shape_A, shape_B});
             const BodyPair pair = {static_cast<uint16_t>(shape_A.number), static_cast<uint16_t>(shape_B.number), no_record};
-            mix_materials(collision.shapes.surfaces, pair, room.contacts.records[place]);
+            mix_materials(surfaces, pair, room.contacts.records[place]);
             room.contacts.notes[place] = note_of(room.two.bodies(), found);
             room.contacts.mix(place, collision.materials, {A.A, B.A});
         });

@@ -27,9 +27,9 @@ Approach approach_at(const ShapeOnPath& A, const ShapeOnPath& B, scalar t) {
 }
 
 /// The gap that is as good as none.
-scalar meeting_gap(const Approach& now, scalar least, const Vector& r_A, const Vector& r_B) {
+scalar meeting_gap(const Approach& now, scalar least, scalar unit, const Vector& r_A, const Vector& r_B) {
     const scalar roundings = 4 * epsilon * (sum_of_components(now.r) + sum_of_components(r_A) + sum_of_components(r_B) + now.R_A + now.R_B);
-    return min(limits::impact_gap * least, limits::impact_gap_max) + roundings;
+    return min(limits::impact_gap * least, limits::impact_gap_max * unit) + roundings;
 }
 
 /// The most that a point of a shape that turns about r moves along m / |turn|: m . p of the point furthest along m.
@@ -73,7 +73,7 @@ bool is_clear(const PlacedShape& A, const PlacedShape& B, const Nearest& nearest
 
 }  // namespace
 
-scalar time_of_impact(const ShapeOnPath& A, const ShapeOnPath& B, scalar latest, bool unsolved) {
+scalar time_of_impact(const ShapeOnPath& A, const ShapeOnPath& B, scalar unit, scalar latest, bool unsolved) {
     const BodyPath &path_A = A.path, &path_B = B.path;
     const scalar least_A = least_half_extent(A.shape, A.hull), least = min(least_A, least_half_extent(B.shape, B.hull));
     scalar t = path_A.from > path_B.from ? path_A.from : path_B.from;
@@ -81,7 +81,7 @@ scalar time_of_impact(const ShapeOnPath& A, const ShapeOnPath& B, scalar latest,
     int skins = 1;
     for (int approach_i = 0; approach_i < limits::approaches_max; ++approach_i) {
         const Approach now = approach_at(A, B, t);
-        const scalar gap = meeting_gap(now, least, path_A.r_CM, path_B.r_CM);
+        const scalar gap = meeting_gap(now, least, unit, path_A.r_CM, path_B.r_CM);
         PlacedShape A_now = deep ? ball_in(now.A, least_A) : now.A;
         Nearest nearest = closest_points(A_now, now.B);
         if (nearest.overlap && (deep || !touching)) return deep && approach_i == 0 ? never : t;
@@ -120,7 +120,7 @@ scalar time_of_impact(const ShapeOnPath& A, const ShapeOnPath& B, scalar latest,
     return t;
 }
 
-bool may_meet(const ShapeOnPath& A, const ShapeOnPath& B) {
+bool may_meet(const ShapeOnPath& A, const ShapeOnPath& B, scalar unit) {
     if (B.shape.kind == ShapeKind::half_space) return true;
     const BodyPath &path_A = A.path, &path_B = B.path;
     const scalar begin = path_A.from > path_B.from ? path_A.from : path_B.from;
@@ -131,7 +131,7 @@ bool may_meet(const ShapeOnPath& A, const ShapeOnPath& B) {
     const scalar t = along > 0 ? (along < way_sq ? along / way_sq : scalar(1)) : scalar(0);
     // A parabola leaves its chord by a quarter of the fall.
     const scalar bulge = (sum_of_components(path_A.fall) + sum_of_components(path_B.fall)) * scalar(0.25);
-    const scalar reach = (A.radius + B.radius) * (1 + limits::flatness) + bulge + limits::impact_gap_max +
+    const scalar reach = (A.radius + B.radius) * (1 + limits::flatness) + bulge + limits::impact_gap_max * unit +
                          8 * epsilon * (sum_of_components(path_A.r_CM) + sum_of_components(path_B.r_CM) + sum_of_components(way));
     return length_sq(between + way * t) <= reach * reach;
 }

@@ -22,9 +22,9 @@ INGOT_INLINE scalar sum_of_components(const Vector& v) { return abs(v.x) + abs(v
 /// in the rest of the step, they meet at once.
 /// After limits::approaches_max they are taken for met where they are: too early, never too late.
 /// Frames: world. Source: Mirtich, "Impulse-based dynamic simulation", 1996, 2.3; the second order is ours.
-scalar time_of_impact(const ShapeOnPath& A, const ShapeOnPath& B, scalar latest, bool unsolved);
+scalar time_of_impact(const ShapeOnPath& A, const ShapeOnPath& B, scalar unit, scalar latest, bool unsolved);
 
 /// False where the balls that hold the shapes stay apart.
-bool may_meet(const ShapeOnPath& A, const ShapeOnPath& B);
+bool may_meet(const ShapeOnPath& A, const ShapeOnPath& B, scalar unit);
 
 } }  // namespace ingot

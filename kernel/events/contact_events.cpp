@@ -114,7 +114,7 @@ void note_approaches(const BodyView& bodies, const Vector& gravity, scalar h, co
     }
 }
 
-void find_touching(const ManifoldView& manifolds, const ImpactNote* notes, const uint32_t* generation, const PairOfBodiesList& before,
+void find_touching(const ManifoldView& manifolds, scalar unit, const ImpactNote* notes, const uint32_t* generation, const PairOfBodiesList& before,
                    const PairOfBodiesList& touching) {
     Finger finger{before};
     *touching.count = 0;
@@ -122,7 +122,7 @@ void find_touching(const ManifoldView& manifolds, const ImpactNote* notes, const
         const BodyPair& pair = manifolds.pairs[manifold_i];
         const PairOfBodies bodies = {pair.body_A, pair.body_B, generation[pair.body_A], generation[pair.body_B], false};
         const scalar gap = least_separation(manifold_of(manifolds, manifold_i));
-        const scalar allowed = finger.finds(bodies) ? limits::touching_gap : scalar(0);
+        const scalar allowed = finger.finds(bodies) ? limits::touching_gap * scale_of(unit, manifold_of(manifolds, manifold_i).halvings) : scalar(0);
         if (notes[manifold_i].carried || gap <= allowed) write_pair(touching.pairs[(*touching.count)++], bodies);
     }
 }

@@ -87,7 +87,7 @@ void note_approaches(const BodyView& bodies, const Vector& gravity, scalar h, co
 ///
 /// Two bodies begin to touch when they push each other, or overlap at the begin of a step. They stop when they do neither and are further apart than
 /// limits::touching_gap. So a body at rest does not flicker.
-void find_touching(const ManifoldView& manifolds, const ImpactNote* notes, const uint32_t* generation, const PairOfBodiesList& before,
+void find_touching(const ManifoldView& manifolds, scalar unit, const ImpactNote* notes, const uint32_t* generation, const PairOfBodiesList& before,
                    const PairOfBodiesList& touching);
 
 INGOT_INLINE void copy_list(const PairOfBodiesList& from, const PairOfBodiesList& to) {

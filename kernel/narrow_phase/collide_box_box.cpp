@@ -295,7 +295,7 @@ bool edge_point(const PlacedShape& A, const PlacedShape& B, const BestAxis& best
 
 }  // namespace
 
-void collide_box_box(const PlacedShape& A, const PlacedShape& B, scalar margin, Manifold& manifold, const Manifold* before_it) {
+void collide_box_box(const PlacedShape& A, const PlacedShape& B, const Margin& margin, Manifold& manifold, const Manifold* before_it) {
     const Before before = remember(before_it);
     if (before_it != nullptr && before.count == 0 && gap_along(A, B, before.n) > margin) return no_points(before.n, manifold);
 
@@ -304,7 +304,7 @@ void collide_box_box(const PlacedShape& A, const PlacedShape& B, scalar margin, 
     if (!find_axis(A, B, margin, axis_before, best, manifold)) return;
     // Where two edges cross they have one point. Boxes that lie all but flat on each other, or meet fast, may turn about it onto other corners within
     // the step: those of the face have the crossing among them, and look further. The normal is the face's then.
-    if (best.edge != no_axis && (margin > limits::fast_margin || lies_flat(A, B, best))) {
+    if (best.edge != no_axis && (margin.most > margin.fast || lies_flat(A, B, best))) {
         face_points(A, B, best, margin, before, manifold);
         if (manifold.count > 1 && inside_both(A, B, best, manifold)) return;
     }

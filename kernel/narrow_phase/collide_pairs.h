@@ -19,10 +19,19 @@
 //          and every pair of edges that may touch; cylinders up to 26 searches for nearest points, a dozen as a rule.
 #pragma once
 
+#include "../base/limits.h"
 #include "manifold.h"
 #include "../shape/placed_shape.h"
 
 namespace ingot { inline namespace INGOT_ABI {
+
+/// How far apart two shapes may be and still have points, m. A plain length is one of ordinary things, see base/contact_lengths.h.
+struct Margin {
+    scalar most;  ///< 0 .. limits::unbounded
+    scalar fast;  ///< a larger margin is that of a fast pair, which looks for more points
+    Margin(scalar length, scalar length_of_fast = limits::fast_margin) : most(length), fast(length_of_fast) {}
+    operator scalar() const { return most; }
+};
 
 // Balls have one point, its feature 0. Centres at one place, to the rounding of the radii, have no normal: an axis is taken.
 
@@ -55,7 +64,7 @@ void collide_capsule_half_space(const PlacedShape& A, const PlacedShape& B, scal
                                 const Manifold* before = nullptr);
 
 /// Separating axes; the face that meets the reference face is clipped against its rectangle.
-void collide_box_box(const PlacedShape& A, const PlacedShape& B, scalar margin, Manifold& manifold,
+void collide_box_box(const PlacedShape& A, const PlacedShape& B, const Margin& margin, Manifold& manifold,
                      const Manifold* before = nullptr);
 void collide_box_cylinder(const PlacedShape& A, const PlacedShape& B, scalar margin, Manifold& manifold,
                           const Manifold* before = nullptr);

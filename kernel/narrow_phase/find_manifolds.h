@@ -24,10 +24,12 @@ INGOT_INLINE BodyFrame frame_of(const BodyView& bodies, int slot) {
 }
 
 /// How far apart two bodies may be and still have a manifold: what they can travel towards each other in the step, and a little.
-INGOT_INLINE scalar margin_of(const BodyView& bodies, const BoundsTile* bounds, const BodyPair& pair, scalar h) {
+INGOT_INLINE scalar margin_of(const BodyView& bodies, const SurfaceView& surfaces, const BoundsTile* bounds, const BodyPair& pair, scalar h) {
     const Place A = place_of(pair.body_A), B = place_of(pair.body_B);
     const Vector v = lane_of(bodies.translation[A.tile].v_CM, A.lane) - lane_of(bodies.translation[B.tile].v_CM, B.lane);
-    return limits::contact_margin + sqrt(length_sq(v)) * h + bounds[A.tile].spin_reach[A.lane] + bounds[B.tile].spin_reach[B.lane];
+    const scalar scale = scale_of(surfaces.unit, surfaces.halvings(pair.body_A, pair.body_B));
+    return margin_at(scale, surfaces.unit, surfaces.fall) + sqrt(length_sq(v)) * h + bounds[A.tile].spin_reach[A.lane] +
+           bounds[B.tile].spin_reach[B.lane];
 }
 
 /// For scenes without fast bodies: see continuous/fast_pairs.h.
@@ -37,16 +39,17 @@ struct NoFastPairs {
 };
 
 /// Of a pair with a fast body: it has a manifold if it touches. What is further is no plane yet: a fast body may pass by.
-INGOT_INLINE scalar margin_of_fast(const BodyView& bodies, const BodyPair& pair) {
+INGOT_INLINE scalar margin_of_fast(const BodyView& bodies, const SurfaceView& surfaces, const BodyPair& pair) {
     const Place A = place_of(pair.body_A), B = place_of(pair.body_B);
     const Vector r_A = lane_of(bodies.translation[A.tile].r_CM, A.lane), r_B = lane_of(bodies.translation[B.tile].r_CM, B.lane);
-    return limits::touching_gap + 8 * epsilon * sqrt(length_sq(r_A) + length_sq(r_B));
+    const scalar gap = limits::touching_gap * scale_of(surfaces.unit, surfaces.halvings(pair.body_A, pair.body_B));
+    return gap + 8 * epsilon * sqrt(length_sq(r_A) + length_sq(r_B));
 }
 
 /// The routine for the two shapes; A has the kind that comes first. Only the routines of shapes that the scene names are linked.
 /// False for a pair that has none. before: of the last step, or null.
 template <class Shapes>
-bool collide_pair(const PlacedShape& A, const PlacedShape& B, scalar margin, Manifold& manifold, const Manifold* before) {
+bool collide_pair(const PlacedShape& A, const PlacedShape& B, const Margin& margin, Manifold& manifold, const Manifold* before) {
 #define INGOT_PAIR(a, b)                                                             \
     if constexpr (Shapes::has(ShapeKind::a) && Shapes::has(ShapeKind::b))            \
         if (A.shape.kind == ShapeKind::a && B.shape.kind == ShapeKind::b) return collide_##a##_##b(A, B, margin, manifold, before), true
@@ -76,7 +79,7 @@ bool collide_pair(const PlacedShape& A, const PlacedShape& B, scalar margin, Man
 
 /// The same, and no points for a pair that has no routine.
 template <class Shapes>
-bool collide_shapes(const PlacedShape& A, const PlacedShape& B, scalar margin, Manifold& manifold, const Manifold& before) {
+bool collide_shapes(const PlacedShape& A, const PlacedShape& B, const Margin& margin, Manifold& manifold, const Manifold& before) {
     manifold.n = {};
     manifold.count = 0;
     return collide_pair<Shapes>(A, B, margin, manifold, &before);
@@ -95,12 +98,14 @@ INGOT_INLINE bool renew_manifold(const BodyView& bodies, const SurfaceView& surf
     if (!worth_renewing(A, B)) return false;
     const scalar R_A = Shapes::radius_of(A), R_B = Shapes::radius_of(B);  // 0: a half space
     const scalar R = R_A == 0 ? R_B : R_B == 0 || R_A < R_B ? R_A : R_B;
-    return renew_from_anchors(frame_of(bodies, pair.body_A), frame_of(bodies, pair.body_B), limits::recycled_slip * R, margin, anchors, manifold);
+    const scalar spare = limits::contact_margin / 2 * scale_of(surfaces.unit, manifold.halvings);
+    return renew_from_anchors(frame_of(bodies, pair.body_A), frame_of(bodies, pair.body_B), {limits::recycled_slip * R, margin, spare}, anchors,
+                              manifold);
 }
 
 /// The same for shapes in any order. `before` and the manifold have their normals from B to A.
 template <class Shapes>
-bool collide_placed(const PlacedShape& A, const PlacedShape& B, scalar margin, const Manifold& before, Manifold& manifold) {
+bool collide_placed(const PlacedShape& A, const PlacedShape& B, const Margin& margin, const Manifold& before, Manifold& manifold) {
     if (!(B.shape.kind < A.shape.kind)) return collide_shapes<Shapes>(A, B, margin, manifold, before);
     Manifold seen = before;
     seen.n = -seen.n;
@@ -111,7 +116,7 @@ bool collide_placed(const PlacedShape& A, const PlacedShape& B, scalar margin, c
 
 /// The manifold of a pair, found by the routine for its shapes; false if there is none.
 template <class Shapes>
-bool find_manifold(const BodyView& bodies, const SurfaceView& surfaces, const BodyPair& pair, scalar margin, const Manifold& before,
+bool find_manifold(const BodyView& bodies, const SurfaceView& surfaces, const BodyPair& pair, const Margin& margin, const Manifold& before,
                    Manifold& manifold) {
     if constexpr (Shapes::has(ShapeKind::sphere)) {  // without the frames and the choice, which for balls are most of the way
         const Shape &shape_A = surfaces.surfaces[pair.body_A].shape, &shape_B = surfaces.surfaces[pair.body_B].shape;
@@ -144,6 +149,7 @@ INGOT_INLINE void mix_materials(const SurfaceView& surfaces, const BodyPair& pai
 INGOT_INLINE void keep_manifold(const Manifold& found, Manifold& kept) {
     kept.n = found.n;
     kept.count = found.count;
+    kept.halvings = found.halvings;
     for (int point_i = 0; point_i < Manifold::points_max; ++point_i) {
         const ManifoldPoint point = point_i < found.count ? found.points[point_i] : ManifoldPoint{};
         kept.points[point_i].P = point.P;  // by members: with doubles a point has a gap, which would take bytes of the stack along
@@ -187,7 +193,7 @@ void update_manifolds(const BodyView& bodies, const SurfaceView& surfaces, const
             continue;
         }
         const bool fast = fast_pairs.has(pair);
-        const scalar margin = fast ? margin_of_fast(bodies, pair) : margin_of(bodies, bounds, pair, h);
+        const scalar margin = fast ? margin_of_fast(bodies, surfaces, pair) : margin_of(bodies, surfaces, bounds, pair, h);
         if constexpr (renews) {
             if (has_record && !fast &&
                 renew_manifold<Shapes>(bodies, surfaces, pair, margin, manifolds.anchors[pair.record], manifolds.records[pair.record].manifold)) {
@@ -196,8 +202,10 @@ void update_manifolds(const BodyView& bodies, const SurfaceView& surfaces, const
             }
         }
         Manifold found_now;
+        found_now.halvings = static_cast<uint16_t>(surfaces.halvings(pair.body_A, pair.body_B));
         const Manifold& before = has_record ? manifolds.records[pair.record].manifold : no_manifold_before;
-        if (!find_manifold<Shapes>(bodies, surfaces, pair, margin, before, found_now)) count(report.pairs_untested);
+        const Margin search = {margin, limits::fast_margin * scale_of(surfaces.unit, found_now.halvings)};
+        if (!find_manifold<Shapes>(bodies, surfaces, pair, search, before, found_now)) count(report.pairs_untested);
         if (found_now.count == 0 || (fast && fast_pairs.meets_hard(pair, found_now))) {
             if (has_record) give_back(manifolds, pair.record);
             continue;

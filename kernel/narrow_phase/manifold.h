@@ -15,8 +15,9 @@ struct ManifoldPoint {
 /// Where two shapes touch: up to four points that span the area of contact, and the normal they share.
 struct Manifold {
     static constexpr int points_max = 4;
-    Vector n;   ///< unit, from B to A, world
-    int count;  ///< 0 .. points_max; 0: further apart than the margin
+    Vector n;           ///< unit, from B to A, world
+    int16_t count;      ///< 0 .. points_max; 0: further apart than the margin
+    uint16_t halvings;  ///< of the lengths that its contact is measured by: see base/contact_lengths.h
     ManifoldPoint points[points_max];
 };
 

@@ -44,8 +44,8 @@ void anchor(const BodyFrame& A, const BodyFrame& B, const Manifold& manifold, sc
     }
 }
 
-bool renew_from_anchors(const BodyFrame& A, const BodyFrame& B, scalar slip, scalar margin, const ManifoldAnchors& anchors, Manifold& manifold) {
-    if (!(anchors.margin > 0) || margin > anchors.margin + limits::contact_margin / 2) return false;
+bool renew_from_anchors(const BodyFrame& A, const BodyFrame& B, const RenewLimits& within, const ManifoldAnchors& anchors, Manifold& manifold) {
+    if (!(anchors.margin > 0) || within.margin > anchors.margin + within.spare) return false;
     const Vector n = B.A * anchors.n_B, tilt = A.A * anchors.n_A - n;
     if (!(length_sq(tilt) <= limits::recycled_slip * limits::recycled_slip)) return false;
 
@@ -65,10 +65,10 @@ bool renew_from_anchors(const BodyFrame& A, const BodyFrame& B, scalar slip, sca
     }
     scalar least = limits::unbounded;
     for (int i = 0; i < manifold.count; ++i) {
-        if (!(moved_sq[i] <= slip * slip)) return false;
+        if (!(moved_sq[i] <= within.slip * within.slip)) return false;
         least = separation[i] < least ? separation[i] : least;
     }
-    if (least > margin) return false;
+    if (least > within.margin) return false;
     manifold.n = n;
     for (int i = 0; i < manifold.count; ++i) {
         manifold.points[i].P = {at_B[0][i], at_B[1][i], at_B[2][i]};

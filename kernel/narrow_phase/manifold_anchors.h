@@ -23,6 +23,13 @@ struct ManifoldAnchors {
 /// Keeps where the points of a manifold lie on its two bodies.
 void anchor(const BodyFrame& A, const BodyFrame& B, const Manifold& manifold, scalar margin, ManifoldAnchors& anchors);
 
+/// What a manifold may differ in from what its anchors know, and be renewed from them.
+struct RenewLimits {
+    scalar slip;    ///< m, that points may have moved against each other
+    scalar margin;  ///< m, of this step
+    scalar spare;   ///< m, by which that may be larger than the margin of the search
+};
+
 /// Renews a manifold from its anchors: true if the bodies have moved so little against each other that a search would find the same features.
 ///
 /// No point of A has moved by more than `slip` (m) against its fellow of B, along the normal or across, and the normal of A has not turned against
@@ -31,6 +38,6 @@ void anchor(const BodyFrame& A, const BodyFrame& B, const Manifold& manifold, sc
 /// but for slip^2 / R.
 /// False: the manifold is as it was; search. So it is for anchors that know nothing, or that were found with less margin.
 /// Cost: about 40 flops a point.
-bool renew_from_anchors(const BodyFrame& A, const BodyFrame& B, scalar slip, scalar margin, const ManifoldAnchors& anchors, Manifold& manifold);
+bool renew_from_anchors(const BodyFrame& A, const BodyFrame& B, const RenewLimits& within, const ManifoldAnchors& anchors, Manifold& manifold);
 
 } }  // namespace ingot

@@ -77,7 +77,7 @@ void keep_points(const Candidate* candidates, int count, const ContactFrame& fra
     Choice choice{{0, 1, 2, 3}, count};
     if (count > Manifold::points_max) choice = spanning(candidates, count, tolerance, before);
     manifold.n = frame.n;
-    manifold.count = choice.count;
+    manifold.count = static_cast<int16_t>(choice.count);
     // bound: 4: Manifold::points_max
     for (int i = 0; i < choice.count; ++i) {
         const Candidate& p = candidates[choice.chosen[i]];

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "shapes.h"
 
+#include "convex_hull.h"
+
 namespace ingot { inline namespace INGOT_ABI {
 
 scalar bounding_radius(const Shape& shape) {
@@ -9,6 +11,18 @@ scalar bounding_radius(const Shape& shape) {
     if (shape.kind == ShapeKind::capsule) return shape.size.x + shape.size.y;
     if (shape.kind == ShapeKind::cylinder) return sqrt(shape.size.x * shape.size.x + shape.size.y * shape.size.y);
     return 0;
+}
+
+scalar least_half_extent(const Shape& shape, const ConvexHull* hull) {
+    const Vector& size = shape.size;
+    switch (shape.kind) {
+        case ShapeKind::sphere:
+        case ShapeKind::capsule: return size.x;
+        case ShapeKind::cylinder: return min(size.x, size.y);
+        case ShapeKind::box: return min(size.x, min(size.y, size.z));
+        case ShapeKind::hull: return hull->inner_radius;
+        default: return limits::unbounded;
+    }
 }
 
 namespace {

@@ -75,6 +75,11 @@ struct Shapes {
 /// Radius of the sphere about the centre of mass that holds the shape; 0 for a half space, which has none. Units: m.
 scalar bounding_radius(const Shape& shape);
 
+struct ConvexHull;
+/// The least half extent of a shape; of a hull, the radius of the ball about its centre that it holds. What has no size is infinitely thick.
+/// Units: m. hull: the form of a hull; else null.
+scalar least_half_extent(const Shape& shape, const ConvexHull* hull);
+
 /// Errors: not_finite, bad_shape (a size outside limits::size_min .. size_max), bad_direction (a normal not of unit length),
 ///         out_of_range (an offset beyond limits::position_max).
 Status check_shape(const Shape& shape);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "../body/body_tiles.h"
+#include "../base/contact_lengths.h"
 #include "shapes.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -12,12 +13,21 @@ struct Surface {
     scalar bounding_radius;  ///< m, about the centre of mass of the body; 0 for a half space
     scalar e;                ///< restitution 0 .. 1; of a pair the larger counts
     scalar mu;               ///< coefficient of friction; of a pair the geometric mean counts
+    uint8_t halvings = 0;    ///< of the lengths of its contacts; of a pair the more count: see base/contact_lengths.h
 };
 
 /// The surfaces of all slots, without their capacity.
 struct SurfaceView {
     const Surface* surfaces;
     int slot_count;
+    scalar unit = 1;  ///< m; of lengths and speeds in limits.h
+    scalar fall = 0;  ///< m, that gravity moves a body from rest within the step, at most
+
+    scalar scale(int slot) const { return scale_of(unit, surfaces[slot].halvings); }
+    unsigned halvings(int slot_A, int slot_B) const {
+        const unsigned A = surfaces[slot_A].halvings, B = surfaces[slot_B].halvings;
+        return A < B ? B : A;
+    }
 };
 
 /// The first slot from `from` on whose body may touch the body of slot_A; slot_count if there is none.

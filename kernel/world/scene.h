@@ -34,6 +34,7 @@ namespace ingot { inline namespace INGOT_ABI {
 struct Scene {
     static constexpr int  max_bodies   = 1;      ///< 1 .. 65536
     static constexpr bool translates   = false;
+    static constexpr scalar length_unit = 1;     ///< m, 1e-5 .. 1e5: the size of a typical thing, which the lengths and speeds of limits.h are for
     static constexpr bool gravity_shares = false; ///< bodies may feel more or less of gravity than others: World::set_gravity_share
     static constexpr int  max_contacts = 0;      ///< points of contact in one step, 0 .. 65535, of FrictionlessImpacts
     static constexpr int  max_manifolds = 0;     ///< pairs of bodies that touch in one step, 0 .. 65534, of every other solver
@@ -45,7 +46,7 @@ struct Scene {
     static constexpr bool recycles_manifolds = true;   ///< where bodies hardly move, manifolds are moved along with them and not searched anew
     static constexpr bool bounces      = true;   ///< bodies may have a restitution; false: none bounces, for 5 KB less flash
     static constexpr bool sleeps       = false;  ///< islands of bodies at rest are left out of the step until something wakes them
-    static constexpr scalar sleep_speed = limits::sleep_speed;  ///< m/s; no point of a body at rest moves faster
+    static constexpr scalar sleep_speed = limits::sleep_speed;  ///< length_unit/s; no point of a body at rest moves faster
     static constexpr scalar sleep_time  = limits::sleep_time;   ///< s; for which all bodies of an island are at rest before it falls asleep
     static constexpr bool rolling_resistance = false;  ///< shapes may resist being rolled: World::set_rolling_resistance
     static constexpr bool surface_velocities = false;  ///< surfaces may move by themselves, as belts do: World::set_surface_velocity

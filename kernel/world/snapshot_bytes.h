@@ -228,7 +228,7 @@ struct SavedManifold {
         each("body_B", body_B);
         uint16_t count = static_cast<uint16_t>(record.manifold.count);
         each("points", count);
-        record.manifold.count = count;
+        record.manifold.count = static_cast<int16_t>(count);
         each("n", record.manifold.n);
         for (int point_i = 0; point_i < Manifold::points_max; ++point_i) {
             ManifoldPoint& point = record.manifold.points[point_i];

@@ -87,12 +87,26 @@ INGOT_INLINE void over_active_bodies(Step<S>& now, const Each& each) {
         EveryBody{now.storage.slots_used}.for_each(each);
 }
 
+/// The surfaces of the step, which know how far gravity moves a body in it. Fields, and shares of gravity, may move it further: then any way counts.
+template <class S>
+SurfaceView surfaces_of(const Step<S>& now) {
+    SurfaceView surfaces = now.storage.surface_view();
+    surfaces.fall = has_field<S> || S::gravity_shares ? limits::unbounded : sqrt(length_sq(now.storage.gravity)) * now.h * now.h;
+    return surfaces;
+}
+template <class S>
+SearchView search_of(const Step<S>& now) {
+    SearchView search = now.storage.search_view();
+    search.surfaces = surfaces_of(now);
+    return search;
+}
+
 /// The search in scenes whose bodies sleep: it looks at what is active, and the first one after a world began or was loaded at all. True when the
 /// list has changed.
 template <class S>
 bool search_awake(Step<S>& now, const PairList& pairs) {
     auto& storage = now.storage;
-    const SearchView search = storage.search_view();
+    const SearchView search = search_of(now);
     const RestView rest = storage.rest_view();
     bool changed = *pairs.lost > 0;
     if (storage.bounds_are_made == 0) {
@@ -124,7 +138,7 @@ void find_pairs([[maybe_unused]] Step<S>& now) {
         if constexpr (S::sleeps)
             changed = search_awake(now, pairs);
         else
-            changed = storage.search(storage.search_view(), now.h, pairs);
+            changed = storage.search(search_of(now), now.h, pairs);
         if (!changed) return;
         if constexpr (has_compounds<S>) drop_pairs_of_one_body<S::max_shapes_of_body>(pairs);
         match_records(storage.manifold_view(), pairs);
@@ -151,7 +165,7 @@ void find_manifolds([[maybe_unused]] Step<S>& now) {
         auto& storage = now.storage;
         const ManifoldView manifolds = storage.manifold_view();
         if constexpr (has_events<S> && has_sensors<S>) copy_list(storage.overlap_list(), storage.overlap_list_before());
-        update_manifolds<ShapesOf<S>, S::recycles_manifolds>(storage.shapes(), storage.surface_view(), storage.bounds, now.h,
+        update_manifolds<ShapesOf<S>, S::recycles_manifolds>(storage.shapes(), surfaces_of(now), storage.bounds, now.h,
                                                              storage.pair_rules(now.report), storage.pair_list(), manifolds, now.report,
                                                              find_fast_pairs(now));
         count(now.report.pairs_lost, storage.pairs_lost);
@@ -276,8 +290,8 @@ void follow_fast_bodies([[maybe_unused]] Step<S>& now) {
 template <class S>
 void fall_asleep([[maybe_unused]] Step<S>& now) {
     if constexpr (S::sleeps)
-        fall_asleep(now.bodies, now.storage.surface_view(), now.storage.gravity, now.h, {S::sleep_speed, S::sleep_time}, now.storage.rest_view(),
-                    now.storage.pull_of_bodies());
+        fall_asleep(now.bodies, now.storage.surface_view(), now.storage.gravity, now.h, {S::sleep_speed * S::length_unit, S::sleep_time},
+                    now.storage.rest_view(), now.storage.pull_of_bodies());
 }
 
 /// Those that met in flight touch in this step.
@@ -302,7 +316,7 @@ void tell_events([[maybe_unused]] Step<S>& now) {
         const PairOfBodiesList before = storage.touching_list_before(), touching = storage.touching_list();
         copy_list(touching, before);
         if constexpr (S::sleeps) spread_notes(manifolds, storage.awake_pairs, storage.awake_pair_count, storage.notes);
-        find_touching(manifolds, storage.notes, storage.generation_of_shapes(storage.generation), before, touching);
+        find_touching(manifolds, S::length_unit, storage.notes, storage.generation_of_shapes(storage.generation), before, touching);
         auto flights = list_flights(now, touching);
         const ContactsOfStep<decltype(flights)> contacts = {manifolds, storage.notes, flights};
 

@@ -36,7 +36,7 @@ struct Storage : features::All::Memory<S> {
         else
             return Rules{this->filter_view(), this->sensor_view(this->generation_of_shapes(generation), report)};
     }
-    SurfaceView surface_view() const { return {this->surfaces, slots_used * S::max_shapes_of_body}; }
+    SurfaceView surface_view() const { return {this->surfaces, slots_used * S::max_shapes_of_body, S::length_unit}; }
 
     /// All shapes, for search, narrow phase and queries; the bodies themselves, where each has one shape.
     BodyView shapes() { return this->shape_view(bodies(), slots_used); }

@@ -58,7 +58,7 @@ void note_unsettled(const SolverView& solver, const Direct& direct) {
             continue;
         uint8_t& steps = direct.unsettled[solver.pairs[block.manifold[lane_i]].record];
         const scalar speed_sq = block.change[lane_i] * block.K[0][lane_i];  // change = speed^2 / compliance
-        const bool moving = island.at_bound && speed_sq > limits::unsettled_speed * limits::unsettled_speed;
+        const bool moving = island.at_bound && speed_sq > limits::unsettled_speed * solver.unit * (limits::unsettled_speed * solver.unit);
         steps = static_cast<uint8_t>(!moving ? 0 : steps < limits::unsettled_steps ? steps + 1 : steps);
     }
 }

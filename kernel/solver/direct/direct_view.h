@@ -134,6 +134,7 @@ struct DirectViewOf {
     bool paid;      ///< the factor at hand has been taken from work_left in this attempt
     bool uneven;    ///< bodies of limits::direct_mass_ratio touch
     int work_left;  ///< multiplications that the attempt at hand may still spend on factors; see limits::direct_work_max
+    wide_scalar unit;  ///< m; of lengths and speeds in limits.h
 };
 using DirectView = DirectViewOf<false>;
 using RollingDirectView = DirectViewOf<true>;

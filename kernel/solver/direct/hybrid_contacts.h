@@ -13,7 +13,7 @@ template <class View, bool notes_impulses, bool bounces>
 struct HybridContacts : SweptContacts<View, notes_impulses, bounces> {
     using Swept = SweptContacts<View, notes_impulses, bounces>;
 
-    HybridContacts(View& of, const DirectOf<View>& direct_view) : Swept(of), direct(direct_view) {}
+    HybridContacts(View& of, const DirectOf<View>& direct_view) : Swept(of), direct(direct_view) { direct.unit = static_cast<wide_scalar>(of.unit); }
 
     void begin(const ContactStep& step, StepReport& report) {
         Swept::begin(step, report);

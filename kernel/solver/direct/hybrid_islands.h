@@ -53,7 +53,7 @@ struct HybridIslands : BlockSolver {
         DirectViewOf<rolls> direct_view() {
             constexpr int manifolds = static_cast<int>(island), room = static_cast<int>(entries);
             return {manifold, row, active, body, entry, manifolds, room, free_motion, state, local, unsettled,
-                    0, 0, 0, 0, -1, false, false, false, false, false, 0};
+                    0, 0, 0, 0, -1, false, false, false, false, false, 0, 1};
         }
         template <bool notes_impulses, bool bounces, class View>
         void solve_contacts(View& solver, const ContactStep& step, StepReport& report) {

@@ -7,12 +7,16 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// sqrt(x) in double without an instruction for it: the scalar's, and two steps of Newton's, which are the same everywhere.
+/// sqrt(x) in double without an instruction for it: the scalar's, and two steps of Newton's, which are the same everywhere. What is too small for the
+/// scalar is made larger first: 0 below 1e-90.
 wide_scalar square_root(wide_scalar x) {
-    if (!(x > 1e-30)) return 0;
+    constexpr double least = 1e-30;
+    const bool is_small = x < least;
+    if (is_small) x = x * 0x1p200;
+    if (!(x > least)) return 0;
     wide_scalar y = static_cast<wide_scalar>(sqrt(static_cast<scalar>(x)));
     for (int step_i = 0; step_i < 2; ++step_i) y = 0.5 * (y + x / y);
-    return y;
+    return is_small ? y * 0x1p-100 : y;
 }
 
 template <class OfIsland>

@@ -127,6 +127,12 @@ bool has_impact(const SolverView& solver, const Direct& island, scalar h) {
     return false;
 }
 
+/// m/s, that a solve may leave.
+template <class Direct>
+wide_scalar settled_speed_of(const Direct& island) {
+    return limits::direct_settled_speed * island.unit;
+}
+
 /// Normals that push, or that do not separate: bodies that fall together are taken for a pile.
 template <class Direct>
 void choose_active(Direct& island) {
@@ -137,7 +143,7 @@ void choose_active(Direct& island) {
         manifold.sliding = 0;
         for (int row = 0; row < manifold.points; ++row)
             if (has(manifold.rows, row) && (rows[row].j > 0 || row_motion<false>(island, manifold, rows[row]) <=
-                                                                   rows[row].target + limits::direct_settled_speed))
+                                                                   rows[row].target + settled_speed_of(island)))
                 set_bit(manifold.active, row, true);
         stick_or_slide(island, manifold, rows);
         if (active_normals(manifold) > normals_max) drop_least<false>(island, manifold, rows);
@@ -171,7 +177,7 @@ wide_scalar solve_active(const Direct& island, wide_scalar settled) {
         for (int i = 0; i < island.active_count; ++i) {
             DirectActive& active = island.active[i];
             active.x = left_of<displaces>(island, active.row);
-            if (active.inv_pivot != 0) worst = max(worst, abs(active.x));
+            if (active.inv_pivot != 0) worst = max(worst, abs(active.x) * length_of_row(island, active.row % Direct::row_count));
         }
         if (worst <= settled / 16 || pass_i == passes) return worst;
         solve_factored(island);
@@ -189,7 +195,8 @@ bool change_friction(const Direct& island, ManifoldOf<Direct>& manifold, DirectR
     const bool loaded = active_normals(manifold) != 0;
     const wide_scalar N = load_of(manifold, rows);
     const auto slides = [&](int row, wide_scalar length, wide_scalar most, wide_scalar K) {
-        return has(sliding, row) ? length >= most - settled / 16 / K : length > most + settled / K;
+        const wide_scalar slack = settled / length_of_row(island, row);
+        return has(sliding, row) ? length >= most - slack / 16 / K : length > most + slack / K;
     };
     for (int pair_i = 0; pair_i < Direct::pair_count; ++pair_i) {
         const int first = row_of_pair(pair_i);
@@ -257,17 +264,17 @@ IslandState solve_island(const View& solver, Direct& island, scalar h, bool afte
     for (int set_i = 0; set_i < limits::direct_sets_max; ++set_i) {
         if (set_i != 0) add_up<false>(island);
         wide_scalar left = 1;
-        for (int step_i = 0; step_i < limits::direct_newton_steps_max && left > limits::direct_settled_speed; ++step_i) {
+        for (int step_i = 0; step_i < limits::direct_newton_steps_max && left > settled_speed_of(island); ++step_i) {
             if (!factor_rows(island)) return IslandState::chosen;
-            left = solve_active<false>(island, limits::direct_settled_speed);
+            left = solve_active<false>(island, settled_speed_of(island));
             if (!island.some_slide) break;
         }
-        if (!change_active<false>(island, limits::direct_settled_speed, set_i, begin) && left <= limits::direct_settled_speed)
+        if (!change_active<false>(island, settled_speed_of(island), set_i, begin) && left <= settled_speed_of(island))
             break;
     }
     add_up<false>(island);
     const Misfit left = misfit(island);
-    const wide_scalar bound = after_sweeps ? static_cast<wide_scalar>(limits::settled_speed) : 4 * limits::direct_settled_speed;
+    const wide_scalar bound = after_sweeps ? static_cast<wide_scalar>(limits::settled_speed) * island.unit : 4 * settled_speed_of(island);
     if (!(left.worst <= bound) || !(left.merit < merit_most)) return IslandState::chosen;
     write_back(solver, island);
     return IslandState::solved;
@@ -284,12 +291,13 @@ bool begin_placing(const SolverView& solver, Direct& island, scalar h) {
         body.angular = in_double(solver.bodies[body.body_i].dth);
     }
     bool off = false;
-    const wide_scalar deepest = -static_cast<wide_scalar>(limits::push_speed_max * h);
+    const wide_scalar deepest = -static_cast<wide_scalar>(limits::push_speed_max * h * solver.unit);
     for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
         ManifoldOf<Direct>& manifold = island.manifolds[manifold_i];
         DirectRow* const rows = island.rows + manifold_i * Direct::row_count;
         const int lane_i = manifold.position % lanes;
         const ContactBlock& block = solver.blocks[manifold.position / lanes];
+        const scalar inv_M = block.inv_M_A[lane_i] + block.inv_M_B[lane_i];
         manifold.active = 0;
         manifold.sliding = 0;
         manifold.pulls = 0;
@@ -297,7 +305,7 @@ bool begin_placing(const SolverView& solver, Direct& island, scalar h) {
             if (!has(manifold.rows, row)) continue;
             const NormalRow& contact = block.row[row];
             const wide_scalar s = static_cast<wide_scalar>(contact.separation[lane_i]) + row_motion<true>(island, manifold, rows[row]);
-            const bool pressed = contact.j[lane_i] > 0, lands = contact.landing[lane_i] < limits::unbounded;
+            const bool pressed = presses(contact.j[lane_i], inv_M, solver.unit), lands = contact.landing[lane_i] < limits::unbounded;
             const wide_scalar share = s * static_cast<wide_scalar>(limits::position_share);
             const wide_scalar wanted = lands              ? s - static_cast<wide_scalar>(contact.landing[lane_i])
                                   : pressed || s < 0 ? max(share, deepest)
@@ -306,7 +314,7 @@ bool begin_placing(const SolverView& solver, Direct& island, scalar h) {
             rows[row].j = static_cast<wide_scalar>(contact.j[lane_i]);  // for choosing three
             set_bit(manifold.pulls, row, pressed || lands);
             set_bit(manifold.active, row, pressed || lands || wanted < 0);
-            off = off || (pressed || lands ? abs(wanted) : -wanted) > static_cast<wide_scalar>(limits::settled_gap);
+            off = off || (pressed || lands ? abs(wanted) : -wanted) > static_cast<wide_scalar>(limits::settled_gap) * island.unit;
         }
     }
     return off;
@@ -316,12 +324,13 @@ bool begin_placing(const SolverView& solver, Direct& island, scalar h) {
 
 namespace {
 
-/// The largest displacement, m and rad; not finite if one is not.
+/// The largest displacement, in units of length and rad; not finite if one is not.
 template <class Direct>
 wide_scalar farthest(const Direct& island) {
+    const wide_scalar inv_unit = 1 / island.unit;
     wide_scalar most_sq = 0, sum = 0;
     for (int body_i = 1; body_i < island.body_count; ++body_i) {
-        const wide_scalar moved = length_sq(island.bodies[body_i].linear), turned = length_sq(island.bodies[body_i].angular);
+        const wide_scalar moved = length_sq(island.bodies[body_i].linear * inv_unit), turned = length_sq(island.bodies[body_i].angular);
         most_sq = max(most_sq, max(moved, turned));
         sum += moved + turned;
     }
@@ -349,8 +358,8 @@ bool place_island(const SolverView& solver, Direct& island, scalar h) {
     int begin = 0;
     for (int set_i = 0; set_i < limits::direct_sets_max && !settled; ++set_i) {
         if (!factor_rows(island)) return false;
-        (void)solve_active<true>(island, limits::direct_settled_length);
-        settled = !change_active<true>(island, limits::direct_settled_length, set_i, begin);
+        (void)solve_active<true>(island, limits::direct_settled_length * island.unit);
+        settled = !change_active<true>(island, limits::direct_settled_length * island.unit, set_i, begin);
     }
     add_up<true>(island);
     const wide_scalar far = farthest(island), most = static_cast<wide_scalar>(limits::push_speed_max * h);

@@ -60,7 +60,7 @@ scalar begin_substep(const PointView& solver, bool again, scalar h) {
         }
         fastest_sq = max(fastest_sq, length_sq(body.velocity.linear));
     }
-    return min(sqrt(fastest_sq), limits::rounding_speed_max);
+    return min(sqrt(fastest_sq), limits::rounding_speed_max * solver.unit);
 }
 
 }  // namespace
@@ -129,7 +129,8 @@ SubstepOfPoints drift_bodies(const PointView& solver, scalar h) {
     for (int i = 0; i < solver.body_count; ++i) {
         PointBody& body = solver.bodies[solver.body_slots[i]];
         const Vector change = body.velocity.linear - body.begin.linear, spun = body.velocity.moment - body.begin.moment;
-        const scalar forced = sqrt(length_sq(body.forces.linear)) * h, steady_change = limits::steady_acceleration * forced + limits::settled_speed;
+        const scalar forced = sqrt(length_sq(body.forces.linear)) * h;
+        const scalar steady_change = limits::steady_acceleration * forced + limits::settled_speed * solver.unit;
         const scalar change_sq = length_sq(change), spin_sq = dot(spun, body.velocity.angular - body.begin.angular) * body.inv_M;
         body.hit = change_sq > 4 * forced * forced;
         substep.some_hit = substep.some_hit || body.hit;

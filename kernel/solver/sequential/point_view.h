@@ -9,6 +9,7 @@
 #include "../../body/body_tiles.h"
 #include "../../constraint/surface_materials.h"
 #include "../../narrow_phase/manifold_record.h"
+#include "../../base/contact_lengths.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -57,6 +58,7 @@ struct PointView {
     const BodyPair* pairs;    ///< that touch, sorted by slots
     ManifoldRecord* records;  ///< of the pairs
     int manifold_count;
+    scalar unit = 1;          ///< m; of lengths and speeds in limits.h: see base/contact_lengths.h
     PointBody* bodies;        ///< by body slot
     PointContact* contacts;   ///< by place in pairs
     uint16_t* members;        ///< manifolds of the island at hand, in the order of pairs

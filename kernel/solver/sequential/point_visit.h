@@ -14,9 +14,12 @@ struct PointVisit {
     PointPair pair;
     ManifoldRecord& record;
     PointContact& contact;
+    scalar unit;  ///< m; of lengths and speeds in limits.h
 
     INGOT_INLINE const Vector& n() const { return record.manifold.n; }
     INGOT_INLINE int count() const { return record.manifold.count; }
+    /// What lengths of the contact are measured by, m.
+    INGOT_INLINE scalar scale() const { return scale_of(unit, record.manifold.halvings); }
     INGOT_INLINE const Vector& P(int point_i) const { return record.manifold.points[point_i].P; }
 };
 /// With what a view adds.
@@ -40,9 +43,9 @@ VisitOf<View> visit_of(const View& solver, int manifold_i) {
     const BodyPair& pair = solver.pairs[manifold_i];
     PointBody &A = solver.bodies[pair.body_A], &B = solver.bodies[pair.body_B];
     if constexpr (View::rolls || View::has_belts || View::bounces)
-        return {{{A, B}, solver.records[pair.record], solver.contacts[manifold_i]}, solver, manifold_i, pair.record};
+        return {{{A, B}, solver.records[pair.record], solver.contacts[manifold_i], solver.unit}, solver, manifold_i, pair.record};
     else
-        return {{{A, B}, solver.records[pair.record], solver.contacts[manifold_i]}};
+        return {{{A, B}, solver.records[pair.record], solver.contacts[manifold_i], solver.unit}};
 }
 
 /// Motion along n at the points of a manifold: n.(V + W x d) = n.V + (n x W).d at a distance d from the middle.

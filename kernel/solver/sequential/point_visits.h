@@ -34,7 +34,9 @@ Vector clamp_length(const Vector& f, scalar limit) {
     return size_sq > limit * limit ? f * cone_cut(size_sq, limit) : f;
 }
 
-INGOT_SHARED scalar resting_speed(scalar separation, scalar h) { return -resting_room(separation) / h; }
+INGOT_SHARED scalar resting_speed(const PointVisit& visit, scalar separation, scalar h) {
+    return -resting_room(separation, limits::touching_gap * visit.scale()) / h;
+}
 
 /// The part of v across n.
 INGOT_SHARED Vector across(const Vector& n, const Vector& v) { return v - n * dot(n, v); }
@@ -141,7 +143,8 @@ struct PointsOff {
 /// Pressed points, and those that land, are brought to their place from either side; others only push.
 template <class View>
 bool pulls(const VisitOf<View>& visit, int point_i) {
-    bool is_pulled = visit.record.j[point_i] > 0;
+    const PointBody &A = visit.pair.A, &B = visit.pair.B;
+    bool is_pulled = presses(visit.record.j[point_i], max(A.inv_M, scalar(0)) + max(B.inv_M, scalar(0)), visit.unit);
     if constexpr (View::bounces) is_pulled = is_pulled || visit.lands(point_i);
     return is_pulled;
 }
@@ -168,11 +171,11 @@ void visit_positions(const VisitOf<View>& visit, scalar h) {
         const scalar moved = motion.at(visit.P(point_i)), s = visit.record.manifold.points[point_i].separation + moved;
         const bool pressed = pulls(visit, point_i);
         visit.record.j_before[point_i] = visit.record.j[point_i];
-        scalar w = position_target(s, pressed, -limits::push_speed_max * h);
+        scalar w = position_target(s, pressed, -limits::push_speed_max * h * visit.unit);
         if constexpr (View::bounces)
             if (visit.lands(point_i)) w = s - visit.landing(point_i);
-        visit.contact.target[point_i] = resting_speed(s, h);
-        is_off = is_off || (pressed ? abs(w) : -w) > limits::settled_gap_of_points;
+        visit.contact.target[point_i] = resting_speed(visit, s, h);
+        is_off = is_off || (pressed ? abs(w) : -w) > limits::settled_gap_of_points * visit.scale();
         off.separation[point_i] = -moved;
         off.wanted[point_i] = w;
         off.q[point_i] = 0;
@@ -213,9 +216,9 @@ void begin_contact(const VisitOf<View>& visit, scalar share, scalar h) {
     scalar weight[Manifold::points_max], weights = 0;
     for (int point_i = 0; point_i < visit.count(); ++point_i) {
         const scalar separation = visit.record.manifold.points[point_i].separation;
-        contact.target[point_i] = resting_speed(separation, h);
+        contact.target[point_i] = resting_speed(visit, separation, h);
         visit.record.j_before[point_i] = visit.record.j[point_i];
-        weight[point_i] = max(nearness(separation), limits::least_point_weight);
+        weight[point_i] = max(nearness(separation, limits::contact_margin * visit.scale()), limits::least_point_weight);
         weights += weight[point_i];
         contact.middle += visit.P(point_i) * weight[point_i];
     }
@@ -293,7 +296,7 @@ bool predict_bounces_of(const VisitOf<View>& visit, scalar h) {
         const Vector& P = visit.P(point_i);
         const scalar s = visit.record.manifold.points[point_i].separation + moved.at(P), e = visit.record.e;
         const RowFlight<scalar> from = {s, speed.at(P), pull.at(P)};
-        const RowImpact<scalar> impact = impact_of(from, h);
+        const RowImpact<scalar> impact = impact_of(from, h, visit.unit);
         visit.landing(point_i) = limits::unbounded;
         if (!impact.meets) visit.contact.target[point_i] = no_bound(from, h);
         if (!bounces_off(impact, e)) continue;

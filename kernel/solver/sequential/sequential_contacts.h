@@ -33,8 +33,9 @@ template <class View>
 SweptPoints solve_point_velocities(const View& solver, scalar rounding) {
     scalar size_before = 0;
     for (int sweep_i = 1;; ++sweep_i) {  // bound: limits::sweeps_of_points: left at the latest then
-        const SweepOfPoints sweep = sweep_point_velocities(solver, sweep_i % 2 != 0, limits::ignored_speed + rounding);
-        if (sweep_i == limits::sweeps_of_points || sweep.fastest <= limits::settled_speed_of_points + rounding) return {sweep_i, sweep.fastest};
+        const SweepOfPoints sweep = sweep_point_velocities(solver, sweep_i % 2 != 0, limits::ignored_speed * solver.unit + rounding);
+        const bool settled = sweep.fastest <= limits::settled_speed_of_points * solver.unit + rounding;
+        if (sweep_i == limits::sweeps_of_points || settled) return {sweep_i, sweep.fastest};
         const bool shrinks = sweep_i > 1 && sweep.size <= size_before;
         go_on_along(solver, shrinks ? sweep.size / size_before : 0);
         size_before = sweep.size;

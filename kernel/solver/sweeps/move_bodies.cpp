@@ -116,7 +116,7 @@ void drift_bodies(SolverView& solver, const BodyView& bodies, scalar h) {
         const SymmetricMatrix inv_I_world = lane_of(bodies.translation[at.tile].inv_I_world, at.lane);
         const Vector turn = inv_I_world * L * h, spun = L - vector_of(history.L_begin);
         solver.some_hit = solver.some_hit || hit;
-        const scalar steady_change = limits::steady_acceleration * body.dp[3] * h + limits::settled_speed;
+        const scalar steady_change = limits::steady_acceleration * body.dp[3] * h + limits::settled_speed * solver.unit;
         island.steady = island.steady && length_sq(change) + dot(spun, inv_I_world * spun) * body.v_CM[3] <= steady_change * steady_change;
         set4(body.dp, dp, body.dp[3]);
         set4(body.dth, vector_of(body.dth) + turn);

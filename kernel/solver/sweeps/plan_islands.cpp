@@ -100,14 +100,14 @@ bool begin_batch(SolverView& solver, SweepPlan plan, const BodyView& bodies, con
     return true;
 }
 
-scalar rounding_of_speeds(const Island& island) { return 4 * epsilon * min(sqrt(island.fastest_sq), limits::rounding_speed_max); }
+scalar rounding_of_speeds(const Island& island, scalar unit) { return 4 * epsilon * min(sqrt(island.fastest_sq), limits::rounding_speed_max * unit); }
 
 void plan_sweeps(const SolverView& solver) {
     for (int island_i = 0; island_i < solver.island_count; ++island_i) {
         Island& island = solver.islands[island_i];
         if (!island.in_batch) continue;
         island.sweeps_max = sweeps_max_of(island);
-        island.settled = settled_speed_of(island.plan) + rounding_of_speeds(island);
+        island.settled = settled_speed_of(island.plan) * solver.unit + rounding_of_speeds(island, solver.unit);
         island.sweeps_on = true;
         island.size_before = 0;
         island.residual = 0;  // of one that is not swept

@@ -28,7 +28,7 @@ void end_batch(const SolverView& solver, StepReport& report);
 void plan_sweeps(const SolverView& solver);
 
 /// m/s; how far rounding may put off the speeds of an island's bodies, as they are after the last kick.
-scalar rounding_of_speeds(const Island& island);
+scalar rounding_of_speeds(const Island& island, scalar unit);
 
 inline bool is_steady(SweepPlan plan) { return plan == SweepPlan::small_steady || plan == SweepPlan::large_steady; }
 inline bool is_large(SweepPlan plan) { return plan == SweepPlan::large_steady || plan == SweepPlan::large; }

@@ -17,7 +17,7 @@ INGOT_RARE void predict_bounces_of(ContactBlock& block, const SolverView& solver
     const lane step = splat<lane>(h), e = load(block.e);
     for (int row = 0; row < block.rows; ++row) {  // bound: 4: block_rows
         const RowFlight<lane>& from = flight.row[row];
-        const RowImpact<lane> impact = impact_of(from, step);
+        const RowImpact<lane> impact = impact_of(from, step, solver.unit);
         const mask bounces = both(bounces_off(impact, e), is_used(block, row)), flies = both(opposite(impact.meets), e > lane{});
         const RowLanding<lane> landing = landing_of(from, impact, e, step);
         store(block.row[row].target, select(bounces, landing.speed, select(flies, no_bound(from, step), load(block.row[row].target))));
@@ -34,7 +34,9 @@ void predict_contacts(const SolverView& solver, scalar h) {
         const BodyPairLanes displaced = gather_bodies(solver, block, &SolverBody::dp, &SolverBody::dth);
         const Vec3<lane> n = load(block.n);
         const lane apart = dot(n, displaced.linear_A - displaced.linear_B);
-        for (int row = 0; row < block.rows; ++row) store(block.row[row].target, resting_target(separation_now(block, row, apart, displaced), inv_h));
+        const lane gap = scale_of(solver, block) * splat<lane>(limits::touching_gap);
+        for (int row = 0; row < block.rows; ++row)  // bound: 4: block_rows
+            store(block.row[row].target, resting_target(separation_now(block, row, apart, displaced), gap, inv_h));
     }
 }
 

@@ -53,7 +53,7 @@ scalar next_impact(const SolverView& solver, ContactBlock& block, int lane_i, sc
     scalar first = no_impact;
     for (int row = 0; row < block.rows; ++row) {  // bound: 4: block_rows
         const RowFlight<lane> from = flight_from(flight.row[row], splat<lane>(now));
-        const RowImpact<lane> impact = impact_of(from, splat<lane>(h - now));
+        const RowImpact<lane> impact = impact_of(from, splat<lane>(h - now), solver.unit);
         scalar when[lanes], target[lanes];
         const mask bounces = both(bounces_off(impact, load(block.e)), is_used(block, row));
         store(when, select(bounces, splat<lane>(now) + impact.when, splat<lane>(no_impact)));
@@ -89,7 +89,7 @@ void solve_at_hand(const View& solver, Island& island, scalar now, ImpactNote* n
     View one = solver;
     one.live = &visit;
     one.live_count = 1;
-    const scalar settled = limits::settled_speed_of_small + rounding_of_speeds(island);
+    const scalar settled = limits::settled_speed_of_small * solver.unit + rounding_of_speeds(island, solver.unit);
     island.settled = limits::unbounded;  // no body becomes active by this: the sweeps of the substep come later
     scalar residual = scalar_max;
     for (int sweep_i = 0; sweep_i < limits::sweeps_of_small && residual > settled; ++sweep_i) {
@@ -137,11 +137,12 @@ scalar first_impact(const SolverView& solver, const Island& island) {
 /// Sets what the sweeps of the substep do with a contact after its last impact: nothing if it flies, else they hold it.
 void aim_at_rest(const SolverView& solver, ContactBlock& block, int lane_i, scalar h) {
     const BlockFlight flight = flight_of(solver, block);
+    const lane gap = scale_of(solver, block) * splat<lane>(limits::touching_gap);
     for (int row = 0; row < block.rows; ++row) {
         const RowFlight<lane>& from = flight.row[row];
         scalar target[lanes];
         store(target,
-              select(meets(from, splat<lane>(h)), resting_target(from.s, splat<lane>(1 / h)), no_bound(from, splat<lane>(h))));
+              select(meets(from, splat<lane>(h)), resting_target(from.s, gap, splat<lane>(1 / h)), no_bound(from, splat<lane>(h))));
         block.row[row].target[lane_i] = target[lane_i];
         block.row[row].landing[lane_i] = limits::unbounded;
     }
@@ -202,10 +203,10 @@ bool find_impact_chains(SolverView& solver) {
                 some = island.has_chains = true;
             return;
         }
+        const scalar gap = limits::touching_gap * scale_of(solver.unit, block.halvings[lane_i]);
         bool touches = false;
         for (int row = 0; row < block.rows; ++row)
-            touches =
-                touches || (static_cast<scalar>(row) < block.count[lane_i] && block.row[row].separation[lane_i] <= limits::touching_gap);
+            touches = touches || (static_cast<scalar>(row) < block.count[lane_i] && block.row[row].separation[lane_i] <= gap);
         if (touches) A |= leans, B |= leans;
     });
     return some;

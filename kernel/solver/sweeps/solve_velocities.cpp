@@ -51,7 +51,7 @@ Settled settle_islands(const SolverView& solver, int sweep_i) {
         if (sweep_i == island.sweeps_max || island.residual <= island.settled) {
             island.sweeps_on = false;
             island.sweeps += sweep_i;
-            island.at_bound = sweep_i == island.sweeps_max && island.residual > limits::settled_speed;
+            island.at_bound = sweep_i == island.sweeps_max && island.residual > limits::settled_speed * solver.unit;
             settled.some = true;
             continue;
         }

@@ -14,12 +14,12 @@ INGOT_INLINE bool visit_positions(const SolverView& solver, ContactBlock& block,
     const mask active = lanes_of(lane_bits);
     const Vec3<lane> n = load(block.n);
     BodyPairLanes pair = gather_bodies(solver, block, &SolverBody::dp, &SolverBody::dth);
-    Pushes due = Normals::pushes_due<rows>(block, n, pair, h);
+    Pushes due = Normals::pushes_due<rows>(block, n, pair, h, solver.unit);
     // A single point lands by one push, and has no more in a block of one row. It has no more beside manifolds of several points either: the same
     // bits.
     if (again) due.off = both(both(due.off, due.lands), is_used(block, 1));
     if (!any(due.off)) return false;
-    const Row4 q = Normals::push<rows>(block, due, limits::approach_slack * h, active);
+    const Row4 q = Normals::push<rows>(block, due, limits::approach_slack * h * solver.unit, active);
     lane sum{};
     for (int row = 0; row < rows; ++row) {  // bound: 4: block_rows
         const lane push = select(due.off, q.at[row], lane{});
@@ -38,9 +38,9 @@ INGOT_INLINE void visit_central_positions(const SolverView& solver, ContactBlock
     const LaneQuad dp_A = gather(solver.bodies, block.body_A, &SolverBody::dp), dp_B = gather(solver.bodies, block.body_B, &SolverBody::dp);
     pair.linear_A = vector_of(dp_A);
     pair.linear_B = vector_of(dp_B);
-    const Pushes due = Normals::pushes_due<1>(block, n, pair, h);
+    const Pushes due = Normals::pushes_due<1>(block, n, pair, h, solver.unit);
     if (!any(due.off)) return;
-    const Row4 q = Normals::push<1>(block, due, limits::approach_slack * h, lanes_of(lane_bits));
+    const Row4 q = Normals::push<1>(block, due, limits::approach_slack * h * solver.unit, lanes_of(lane_bits));
     add_linear(pair, n * select(due.off, q.at[0], lane{}), load(block.inv_M_A), load(block.inv_M_B));
     scatter_visited(solver, block.body_A, lane_bits, &SolverBody::dp, quad_of(pair.linear_A, dp_A.at[3]));
     scatter_visited(solver, block.body_B, lane_bits, &SolverBody::dp, quad_of(pair.linear_B, dp_B.at[3]));

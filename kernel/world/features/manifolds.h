@@ -126,7 +126,11 @@ struct ManifoldPart : BlockOrderPart<S, !S::solver::is_pointwise> {
     ManifoldView manifold_view() {
         return {this->pairs, &manifold_count, this->records, this->manifold_anchors(), &records_used, &first_free_record, S::max_manifolds};
     }
-    auto solver() { return this->solver_of(this->by_bodies(this->pairs), this->records, manifold_count); }
+    auto solver() {
+        auto view = this->solver_of(this->by_bodies(this->pairs), this->records, manifold_count);
+        view.unit = S::length_unit;
+        return view;
+    }
 };
 template <class S>
 struct ManifoldPart<S, false> {};
@@ -193,6 +197,7 @@ struct Manifolds : Feature {
                       "a scene holds up to 65535 pairs, twice max_manifolds unless it says otherwise: set max_pairs");
         static_assert(!stacks<S> || S::max_bodies <= 65535, "bodies with contacts are up to 65535: set max_bodies");
         static_assert(!stacks<S> || !S::rotation::as_printed, "Listing 1 has no contacts with friction: name another rotation, or max_contacts");
+        static_assert(stacks<S> || S::length_unit == 1, "length_unit is for contacts with friction: set max_manifolds, or length_unit = 1");
         static_assert(!stacks<S> || S::translates, "bodies that touch move: set translates = true, or max_manifolds = 0");
         return check_solver<S>();
     }
@@ -228,6 +233,7 @@ struct Manifolds : Feature {
         void put(Storage<S>& storage, uint16_t record) const {
             storage.pairs[record] = {saved.body_A, saved.body_B, record};
             storage.records[record] = saved.record;
+            storage.records[record].manifold.halvings = static_cast<uint16_t>(storage.surface_view().halvings(saved.body_A, saved.body_B));
             if constexpr (!solves_pointwise<S>) storage.friction_references[record] = saved.j_reference;
             if constexpr (S::recycles_manifolds) storage.anchors[record] = saved.anchors;
             storage.records_used = storage.manifold_count = static_cast<uint16_t>(record + 1);

@@ -27,6 +27,7 @@ struct Surfaces : Feature {
         // bound: the kinds of shapes
         for (int kind = 0; kind <= static_cast<int>(ShapeKind::half_space); ++kind) each(S::shapes::has(static_cast<ShapeKind>(kind)));
         each(S::bounces);
+        each(scalar(S::length_unit));
         each(hulls_of<S>.count);
         for (int form = 0; form < hulls_of<S>.count; ++form)  // bound: hulls of the scene
             // bound: limits::hull_vertices_max
@@ -37,6 +38,7 @@ struct Surfaces : Feature {
         static_assert(!S::shapes::has(ShapeKind::hull) || stacks<S>, "hulls are for contacts with friction: set max_manifolds, or name no Hull");
         static_assert(!S::shapes::has(ShapeKind::hull) || hulls_of<S>.count > 0, "a scene with Hull among its shapes says which: set hulls");
         static_assert(S::shapes::has(ShapeKind::hull) || hulls_of<S>.count == 0, "a scene with hulls has Hull among its shapes: set shapes");
+        static_assert(S::length_unit >= scalar(1e-5) && S::length_unit <= scalar(1e5), "a typical thing is 1e-5 to 1e5 m large: set length_unit");
         static_assert(are_hulls<S>(), "one of the hulls is none: ask convex_hull for the status");
         static_assert(!has_shapes<S> || has_some_shape<S>(), "bodies that touch have shapes: set shapes, or neither max_manifolds nor max_contacts");
         static_assert(S::bounces || stacks<S>, "impacts without friction bounce: set max_manifolds, or bounces = true");
@@ -51,6 +53,12 @@ struct Surfaces : Feature {
     template <class S>
     static void begin_shape(Storage<S>& storage, int shape_slot, const BodyDef& def, const ShapePlace&) {
         write_surface(storage.surfaces[shape_slot], def);
+        measure<S>(storage.surfaces[shape_slot]);
+    }
+    /// What the lengths of its contacts are.
+    template <class S>
+    static void measure(Surface& surface) {
+        surface.halvings = halvings_of(least_half_extent(surface.shape, ShapesOf<S>::hull_of(surface.shape)), S::length_unit);
     }
     template <class S>
     static void forget_shape(Storage<S>& storage, int shape_slot) {
@@ -71,7 +79,8 @@ struct Surfaces : Feature {
         }
         template <class S>
         void put(Storage<S>& storage, int shape_slot) const {
-            storage.surfaces[shape_slot] = {shape_of(saved), bounding_radius(shape_of(saved)), saved.e, saved.mu};
+            storage.surfaces[shape_slot] = {shape_of(saved), bounding_radius(shape_of(saved)), saved.e, saved.mu, 0};
+            measure<S>(storage.surfaces[shape_slot]);
         }
         template <class S>
         bool is_valid(const SavedBody& body) const {
