@@ -25,6 +25,7 @@
 #include "body/mass_properties.h"
 #include "body/user_frame.h"
 #include "shape/hull_of_points.h"
+#include "math/quaternion.h"
 #include "motion/force_fields.h"
 #include "impulse/impulse.h"
 #include "world/snapshot.h"

@@ -46,6 +46,7 @@ TEST(Initialised, are_the_structs_that_users_make) {
     EXPECT_EQ(bytes_left<MeshTriangle>(), 0u);
     EXPECT_EQ(bytes_left<UserPose>(), 0u);
     EXPECT_EQ(bytes_left<UserMotion>(), 0u);
+    EXPECT_EQ(bytes_left<Quaternion>(), 0u);
     EXPECT_EQ(bytes_left<BodyId>(), 0u);
     EXPECT_EQ(bytes_left<BodyFilter>(), 0u);
     EXPECT_EQ(bytes_left<CollidingBody>(), 0u);
@@ -73,12 +74,19 @@ TEST(Initialised, as_what_does_nothing) {
     EXPECT_TRUE(Poisoned<StepReport>(0xa5).made().clean());
 }
 
+TEST(Results, have_another_value_where_they_have_none) {
+    constexpr Result<int> some{Status::ok, 3}, none{Status::stale_id, 0};
+    static_assert(some.value_or(7) == 3 && none.value_or(7) == 7);
+    EXPECT_EQ((Result<scalar>{Status::not_finite, 1}.value_or(2)), 2);
+}
+
 TEST(Statuses, are_told_in_words) {
     EXPECT_STREQ(name(Status::ok), "ok");
     EXPECT_NE(std::strstr(name(Status::no_room), "max_bodies"), nullptr);
     for (int status = 1; status <= static_cast<int>(Status::other_scene); ++status) {
         EXPECT_NE(std::strchr(name(static_cast<Status>(status)), ':'), nullptr) << status;
-        EXPECT_STRNE(name(static_cast<Status>(status)), name(static_cast<Status>(status - 1)));
+        EXPECT_STRNE(name(static_cast<Status>(status)), "no status") << status;
+        for (int other = 0; other < status; ++other) EXPECT_STRNE(name(static_cast<Status>(status)), name(static_cast<Status>(other)));
     }
     EXPECT_STREQ(name(static_cast<Status>(255)), "no status");
 }

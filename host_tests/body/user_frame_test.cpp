@@ -12,6 +12,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <iterator>
 #include <limits>
 
 #include "reference/kernel_types.h"
@@ -224,6 +226,71 @@ TEST(UserFrame, that_cannot_be_is_refused_by_the_world) {
     EXPECT_EQ(status({{}, upright}, {{}, {0, nan, 0}}), Status::not_finite);
     EXPECT_EQ(status({{}, upright}, {{}, {0, 2 * ingot::limits::spin_max, 0}}), Status::out_of_range);
     EXPECT_EQ(status({{0, 2 * ingot::limits::position_max, 0}, upright}, {}), Status::out_of_range);
+}
+
+/// Half of an ulp times the roundings of: two quaternions (9 a component), weights of slerp (43 in float, 72 in double) that sum to 1.42, a product
+/// and a sum; all of it doubled, for a turn has twice the angle of its quaternion, along four components; and 17 of the matrix.
+Real gamma_of_turn() { return gamma(2 * 2 * static_cast<int>(1.42 * (9 + 16 + ingot::limits::slerp_terms_max) + 2) + 17); }
+
+TEST(Interpolated, is_exact_at_both_ends_and_beyond) {
+    RandomInput random(8);
+    for (int i = 0; i < many; ++i) {
+        const BodyState from = random_case(random).state, to = random_case(random).state;
+        for (const scalar fraction : {scalar(0), scalar(-1), -std::numeric_limits<scalar>::infinity(), std::numeric_limits<scalar>::quiet_NaN()})
+            EXPECT_EQ(std::memcmp(&from, std::data({ingot::interpolated(from, to, fraction)}), sizeof from), 0);
+        for (const scalar fraction : {scalar(1), scalar(2), std::numeric_limits<scalar>::infinity()})
+            EXPECT_EQ(std::memcmp(&to, std::data({ingot::interpolated(from, to, fraction)}), sizeof to), 0);
+    }
+}
+
+TEST(Interpolated, goes_along_a_line_and_about_an_axis) {
+    RandomInput random(9);
+    for (int i = 0; i < many; ++i) {
+        const BodyState from = random_case(random).state;
+        const Vector n = to_vector(random.direction());
+        const double angle = random.real(-3, 3), t = static_cast<double>(static_cast<scalar>(random.real(0, 1)));
+        const Matrix3 turn = Eigen::AngleAxis<Real>(static_cast<Real>(angle), to_eigen<Real>(n).normalized()).toRotationMatrix();
+        BodyState to = random_case(random).state;
+        to.A = to_matrix(Matrix3(turn * to_eigen<Real>(from.A)));
+        const BodyState between = ingot::interpolated(from, to, static_cast<scalar>(t));
+        const Matrix3 part = Eigen::AngleAxis<Real>(static_cast<Real>(angle * t), to_eigen<Real>(n).normalized()).toRotationMatrix();
+        // from.A is a rotation to 14 u an entry, to.A to 15: each turns its quaternion by no more.
+        EXPECT_LE(difference(between.A, to_matrix(Matrix3(part * to_eigen<Real>(from.A)))), gamma_of_turn() + gamma(2 * (14 + 15) + 1));
+        EXPECT_LE((to_eigen<Real>(between.A).transpose() * to_eigen<Real>(between.A) - Matrix3::Identity()).cwiseAbs().maxCoeff(), gamma(2 * 2 * 17));
+        // 1 - t, two products and a sum.
+        const auto line = [t](const Vector& a, const Vector& b) { return Vector3((1 - Real(t)) * to_eigen<Real>(a) + Real(t) * to_eigen<Real>(b)); };
+        EXPECT_LE((to_eigen<Real>(between.r_CM) - line(from.r_CM, to.r_CM)).norm(), gamma(4) * (norm(from.r_CM) + norm(to.r_CM)));
+        EXPECT_LE((to_eigen<Real>(between.v_CM) - line(from.v_CM, to.v_CM)).norm(), gamma(4) * (norm(from.v_CM) + norm(to.v_CM)));
+        EXPECT_LE((to_eigen<Real>(between.L) - line(from.L, to.L)).norm(), gamma(4) * (norm(from.L) + norm(to.L)));
+        const UserPose pose = ingot::interpolated(UserPose{from.r_CM, from.A}, UserPose{to.r_CM, to.A}, static_cast<scalar>(t));
+        EXPECT_EQ(to_eigen(pose.A), to_eigen(between.A));
+        EXPECT_EQ(to_eigen(pose.r), to_eigen(between.r_CM));
+    }
+}
+
+struct OneBall : OneBody {
+    using rotation = ingot::SymmetricTop;  // in closed form
+};
+
+TEST(Interpolated, of_a_ball_that_flies_freely_is_the_state_of_half_a_step) {
+    RandomInput random(10);
+    for (int i = 0; i < 200; ++i) {
+        ingot::World<OneBall> whole, half;
+        ingot::BodyDef def;
+        def.mass = ingot::principal(ingot::solid_sphere(1, 1)).value;
+        def.state = ingot::body_state(def.mass, {to_vector(random.vector(1)), to_matrix(random.rotation())},
+                                      {to_vector(random.vector(10)), to_vector(random.vector(20))});
+        const ingot::BodyId id = whole.add(def).value;
+        (void)half.add(def);
+        const scalar h = scalar(1) / 64;
+        const BodyState from = whole.state(id).value;
+        ASSERT_TRUE(ingot::step(whole, h).clean());
+        ASSERT_TRUE(ingot::step(half, h / 2).clean());
+        const BodyState drawn = ingot::interpolated(from, whole.state(id).value, scalar(0.5)), there = half.state(id).value;
+        // The world makes A orthonormal, 14 u, and turns it by sines and cosines of 1 ulp, 12 u as AxisAngle and 4 u of the product; in two worlds.
+        EXPECT_LE(difference(drawn.A, there.A), gamma_of_turn() + gamma(2 * (14 + 12 + 4)));
+        EXPECT_LE(difference(drawn.r_CM, there.r_CM), gamma(8) * (norm(from.r_CM) + norm(there.r_CM)));
+    }
 }
 
 constexpr MassProperties beside = {2, {1, 2, 3}, {1, 0, 0}, ingot::identity_matrix<scalar>()};

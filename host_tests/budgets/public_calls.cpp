@@ -237,6 +237,10 @@ CALL(user_pose)(const MassProperties& mass, const BodyState& state) { return use
 CALL(user_motion)(const MassProperties& mass, const BodyState& state) { return user_motion(mass, state); }
 CALL(body_state)(const MassProperties& mass, const UserPose& pose, const UserMotion& motion) { return body_state(mass, pose, motion); }
 CALL(axis_angle)(const Vector& n, scalar angle) { return axis_angle(n, angle); }
+CALL(interpolated)(const BodyState& from, const BodyState& to, scalar fraction) { return interpolated(from, to, fraction); }
+CALL(interpolated_pose)(const UserPose& from, const UserPose& to, scalar fraction) { return interpolated(from, to, fraction); }
+CALL(quaternion_of)(const Matrix& A) { return quaternion_of(A); }
+CALL(rotation_of)(const Quaternion& q) { return rotation_of(q); }
 CALL(rotation_about)(const Vector& n, scalar angle) { return rotation_about(n, angle); }
 CALL(point_position)(const Vector& o, const Matrix& A, const Vector& r_body) { return point_position(o, A, r_body); }
 CALL(point_velocity)(const Vector& v, const Vector& omega, const Vector& r) { return point_velocity(v, omega, r); }

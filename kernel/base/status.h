@@ -71,6 +71,8 @@ struct [[nodiscard]] Result {
     T value{};
 
     constexpr bool ok() const { return status == Status::ok; }
+    /// The value, or this one where there is none: for who does not ask why.
+    constexpr T value_or(const T& other) const { return ok() ? value : other; }
 };
 
 } }  // namespace ingot

@@ -10,7 +10,8 @@ namespace ingot { inline namespace INGOT_ABI {
 /// What World::add needs to know of a body.
 struct BodyDef {
     MassProperties mass{};       ///< see body/mass_properties.h; not looked at for an immovable body
-    BodyState state{};           ///< of the principal frame; an immovable body has v_CM = L = 0
+    /// of the principal frame; an immovable body has v_CM = L = 0. body_state() makes it of a pose, a velocity and an angular velocity
+    BodyState state{};
     Shape shape{};               ///< Sphere, Box ... in the principal frame, hulls by hull_of; none: the body touches nothing
     scalar restitution = 0;      ///< e of Fig. 4, 0 .. 1; of a pair the larger counts
     scalar friction = scalar(0.5); ///< coefficient mu, 0 and more; of a pair the geometric mean counts
