@@ -37,7 +37,7 @@ struct ByCommutatorFree : Dragged {
 };
 
 struct Floating : Scene {
-    static constexpr bool translates = true, gravity_shares = true;
+    static constexpr bool translates = true, gravity_shares = true, body_forces = true, damping = true, user_data = true;
 };
 
 /// Impacts without friction, in a field.
@@ -135,6 +135,12 @@ CALL(omega)(const World<Sleeping>& world, BodyId id) { return world.omega(id); }
 CALL(add_force)(World<Sleeping>& world, BodyId id, const Vector& F, const Vector& P) { return world.add_force(id, F, P); }
 CALL(add_central_force)(World<Sleeping>& world, BodyId id, const Vector& F) { return world.add_central_force(id, F); }
 CALL(add_torque)(World<Sleeping>& world, BodyId id, const Vector& tau) { return world.add_torque(id, tau); }
+CALL(add_body_force)(World<Floating>& world, BodyId id, const Vector& F, const Vector& r) { return world.add_body_force(id, F, r); }
+CALL(add_body_torque)(World<Floating>& world, BodyId id, const Vector& tau) { return world.add_body_torque(id, tau); }
+CALL(set_damping)(World<Floating>& world, BodyId id, const Damping& damping) { return world.set_damping(id, damping); }
+CALL(damping)(const World<Floating>& world, BodyId id) { return world.damping(id); }
+CALL(set_user_data)(World<Floating>& world, BodyId id, uint32_t word) { return world.set_user_data(id, word); }
+CALL(user_data)(const World<Floating>& world, BodyId id) { return world.user_data(id); }
 CALL(apply_impulse)(World<Sleeping>& world, BodyId id, const Vector& j, const Vector& P) { return world.apply_impulse(id, j, P); }
 CALL(apply_central_impulse)(World<Sleeping>& world, BodyId id, const Vector& j) { return world.apply_central_impulse(id, j); }
 CALL(apply_angular_impulse)(World<Sleeping>& world, BodyId id, const Vector& k) { return world.apply_angular_impulse(id, k); }
@@ -171,6 +177,8 @@ CALL(is_asleep)(const World<Sleeping>& world, BodyId id) { return world.is_aslee
 CALL(wake)(World<Sleeping>& world, BodyId id) { return world.wake(id); }
 CALL(sleep)(World<Sleeping>& world, BodyId id) { return world.sleep(id); }
 CALL(asleep_count)(const World<Sleeping>& world) { return world.asleep_count(); }
+CALL(awake_count)(const World<Sleeping>& world) { return world.awake_count(); }
+CALL(awake_island_count)(const World<Sleeping>& world) { return world.awake_island_count(); }
 CALL(asleep_island_count)(const World<Sleeping>& world) { return world.asleep_island_count(); }
 
 // Queries.

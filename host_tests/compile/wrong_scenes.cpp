@@ -285,6 +285,15 @@ int main() {
 #ifdef SHARE_WITHOUT_SHARES
     (void)world.set_gravity_share(id, 1);
 #endif
+#ifdef BODY_FORCE_WITHOUT_BODY_FORCES
+    (void)world.add_body_torque(id, {});
+#endif
+#ifdef DAMPING_WITHOUT_DAMPING
+    (void)world.set_damping(id, {});
+#endif
+#ifdef WORD_WITHOUT_USER_DATA
+    (void)world.set_user_data(id, 1);
+#endif
 #ifdef FIELD_WITHOUT_FIELD
     (void)world.force_field();
 #endif

@@ -41,6 +41,27 @@ TEST(FallingAsleep, a_tower_of_ten_is_one_island_and_two_towers_are_two) {
     EXPECT_EQ(towers.world().asleep_island_count(), 2);
 }
 
+TEST(FallingAsleep, bodies_and_islands_are_awake_or_asleep) {
+    constexpr int columns_of_three = 4, height = 3, bodies = columns_of_three * height;
+    Play<Bedroom<bodies + 1>> play(columns(columns_of_three, height), OnEarth::gravity);
+    EXPECT_EQ(play.world().awake_count(), bodies);
+    EXPECT_EQ(play.world().awake_island_count(), bodies) << "before a step each stands for itself";
+    (void)play.step(h);
+    EXPECT_EQ(play.world().awake_island_count(), columns_of_three);
+    for (int step_i = 0; step_i < 2 * steps_to_sleep; ++step_i) {
+        (void)play.step(h);
+        ASSERT_EQ(play.world().awake_count() + play.world().asleep_count(), bodies);
+        ASSERT_EQ(play.world().awake_island_count() + play.world().asleep_island_count(), columns_of_three);
+    }
+    EXPECT_EQ(play.world().awake_count(), 0);
+    ASSERT_EQ(play.world().wake(play.id(2)), Status::ok);
+    static ingot::World<Bedroom<bodies + 1>> before;
+    copy_world(before, play.world());
+    EXPECT_EQ(play.world().awake_count(), height);
+    EXPECT_EQ(play.world().awake_island_count(), 1);
+    EXPECT_TRUE(same_world(before, play.world())) << "who asks changes nothing";
+}
+
 TEST(FallingAsleep, an_island_waits_for_its_last_body) {
     std::vector<PlacedBody> bodies = columns(2, 2);
     bodies[2].move({}, {0, 0, 2});  // spins on the first column until friction stops it

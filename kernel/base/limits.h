@@ -15,6 +15,7 @@ inline constexpr scalar force_max    = scalar(1e15);   ///< N, and N s for impul
 inline constexpr scalar torque_max   = scalar(1e15);   ///< N m, and N m s
 inline constexpr scalar gravity_max  = scalar(1e6);    ///< m/s^2
 inline constexpr scalar gravity_share_max = 100;       ///< of World::set_gravity_share, either way
+inline constexpr scalar damping_max  = scalar(1e6);    ///< 1/s
 inline constexpr scalar mass_min     = scalar(1e-9);   ///< kg; bad_mass
 inline constexpr scalar mass_max     = scalar(1e12);   ///< kg; bad_mass
 inline constexpr scalar inertia_min  = scalar(1e-18);  ///< kg m^2; bad_inertia

@@ -48,6 +48,12 @@ struct alignas(tile_alignment) TranslationTile {
     uint16_t bad;           ///< as in RotationTile
 };
 
+/// What `lanes` bodies are pushed by in their own axes, summed until the next step; only for scenes with body_forces.
+struct alignas(tile_alignment) BodyForceTile {
+    scalar F_body[3][lanes];    ///< N
+    scalar tau_body[3][lanes];  ///< N m, about the centre of mass
+};
+
 /// All bodies of a world, without its capacity: what stages work on. A pointer is null where the scene has no such part.
 struct BodyView {
     RotationTile* rotation;

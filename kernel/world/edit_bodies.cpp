@@ -195,6 +195,22 @@ Status accumulate_force(const BodyView& bodies, int slot, const Vector& F, const
     return Status::ok;
 }
 
+Status accumulate_body_force(const BodyView& bodies, BodyForceTile& tile, int slot, const Vector& F_body, const Vector& tau_body) {
+    if (is_frozen(bodies, slot)) return Status::frozen;
+    if (!is_dynamic(bodies, slot)) return Status::immovable;
+    Status status = check_vector(F_body, limits::force_max);
+    if (status == Status::ok) status = check_vector(tau_body, limits::torque_max);
+    if (status != Status::ok) return status;
+    const int lane_i = place_of(slot).lane;
+    const Vector F = lane_of(tile.F_body, lane_i) + F_body, tau = lane_of(tile.tau_body, lane_i) + tau_body;
+    status = check_sum(F, limits::force_max);
+    if (status == Status::ok) status = check_sum(tau, limits::torque_max);
+    if (status != Status::ok) return status;
+    set_lane(tile.F_body, lane_i, F);
+    set_lane(tile.tau_body, lane_i, tau);
+    return Status::ok;
+}
+
 Status accumulate_impulse(const BodyView& bodies, int slot, const Vector& j, const Vector& k) {
     const Result<NextMotion> kicked = motion_after(bodies, slot, j, k);
     if (kicked.ok()) set_motion(bodies, slot, kicked.value);

@@ -36,6 +36,8 @@ Status write_state(const BodyView& bodies, int slot, const BodyState& state);
 
 /// F at the centre of mass and tau about it: F_T += F, tau_T += tau.
 Status accumulate_force(const BodyView& bodies, int slot, const Vector& F, const Vector& tau);
+/// The same of forces in body axes: F_body += F, tau_body += tau.
+Status accumulate_body_force(const BodyView& bodies, BodyForceTile& tile, int slot, const Vector& F_body, const Vector& tau_body);
 /// An impulse through the centre of mass and an angular impulse: v_CM += j / M, L += k.
 Status accumulate_impulse(const BodyView& bodies, int slot, const Vector& j, const Vector& k);
 /// r_P x F with r_P from the centre of mass to the world point P (Hecker 1997, Eq. 16).

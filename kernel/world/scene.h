@@ -36,6 +36,9 @@ struct Scene {
     static constexpr bool translates   = false;
     static constexpr scalar length_unit = 1;     ///< m, 1e-5 .. 1e5: the size of a typical thing, which the lengths and speeds of limits.h are for
     static constexpr bool gravity_shares = false; ///< bodies may feel more or less of gravity than others: World::set_gravity_share
+    static constexpr bool body_forces  = false;  ///< forces and torques that turn with their body: World::add_body_force
+    static constexpr bool damping      = false;  ///< velocities die away, by rates of each body: World::set_damping
+    static constexpr bool user_data    = false;  ///< a word of each body is the user's: World::set_user_data
     static constexpr int  max_contacts = 0;      ///< points of contact in one step, 0 .. 65535, of FrictionlessImpacts
     static constexpr int  max_manifolds = 0;     ///< pairs of bodies that touch in one step, 0 .. 65534, of every other solver
     static constexpr int  max_pairs    = 0;      ///< pairs of bodies whose bounds overlap in one step; 0: twice max_manifolds

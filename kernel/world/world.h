@@ -22,7 +22,8 @@ namespace ingot { inline namespace INGOT_ABI {
 /// Calls that take a BodyId answer stale_id (removed, null, never given out) or foreign_id (of a world with another tag).
 /// Units are SI; vectors and points are in world axes unless they say body. Cost is O(1) unless said.
 ///
-/// Its calls stand in three files: bodies, their state and forces here, contacts in world_contacts.h, queries in world_queries.h.
+/// Its calls stand in four files: bodies, their state and forces here, what scenes may name of a body in world_bodies.h, contacts in
+/// world_contacts.h, queries in world_queries.h.
 template <class User>
 class World : public WorldQueries<SceneOf<User>> {
     using S = SceneOf<User>;
@@ -243,24 +244,6 @@ public:
         return storage_.gravity;
     }
 
-    /// What a body feels of gravity, in scenes with gravity_shares: 1 as it is added, 0 for one that floats, below 0 for one that rises. Exact to the
-    /// rounding of the mass: see motion/gravity_shares.h. Errors: not_finite, out_of_range (beyond limits::gravity_share_max).
-    Status set_gravity_share(BodyId id, scalar share) {
-        static_assert(shares_only());
-        const Result<int> slot = find(id);
-        if (!slot.ok()) return slot.status;
-        if (!is_finite(share)) return Status::not_finite;
-        if (!(abs(share) <= limits::gravity_share_max)) return Status::out_of_range;
-        storage_.shares_of_gravity[slot.value] = share + scalar(0);  // -0 becomes +0: one value, one set of bits
-        return touched(slot.value, Status::ok);
-    }
-    Result<scalar> gravity_share(BodyId id) const {
-        static_assert(shares_only());
-        const Result<int> slot = find(id);
-        if (!slot.ok()) return {slot.status, 0};
-        return {Status::ok, storage_.shares_of_gravity[slot.value]};
-    }
-
     /// The field of the scene, to read its numbers and to set them; they are taken as they are.
     typename S::force_field& force_field() {
         static_assert(field_only());
@@ -329,11 +312,6 @@ private:
     friend Result<size_t> save_snapshot(const World<Any>& world, uint8_t* bytes, size_t room);
     template <class Any>
     friend Status load_snapshot(World<Any>& world, const uint8_t* bytes, size_t size);
-
-    static constexpr bool shares_only() {
-        static_assert(S::gravity_shares, "bodies of this scene feel all of gravity: set gravity_shares = true");
-        return true;
-    }
 
     /// All that World::add asks of a body of one shape.
     Status check_add(const BodyDef& def) const {

@@ -2,7 +2,7 @@
 // The part of World that is of contacts: who touches, who may, surfaces, sensors, events, sleep.
 #pragma once
 
-#include "world_slots.h"
+#include "world_bodies.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -21,9 +21,9 @@ struct OverlapInfo {
 };
 /// Calls of World, see world.h.
 template <class S>
-class WorldContacts : public WorldSlots<S> {
+class WorldContacts : public WorldBodies<S> {
 protected:
-    using Base = WorldSlots<S>;
+    using Base = WorldBodies<S>;
     using Base::storage_;
     using Base::contacts_only;
     using Base::filters_only;
@@ -174,6 +174,22 @@ public:
         int count = 0;
         for (int slot = 0; slot < storage_.slots_used; ++slot)  // bound: max_bodies
             count += lives(slot) && sleeps_in(slot) ? 1 : 0;
+        return count;
+    }
+    /// Bodies that can move and do not sleep. Cost: O(max_bodies).
+    int awake_count() const {
+        static_assert(sleep_only());
+        int count = 0;
+        for (int slot = 0; slot < storage_.slots_used; ++slot)  // bound: max_bodies
+            count += lives(slot) && is_dynamic(storage_.bodies(), slot) && storage_.is_awake(slot) ? 1 : 0;
+        return count;
+    }
+    /// Islands of bodies that are awake, as the last step found them; a body that was added since is one by itself. Cost: O(max_bodies).
+    int awake_island_count() const {
+        static_assert(sleep_only());
+        int count = 0;
+        for (int slot = 0; slot < storage_.slots_used; ++slot)  // bound: max_bodies
+            count += lives(slot) && is_dynamic(storage_.bodies(), slot) && storage_.is_awake(slot) && storage_.parent[slot] == slot ? 1 : 0;
         return count;
     }
     /// Islands that sleep. Cost: O(max_bodies).

@@ -55,6 +55,22 @@ protected:
         static_assert(S::surface_velocities, "surfaces of this scene do not move: set surface_velocities = true");
         return true;
     }
+    static constexpr bool shares_only() {
+        static_assert(S::gravity_shares, "bodies of this scene feel all of gravity: set gravity_shares = true");
+        return true;
+    }
+    static constexpr bool body_forces_only() {
+        static_assert(S::body_forces, "no forces of this scene turn with a body: set body_forces = true");
+        return true;
+    }
+    static constexpr bool damping_only() {
+        static_assert(S::damping, "nothing dies away in this scene: set damping = true");
+        return true;
+    }
+    static constexpr bool user_data_only() {
+        static_assert(S::user_data, "bodies of this scene hold no word of yours: set user_data = true");
+        return true;
+    }
     static constexpr bool shapes_only() {
         static_assert(has_shapes<S>, "this scene keeps no shapes: set max_manifolds or max_contacts");
         return true;

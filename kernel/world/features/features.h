@@ -3,6 +3,7 @@
 // one comes last, and what does not name it stays as it was, to the byte.
 #pragma once
 
+#include "body_traits.h"
 #include "gravity_shares.h"
 #include "materials.h"
 #include "motion.h"
@@ -13,7 +14,8 @@
 namespace ingot { inline namespace INGOT_ABI { namespace features {
 
 using All = FeatureList<Rotation, Translation, Compensation, EnergyReturn, FieldOfForce, Surfaces, Compounds, Impacts, Manifolds, Unsettled,
-                        RollingResistance, Belts, Filters, Sensors, Continuous, Events, ToldEvents, Sleep, GravityShares, TouchAside, SteadyField>;
+                        RollingResistance, Belts, Filters, Sensors, Continuous, Events, ToldEvents, Sleep, GravityShares, TouchAside, SteadyField,
+                        UserData, BodyForces, BodyDamping>;
 
 static_assert(All::bits_differ(SnapshotPart::doubles | SnapshotPart::anchors | SnapshotPart::pointwise));  // of a snapshot's parts
 
