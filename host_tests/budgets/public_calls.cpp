@@ -160,6 +160,17 @@ CALL(angular_momentum_of_body)(const World<Sleeping>& world, BodyId id) { return
 // Contacts, filters, materials, sensors, events.
 CALL(contact_count)(const World<Colliding>& world) { return world.contact_count(); }
 CALL(contact)(const World<Colliding>& world, int index) { return world.contact(index); }
+CALL(contact_of_sleepers)(const World<Sleeping>& world, int index) { return world.contact(index); }
+CALL(contacts)(const World<Sleeping>& world) {
+    scalar sum = 0;
+    for (const ContactInfo& contact : world.contacts()) sum += contact.j;
+    return sum;
+}
+CALL(contacts_of)(const World<Sleeping>& world, BodyId id) {
+    scalar sum = 0;
+    for (const ContactInfo& contact : world.contacts_of(id)) sum += contact.j;
+    return sum;
+}
 CALL(filter)(const World<Sleeping>& world, BodyId id) { return world.filter(id); }
 CALL(set_filter)(World<Sleeping>& world, BodyId id, const BodyFilter& filter) { return world.set_filter(id, filter); }
 CALL(set_rolling_resistance)(World<Conveyors>& world, BodyId id, scalar lever) { return world.set_rolling_resistance(id, lever); }

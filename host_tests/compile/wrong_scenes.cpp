@@ -92,10 +92,8 @@ struct Wrong : ingot::Scene {
 #ifdef MANIFOLDS_WITHOUT_TRANSLATION
     static constexpr int max_manifolds = 4;
 #endif
-#ifdef CONTACTS_OF_MANIFOLDS
-    static constexpr bool translates = true;
-    static constexpr int max_manifolds = 4;
-    using shapes = ingot::Shapes<ingot::Sphere>;
+#ifdef CONTACTS_READ_WITHOUT_SHAPES
+    static constexpr bool translates = true, reads_contacts = true;
 #endif
 #ifdef CONTACTS_WITHOUT_THEIR_SOLVER
     static constexpr bool translates = true;
@@ -255,7 +253,7 @@ int main() {
 #ifdef GRAVITY_WITHOUT_TRANSLATION
     (void)world.set_gravity({});
 #endif
-#if defined(CONTACTS_WITHOUT_CONTACTS) || defined(CONTACTS_OF_MANIFOLDS)
+#ifdef CONTACTS_WITHOUT_CONTACTS
     (void)world.contact_count();
 #endif
 #ifdef FILTER_WITHOUT_FILTERS

@@ -153,6 +153,14 @@ void take_world(Digest& digest, const ingot::World<S>& world, const ingot::StepR
             digest.take(contact.n);
             digest.take(contact.j);
         }
+    if constexpr (S::reads_contacts)
+        for (const ingot::ContactInfo& contact : world.contacts()) {
+            digest.take(contact.j_friction);
+            for (int point_i = 0; point_i < contact.point_count; ++point_i) {
+                digest.take(contact.points[point_i].P);
+                digest.take(contact.points[point_i].j);
+            }
+        }
     if constexpr (S::max_overlaps > 0)
         for (int i = 0; i < world.overlap_count(); ++i) {
             const ingot::OverlapInfo overlap = world.overlap(i).value;

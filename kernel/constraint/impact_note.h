@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../base/config.h"
+#include "../narrow_phase/manifold.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -18,5 +18,17 @@ INGOT_INLINE void write_note(ImpactNote& to, const ImpactNote& note) {
     to.point = note.point;
     to.carried = note.carried;
 }
+
+/// What a manifold gave in all substeps of a step: A gets it, B the opposite.
+struct ImpulseSum {
+    scalar j[Manifold::points_max];  ///< N s, along n at the points
+    Vector friction;                 ///< N s, world
+};
+
+/// Where a step notes what contacts do.
+struct StepNotes {
+    ImpactNote* impacts;  ///< by manifold: who pushed whom; null in scenes without events
+    ImpulseSum* sums;     ///< by record; null in scenes that do not name reads_contacts
+};
 
 } }  // namespace ingot

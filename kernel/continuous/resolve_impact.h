@@ -85,7 +85,7 @@ bool solve_pair_for(const Collision& collision, const int (&slots)[2], PairRoom<
     refresh_inv_I_world(two);
     typename Traits::View solver = room.contacts.solver(collision.solver);
     room.two.keep_forces();
-    Traits::Solver::template solve_pair<Traits::notes_impulses, Traits::bounces>(solver, {two, gravity, h, room.contacts.notes}, report);
+    Traits::Solver::template solve_pair<Traits::notes_impulses, Traits::bounces>(solver, {two, gravity, h, {room.contacts.notes, nullptr}}, report);
     integrate_L(two, h);
     integrate_v(two, h, gravity);
     write_contact_motion(solver, two, gravity, h);

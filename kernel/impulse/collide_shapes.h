@@ -2,8 +2,9 @@
 // Tests of pairs of shapes. Each adds the points where A and B overlap or touch, with n from B to A.
 #pragma once
 
+#include "../body/body_tiles.h"
+#include "../shape/surface.h"
 #include "contact.h"
-#include "../shape/shapes.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -13,6 +14,13 @@ struct Placed {
     Vector r_CM;
     Matrix A;
 };
+
+/// One body as the collide_* routines see it.
+INGOT_INLINE Placed placed(const BodyView& bodies, const SurfaceView& surfaces, int slot) {
+    const Place at = place_of(slot);
+    return {surfaces.surfaces[slot].shape, lane_of(bodies.translation[at.tile].r_CM, at.lane),
+            lane_of(bodies.rotation[at.tile].A, at.lane)};
+}
 
 /// Where the routines put what they find; keeps the deepest contacts when the array is full.
 struct ContactSink {

@@ -9,13 +9,6 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// One body as the collide_* routines see it.
-INGOT_INLINE Placed placed(const BodyView& bodies, const SurfaceView& surfaces, int slot) {
-    const Place at = place_of(slot);
-    return {surfaces.surfaces[slot].shape, lane_of(bodies.translation[at.tile].r_CM, at.lane),
-            lane_of(bodies.rotation[at.tile].A, at.lane)};
-}
-
 /// The routine for the two shapes; a half space is always B. Pairs without a routine count in pairs_untested.
 template <class Shapes>
 void collide_pair(const Placed& A, const Placed& B, ContactSink& sink, StepReport& report) {

@@ -14,7 +14,7 @@ struct ContactStep {
     BodyView bodies;
     Vector gravity;     ///< m s^-2
     scalar h;           ///< s
-    ImpactNote* notes;  ///< by manifold, told who pushed whom; null in scenes without events
+    StepNotes notes;
 };
 
 /// Solves all contacts of a step, island by island: many islands of one plan are a batch, which is cut into substeps alike.

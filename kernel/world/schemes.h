@@ -105,8 +105,9 @@ private:
         now.solver = storage.contact_solver();
         now.solver.pairs = moving.pairs;
         now.solver.manifold_count = *moving.count;
-        const ContactStep step{now.bodies, storage.gravity, now.h, storage.impact_notes()};
-        storage.template solve_contacts<has_events<S>, S::bounces>(now.solver, step, now.report);
+        storage.clear_impulse_sums(moving);
+        const ContactStep step{now.bodies, storage.gravity, now.h, {storage.impact_notes(), storage.sums_of_impulses()}};
+        storage.template solve_contacts<has_events<S> || S::reads_contacts, S::bounces>(now.solver, step, now.report);
     }
 };
 

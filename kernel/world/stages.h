@@ -199,6 +199,7 @@ void resolve_impacts([[maybe_unused]] Step<S>& now) {
         const ContactView contacts = now.storage.contact_view();
         const scalar rest_speed = limits::rest_speed_factor * now.h * sqrt(length_sq(now.storage.gravity));
         find_contacts<typename S::shapes>(now.bodies, now.storage.surface_view(), contacts, now.report);
+        if constexpr (S::reads_contacts) note_places(contacts, now.bodies, now.storage.surface_view(), now.storage.contact_places);
         refresh_inv_I_world(now.bodies);                                  // Eq. 20
         prepare_contact_rows(contacts, now.bodies);
         solve_impacts(contacts, now.bodies, rest_speed, now.report);      // Fig. 4

@@ -1,18 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The part of World that is of contacts: who touches, who may, surfaces, sensors, events, sleep.
+// The part of World that is of contacts: who may touch, surfaces, sensors, events, sleep.
 #pragma once
 
-#include "world_bodies.h"
+#include "world_touching.h"
 
 namespace ingot { inline namespace INGOT_ABI {
-
-/// One contact of the last step, as World::contact tells it.
-struct ContactInfo {
-    BodyId A{}, B{};
-    Vector n{};         ///< unit normal from B to A, world
-    scalar separation{};  ///< m, at the begin of the step; negative where the shapes overlap
-    scalar j{};         ///< N s, given to A along n, and to B against it, in the step
-};
 
 /// A body that was in a sensor in the last step.
 struct OverlapInfo {
@@ -21,11 +13,10 @@ struct OverlapInfo {
 };
 /// Calls of World, see world.h.
 template <class S>
-class WorldContacts : public WorldBodies<S> {
+class WorldContacts : public WorldTouching<S> {
 protected:
-    using Base = WorldBodies<S>;
+    using Base = WorldTouching<S>;
     using Base::storage_;
-    using Base::contacts_only;
     using Base::filters_only;
     using Base::sensors_only;
     using Base::events_only;
@@ -44,19 +35,6 @@ protected:
     using Base::find_shape;
 
 public:
-    // Contacts of the last step, 0 <= index < contact_count().
-
-    int contact_count() const {
-        static_assert(contacts_only());
-        return storage_.contact_count;
-    }
-    Result<ContactInfo> contact(int index) const {
-        static_assert(contacts_only());
-        if (index < 0 || index >= storage_.contact_count) return {Status::out_of_range, {}};
-        const Contact& c = storage_.contacts[index];
-        return {Status::ok, {id_of(c.body_A), id_of(c.body_B), c.n, c.separation, c.j_total}};
-    }
-
     // Whom a body meets, in scenes with filters: two bodies do when each is of a category that the other's mask names.
 
     Result<BodyFilter> filter(BodyId id) const {

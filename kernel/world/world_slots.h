@@ -23,10 +23,6 @@ protected:
         static_assert(has_field<S>, "this scene names no field: set force_field");
         return true;
     }
-    static constexpr bool contacts_only() {
-        static_assert(collides<S>, "this scene names no contacts: set max_contacts");
-        return true;
-    }
     static constexpr bool filters_only() {
         static_assert(S::filters, "this scene names no filters: set filters = true");
         return true;

@@ -42,11 +42,19 @@ SweptPoints solve_point_velocities(const View& solver, scalar rounding) {
     }
 }
 
-/// Notes which manifolds carry an impulse at the end of a substep; `first`: the first of the step.
-[[maybe_unused]] void note_impulses_of_points(const PointView& solver, ImpactNote* notes, bool first) {
+/// The impulses of the substep are part of the sums of the step, which began as zero.
+[[maybe_unused]] void add_to_sum(const ManifoldRecord& record, ImpulseSum& sum) {
+    for (int point_i = 0; point_i < record.manifold.count; ++point_i) sum.j[point_i] += record.j[point_i];  // bound: 4: Manifold::points_max
+    sum.friction += record.j_friction;
+}
+
+/// Notes which manifolds carry an impulse at the end of a substep, and how much; `first`: the first of the step.
+[[maybe_unused]] void note_impulses_of_points(const PointView& solver, const StepNotes& notes, bool first) {
     for (int i = 0; i < solver.member_count; ++i) {
         const ManifoldRecord& record = record_of_member(solver, i);
-        ImpactNote& note = notes[solver.members[i]];
+        if (notes.sums != nullptr) add_to_sum(record, notes.sums[solver.pairs[solver.members[i]].record]);
+        if (notes.impacts == nullptr) continue;
+        ImpactNote& note = notes.impacts[solver.members[i]];
         bool carried = !first && note.carried;
         // bound: 4: Manifold::points_max
         for (int point_i = 0; point_i < record.manifold.count; ++point_i) carried = carried || record.j[point_i] > 0;
@@ -76,7 +84,7 @@ struct SequentialContacts {
     }
     int substeps() const { return substeps_; }
 
-    void predict([[maybe_unused]] scalar h, ImpactNote*, StepReport&) {
+    void predict([[maybe_unused]] scalar h, const StepNotes&, StepReport&) {
         if constexpr (View::bounces)
             if (predict_point_bounces(view, h)) given_again_ = false;
     }
@@ -88,7 +96,7 @@ struct SequentialContacts {
         const SweptPoints swept = solve_point_velocities(view, rounding_);
         swept_ = {swept_.sweeps + swept.sweeps, swept.residual};
     }
-    void note_impulses([[maybe_unused]] ImpactNote* notes) {
+    void note_impulses([[maybe_unused]] const StepNotes& notes) {
         if constexpr (notes_impulses) note_impulses_of_points(view, notes, is_first_);
         is_first_ = false;
     }

@@ -6,6 +6,7 @@
 #include "../../constraint/block_bodies.h"
 #include "../../constraint/contact.h"
 #include "../../constraint/row_flight.h"
+#include "note_impulses.h"
 #include "plan_islands.h"
 #include "sweep_velocities.h"
 
@@ -83,8 +84,8 @@ void take_back(const View& solver, int block_i, int lane_i, scalar now) {
 }
 
 /// Solves the impacts at hand together, by sweeps over them alone.
-template <class View>
-void solve_at_hand(const View& solver, Island& island, scalar now, ImpactNote* notes) {
+template <bool notes_impulses, class View>
+void solve_at_hand(const View& solver, Island& island, scalar now, [[maybe_unused]] const StepNotes& notes) {
     Visit visit{};
     View one = solver;
     one.live = &visit;
@@ -105,8 +106,11 @@ void solve_at_hand(const View& solver, Island& island, scalar now, ImpactNote* n
         ContactBlock& block = solver.blocks[block_i];
         if (time_of(block, lane_i) != at_hand) return;
         take_back(solver, block_i, lane_i, now);
+        if constexpr (notes_impulses) {
+            if (notes.impacts != nullptr) notes.impacts[block.manifold[lane_i]].carried = true;
+            if (notes.sums != nullptr) add_to_sum(solver, block, lane_i, notes.sums);
+        }
         drop_impulses(solver, block_i, lane_i);
-        if (notes != nullptr) notes[block.manifold[lane_i]].carried = true;
         solver.colours_of_body[block.body_A[lane_i]] |= changed;
         solver.colours_of_body[block.body_B[lane_i]] |= changed;
     });
@@ -149,8 +153,8 @@ void aim_at_rest(const SolverView& solver, ContactBlock& block, int lane_i, scal
 }
 
 /// The impacts of one island in a substep. True if there were any.
-template <class View>
-bool sequence_impacts_of(const View& solver, Island& island, scalar h, ImpactNote* notes, StepReport& report) {
+template <bool notes_impulses, class View>
+bool sequence_impacts_of(const View& solver, Island& island, scalar h, const StepNotes& notes, StepReport& report) {
     int contacts = 0;
     bool some = false;
     for_each_in_chain(solver, island, [&](int block_i, int lane_i) {
@@ -169,7 +173,7 @@ bool sequence_impacts_of(const View& solver, Island& island, scalar h, ImpactNot
             time_of(block, lane_i) = at_hand;
             drop_impulses(solver, block_i, lane_i);
         });
-        solve_at_hand(solver, island, now, notes);
+        solve_at_hand<notes_impulses>(solver, island, now, notes);
         look_again(solver, island, now, h);
         count(report.impact_waves);
         some = true;
@@ -212,20 +216,25 @@ bool find_impact_chains(SolverView& solver) {
     return some;
 }
 
-template <class View>
-void sequence_impacts(const View& solver, scalar h, ImpactNote* notes, StepReport& report) {
+template <bool notes_impulses, class View>
+void sequence_impacts(const View& solver, scalar h, const StepNotes& notes, StepReport& report) {
     if (!solver.some_bounce) return;
     for (int island_i = 0; island_i < solver.island_count; ++island_i) {
         Island& island = solver.islands[island_i];
-        if (island.in_batch && island.has_chains && sequence_impacts_of(solver, island, h, notes, report)) island.steady = false;
+        if (!island.in_batch || !island.has_chains) continue;
+        if (sequence_impacts_of<notes_impulses>(solver, island, h, notes, report)) island.steady = false;
     }
 }
 
 // The linker takes the one that the scene calls.
-template void sequence_impacts(const SolverView&, scalar, ImpactNote*, StepReport&);
-template void sequence_impacts(const BallView&, scalar, ImpactNote*, StepReport&);
-template void sequence_impacts(const RollingView&, scalar, ImpactNote*, StepReport&);
-template void sequence_impacts(const BeltView&, scalar, ImpactNote*, StepReport&);
-template void sequence_impacts(const RollingBeltView&, scalar, ImpactNote*, StepReport&);
+#define INGOT_VIEW(View)                                                                       \
+    template void sequence_impacts<false>(const View&, scalar, const StepNotes&, StepReport&); \
+    template void sequence_impacts<true>(const View&, scalar, const StepNotes&, StepReport&)
+INGOT_VIEW(SolverView);
+INGOT_VIEW(BallView);
+INGOT_VIEW(RollingView);
+INGOT_VIEW(BeltView);
+INGOT_VIEW(RollingBeltView);
+#undef INGOT_VIEW
 
 } }  // namespace ingot

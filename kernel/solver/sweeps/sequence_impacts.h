@@ -23,8 +23,8 @@ bool find_impact_chains(SolverView& solver);
 /// that it makes is added to the displacements. So later impacts and the end of the substep are where they should be.
 /// Energy: an impact changes it by -(1 - e) j |u| / 2, summed over its rows: it never grows, and stays for e = 1 without friction.
 /// Bound: limits::impacts_of_contact impacts for each contact. A contact that still approaches then does not bounce in this substep, and counts in
-/// impacts_deferred. notes: of the contacts that carried an impulse; may be null.
-template <class View>
-void sequence_impacts(const View& solver, scalar h, ImpactNote* notes, StepReport& report);
+/// impacts_deferred. notes: of the contacts that carried an impulse, where notes_impulses.
+template <bool notes_impulses, class View>
+void sequence_impacts(const View& solver, scalar h, const StepNotes& notes, StepReport& report);
 
 } }  // namespace ingot

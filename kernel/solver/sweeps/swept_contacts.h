@@ -37,11 +37,11 @@ struct SweptContacts {
     }
     int substeps() const { return view.substeps; }
 
-    void predict(scalar h, [[maybe_unused]] ImpactNote* notes, [[maybe_unused]] StepReport& report) {
+    void predict(scalar h, [[maybe_unused]] const StepNotes& notes, [[maybe_unused]] StepReport& report) {
         predict_contacts(view, h);
         if constexpr (bounces) {
             predict_bounces(view, h);
-            sequence_impacts(view, h, notes, report);
+            sequence_impacts<notes_impulses>(view, h, notes, report);
         }
     }
     void kick(scalar h) { kick_bodies(view, h); }
@@ -52,7 +52,7 @@ struct SweptContacts {
         plan_sweeps(view);
         ingot::solve_velocities(view);
     }
-    void note_impulses([[maybe_unused]] ImpactNote* notes) {
+    void note_impulses([[maybe_unused]] const StepNotes& notes) {
         if constexpr (notes_impulses) ingot::note_impulses(view, notes);
     }
     void drift(const BodyView& bodies, scalar h) { drift_bodies(view, bodies, h); }

@@ -7,6 +7,7 @@
 #include "gravity_shares.h"
 #include "materials.h"
 #include "motion.h"
+#include "reads_contacts.h"
 #include "sensors_and_events.h"
 #include "shapes.h"
 #include "sleep.h"
@@ -15,7 +16,7 @@ namespace ingot { inline namespace INGOT_ABI { namespace features {
 
 using All = FeatureList<Rotation, Translation, Compensation, EnergyReturn, FieldOfForce, Surfaces, Compounds, Impacts, Manifolds, Unsettled,
                         RollingResistance, Belts, Filters, Sensors, Continuous, Events, ToldEvents, Sleep, GravityShares, TouchAside, SteadyField,
-                        UserData, BodyForces, BodyDamping>;
+                        UserData, BodyForces, BodyDamping, ReadsContacts>;
 
 static_assert(All::bits_differ(SnapshotPart::doubles | SnapshotPart::anchors | SnapshotPart::pointwise));  // of a snapshot's parts
 
