@@ -132,6 +132,24 @@ CALL(set_state)(World<Sleeping>& world, BodyId id, const BodyState& state) { ret
 CALL(set_state_of_compound)(World<ManyShapes>& world, BodyId id, const BodyState& state) { return world.set_state(id, state); }
 CALL(mass)(const World<Sleeping>& world, BodyId id) { return world.mass(id); }
 CALL(omega)(const World<Sleeping>& world, BodyId id) { return world.omega(id); }
+CALL(set_mass)(World<Sleeping>& world, BodyId id, const MassProperties& mass) { return world.set_mass(id, mass); }
+CALL(inertia)(const World<Sleeping>& world, BodyId id) { return world.inertia(id); }
+CALL(set_movable)(World<Sleeping>& world, BodyId id, const MassProperties& mass) { return world.set_movable(id, mass); }
+CALL(set_immovable)(World<Sleeping>& world, BodyId id) { return world.set_immovable(id); }
+CALL(is_movable)(const World<Sleeping>& world, BodyId id) { return world.is_movable(id); }
+CALL(set_friction)(World<Sleeping>& world, BodyId id, scalar mu) { return world.set_friction(id, mu); }
+CALL(friction)(const World<Sleeping>& world, BodyId id) { return world.friction(id); }
+CALL(set_restitution)(World<Sleeping>& world, BodyId id, scalar e) { return world.set_restitution(id, e); }
+CALL(restitution)(const World<Sleeping>& world, BodyId id) { return world.restitution(id); }
+CALL(set_shape)(World<Sleeping>& world, BodyId id, const Shape& shape) { return world.set_shape(id, shape); }
+CALL(set_shape_of_compound)(World<ManyShapes>& world, BodyId id, const Shape& shape, int shape_i) { return world.set_shape(id, shape, shape_i); }
+CALL(shape)(const World<Sleeping>& world, BodyId id) { return world.shape(id); }
+CALL(set_shape_place)(World<ManyShapes>& world, BodyId id, const ShapePlace& place, int shape_i) {
+    return world.set_shape_place(id, place, shape_i);
+}
+CALL(shape_place)(const World<ManyShapes>& world, BodyId id, int shape_i) { return world.shape_place(id, shape_i); }
+CALL(set_sensor)(World<Sleeping>& world, BodyId id, bool sensor) { return world.set_sensor(id, sensor); }
+CALL(is_sensor)(const World<Sleeping>& world, BodyId id) { return world.is_sensor(id); }
 CALL(add_force)(World<Sleeping>& world, BodyId id, const Vector& F, const Vector& P) { return world.add_force(id, F, P); }
 CALL(add_central_force)(World<Sleeping>& world, BodyId id, const Vector& F) { return world.add_central_force(id, F); }
 CALL(add_torque)(World<Sleeping>& world, BodyId id, const Vector& tau) { return world.add_torque(id, tau); }

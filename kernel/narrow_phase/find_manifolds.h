@@ -138,13 +138,6 @@ bool shapes_overlap(const BodyView& bodies, const SurfaceView& surfaces, const B
     return find_manifold<Shapes>(bodies, surfaces, pair, 0, no_manifold_before, found_now) && found_now.count != 0;
 }
 
-/// Restitution of a pair is the greater of the two; friction their geometric mean.
-INGOT_INLINE void mix_materials(const SurfaceView& surfaces, const BodyPair& pair, ManifoldRecord& record) {
-    const Surface &A = surfaces.surfaces[pair.body_A], &B = surfaces.surfaces[pair.body_B];
-    record.e = A.e > B.e ? A.e : B.e;
-    record.mu = sqrt(A.mu * B.mu);
-}
-
 /// What was found, and zero where it has no point: equal worlds are equal bytes, and a snapshot holds nothing of the stack.
 INGOT_INLINE void keep_manifold(const Manifold& found, Manifold& kept) {
     kept.n = found.n;

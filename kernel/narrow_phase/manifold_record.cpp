@@ -56,6 +56,13 @@ void invalidate_contacts(const ManifoldView& manifolds, const PairList& found, B
     invalidate_bounds(bounds, slot);
 }
 
+void mix_materials_of(const SurfaceView& surfaces, const ManifoldView& manifolds, int shape_slot) {
+    for (int pair_i = 0; pair_i < *manifolds.count; ++pair_i) {  // bound: max_manifolds
+        const BodyPair& pair = manifolds.pairs[pair_i];
+        if (pair.body_A == shape_slot || pair.body_B == shape_slot) mix_materials(surfaces, pair, manifolds.records[pair.record]);
+    }
+}
+
 void carry_impulses(ManifoldRecord& record, const Manifold& next) {
     const Manifold& before = record.manifold;
     bool same = next.count == before.count;

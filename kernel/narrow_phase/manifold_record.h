@@ -2,6 +2,8 @@
 #pragma once
 
 #include "../broad_phase/body_pairs.h"
+#include "../math/sqrt.h"
+#include "../shape/surface.h"
 #include "manifold.h"
 #include "manifold_anchors.h"
 
@@ -46,6 +48,16 @@ void give_back(const ManifoldView& manifolds, uint16_t& record);
 
 /// A body leaves its slot: nothing is kept of its contacts, and whoever takes the slot next is searched for anew.
 void invalidate_contacts(const ManifoldView& manifolds, const PairList& found, BoundsTile* bounds, int slot);
+
+/// Restitution of a pair is the greater of the two; friction their geometric mean.
+INGOT_INLINE void mix_materials(const SurfaceView& surfaces, const BodyPair& pair, ManifoldRecord& record) {
+    const Surface &A = surfaces.surfaces[pair.body_A], &B = surfaces.surfaces[pair.body_B];
+    record.e = A.e > B.e ? A.e : B.e;
+    record.mu = sqrt(A.mu * B.mu);
+}
+
+/// Contacts that are held, of a shape whose surface has changed, take it as it is now.
+void mix_materials_of(const SurfaceView& surfaces, const ManifoldView& manifolds, int shape_slot);
 
 /// Before the next manifold takes the place of the one on record: impulses of points whose features live on go with them; new points start from zero.
 void carry_impulses(ManifoldRecord& record, const Manifold& next);

@@ -20,11 +20,6 @@ Vector inv_I_body_of(const BodyView& bodies, int slot) {
     return lane_of(tile.inv_I_ratio, at.lane) * tile.inv_I_scale[at.lane];
 }
 
-Status check_restitution(scalar e) {
-    if (!is_finite(e)) return Status::not_finite;
-    return e >= 0 && e <= 1 ? Status::ok : Status::bad_restitution;
-}
-
 /// A sum of inputs may leave the range that each input kept.
 Status check_sum(const Vector& sum, scalar limit) {
     return is_finite(sum) ? check_vector(sum, limit) : Status::out_of_range;
@@ -94,12 +89,20 @@ Status check_definition(const BodyDef& def, bool scene_translates, bool scene_ha
     return def.shape.kind == ShapeKind::none || scene_has_shape ? Status::ok : Status::not_in_scene;
 }
 
+Status check_restitution(scalar e) {
+    if (!is_finite(e)) return Status::not_finite;
+    return e >= 0 && e <= 1 ? Status::ok : Status::bad_restitution;
+}
+
+Status check_friction(scalar mu) {
+    if (!is_finite(mu)) return Status::not_finite;
+    return mu >= 0 && mu <= limits::friction_max ? Status::ok : Status::bad_friction;
+}
+
 Status check_surface(const BodyDef& def) {
     Status status = check_shape(def.shape);
     if (status == Status::ok) status = check_restitution(def.restitution);
-    if (status == Status::ok && !is_finite(def.friction)) status = Status::not_finite;
-    if (status == Status::ok && !(def.friction >= 0 && def.friction <= limits::friction_max)) status = Status::bad_friction;
-    return status;
+    return status == Status::ok ? check_friction(def.friction) : status;
 }
 
 Status check_mass_frame(const MassProperties& mass) {
@@ -131,27 +134,60 @@ scalar radius_about_body(const Shape& shape, const ShapePlace& place) {
     return (sqrt(length_sq(place.r)) + bounding_radius(shape)) * (1 + 4 * epsilon);  // its roundings
 }
 
+void write_shape_of(Surface& to, const Shape& shape) {
+    to.shape.kind = shape.kind;
+    to.shape.size.x = shape.size.x;
+    to.shape.size.y = shape.size.y;
+    to.shape.size.z = shape.size.z;
+    to.shape.offset = shape.offset;
+    to.bounding_radius = bounding_radius(shape);
+}
+
 void write_surface(Surface& to, const BodyDef& def) {
-    to.shape.kind = def.shape.kind;
-    to.shape.size.x = def.shape.size.x;
-    to.shape.size.y = def.shape.size.y;
-    to.shape.size.z = def.shape.size.z;
-    to.shape.offset = def.shape.offset;
-    to.bounding_radius = bounding_radius(def.shape);
+    write_shape_of(to, def.shape);
     to.e = def.restitution;
     to.mu = def.friction;
 }
 
 void write_body(const BodyView& bodies, int slot, const BodyDef& def) {
     set_identity_body(bodies, slot);
-    const Place at = place_of(slot);
-    if (!def.immovable) {
-        const ScaledInverseInertia inverse = scaled_inverse_inertia(def.mass.I_body);
-        set_lane(bodies.rotation[at.tile].inv_I_ratio, at.lane, inverse.ratio);
-        bodies.rotation[at.tile].inv_I_scale[at.lane] = inverse.scale;
-        if (bodies.translation != nullptr) bodies.translation[at.tile].inv_M[at.lane] = 1 / def.mass.M;
-    }
+    if (!def.immovable) write_moments(bodies, slot, def.mass);
     write_checked_state(bodies, slot, def.state);
+}
+
+void write_moments(const BodyView& bodies, int slot, const MassProperties& mass) {
+    const Place at = place_of(slot);
+    const ScaledInverseInertia inverse = scaled_inverse_inertia(mass.I_body);
+    set_lane(bodies.rotation[at.tile].inv_I_ratio, at.lane, inverse.ratio);
+    bodies.rotation[at.tile].inv_I_scale[at.lane] = inverse.scale;
+    if (bodies.translation != nullptr) bodies.translation[at.tile].inv_M[at.lane] = 1 / mass.M;
+}
+
+Vector moments_of_slot(const BodyView& bodies, int slot) {
+    if (!is_dynamic(bodies, slot)) return {};
+    const Vector inverse = inv_I_body_of(bodies, slot);
+    return {1 / inverse.x, 1 / inverse.y, 1 / inverse.z};
+}
+
+Status write_mass(const BodyView& bodies, int slot, const MassProperties& mass) {
+    if (is_frozen(bodies, slot)) return Status::frozen;
+    if (!is_dynamic(bodies, slot)) return Status::immovable;
+    const Status status = check_mass_properties(mass);
+    if (status != Status::ok) return status;
+    const Place at = place_of(slot);
+    RotationTile& rotation = bodies.rotation[at.tile];
+    const Matrix A = lane_of(rotation.A, at.lane);
+    const Vector omega = spin_of(A, inv_I_body_of(bodies, slot), lane_of(rotation.L, at.lane));
+    write_moments(bodies, slot, mass);
+    set_lane(rotation.L, at.lane, angular_momentum_of_spin(A, mass.I_body, omega) + Vector{});
+    rotation.kicked = static_cast<uint16_t>(rotation.kicked | (1u << at.lane));
+    return Status::ok;
+}
+
+void stop_body(const BodyView& bodies, int slot) {
+    const BodyState state = read_state(bodies, slot);
+    set_identity_body(bodies, slot);
+    write_checked_state(bodies, slot, {state.r_CM, {}, state.A, {}});
 }
 
 BodyState read_state(const BodyView& bodies, int slot) {

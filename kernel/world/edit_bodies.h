@@ -31,6 +31,22 @@ void write_surface(Surface& to, const BodyDef& def);
 /// Writes a checked definition into a slot.
 void write_body(const BodyView& bodies, int slot, const BodyDef& def);
 
+/// For a body that can move: v_CM and omega stay. Errors: frozen, immovable, those of check_mass_properties.
+Status write_mass(const BodyView& bodies, int slot, const MassProperties& mass);
+/// Checked ones, of a body at rest.
+void write_moments(const BodyView& bodies, int slot, const MassProperties& mass);
+/// Its principal moments, kg m^2; 0 where it cannot move.
+Vector moments_of_slot(const BodyView& bodies, int slot);
+/// Immovable from now on, where it is.
+void stop_body(const BodyView& bodies, int slot);
+
+/// Errors: not_finite, bad_restitution.
+Status check_restitution(scalar e);
+/// Errors: not_finite, bad_friction.
+Status check_friction(scalar mu);
+/// Number by number, as write_surface; the radius about the shape's own origin.
+void write_shape_of(Surface& to, const Shape& shape);
+
 BodyState read_state(const BodyView& bodies, int slot);
 Status write_state(const BodyView& bodies, int slot, const BodyState& state);
 

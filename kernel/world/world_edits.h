@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+// The part of World that changes what a body is: mass, kind, surfaces and shapes.
+#pragma once
+
+#include "world_touching.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// Calls of World, see world.h.
+template <class S>
+class WorldEdits : public WorldTouching<S> {
+protected:
+    using Base = WorldTouching<S>;
+    using Base::storage_;
+    using Base::shapes_only;
+    using Base::sensors_only;
+    using Base::compounds_only;
+    using Base::touched;
+    using Base::find;
+    using Base::find_shape;
+
+public:
+    // Edits, between any two steps. They wake the body and what touches it, and count from the next step on, as if the body had been added so: with
+    // the same id, place and motion. Where mass, friction or restitution change, contacts go on with the impulses that they had; where shape, kind or
+    // sensor change, the contacts of the body are found anew, and what World::contacts told of them is gone.
+    // Errors: frozen (all that is of mass and kind); of a shape that the body has not: out_of_range.
+
+    /// Mass and moments of a body that can move, about its centre and axes as they are: r_CM and A_principal are not looked at. v_CM and omega stay.
+    /// Errors: those of check_mass_properties, immovable.
+    Status set_mass(BodyId id, const MassProperties& mass) {
+        const Result<int> slot = find(id);
+        if (!slot.ok()) return slot.status;
+        const Status status = write_mass(storage_.bodies(), slot.value, mass);
+        if (status == Status::ok) move_shapes(slot.value);
+        return touched(slot.value, status);
+    }
+    /// Principal moments, kg m^2, to the rounding of a division; 0 for an immovable body.
+    Result<Vector> inertia(BodyId id) const {
+        const Result<int> slot = find(id);
+        if (!slot.ok()) return {slot.status, {}};
+        return {Status::ok, moments_of_slot(storage_.bodies(), slot.value)};
+    }
+
+    /// An immovable body may move from now on, and begins at rest. One that can move gets this mass, as by set_mass.
+    /// Errors: those of check_mass_properties, bad_shape (a half space cannot move).
+    Status set_movable(BodyId id, const MassProperties& mass) {
+        const Result<int> slot = find(id);
+        if (!slot.ok()) return slot.status;
+        if (is_dynamic(storage_.bodies(), slot.value)) return set_mass(id, mass);
+        Status status = ingot::is_frozen(storage_.bodies(), slot.value) ? Status::frozen : check_mass_properties(mass);
+        if (status == Status::ok && has_half_space(slot.value)) status = Status::bad_shape;
+        if (status != Status::ok) return status;
+        leave_contacts(slot.value);
+        write_moments(storage_.bodies(), slot.value, mass);
+        return come_back(slot.value);
+    }
+    /// A body stands still from now on, wherever it is, and nothing moves it. One that does so already: ok, and nothing changes.
+    Status set_immovable(BodyId id) {
+        const Result<int> slot = find(id);
+        if (!slot.ok()) return slot.status;
+        if (ingot::is_frozen(storage_.bodies(), slot.value)) return Status::frozen;
+        if (!is_dynamic(storage_.bodies(), slot.value)) return Status::ok;
+        leave_contacts(slot.value);
+        stop_body(storage_.bodies(), slot.value);
+        if constexpr (S::body_forces) features::BodyForces::forget_body(storage_, slot.value);
+        return come_back(slot.value);
+    }
+    /// False for immovable and frozen bodies, and for ids of none.
+    bool is_movable(BodyId id) const {
+        const Result<int> slot = find(id);
+        return slot.ok() && is_dynamic(storage_.bodies(), slot.value);
+    }
+
+    // Surfaces, of a body or of one of its several shapes.
+
+    /// See BodyDef. Errors: not_finite, bad_friction.
+    Status set_friction(BodyId id, scalar mu, int shape_i = 0) {
+        static_assert(shapes_only());
+        const Result<int> shape_slot = find_shape(id, shape_i);
+        const Status status = shape_slot.ok() ? check_friction(mu) : shape_slot.status;
+        if (status == Status::ok) storage_.surfaces[shape_slot.value].mu = mu + scalar(0);  // -0 becomes +0: one value, one set of bits
+        return status == Status::ok ? mixed_anew(shape_slot.value) : status;
+    }
+    Result<scalar> friction(BodyId id, int shape_i = 0) const {
+        static_assert(shapes_only());
+        const Result<int> shape_slot = find_shape(id, shape_i);
+        if (!shape_slot.ok()) return {shape_slot.status, 0};
+        return {Status::ok, storage_.surfaces[shape_slot.value].mu};
+    }
+
+    /// See BodyDef. Errors: not_finite, bad_restitution, not_in_scene (one above 0 where bounces = false).
+    Status set_restitution(BodyId id, scalar e, int shape_i = 0) {
+        static_assert(shapes_only());
+        const Result<int> shape_slot = find_shape(id, shape_i);
+        Status status = shape_slot.ok() ? check_restitution(e) : shape_slot.status;
+        if (status == Status::ok && !S::bounces && e > 0) status = Status::not_in_scene;
+        if (status == Status::ok) storage_.surfaces[shape_slot.value].e = e + scalar(0);
+        return status == Status::ok ? mixed_anew(shape_slot.value) : status;
+    }
+    Result<scalar> restitution(BodyId id, int shape_i = 0) const {
+        static_assert(shapes_only());
+        const Result<int> shape_slot = find_shape(id, shape_i);
+        if (!shape_slot.ok()) return {shape_slot.status, 0};
+        return {Status::ok, storage_.surfaces[shape_slot.value].e};
+    }
+
+    /// Another shape, or one of another size, in the place of that one; mass stays. A body of one shape may have none, and get one.
+    /// Errors: those of check_shape, not_in_scene, bad_shape (a half space that can move, a hull that is none of the scene's, none for one of
+    ///         several).
+    Status set_shape(BodyId id, const Shape& shape, int shape_i = 0) {
+        static_assert(shapes_only());
+        const Result<int> slot = find(id);
+        if (!slot.ok()) return slot.status;
+        if (shape_i < 0 || shape_i >= S::max_shapes_of_body) return Status::out_of_range;
+        if (has_compounds<S> && !find_shape(id, shape_i).ok()) return Status::out_of_range;
+        const Status status = check_new_shape(slot.value, shape);
+        if (status != Status::ok) return status;
+        leave_contacts(slot.value);
+        const int shape_slot = slot.value * S::max_shapes_of_body + shape_i;
+        write_shape_of(storage_.surfaces[shape_slot], shape);
+        if constexpr (has_compounds<S>)
+            storage_.surfaces[shape_slot].bounding_radius = radius_about_body(shape, storage_.shape_places[shape_slot]);
+        return come_back(slot.value);
+    }
+    Result<Shape> shape(BodyId id, int shape_i = 0) const {
+        static_assert(shapes_only());
+        const Result<int> shape_slot = find_shape(id, shape_i);
+        if (!shape_slot.ok()) return {shape_slot.status, {}};
+        return {Status::ok, storage_.surfaces[shape_slot.value].shape};
+    }
+
+    /// Where a shape of a body of several lies: m from the centre of mass, and the shape's axes in those of the body. From the frame of the user it
+    /// is place_in_body(part, mass). Mass stays.
+    /// Errors: not_finite, out_of_range (beyond limits::position_max), not_a_rotation.
+    Status set_shape_place(BodyId id, const ShapePlace& place, int shape_i) {
+        static_assert(compounds_only());
+        const Result<int> shape_slot = find_shape(id, shape_i);
+        if (!shape_slot.ok()) return shape_slot.status;
+        Status status = check_vector(place.r, limits::position_max);
+        if (status == Status::ok) status = check_rotation(place.A);
+        if (status != Status::ok) return status;
+        const int slot = shape_slot.value / S::max_shapes_of_body;
+        leave_contacts(slot);
+        storage_.shape_places[shape_slot.value] = {place.r + Vector{}, nearest_rotation(place.A)};
+        Surface& surface = storage_.surfaces[shape_slot.value];
+        surface.bounding_radius = radius_about_body(surface.shape, storage_.shape_places[shape_slot.value]);
+        return come_back(slot);
+    }
+    Result<ShapePlace> shape_place(BodyId id, int shape_i) const {
+        static_assert(compounds_only());
+        const Result<int> shape_slot = find_shape(id, shape_i);
+        if (!shape_slot.ok()) return {shape_slot.status, {}};
+        return {Status::ok, storage_.shape_places[shape_slot.value]};
+    }
+
+    /// A shape notes who is in it and touches nothing, or is solid again: see BodyDef.
+    Status set_sensor(BodyId id, bool sensor, int shape_i = 0) {
+        static_assert(sensors_only());
+        const Result<int> shape_slot = find_shape(id, shape_i);
+        if (!shape_slot.ok()) return shape_slot.status;
+        const int slot = shape_slot.value / S::max_shapes_of_body;
+        leave_contacts(slot);
+        storage_.is_sensor[shape_slot.value] = sensor ? 1 : 0;
+        return come_back(slot);
+    }
+    Result<bool> is_sensor(BodyId id, int shape_i = 0) const {
+        static_assert(sensors_only());
+        const Result<int> shape_slot = find_shape(id, shape_i);
+        if (!shape_slot.ok()) return {shape_slot.status, false};
+        return {Status::ok, storage_.is_sensor[shape_slot.value] != 0};
+    }
+
+private:
+    bool has_half_space(int slot) const {
+        bool has = false;
+        if constexpr (has_shapes<S>)
+            // bound: max_shapes_of_body
+            for (int shape_i = 0; shape_i < S::max_shapes_of_body; ++shape_i)
+                has = has || storage_.surfaces[slot * S::max_shapes_of_body + shape_i].shape.kind == ShapeKind::half_space;
+        return has;
+    }
+    Status check_new_shape(int slot, const Shape& shape) const {
+        const Status status = check_shape(shape);
+        if (status != Status::ok) return status;
+        if (shape.kind == ShapeKind::none) return has_compounds<S> ? Status::bad_shape : Status::ok;
+        if (!S::shapes::has(shape.kind)) return Status::not_in_scene;
+        if (shape.kind == ShapeKind::half_space && is_dynamic(storage_.bodies(), slot)) return Status::bad_shape;
+        return ShapesOf<S>::names_its_hull(shape) ? Status::ok : Status::bad_shape;
+    }
+
+    /// Nothing is known of its contacts any more, as if it left: what it touches wakes.
+    void leave_contacts(int slot) {
+        features::All::over_named<S>([&](auto feature) { decltype(feature)::before_removal(storage_, slot); });
+        if constexpr (stacks<S>)
+            // bound: max_shapes_of_body
+            for (int shape_slot = slot * S::max_shapes_of_body; shape_slot < (slot + 1) * S::max_shapes_of_body; ++shape_slot) {
+                features::Manifolds::forget_shape(storage_, shape_slot);
+                if constexpr (S::sleeps) features::Sleep::forget_shape(storage_, shape_slot);
+            }
+        if constexpr (collides<S>) features::Impacts::forget_body(storage_, slot);
+    }
+    /// As if it was added.
+    Status come_back(int slot) {
+        move_shapes(slot);
+        if constexpr (S::sleeps) begin_awake(storage_.rest_view(), slot);
+        return Status::ok;
+    }
+    void move_shapes([[maybe_unused]] int slot) {
+        if constexpr (has_compounds<S>) place_shapes(storage_.bodies(), storage_.compound_view(), slot);
+    }
+    /// Contacts that are held take friction and restitution of the shape as they are now.
+    Status mixed_anew(int shape_slot) {
+        const Status status = touched(shape_slot / S::max_shapes_of_body, Status::ok);
+        if constexpr (stacks<S>) mix_materials_of(storage_.surface_view(), storage_.manifold_view(), shape_slot);
+        return status;
+    }
+};
+
+} }  // namespace ingot
