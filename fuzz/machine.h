@@ -302,8 +302,18 @@ protected:
                "readings answer for the living");
         demand(lives || !world.is_frozen(id), "the dead are not frozen");
         demand(world.body_at(index) == BodyId{} || world.is_alive(world.body_at(index)), "body_at names the living");
-        if constexpr (S::max_contacts > 0)
+        if constexpr (ingot::has_shapes<S>) {
             demand(world.contact(index).ok() == (index >= 0 && index < world.contact_count()), "contacts have indices");
+            int count = 0, of_body = 0;
+            for (const ingot::ContactInfo& contact : world.contacts()) {
+                demand(world.is_alive(contact.A) && world.is_alive(contact.B), "the living touch");
+                of_body += contact.A == id || contact.B == id ? 1 : 0;
+                ++count;
+            }
+            demand(count == world.contact_count(), "contacts are counted");
+            for (const ingot::ContactInfo& contact : world.contacts_of(id)) of_body -= contact.A == id || contact.B == id ? 1 : 0;
+            demand(of_body == 0, "those of a body are told of it");
+        }
         demand(same_bytes(&world_, &before_, sizeof world_), "a reading changes nothing");
     }
 
