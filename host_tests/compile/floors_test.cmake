@@ -33,7 +33,7 @@ set(motion_shares acceleration flight_clock turn moser_veselov moser_veselov_ser
 set(shape_shares shapes surface convex_hull placed_shape compound)
 set(broad_phase_shares near_shapes body_bounds body_pairs bound_shape all_pairs search_view sorted_tree tree_walk)
 set(narrow_phase_shares manifold manifold_points box_axes contact_geometry contact_patch collide_pairs nearest_points plane_between manifold_record
-  manifold_anchors)
+  manifold_anchors find_manifolds normal_cone)
 set(query_shares candidates query_filter ray_on_shapes cast_ray)
 set(impulse_shares contact collide_shapes contact_rows impulse)
 set(constraint_shares belts block_bodies block_rows block_solve contact contact_block flight friction impact_note laws material_view normals response rolling

@@ -73,6 +73,15 @@ inline constexpr unsigned halvings_max = 40;  ///< size_min, where length_unit i
 inline constexpr scalar fast_margin = 5 * contact_margin;  ///< m; a pair with a larger margin in this step looks for more points
 /// Bodies that have moved by less than this against each other, as a fraction of their size and in radians, keep their manifold.
 inline constexpr scalar recycled_slip = scalar(1e-3);
+/// Fixed shapes whose surfaces are no further apart are one surface: a body feels no edge there. A lip that is higher is an edge.
+inline constexpr scalar flush_gap = scalar(5e-4);    ///< m
+inline constexpr scalar flush_share = scalar(5e-3);  ///< of the lesser bounding radius of body and shape: of small things it is less
+/// A contact is off the normals of a fixed shape when it is by this sine. The second is where the normal is that of a side of the body, which tilts
+/// while it lands.
+inline constexpr scalar edge_tilt = scalar(1e-3);
+inline constexpr scalar face_tilt = scalar(0.02);
+/// Of its radius: a point this far aside of the lowest line of a cylinder is not on it. Rolling at 10 m/s, it moves up at 0.1 mm/s.
+inline constexpr scalar off_round = scalar(1e-5);
 inline constexpr int substeps_kept = 1000;         ///< the age of a manifold is counted up to this
 inline constexpr scalar friction_max = 1000;       ///< coefficient mu of a body
 inline constexpr scalar unbounded = scalar(1e30);  ///< m; further away than any body

@@ -55,6 +55,9 @@ struct Found {
 
 enum : uint32_t { corner_of_A = 1u << 16, corner_of_B = 2u << 16, crossing = 3u << 16 };
 
+/// True for the one point of shapes of which nothing is on top of each other across their normal: it may be beside either.
+constexpr bool is_beside_face(uint32_t feature) { return (feature & 0x3ffffu) == (corner_of_A | corner_of_B); }
+
 /// Adds where two patches, of which neither is a corner, are on top of each other: corners within `slack` (m) of the other
 /// patch, and where edges cross. Two edges that lie along each other do so no further apart than `aside` (m). Source: Cyrus and
 /// Beck, "Generalized two- and three-dimensional clipping", 1978.

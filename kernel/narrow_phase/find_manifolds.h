@@ -218,7 +218,6 @@ void update_manifolds(const BodyView& bodies, const SurfaceView& surfaces, const
             anchor(frame_of(bodies, pair.body_A), frame_of(bodies, pair.body_B), found_now, margin, manifolds.anchors[pair.record]);
         manifolds.pairs[(*manifolds.count)++] = pair;
     }
-    count(report.contacts, *manifolds.count);
     count(report.contacts_lost, *found.lost);
 }
 

@@ -7,7 +7,7 @@
 #include "../impulse/contact_rows.h"
 #include "../impulse/solve_impacts.h"
 #include "../motion/integrate_L.h"
-#include "../narrow_phase/find_manifolds.h"
+#include "../narrow_phase/inner_edges.h"
 #include "world.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -168,6 +168,11 @@ void find_manifolds([[maybe_unused]] Step<S>& now) {
         update_manifolds<ShapesOf<S>, S::recycles_manifolds>(storage.shapes(), surfaces_of(now), storage.bounds, now.h,
                                                              storage.pair_rules(now.report), storage.pair_list(), manifolds, now.report,
                                                              find_fast_pairs(now));
+        if constexpr (joins_floors<S>)
+            drop_hidden_points<ShapesOf<S>>(
+                {storage.shapes(), storage.surface_view(), storage.bounds, hulls_of<S>, storage.velocities_of_shapes()}, storage.pair_list(),
+                storage.last_of_shape, manifolds);
+        count(now.report.contacts, *manifolds.count);
         count(now.report.pairs_lost, storage.pairs_lost);
         if constexpr (S::sleeps)
             count(now.report.contacts, storage.aside_count);

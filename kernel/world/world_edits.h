@@ -118,6 +118,7 @@ public:
         leave_contacts(slot.value);
         const int shape_slot = slot.value * S::max_shapes_of_body + shape_i;
         write_shape_of(storage_.surfaces[shape_slot], shape);
+        features::Surfaces::measure<S>(storage_.surfaces[shape_slot]);
         if constexpr (has_compounds<S>)
             storage_.surfaces[shape_slot].bounding_radius = radius_about_body(shape, storage_.shape_places[shape_slot]);
         return come_back(slot.value);

@@ -5,6 +5,7 @@
 #include "../../base/if.h"
 #include "../../constraint/material_view.h"
 #include "../../impulse/find_contacts.h"
+#include "../../narrow_phase/inner_edges.h"
 #include "shapes.h"
 
 namespace ingot { inline namespace INGOT_ABI { namespace features {
@@ -39,6 +40,14 @@ template <class S, bool sleeps>
 struct BroadPhasePart : S::broad_phase::template AwakeMemory<shape_capacity<S>, pair_capacity<S>> {};
 template <class S>
 struct BroadPhasePart<S, false> : S::broad_phase::template Memory<shape_capacity<S>, pair_capacity<S>> {};
+
+/// Where shapes may hide each other's edges: see inner_edges.h. Zero but within that stage.
+template <class S, bool present>
+struct InnerEdgePart {
+    uint16_t last_of_shape[static_cast<unsigned>(shape_capacity<S>)] = {};
+};
+template <class S>
+struct InnerEdgePart<S, false> {};
 
 /// What other traits add to contacts.
 template <class S>
@@ -118,7 +127,7 @@ template <class S>
 struct BlockOrderPart<S, false> : ManifoldListPart<S> {};
 
 template <class S, bool present>
-struct ManifoldPart : BlockOrderPart<S, !S::solver::is_pointwise> {
+struct ManifoldPart : BlockOrderPart<S, !S::solver::is_pointwise>, InnerEdgePart<S, joins_floors<S>> {
     uint16_t found_count = 0, pairs_lost = 0;
     uint16_t manifold_count = 0, records_used = 0, first_free_record = 0;
 
@@ -183,6 +192,7 @@ struct Manifolds : Feature {
         each(S::max_manifolds);
         each(S::max_pairs);
         each(S::recycles_manifolds);
+        if constexpr (!S::joins_floors) each(S::joins_floors);
         each(S::broad_phase::name);
         each(S::solver::name);
         if constexpr (solves_directly<S>) {

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include "normal_cone.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+void put_on_box(const PlacedShape& box, Touch& touch) {
+    const Vector &h = box.shape.size, q = transpose_times(box.A, touch.p - box.r), e = transpose_times(box.A, touch.d);
+    int across = 0;
+    const auto put = [&](scalar q_i, scalar e_i, scalar h_i) {
+        if (abs(e_i) <= touch.tilt) return ++across, clamp(q_i, h_i);
+        return e_i < 0 ? -h_i : h_i;
+    };
+    touch.p = box.r + box.A * Vector{put(q.x, e.x, h.x), put(q.y, e.y, h.y), put(q.z, e.z, h.z)};
+    touch.face = across == 2;
+}
+
+bool hidden_by_box(const PlacedShape& T, const Touch& touch, const Vector& p, scalar flush) {
+    const Vector &h = T.shape.size, q = transpose_times(T.A, p - T.r), e = transpose_times(T.A, touch.d);
+    if (abs(q.x) > h.x + flush || abs(q.y) > h.y + flush || abs(q.z) > h.z + flush) return false;
+    const auto leads_in = [&](scalar q_i, scalar e_i, scalar h_i) {
+        return e_i > touch.tilt ? q_i <= h_i - flush : e_i < -touch.tilt && q_i >= -h_i + flush;
+    };
+    return leads_in(q.x, e.x, h.x) || leads_in(q.y, e.y, h.y) || leads_in(q.z, e.z, h.z);
+}
+
+bool hidden_by_half_space(const PlacedShape& T, const Touch& touch, const Vector& p, scalar flush) {
+    const HeightAbove face = face_below(T, p);
+    if (face.height > flush) return false;
+    const scalar along = dot(touch.d, face.n);
+    const Vector aside = touch.d - face.n * along;
+    return face.height < -flush || along < 0 || length_sq(aside) > touch.tilt * touch.tilt;
+}
+
+void put_on_hull(const PlacedShape& s, Touch& touch) {
+    const ConvexHull& hull = *s.hull;
+    const Vector d = transpose_times(s.A, touch.d);
+    Vector q = transpose_times(s.A, touch.p - s.r);
+    const auto put = [&](const Vector& on_hull) { touch.p = s.r + s.A * on_hull; };
+    // bound: 2 limits::hull_vertices_max - 4
+    for (int i = 0; i < hull.face_count; ++i) {
+        const HullFace& face = hull.faces[i];
+        const scalar along = dot(face.n, d);
+        if (!(along > 0 && length_sq(d - face.n * along) <= touch.tilt * touch.tilt)) continue;
+        touch.face = true;
+        q = q - face.n * (dot(face.n, q) - face.offset);
+        // bound: 2 limits::hull_vertices_max - 4
+        for (int k = 0; k < hull.face_count; ++k) {  // back over the edges of the face: exact for one of them
+            const scalar beyond = dot(hull.faces[k].n, q) - hull.faces[k].offset;
+            const Vector aside = hull.faces[k].n - face.n * dot(face.n, hull.faces[k].n);
+            if (k != i && beyond > 0 && length_sq(aside) > touch.tilt * touch.tilt) q = q - aside * (beyond / length_sq(aside));
+        }
+        return put(q);
+    }
+    int corner = 0;
+    // bound: limits::hull_vertices_max
+    for (int i = 1; i < hull.vertex_count; ++i)
+        if (dot(hull.vertices[i], d) > dot(hull.vertices[corner], d)) corner = i;
+    // bound: 3 limits::hull_vertices_max - 6
+    for (int i = 0; i < hull.edge_count; ++i) {
+        const HullEdge& edge = hull.edges[i];
+        if (edge.a != corner && edge.b != corner) continue;
+        const Vector &from = hull.vertices[edge.a], along = hull.vertices[edge.b] - from;
+        const scalar rise = dot(along, d), size_sq = length_sq(along);
+        if (rise * rise > touch.tilt * touch.tilt * size_sq) continue;
+        const scalar t = dot(q - from, along) / size_sq;
+        return put(from + along * (t < 0 ? scalar(0) : t > 1 ? scalar(1) : t));
+    }
+    put(hull.vertices[corner]);
+}
+
+namespace {
+
+/// The faces of a hull that meet in a point.
+struct Wedge {
+    static constexpr int faces_max = 8;
+    Vector n[faces_max];
+    int count;
+
+    /// True where d leads into the hull, by more than the tilt: some direction of the tangent cone is that much along d. The one most along d is
+    /// d itself, d in a face, or an edge.
+    bool takes(const Vector& d, scalar tilt) const {
+        if (leads_in(d, tilt, d)) return true;
+        // bound: Wedge::faces_max
+        for (int i = 0; i < count; ++i)
+            if (leads_in(d - n[i] * dot(d, n[i]), tilt, d)) return true;
+        // bound: Wedge::faces_max
+        for (int i = 0; i < count; ++i)
+            for (int k = i + 1; k < count; ++k) {
+                const Vector edge = cross(n[i], n[k]);
+                if (leads_in(edge * dot(edge, d), tilt, d)) return true;
+            }
+        return false;
+    }
+
+private:
+    /// x: of any length. Inside all faces but for rounding, which for d in a face is some epsilon.
+    bool leads_in(const Vector& x, scalar tilt, const Vector& d) const {
+        const scalar size = sqrt(length_sq(x));
+        if (!(dot(x, d) > tilt * size)) return false;
+        // bound: Wedge::faces_max
+        for (int i = 0; i < count; ++i)
+            if (dot(n[i], x) > tilt / 2 * size) return false;
+        return true;
+    }
+};
+
+}  // namespace
+
+bool hidden_by_hull(const PlacedShape& T, const Touch& touch, const Vector& p, scalar flush) {
+    const Vector q = transpose_times(T.A, p - T.r);
+    Wedge wedge;
+    wedge.count = 0;
+    // bound: 2 limits::hull_vertices_max - 4
+    for (int i = 0; i < T.hull->face_count; ++i) {
+        const HullFace& face = T.hull->faces[i];
+        const scalar height = dot(face.n, q) - face.offset;
+        if (height > flush) return false;
+        if (height > -flush && wedge.count < Wedge::faces_max) wedge.n[wedge.count++] = face.n;
+    }
+    return wedge.takes(transpose_times(T.A, touch.d), touch.tilt);
+}
+
+int face_count(const PlacedShape& S) {
+    return S.shape.kind == ShapeKind::box ? 6 : S.shape.kind == ShapeKind::hull ? S.hull->face_count : 0;
+}
+
+FaceOfFixed face_of(const PlacedShape& S, int face_i) {
+    if (S.shape.kind == ShapeKind::hull) return {S.A * S.hull->faces[face_i].n, S.hull->faces[face_i].offset};
+    const int axis = face_i >> 1;
+    return {S.A * unit_axis(axis, (face_i & 1) != 0 ? scalar(-1) : scalar(1)), component(S.shape.size, axis)};
+}
+
+} }  // namespace ingot
