@@ -39,7 +39,7 @@ struct Floor : ingot::Scene {
     static constexpr bool translates = true;
     static constexpr int max_manifolds = 400;
     static constexpr int max_pairs = 6000;
-    static constexpr bool joins_floors = joins;
+    static constexpr bool hides_internal_edges = joins;
     using broad_phase = ingot::SortedTree;
     using solver = Solver;
     using shapes = ingot::Shapes<ingot::Sphere, ingot::Capsule, ingot::Box, ingot::Cylinder, ingot::Hull, ingot::HalfSpace>;

@@ -32,7 +32,7 @@ struct Tower10 : Stacked<11, 10> {
 struct TenBoxesBudget : Stacked<11, 10> {
     static constexpr bool bounces = false;
     static constexpr bool recycles_manifolds = false;
-    static constexpr bool joins_floors = false;
+    static constexpr bool hides_internal_edges = false;
     using solver = ingot::SequentialImpulses;
     using rotation = ingot::LieMidpoint;
 };
@@ -153,7 +153,7 @@ struct SleepingTowers : Stacked<14, 48> {
 /// Boxes, balls and a capsule in a sensor, with filters, events and sleep: many features at once, for the budgets of small targets.
 struct Playground : Stacked<9, 12> {
     using shapes = ingot::Shapes<ingot::Sphere, ingot::Capsule, ingot::Box, ingot::HalfSpace>;
-    static constexpr bool filters = true, sleeps = true, joins_floors = false;  // its ground is alone
+    static constexpr bool filters = true, sleeps = true, hides_internal_edges = false;  // its ground is alone
     static constexpr int max_overlaps = 8, max_events = 24;
     static constexpr const char* name = "playground";
     static constexpr const char* title = "boxes, balls and a capsule, with filters, a sensor, events and sleep";

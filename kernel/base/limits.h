@@ -74,7 +74,7 @@ inline constexpr scalar fast_margin = 5 * contact_margin;  ///< m; a pair with a
 /// Bodies that have moved by less than this against each other, as a fraction of their size and in radians, keep their manifold.
 inline constexpr scalar recycled_slip = scalar(1e-3);
 /// Fixed shapes whose surfaces are no further apart are one surface: a body feels no edge there. A lip that is higher is an edge.
-inline constexpr scalar flush_gap = scalar(5e-4);    ///< m
+inline constexpr scalar flush_gap = scalar(5e-4);    ///< length_unit
 inline constexpr scalar flush_share = scalar(5e-3);  ///< of the lesser bounding radius of body and shape: of small things it is less
 /// A contact is off the normals of a fixed shape when it is by this sine. The second is where the normal is that of a side of the body, which tilts
 /// while it lands.

@@ -57,7 +57,8 @@ bool is_below_axis(const PlacedShape& cylinder, const Vector& P, const Vector& d
 }  // namespace
 
 HiddenPoints::HiddenPoints(const FixedNeighbours& neighbours, const FixedTouch& of)
-    : neighbours_(neighbours), of_(of), S_(neighbours.all.placed(of.S)), body_(neighbours.all.placed(of.body)), flush_(limits::flush_gap) {
+    : neighbours_(neighbours), of_(of), S_(neighbours.all.placed(of.S)), body_(neighbours.all.placed(of.body)),
+      flush_(limits::flush_gap * neighbours.all.surfaces.unit) {
     const scalar R_S = bounding_radius(S_.shape), R = bounding_radius(body_.shape);
     flush_ = min(flush_, limits::flush_share * (R_S > 0 ? min(R_S, R) : R));
 }
@@ -106,7 +107,8 @@ bool HiddenPoints::take_open(int face_i, Manifold& above, scalar& best, Manifold
     }
     if (kept == 0 || !(least > best)) return false;
     best = least;
-    above.count = kept;
+    above.count = static_cast<int16_t>(kept);
+    above.halvings = manifold.halvings;
     above.n = n * of_.to_body;
     keep_manifold(above, manifold);
     return true;
@@ -199,6 +201,7 @@ void end_fixed_chains(const FixedShapes& all, const PairList& found, uint16_t* l
 void drop_points(unsigned hidden, ManifoldRecord& record) {
     Manifold left;
     left.n = record.manifold.n;
+    left.halvings = record.manifold.halvings;
     left.count = 0;
     for (int i = 0; i < record.manifold.count; ++i)  // bound: 4: Manifold::points_max
         if ((hidden >> i & 1u) == 0) left.points[left.count++] = record.manifold.points[i];

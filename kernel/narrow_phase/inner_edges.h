@@ -64,7 +64,7 @@ public:
     template <class Shapes>
     bool turn_to_face(Manifold& manifold) const {
         const Vector d = manifold.n * of_.to_body;
-        const scalar least_before = least_of(manifold), margin = max(least_before, 0) + limits::contact_margin;
+        const scalar least_before = least_of(manifold), margin = max(least_before, 0) + limits::contact_margin * neighbours_.all.surfaces.unit;
         if (is_nearest(least_before)) return false;
         scalar best = least_before > -flush_ ? -flush_ : -scalar_max;
         bool turned = false;

@@ -168,7 +168,7 @@ void find_manifolds([[maybe_unused]] Step<S>& now) {
         update_manifolds<ShapesOf<S>, S::recycles_manifolds>(storage.shapes(), surfaces_of(now), storage.bounds, now.h,
                                                              storage.pair_rules(now.report), storage.pair_list(), manifolds, now.report,
                                                              find_fast_pairs(now));
-        if constexpr (joins_floors<S>)
+        if constexpr (hides_internal_edges<S>)
             drop_hidden_points<ShapesOf<S>>(
                 {storage.shapes(), storage.surface_view(), storage.bounds, hulls_of<S>, storage.velocities_of_shapes()}, storage.pair_list(),
                 storage.last_of_shape, manifolds);

@@ -127,7 +127,7 @@ template <class S>
 struct BlockOrderPart<S, false> : ManifoldListPart<S> {};
 
 template <class S, bool present>
-struct ManifoldPart : BlockOrderPart<S, !S::solver::is_pointwise>, InnerEdgePart<S, joins_floors<S>> {
+struct ManifoldPart : BlockOrderPart<S, !S::solver::is_pointwise>, InnerEdgePart<S, hides_internal_edges<S>> {
     uint16_t found_count = 0, pairs_lost = 0;
     uint16_t manifold_count = 0, records_used = 0, first_free_record = 0;
 
@@ -192,7 +192,7 @@ struct Manifolds : Feature {
         each(S::max_manifolds);
         each(S::max_pairs);
         each(S::recycles_manifolds);
-        if constexpr (!S::joins_floors) each(S::joins_floors);
+        if constexpr (!S::hides_internal_edges) each(S::hides_internal_edges);
         each(S::broad_phase::name);
         each(S::solver::name);
         if constexpr (solves_directly<S>) {
