@@ -40,7 +40,8 @@ struct Hash {
     }
     void add(const Manifold& m) {
         add(&m.n, sizeof m.n);
-        add(&m.count, sizeof m.count);
+        const std::int32_t count = m.count;
+        add(&count, sizeof count);
         for (int i = 0; i < m.count; ++i) {
             add(&m.points[i].P, sizeof(Vector));
             add(&m.points[i].separation, sizeof(scalar));

@@ -191,6 +191,15 @@ struct Wrong : ingot::Scene {
     static constexpr int max_manifolds = 4;
     using force_field = Gusts;
 #endif
+#ifdef LENGTH_UNIT_WITHOUT_CONTACTS
+    static constexpr ingot::scalar length_unit = 2;
+#endif
+#ifdef LENGTH_UNIT_OF_NO_THING
+    static constexpr bool translates = true;
+    static constexpr int max_manifolds = 4;
+    using shapes = ingot::Shapes<ingot::Sphere>;
+    static constexpr ingot::scalar length_unit = 0;
+#endif
 #ifdef SLEEP_SPEED_BELOW_ZERO
     static constexpr ingot::scalar sleep_speed = -1;
 #endif

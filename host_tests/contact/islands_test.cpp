@@ -152,7 +152,7 @@ struct Solved {
 
     explicit Solved(Yard& yard_) : yard(yard_), solver(yard_.pile.solver()) {
         WatchedSweeps sweeps(solver);
-        ingot::conduct_substeps(sweeps, {yard.pile.view(), gravity, h, nullptr}, report);
+        ingot::conduct_substeps(sweeps, {yard.pile.view(), gravity, h, {}}, report);
         plans = sweeps.plans;
     }
     int island_of(std::size_t part_i) const { return solver.island_of[solver.local_of[yard.first_slot[part_i]]]; }
@@ -299,13 +299,13 @@ struct Begun {
     WatchedSweeps sweeps;
 
     explicit Begun(Yard& yard, SweepPlan plan) : solver(yard.pile.solver()), sweeps(solver) {
-        const ingot::ContactStep step = {yard.pile.view(), gravity, h, nullptr};
+        const ingot::ContactStep step = {yard.pile.view(), gravity, h, {}};
         ingot::StepReport report{};
         sweeps.begin(step, report);
         do EXPECT_TRUE(sweeps.next_batch(step));
         while (solver.plan != plan);
         const scalar h_substep = h / static_cast<scalar>(sweeps.substeps());
-        sweeps.predict(h_substep, nullptr, report);
+        sweeps.predict(h_substep, {}, report);
         sweeps.kick(h_substep);
         sweeps.warm_start(h_substep);
         ingot::plan_sweeps(solver);

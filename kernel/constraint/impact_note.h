@@ -27,8 +27,8 @@ struct ImpulseSum {
 
 /// Where a step notes what contacts do.
 struct StepNotes {
-    ImpactNote* impacts;  ///< by manifold: who pushed whom; null in scenes without events
-    ImpulseSum* sums;     ///< by record; null in scenes that do not name reads_contacts
+    ImpactNote* impacts = nullptr;  ///< by manifold: who pushed whom; null in scenes without events
+    ImpulseSum* sums = nullptr;     ///< by record; null in scenes that do not name reads_contacts
 };
 
 } }  // namespace ingot

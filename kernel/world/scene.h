@@ -48,7 +48,7 @@ struct Scene {
     static constexpr int  max_events   = 0;      ///< of contacts and sensors in one step, 0 .. 65535: see events/contact_events.h
     static constexpr scalar hit_speed  = 1;      ///< m/s; contacts that meet faster are told as hits
     static constexpr bool recycles_manifolds = true;   ///< where bodies hardly move, manifolds are moved along with them and not searched anew
-    static constexpr bool hides_internal_edges = true;  ///< fixed boxes and hulls side by side are one floor; false: bodies stumble at their edges there
+    static constexpr bool hides_internal_edges = true;  ///< fixed boxes and hulls side by side are one floor; false: bodies stumble at edges there
     static constexpr bool bounces      = true;   ///< bodies may have a restitution; false: none bounces, for 5 KB less flash
     static constexpr bool sleeps       = false;  ///< islands of bodies at rest are left out of the step until something wakes them
     static constexpr scalar sleep_speed = limits::sleep_speed;  ///< length_unit/s; no point of a body at rest moves faster
