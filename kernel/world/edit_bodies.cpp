@@ -89,16 +89,6 @@ Status check_definition(const BodyDef& def, bool scene_translates, bool scene_ha
     return def.shape.kind == ShapeKind::none || scene_has_shape ? Status::ok : Status::not_in_scene;
 }
 
-Status check_restitution(scalar e) {
-    if (!is_finite(e)) return Status::not_finite;
-    return e >= 0 && e <= 1 ? Status::ok : Status::bad_restitution;
-}
-
-Status check_friction(scalar mu) {
-    if (!is_finite(mu)) return Status::not_finite;
-    return mu >= 0 && mu <= limits::friction_max ? Status::ok : Status::bad_friction;
-}
-
 Status check_surface(const BodyDef& def) {
     Status status = check_shape(def.shape);
     if (status == Status::ok) status = check_restitution(def.restitution);
@@ -134,15 +124,6 @@ scalar radius_about_body(const Shape& shape, const ShapePlace& place) {
     return (sqrt(length_sq(place.r)) + bounding_radius(shape)) * (1 + 4 * epsilon);  // its roundings
 }
 
-void write_shape_of(Surface& to, const Shape& shape) {
-    to.shape.kind = shape.kind;
-    to.shape.size.x = shape.size.x;
-    to.shape.size.y = shape.size.y;
-    to.shape.size.z = shape.size.z;
-    to.shape.offset = shape.offset;
-    to.bounding_radius = bounding_radius(shape);
-}
-
 void write_surface(Surface& to, const BodyDef& def) {
     write_shape_of(to, def.shape);
     to.e = def.restitution;
@@ -153,14 +134,6 @@ void write_body(const BodyView& bodies, int slot, const BodyDef& def) {
     set_identity_body(bodies, slot);
     if (!def.immovable) write_moments(bodies, slot, def.mass);
     write_checked_state(bodies, slot, def.state);
-}
-
-void write_moments(const BodyView& bodies, int slot, const MassProperties& mass) {
-    const Place at = place_of(slot);
-    const ScaledInverseInertia inverse = scaled_inverse_inertia(mass.I_body);
-    set_lane(bodies.rotation[at.tile].inv_I_ratio, at.lane, inverse.ratio);
-    bodies.rotation[at.tile].inv_I_scale[at.lane] = inverse.scale;
-    if (bodies.translation != nullptr) bodies.translation[at.tile].inv_M[at.lane] = 1 / mass.M;
 }
 
 Vector moments_of_slot(const BodyView& bodies, int slot) {

@@ -2,8 +2,8 @@
 // What World does to one body, on views: shared by worlds of every scene. Each call checks all before it writes any.
 #pragma once
 
-#include "../body/check_body.h"
 #include "../body/body_tiles.h"
+#include "../body/check_body.h"
 #include "../shape/surface.h"
 #include "../shape/compound.h"
 #include "body_def.h"
@@ -34,18 +34,37 @@ void write_body(const BodyView& bodies, int slot, const BodyDef& def);
 /// For a body that can move: v_CM and omega stay. Errors: frozen, immovable, those of check_mass_properties.
 Status write_mass(const BodyView& bodies, int slot, const MassProperties& mass);
 /// Checked ones, of a body at rest.
-void write_moments(const BodyView& bodies, int slot, const MassProperties& mass);
+INGOT_INLINE void write_moments(const BodyView& bodies, int slot, const MassProperties& mass) {
+    const Place at = place_of(slot);
+    const ScaledInverseInertia inverse = scaled_inverse_inertia(mass.I_body);
+    set_lane(bodies.rotation[at.tile].inv_I_ratio, at.lane, inverse.ratio);
+    bodies.rotation[at.tile].inv_I_scale[at.lane] = inverse.scale;
+    if (bodies.translation != nullptr) bodies.translation[at.tile].inv_M[at.lane] = 1 / mass.M;
+}
 /// Its principal moments, kg m^2; 0 where it cannot move.
 Vector moments_of_slot(const BodyView& bodies, int slot);
 /// Immovable from now on, where it is.
 void stop_body(const BodyView& bodies, int slot);
 
 /// Errors: not_finite, bad_restitution.
-Status check_restitution(scalar e);
+INGOT_INLINE Status check_restitution(scalar e) {
+    if (!is_finite(e)) return Status::not_finite;
+    return e >= 0 && e <= 1 ? Status::ok : Status::bad_restitution;
+}
 /// Errors: not_finite, bad_friction.
-Status check_friction(scalar mu);
+INGOT_INLINE Status check_friction(scalar mu) {
+    if (!is_finite(mu)) return Status::not_finite;
+    return mu >= 0 && mu <= limits::friction_max ? Status::ok : Status::bad_friction;
+}
 /// Number by number, as write_surface; the radius about the shape's own origin.
-void write_shape_of(Surface& to, const Shape& shape);
+INGOT_INLINE void write_shape_of(Surface& to, const Shape& shape) {
+    to.shape.kind = shape.kind;
+    to.shape.size.x = shape.size.x;
+    to.shape.size.y = shape.size.y;
+    to.shape.size.z = shape.size.z;
+    to.shape.offset = shape.offset;
+    to.bounding_radius = bounding_radius(shape);
+}
 
 BodyState read_state(const BodyView& bodies, int slot);
 Status write_state(const BodyView& bodies, int slot, const BodyState& state);
