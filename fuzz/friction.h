@@ -463,7 +463,8 @@ private:
                 demand_event(event);
             }
             if (!state_.events_whole) return;
-            demand(state_.touching.count <= report.contacts, "what touches has a contact");
+            constexpr int met_in_flight = S::continuous ? ingot::limits::flight_impacts_max : 0;  // and may be apart again
+            demand(state_.touching.count <= report.contacts + met_in_flight, "what touches has a contact");
             if constexpr (ingot::has_sensors<S>) {
                 demand(state_.inside.count == world_.overlap_count(), "who entered a sensor and did not leave is in it");
                 for (int i = 0; i < world_.overlap_count(); ++i) {

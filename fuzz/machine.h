@@ -256,7 +256,8 @@ protected:
         // A body that is followed has as many again at each of its impacts.
         constexpr int begun_again = ingot::solves_pointwise<S> ? 0 : limits::steady_substeps;
         constexpr int substeps = (begun_again + limits::substeps) * (S::continuous ? limits::impacts_of_body_max * S::max_bodies + 1 : 1);
-        const int waves_of_stacks = ingot::solves_pointwise<S> ? 0 : substeps * limits::impacts_of_contact * report.contacts;
+        const int contacts = report.contacts + (S::continuous ? limits::pair_manifolds_max : 0);  // those that meet in flight have their own
+        const int waves_of_stacks = ingot::solves_pointwise<S> ? 0 : substeps * limits::impacts_of_contact * contacts;
         const int waves_max = ingot::stacks<S> ? waves_of_stacks : limits::impact_waves_max;
         demand(report.impact_waves <= waves_max, "waves are bounded");
         const int in_a_substep = ingot::solves_pointwise<S> ? limits::sweeps_of_points : limits::sweeps_of_small;
