@@ -23,7 +23,7 @@ struct SurfaceView {
     scalar unit = 1;  ///< m; of lengths and speeds in limits.h
     scalar fall = 0;  ///< m, that gravity moves a body from rest within the step, at most
 
-    scalar scale(int slot) const { return scale_of(unit, surfaces[slot].halvings); }
+    /// Of a pair.
     unsigned halvings(int slot_A, int slot_B) const {
         const unsigned A = surfaces[slot_A].halvings, B = surfaces[slot_B].halvings;
         return A < B ? B : A;
