@@ -31,7 +31,7 @@ constexpr size_t a_generation = 4;
 
 // The parts lie one behind the other, each aligned; so does the whole.
 constexpr size_t bookkeeping(size_t bodies) { return bodies * a_generation + counters; }
-constexpr size_t energy_part = rounded_up(energy_tile + sizeof(scalar), row);  // h_before fills the tile's last row
+constexpr size_t energy_part = rounded_up(energy_tile + sizeof(scalar), row);  // h_1 fills the tile's last row
 
 template <class S>
 constexpr size_t world_bytes = sizeof(ingot::World<S>);

@@ -44,8 +44,8 @@ void seal(Bytes& bytes) { put(bytes, bytes.size() - 8, ingot::snapshot_checksum(
 /// The format, written down a second time: offsets in bytes.
 constexpr size_t s = sizeof(scalar);
 constexpr size_t at_format = 8, at_determinism = 10, at_signature = 12, at_length = 20, at_parts = 24, at_field_size = 28;
-constexpr size_t at_tag = 32, at_steps = 34, at_slots_used = 38, at_free_hint = 42, at_gravity = 46, at_h_before = at_gravity + 3 * s;
-constexpr size_t first_slot = at_h_before + s;
+constexpr size_t at_tag = 32, at_steps = 34, at_slots_used = 38, at_free_hint = 42, at_gravity = 46, at_h_1 = at_gravity + 3 * s;
+constexpr size_t first_slot = at_h_1 + s;
 // From the begin of a slot of a living body.
 constexpr size_t to_flags = 4, to_A = 5, to_L = to_A + 9 * s, to_tau_T = to_L + 3 * s, to_ratio = to_tau_T + 3 * s;
 constexpr size_t to_scale = to_ratio + 3 * s, to_A_low = to_scale + s, to_E_0 = to_A_low + 9 * s, to_r_CM = to_E_0 + s;
@@ -240,7 +240,7 @@ TEST_F(Damage, of_the_time_of_a_field) {
     for (int call_i = 0; call_i < 40; ++call_i) life.live(tide);
     copy(before, tide);
     const Bytes sound = saved(tide);
-    const size_t at_t = at_h_before + s, at_t_low = at_t + s;
+    const size_t at_t = at_h_1 + s, at_t_low = at_t + s;
     EXPECT_EQ(scalar_at(sound, at_t), tide.time());
     const auto load_with = [&](size_t offset, scalar number) {
         Bytes bytes = sound;

@@ -113,7 +113,7 @@ TEST(FreeRotation, R3_near_separatrix) {
     for (std::uint32_t step_i = 0; step_i < 60 * 60; ++step_i) {
         if (step_i % 60 == 0)
             attitude = std::max(attitude, attitude_error(to_eigen<long double>(tiles.state(0).A), body.samples[step_i / 60].A));
-        ASSERT_EQ(ingot::MoserVeselov::integrate_A(tiles.view(), scalar(1) / 60, {step_i, step_i == 0}), 0);
+        ASSERT_EQ(ingot::MoserVeselov::integrate_A(tiles.view(), scalar(1) / 60, {step_i}), 0);
     }
     std::printf("    near_separatrix  60 Hz: attitude %.1e rad\n", attitude);
     EXPECT_LE(attitude, bar(1e-2, none));

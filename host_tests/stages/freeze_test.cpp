@@ -42,7 +42,7 @@ Tiles random_tiles() {
 void all_stages(Tiles& tiles, std::uint32_t step_i) {
     ingot::integrate_L(tiles.view(), h);
     ingot::integrate_v(tiles.view(), h, gravity);
-    ingot::MoserVeselov::integrate_A(tiles.view(), h, {step_i, step_i == 0});
+    ingot::MoserVeselov::integrate_A(tiles.view(), h, {step_i});
     ingot::integrate_r(tiles.view(), h, gravity);
     ingot::clear_forces(tiles.view());
 }

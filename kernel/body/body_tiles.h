@@ -35,7 +35,7 @@ struct alignas(tile_alignment) CompensationTile {
 
 /// Energy at the begin of the free flight a body is in; only for scenes whose rotation method returns to it.
 struct alignas(tile_alignment) EnergyTile {
-    scalar E_0[lanes];  ///< in units of (h inv_I_scale)^2 J kg m^2; 0: not known yet
+    scalar E_0[lanes];  ///< in units of (h inv_I_scale)^2 J kg m^2, h that of the world's first step; 0: not known yet
 };
 
 /// Position and velocity of `lanes` bodies; only for scenes that translate.

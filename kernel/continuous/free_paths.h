@@ -17,7 +17,8 @@ template <class Rotation>
 void fly_freely(const BodyView& bodies, const Vector& gravity, scalar h) {
     integrate_L(bodies, h);
     integrate_v(bodies, h, gravity);
-    (void)Rotation::integrate_A(bodies, h, FlightClock{0, true, h / 2});
+    forget_energies(bodies);
+    (void)Rotation::integrate_A(bodies, h, FlightClock{0, 1, h / 2});
     integrate_r(bodies, h, gravity);
 }
 

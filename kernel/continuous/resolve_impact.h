@@ -89,7 +89,8 @@ bool solve_pair_for(const Collision& collision, const int (&slots)[2], PairRoom<
     integrate_L(two, h);
     integrate_v(two, h, gravity);
     write_contact_motion(solver, two, gravity, h);
-    (void)Traits::Rotation::integrate_A(two, h, FlightClock{0, true, h / 2});
+    forget_energies(two);
+    (void)Traits::Rotation::integrate_A(two, h, FlightClock{0, 1, h / 2});
     integrate_r(two, h, gravity);
     turn_by_corrections(solver, two, h);
     room.two.return_forces();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../base/config.h"
+#include "../body/body_tiles.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -18,9 +18,15 @@ namespace ingot { inline namespace INGOT_ABI {
 /// second order. It keeps L bitwise. h may be negative: compositions go back and forth. A body whose A would not be finite,
 /// or whose spin passes limits::spin_runaway, keeps its A and is marked bad.
 struct FlightClock {
-    uint32_t steps;         ///< taken so far; the polar step is due every limits::polar_interval of them
-    bool h_changed;         ///< since the last step: energies kept in units of h begin anew
-    scalar kick_ahead = 0;  ///< s
+    uint32_t steps;          ///< taken so far; the polar step is due every limits::polar_interval of them
+    scalar energy_unit = 1;  ///< (h / h_1)^2: energies are kept in units of the first step's h_1, whatever h is now
+    scalar kick_ahead = 0;   ///< s
 };
+
+/// The next flight of all bodies begins anew, in units of its own: for compositions of flights of many lengths.
+inline void forget_energies(const BodyView& bodies) {
+    if (bodies.energy == nullptr) return;
+    for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) bodies.energy[tile_i] = {};  // bound: max_bodies / lanes, rounded up
+}
 
 } }  // namespace ingot

@@ -81,12 +81,13 @@ struct BlanesMoan4 {
         constexpr scalar times[7] = {0, scalar(a1), scalar(a1 + a2), scalar(0.5), scalar(0.5 + a3), scalar(1 - a1), 1};  // of the kicks
         constexpr int stages = 6;
 
-        const FlightClock new_flight{clock.steps, true};
+        const FlightClock of_stage{clock.steps, 1};
         int clamped = 0;
         for (int stage_i = 0; stage_i <= stages; ++stage_i) {
             kick(bodies, forcing, h * kicks[stage_i <= 3 ? stage_i : stages - stage_i], h * times[stage_i]);
             if (stage_i == stages) break;
-            const int clamped_here = drift<Rotation>(bodies, h * drifts[stage_i < 3 ? stage_i : stages - 1 - stage_i], new_flight);
+            forget_energies(bodies);
+            const int clamped_here = drift<Rotation>(bodies, h * drifts[stage_i < 3 ? stage_i : stages - 1 - stage_i], of_stage);
             clamped = clamped_here > clamped ? clamped_here : clamped;
         }
         return clamped;

@@ -17,7 +17,7 @@ int integrate_A_moser_veselov(const BodyView& bodies, scalar h, const FlightCloc
 /// order          2, 4, 6, 8, 10 for free bodies. In float 6 is at the floor from 15 Hz up; 10 in double.
 /// compensate     A is summed with the bits it loses: 36 bytes a body in float. Ten times less error over an hour.
 /// energy_return  a tiny turn each step takes back the energy's drift since the last kick: 4 bytes a body. The missing digit
-///                of float over an hour.
+///                of float over an hour. h may change from step to step: the energy is remembered all the same.
 /// substeps_max   1, 2, 4, 8 or 16. Bodies faster than limits::angle_per_substep a step take 2, 4 ... substeps_max substeps;
 ///                the worst case of a step grows with it. Beyond substeps_max * angle_per_substep the turn is clamped to
 ///                that angle about the same axis, and reported.

@@ -135,16 +135,24 @@ INGOT_PART TileFlight begin_flight(const RotationTile& tile, scalar h, scalar ki
 }
 
 /// The energy at the begin of this flight, in the units of a substep: n is a power of two, so the change is exact. 0 where it is not known.
-INGOT_PART lane begin_energy(const EnergyTile& energy, const TileFlight& flight, uint16_t restarts) {
-    lane e_0 = load(energy.E_0);
+INGOT_PART lane begin_energy(const EnergyTile& energy, const TileFlight& flight, scalar unit, uint16_t restarts) {
+    lane e_0 = load(energy.E_0) * splat<lane>(unit);
     if (flight.substeps > 1) e_0 = e_0 / (flight.n * flight.n);
     if (restarts != 0) e_0 = select(mask_from_bits(restarts), lane{}, e_0);
     return e_0;
 }
 
+/// e_0, or where it was not known the energy H of now: it is kept, and stays to the bit. Converted back in every step it would walk by roundings.
+INGOT_PART lane known_energy(EnergyTile& energy, const TileFlight& flight, scalar unit, lane e_0, lane H) {
+    const mask known = e_0 > lane{};
+    if (!any(opposite(known))) return e_0;
+    store(energy.E_0, select(known, load(energy.E_0), H * (flight.n * flight.n) / splat<lane>(unit)));
+    return select(known, e_0, H);
+}
+
 /// Turns the tile through its substeps. A body that does not come out of one is no longer good.
 template <int order, bool compensate, bool energy_return>
-INGOT_PART void turn_tile(const BodyView& bodies, int tile_i, scalar kick_ahead, TileFlight& flight, lane& e_0) {
+INGOT_PART void turn_tile(const BodyView& bodies, int tile_i, const FlightClock& clock, TileFlight& flight, lane e_0) {
     RotationTile& tile = bodies.rotation[tile_i];
     mask good = flight.good, turning = good;
     scalar taken = 0;
@@ -153,7 +161,7 @@ INGOT_PART void turn_tile(const BodyView& bodies, int tile_i, scalar kick_ahead,
         const lane H = dot(flight.y, flight.w) * splat<lane>(scalar(0.5)), C = length_sq(flight.y) * splat<lane>(scalar(0.5));
         Vec3<lane> c = solve_turn<order>(flight.j, flight.y, H, C);
         if constexpr (energy_return) {
-            e_0 = select(e_0 > lane{}, e_0, H);
+            e_0 = known_energy(bodies.energy[tile_i], flight, clock.energy_unit, e_0, H);
             c += turn_of_energy_return(flight.y, flight.w, H, e_0);
         }
         c = select(turning, c, Vec3<lane>{});
@@ -169,7 +177,7 @@ INGOT_PART void turn_tile(const BodyView& bodies, int tile_i, scalar kick_ahead,
         if (substep_i == flight.substeps) break;
         taken += 1;
         turning = flight.n > splat<lane>(taken);
-        flight.look_at(tile, kick_ahead);
+        flight.look_at(tile, clock.kick_ahead);
     }
     flight.good = good;
 }
@@ -201,23 +209,19 @@ int integrate_A_moser_veselov(const BodyView& bodies, scalar h, const FlightCloc
         if (clamped != 0) clamped_count += count_bits(clamped);
 
         // Bodies whose energy is to be taken anew.
-        const uint16_t restarts = static_cast<uint16_t>((clock.h_changed ? all_lanes : tile.kicked) | clamped);
+        const uint16_t restarts = static_cast<uint16_t>(tile.kicked | clamped);
         lane e_0{};
-        if constexpr (energy_return) e_0 = begin_energy(bodies.energy[tile_i], flight, restarts);
+        if constexpr (energy_return) e_0 = begin_energy(bodies.energy[tile_i], flight, clock.energy_unit, restarts);
         // A torque leaves L half a kick beyond the L of this drift: the energy of the flight after it is not known yet.
         if (restarts != 0) {
             const Vec3<lane> tau_T = load(tile.tau_T);
             tile.kicked = static_cast<uint16_t>(clamped | bits(abs(tau_T.x) + abs(tau_T.y) + abs(tau_T.z) > lane{}));
         }
 
-        turn_tile<order, compensate, energy_return>(bodies, tile_i, clock.kick_ahead, flight, e_0);
+        turn_tile<order, compensate, energy_return>(bodies, tile_i, clock, flight, e_0);
         mark_bad(tile.bad, flight.good);
         // Every polar_interval steps; every step where it has substeps.
         if (polar_step || flight.substeps > 1) return_to_rotations<compensate>(bodies, tile_i, flight, polar_step);
-        if constexpr (energy_return) {
-            if (flight.substeps > 1) e_0 = e_0 * (flight.n * flight.n);
-            store(bodies.energy[tile_i].E_0, e_0);
-        }
     }
     return clamped_count;
 }

@@ -33,7 +33,7 @@ INGOT_INLINE void kick(Step<S>& now) {
 /// The motion changes the places: A by the scene's rotation, r_CM (Eq. 1).
 template <class S>
 INGOT_INLINE void drift(Step<S>& now) {
-    const FlightClock clock{now.storage.steps, now.storage.h_changes_to(now.h), now.h / 2};
+    const FlightClock clock{now.storage.steps, now.storage.energy_unit(now.h), now.h / 2};
     over_moving(now, [&now, &clock](const BodyView& some) {
         count(now.report.spins_clamped, S::rotation::integrate_A(some, now.h, clock));
         if constexpr (S::translates) integrate_r(some, now.h, now.storage.gravity);
@@ -77,7 +77,7 @@ struct FieldFlight {
     template <class S>
     static void advance(Step<S>& now) {
         auto& storage = now.storage;
-        const FlightClock clock{storage.steps, storage.h_changes_to(now.h)};
+        const FlightClock clock{storage.steps, storage.energy_unit(now.h)};
         const auto forcing = storage.forcing(storage.gravity_or_none());
         count(now.report.spins_clamped, S::flight::template fly<typename S::rotation>(now.bodies, forcing, now.h, clock));
     }

@@ -60,7 +60,7 @@ bool passes_asleep([[maybe_unused]] Step<S>& now) {
         // Pairs that were lost are searched for again, without those that rest by now.
         if (storage.rest_view().active.any() || storage.bounds_are_made == 0 || storage.pairs_lost != 0) return false;
         if constexpr (has_events<S>) (void)storage.begin_events(now.report);
-        (void)storage.h_changes_to(now.h);
+        (void)storage.energy_unit(now.h);
         count(now.report.contacts, storage.aside_count);
         if constexpr (has_field<S>) storage.advance_time(now.h);
         ++storage.steps;

@@ -120,18 +120,19 @@ struct EnergyReturn : Feature {
     template <class S, bool present>
     struct Memory {
         EnergyTile energy[tile_capacity<S>] = {};
-        scalar h_before = 0;  ///< s, of the last step
+        scalar h_1 = 0;  ///< s, of the first step: energies are kept in units of its square
         EnergyTile* energy_tiles() { return energy; }
-        bool h_changes_to(scalar h) {
-            const bool changed = h != h_before;
-            h_before = h;
-            return changed;
+        scalar energy_unit(scalar h) {
+            if (h == h_1) return 1;
+            if (h_1 == 0) h_1 = h;
+            const scalar ratio = h / h_1;
+            return ratio * ratio;
         }
     };
     template <class S>
     struct Memory<S, false> {
         EnergyTile* energy_tiles() { return nullptr; }
-        bool h_changes_to(scalar) { return false; }
+        scalar energy_unit(scalar) { return 1; }
     };
 
     template <class S, class Each>
@@ -140,23 +141,23 @@ struct EnergyReturn : Feature {
     }
 
     struct OfWorld : NoNumbers {
-        scalar h_before;
+        scalar h_1;
 
         template <class Each>
         constexpr void numbers(Each& each, uint32_t) {
-            each("h_before", h_before);
+            each("h_1", h_1);
         }
         template <class S>
         void take(const Storage<S>& storage) {
-            h_before = storage.h_before;
+            h_1 = storage.h_1;
         }
         template <class S>
         void put(Storage<S>& storage) const {
-            storage.h_before = h_before;
+            storage.h_1 = h_1;
         }
         template <class S>
         bool is_valid(const SavedWorld&) const {
-            return h_before == 0 || check_step(h_before) == Status::ok;
+            return h_1 == 0 || check_step(h_1) == Status::ok;
         }
     };
 };
