@@ -190,6 +190,57 @@ TEST(HardCases, T3_sleeping_top) {
     EXPECT_NEAR(found, expected, 0.05 * expected);
 }
 
+/// Fast tops at coarse steps: 2 rad a step and less. Substeps of no more than 1/4 rad make them what a step of so much is, to twice it: the spin
+/// changes a little on the way, and with it the number of substeps.
+TEST(HardCases, T2_commutator_free_at_coarse_steps) {
+    for (const char* name : {"regular_slow", "regular_fast", "cuspidal", "looping", "wavy"}) {
+        const TopCase top(name);
+        int fine = 16;
+        while (static_cast<double>(top.w_body_0.norm()) / fine > 0.25) fine *= 2;
+        const double wanted = flown<CommutatorFree4>(top, fine);
+        EXPECT_GT(wanted, 0);
+        for (int rate = 16; rate < fine; rate *= 2) {
+            const double error = flown<CommutatorFree4>(top, rate);
+            std::printf("    %-13s %3d Hz: %.1e rad, at %d Hz %.1e\n", name, rate, error, fine, wanted);
+            EXPECT_GE(error, 0);
+            EXPECT_LE(error, 2 * wanted + 10 * float_floor(top, fine));
+        }
+    }
+}
+
+/// A body takes the substeps of its own spin, in whatever tile it is: the same bits alone and beside faster ones. Beyond 4 rad a step it is reported.
+TEST(HardCases, T2_commutator_free_substeps_are_of_each_body) {
+    const TopCase top("looping");
+    using Scene = Flyer<ingot::WeightAboutPoint, CommutatorFree4, ingot::MoserVeselov, 8>;
+    ingot::World<Scene> crowd{};
+    crowd.force_field() = field_of(top);
+    ingot::BodyDef def = definition(1, top.I);
+    def.state.A = to_matrix(top.A_0);
+    ingot::BodyId ids[8];
+    const auto spin = [&](int i) { return to_vector(Eigen::Vector3d(top.L.cast<double>() * std::pow(0.5, 4 - i))); };
+    for (int i = 0; i < 8; ++i) {
+        def.state.L = spin(i);
+        ids[i] = crowd.add(def).value;
+    }
+    int reported = 0;
+    for (int step_i = 0; step_i < 64; ++step_i) reported += ingot::step(crowd, ingot::scalar(1) / 64).spins_clamped;
+    // 24 rad/s times 2^(i - 4): 0.02 to 3 rad a step, but for a nutation that may reach beyond.
+    EXPECT_EQ(reported, 0);
+    for (int i = 0; i < 8; ++i) {
+        ingot::World<Scene> alone{};
+        alone.force_field() = field_of(top);
+        def.state.L = spin(i);
+        const ingot::BodyId id = alone.add(def).value;
+        for (int step_i = 0; step_i < 64; ++step_i) (void)ingot::step(alone, ingot::scalar(1) / 64);
+        EXPECT_EQ(to_eigen(alone.state(id).value.A), to_eigen(crowd.state(ids[i]).value.A)) << i;
+        EXPECT_EQ(to_eigen(alone.state(id).value.L), to_eigen(crowd.state(ids[i]).value.L)) << i;
+    }
+    def.state.L = to_vector(Eigen::Vector3d(top.L.cast<double>() * 16));
+    ingot::World<Scene> fast{};
+    ASSERT_TRUE(fast.add(def).ok());
+    EXPECT_EQ(ingot::step(fast, ingot::scalar(1) / 64).spins_clamped, 1);
+}
+
 TEST(HardCases, T4_chaotic_top) {
     const TopCase top("asymmetric_chaotic");
     const double exact = flown<BlanesMoan4>(top, 64), free = flown<CommutatorFree4>(top, 64), plain = flown<KickDriftKick>(top, 64);
@@ -234,7 +285,7 @@ TEST(HardCases, R16_torque_in_body_axes_and_in_world_axes) {
     if (!is_double) return;  // float is at its floor before the slopes show
     for (const char* name : {"body_asymmetric", "world_rotating", "world_mixed"}) {
         const DrivenCase body(name);
-        const double two = slope_of<KickDriftKick>(body, 64), four = slope_of<CommutatorFree4>(body, 32);
+        const double two = slope_of<KickDriftKick>(body, 64), four = slope_of<CommutatorFree4>(body, 64);  // no substeps
         std::printf("    %-16s order %.2f (kick-drift-kick), %.2f (commutator-free)\n", name, two, four);
         EXPECT_NEAR(two, 2, 0.3) << name;
         EXPECT_NEAR(four, 4, 0.3) << name;

@@ -28,7 +28,8 @@ struct [[nodiscard]] StepReport {
     uint8_t direct{};            ///< DirectBits
 
     uint16_t bodies_frozen{};    ///< driven out of range in this step: they stand still, see World::is_frozen
-    uint16_t spins_clamped{};    ///< turned by the largest angle a step allows instead of omega h: lower h
+    /// turned by the largest angle a step allows instead of omega h, or, by CommutatorFree4, further than its substeps are right for: lower h
+    uint16_t spins_clamped{};
     uint16_t contacts{};         ///< contacts found
     /// no room: raise Scene::max_manifolds, or max_contacts in a scene of impacts without friction; pairs_lost are among them
     uint16_t contacts_lost{};
