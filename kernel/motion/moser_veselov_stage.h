@@ -95,22 +95,22 @@ struct TileFlight {
     }
 };
 
-/// Bodies that turn far within a step take substeps, 1, 2, 4 ... substeps_max, so that none turns by more than limits::angle_per_substep. A body that
+/// Bodies that turn far within a step take substeps, 1, 2, 4 ... substeps_max, so that the square of no turn is more than angle_sq_max. A body that
 /// turns further than the most of them reach is clamped: the rest of its turn is left out.
-INGOT_PART void cut_into_substeps(TileFlight& flight, lane angle_sq, scalar h, int substeps_max) {
+INGOT_PART void cut_into_substeps(TileFlight& flight, lane angle_sq, scalar h, int substeps_max, scalar angle_sq_max) {
     const lane one = splat<lane>(1);
     const scalar angle_max = limits::spin_runaway * h;
     flight.good = angle_sq <= splat<lane>(angle_max * angle_max);
-    scalar limit = limits::angle_per_substep, doubled = 2;
+    scalar limit_sq = angle_sq_max, doubled = 2;  // a power of four, and of two: what is made of them is exact
     // bound: log2(substeps_max): most doubles
-    for (int most = 2; most <= substeps_max; most *= 2, doubled *= 2, limit *= 2) {
-        const mask beyond = angle_sq > splat<lane>(limit * limit);
+    for (int most = 2; most <= substeps_max; most *= 2, doubled *= 2, limit_sq *= 4) {
+        const mask beyond = angle_sq > splat<lane>(limit_sq);
         flight.n = select(beyond, splat<lane>(doubled), flight.n);
         if (any(beyond)) flight.substeps = most;
     }
-    const mask clamped = both(flight.good, angle_sq > splat<lane>(limit * limit));
+    const mask clamped = both(flight.good, angle_sq > splat<lane>(limit_sq));
     lane fraction = one;  // of the step, in a substep
-    if (any(clamped)) fraction = select(clamped, splat<lane>(limit) / sqrt(select(clamped, angle_sq, one)), one);
+    if (any(clamped)) fraction = select(clamped, splat<lane>(sqrt(limit_sq)) / sqrt(select(clamped, angle_sq, one)), one);
     fraction = fraction / flight.n;
     flight.clamped = bits(clamped);
     flight.step = flight.step * fraction;
@@ -118,8 +118,7 @@ INGOT_PART void cut_into_substeps(TileFlight& flight, lane angle_sq, scalar h, i
     flight.w = scaled(flight.j, flight.y);
 }
 
-INGOT_PART TileFlight begin_flight(const RotationTile& tile, scalar h, scalar kick_ahead, int substeps_max) {
-    constexpr scalar far_sq = limits::angle_per_substep * limits::angle_per_substep;
+INGOT_PART TileFlight begin_flight(const RotationTile& tile, scalar h, scalar kick_ahead, int substeps_max, scalar angle_sq_max) {
     TileFlight flight;
     flight.j = load(tile.inv_I_ratio);
     flight.driven = tile.kicked != 0;
@@ -130,7 +129,7 @@ INGOT_PART TileFlight begin_flight(const RotationTile& tile, scalar h, scalar ki
     flight.substeps = 1;
     flight.clamped = 0;
     const lane angle_sq = length_sq(flight.w);
-    if (any(angle_sq > splat<lane>(far_sq))) cut_into_substeps(flight, angle_sq, h, substeps_max);
+    if (any(angle_sq > splat<lane>(angle_sq_max))) cut_into_substeps(flight, angle_sq, h, substeps_max, angle_sq_max);
     return flight;
 }
 
@@ -156,7 +155,7 @@ INGOT_PART void turn_tile(const BodyView& bodies, int tile_i, const FlightClock&
     RotationTile& tile = bodies.rotation[tile_i];
     mask good = flight.good, turning = good;
     scalar taken = 0;
-    // bound: substeps_max: left at substep_i == substeps, a power of two up to substeps_max
+    // bound: substeps_max: left at substep_i == substeps, a power of two up to that
     for (int substep_i = 1;; ++substep_i) {
         const lane H = dot(flight.y, flight.w) * splat<lane>(scalar(0.5)), C = length_sq(flight.y) * splat<lane>(scalar(0.5));
         Vec3<lane> c = solve_turn<order>(flight.j, flight.y, H, C);
@@ -197,14 +196,14 @@ INGOT_PART void return_to_rotations(const BodyView& bodies, int tile_i, const Ti
 }
 
 template <int order, bool compensate, bool energy_return>
-int integrate_A_moser_veselov(const BodyView& bodies, scalar h, const FlightClock& clock, int substeps_max) {
+int integrate_A_moser_veselov(const BodyView& bodies, scalar h, const FlightClock& clock, int substeps_max, scalar angle_sq_max) {
     INGOT_ASSERT(!compensate || bodies.compensation != nullptr);
     INGOT_ASSERT(!energy_return || bodies.energy != nullptr);
     const bool polar_step = clock.steps % limits::polar_interval == 0;
     int clamped_count = 0;
     for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) {  // bound: max_bodies / lanes, rounded up
         RotationTile& tile = bodies.rotation[tile_i];
-        TileFlight flight = begin_flight(tile, h, clock.kick_ahead, substeps_max);
+        TileFlight flight = begin_flight(tile, h, clock.kick_ahead, substeps_max, angle_sq_max);
         const uint16_t clamped = flight.clamped;
         if (clamped != 0) clamped_count += count_bits(clamped);
 
@@ -228,9 +227,9 @@ int integrate_A_moser_veselov(const BodyView& bodies, scalar h, const FlightCloc
 
 /// The four stages of one order that a library holds; the linker takes the one a scene names.
 #define INGOT_MOSER_VESELOV_STAGES(order)                                                                    \
-    template int integrate_A_moser_veselov<order, false, false>(const BodyView&, scalar, const FlightClock&, int); \
-    template int integrate_A_moser_veselov<order, false, true>(const BodyView&, scalar, const FlightClock&, int);  \
-    template int integrate_A_moser_veselov<order, true, false>(const BodyView&, scalar, const FlightClock&, int);  \
-    template int integrate_A_moser_veselov<order, true, true>(const BodyView&, scalar, const FlightClock&, int)
+    template int integrate_A_moser_veselov<order, false, false>(const BodyView&, scalar, const FlightClock&, int, scalar); \
+    template int integrate_A_moser_veselov<order, false, true>(const BodyView&, scalar, const FlightClock&, int, scalar);  \
+    template int integrate_A_moser_veselov<order, true, false>(const BodyView&, scalar, const FlightClock&, int, scalar);  \
+    template int integrate_A_moser_veselov<order, true, true>(const BodyView&, scalar, const FlightClock&, int, scalar)
 
 } }  // namespace ingot
