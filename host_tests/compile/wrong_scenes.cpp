@@ -239,6 +239,14 @@ struct Wrong : ingot::Scene {
     };
     using force_field = Secret;
 #endif
+#ifdef SUMS_OF_LISTING_1
+    static constexpr bool compensated_sums = true;
+    using rotation = ingot::Listing1Euler;
+#endif
+#ifdef SUMS_IN_A_FIELD
+    static constexpr bool compensated_sums = true;
+    using force_field = ingot::Spring;
+#endif
 #ifdef GRAVITY_SHARES_WITHOUT_TRANSLATION
     static constexpr bool gravity_shares = true;
 #endif

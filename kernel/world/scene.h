@@ -38,6 +38,7 @@ struct Scene {
     static constexpr bool gravity_shares = false; ///< bodies may feel more or less of gravity than others: World::set_gravity_share
     static constexpr bool body_forces  = false;  ///< forces and torques that turn with their body: World::add_body_force
     static constexpr bool damping      = false;  ///< velocities die away, by rates of each body: World::set_damping
+    static constexpr bool compensated_sums = false; ///< L, v_CM and r_CM keep what their roundings take off: for float at high rates
     static constexpr bool user_data    = false;  ///< a word of each body is the user's: World::set_user_data
     static constexpr bool reads_contacts = false; ///< World::contact tells all impulses of a step, and where impacts of max_contacts are
     static constexpr int  max_contacts = 0;      ///< points of contact in one step, 0 .. 65535, of FrictionlessImpacts

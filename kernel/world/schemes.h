@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../impulse/solve_contact_forces.h"
+#include "../motion/compensated_sums.h"
 #include "../motion/integrate_L.h"
 #include "../motion/integrate_r.h"
 #include "../motion/integrate_v.h"
@@ -21,10 +22,23 @@ INGOT_INLINE void over_moving(Step<S>& now, const Stage& stage) {
         stage(now.bodies);
 }
 
+/// The sums of the bodies of a view, in scenes with compensated_sums.
+template <class S>
+INGOT_INLINE SumView sums_of(Step<S>& now, const BodyView& some) {
+    const uint16_t* awake = nullptr;
+    if constexpr (S::sleeps) awake = now.storage.rest_view().awake;
+    return now.storage.sums(static_cast<int>(some.rotation - now.bodies.rotation), awake);
+}
+
 /// Forces change the motion: L (Eq. 16) and v_CM (Eq. 14).
 template <class S>
 INGOT_INLINE void kick(Step<S>& now) {
     over_moving(now, [&now](const BodyView& some) {
+        if constexpr (S::compensated_sums) {
+            integrate_L_in_sums(some, sums_of(now, some), now.h);
+            if constexpr (S::translates) integrate_v_in_sums(some, sums_of(now, some), now.h, now.storage.gravity);
+            return;
+        }
         integrate_L(some, now.h);
         if constexpr (S::translates) integrate_v(some, now.h, now.storage.gravity);
     });
@@ -36,7 +50,10 @@ INGOT_INLINE void drift(Step<S>& now) {
     const FlightClock clock{now.storage.steps, now.storage.energy_unit(now.h), now.h / 2};
     over_moving(now, [&now, &clock](const BodyView& some) {
         count(now.report.spins_clamped, S::rotation::integrate_A(some, now.h, clock));
-        if constexpr (S::translates) integrate_r(some, now.h, now.storage.gravity);
+        if constexpr (S::translates && S::compensated_sums)
+            integrate_r_in_sums(some, sums_of(now, some), now.h, now.storage.gravity);
+        else if constexpr (S::translates)
+            integrate_r(some, now.h, now.storage.gravity);
     });
 }
 

@@ -33,6 +33,7 @@ class World : public WorldQueries<SceneOf<User>> {
     using Base::field_only;
     using Base::compounds_only;
     using Base::touched;
+    using Base::moved;
     using Base::lives;
     using Base::id_of;
     using Base::find;
@@ -141,9 +142,9 @@ public:
         if constexpr (has_compounds<S>) {
             const Status status = slot.ok() ? write_state(storage_.bodies(), slot.value, state) : slot.status;
             if (status == Status::ok) place_shapes(storage_.bodies(), storage_.compound_view(), slot.value);
-            return slot.ok() ? touched(slot.value, status) : status;
+            return slot.ok() ? moved(slot.value, status) : status;
         }
-        return slot.ok() ? touched(slot.value, write_state(storage_.bodies(), slot.value, state)) : slot.status;
+        return slot.ok() ? moved(slot.value, write_state(storage_.bodies(), slot.value, state)) : slot.status;
     }
 
     /// Mass, kg, to the rounding of two divisions; 0 for an immovable body.

@@ -16,6 +16,7 @@ protected:
     using Base::sensors_only;
     using Base::compounds_only;
     using Base::touched;
+    using Base::moved;
     using Base::find;
     using Base::find_shape;
 
@@ -32,7 +33,7 @@ public:
         if (!slot.ok()) return slot.status;
         const Status status = write_mass(storage_.bodies(), slot.value, mass);
         if (status == Status::ok) move_shapes(slot.value);
-        return touched(slot.value, status);
+        return moved(slot.value, status);
     }
     /// Principal moments, kg m^2, to the rounding of a division; 0 for an immovable body.
     Result<Vector> inertia(BodyId id) const {
@@ -203,6 +204,7 @@ private:
     /// As if it was added.
     Status come_back(int slot) {
         move_shapes(slot);
+        if constexpr (S::compensated_sums) features::CompensatedSums::forget_body(storage_, slot);
         if constexpr (S::sleeps) begin_awake(storage_.rest_view(), slot);
         return Status::ok;
     }

@@ -79,6 +79,12 @@ protected:
                 wake_by(storage_, [&](const ManifoldView& manifolds) { wake_touching(storage_.bodies(), storage_.rest_view(), manifolds, slot); });
         return status;
     }
+    /// The same of a call that sets a motion: what sums knew beyond the one before is gone.
+    Status moved(int slot, Status status) {
+        if constexpr (S::compensated_sums)
+            if (status == Status::ok) features::CompensatedSums::forget_body(storage_, slot);
+        return touched(slot, status);
+    }
     bool sleeps_in(int slot) const { return is_dynamic(storage_.bodies(), slot) && !storage_.is_awake(slot); }
     Result<int> find_movable(BodyId id) const {
         const Result<int> slot = find(id);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "body_traits.h"
+#include "compensated_sums.h"
 #include "gravity_shares.h"
 #include "materials.h"
 #include "motion.h"
@@ -16,7 +17,7 @@ namespace ingot { inline namespace INGOT_ABI { namespace features {
 
 using All = FeatureList<Rotation, Translation, Compensation, EnergyReturn, FieldOfForce, Surfaces, Compounds, Impacts, Manifolds, Unsettled,
                         RollingResistance, Belts, Filters, Sensors, Continuous, Events, ToldEvents, Sleep, GravityShares, TouchAside, SteadyField,
-                        UserData, BodyForces, BodyDamping, ReadsContacts>;
+                        UserData, BodyForces, BodyDamping, ReadsContacts, CompensatedSums>;
 
 static_assert(All::bits_differ(SnapshotPart::doubles | SnapshotPart::anchors | SnapshotPart::pointwise));  // of a snapshot's parts
 
