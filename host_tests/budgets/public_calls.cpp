@@ -73,6 +73,9 @@ struct ManyShapes : Touching {
     static constexpr bool rolling_resistance = true, surface_velocities = true;
     using force_field = BothFields<SpringDamper, PointMassGravity>;
 };
+struct Carrying : Sleeping {
+    static constexpr bool kinematic_bodies = true;
+};
 struct Following : Telling {
     static constexpr bool continuous = true;
     using shapes = Shapes<Sphere, Capsule, Box, Cylinder, HalfSpace>;
@@ -158,6 +161,10 @@ CALL(add_body_torque)(World<Floating>& world, BodyId id, const Vector& tau) { re
 CALL(set_damping)(World<Floating>& world, BodyId id, const Damping& damping) { return world.set_damping(id, damping); }
 CALL(damping)(const World<Floating>& world, BodyId id) { return world.damping(id); }
 CALL(set_user_data)(World<Floating>& world, BodyId id, uint32_t word) { return world.set_user_data(id, word); }
+CALL(set_velocity)(World<Carrying>& world, BodyId id, const Vector& v_CM, const Vector& omega) { return world.set_velocity(id, v_CM, omega); }
+CALL(move_to)(World<Carrying>& world, BodyId id, const Vector& r_CM, const Matrix& A) { return world.move_to(id, r_CM, A); }
+CALL(set_kinematic)(World<Carrying>& world, BodyId id) { return world.set_kinematic(id); }
+CALL(is_kinematic)(const World<Carrying>& world, BodyId id) { return world.is_kinematic(id); }
 CALL(user_data)(const World<Floating>& world, BodyId id) { return world.user_data(id); }
 CALL(apply_impulse)(World<Sleeping>& world, BodyId id, const Vector& j, const Vector& P) { return world.apply_impulse(id, j, P); }
 CALL(apply_central_impulse)(World<Sleeping>& world, BodyId id, const Vector& j) { return world.apply_central_impulse(id, j); }

@@ -36,7 +36,8 @@ set(narrow_phase_shares manifold manifold_points box_axes contact_geometry conta
   manifold_anchors find_manifolds normal_cone)
 set(query_shares candidates query_filter ray_on_shapes cast_ray)
 set(impulse_shares contact collide_shapes contact_rows impulse)
-set(constraint_shares belts block_bodies block_rows block_solve contact contact_block flight friction impact_note laws material_view normals response rolling
+set(constraint_shares belts block_bodies block_rows block_solve contact contact_block flight friction impact_note kinematic_motion_at kinematic_view laws
+  material_view normals response rolling
   row_flight row_pair rows solver_body solver_view surface_materials torsion visit)
 set(island_shares active_tiles awake_tiles disjoint_sets rest_view)
 set(sleep_shares wake)
@@ -44,10 +45,10 @@ set(events_shares contact_events pair_rules)
 set(continuous_shares body_path fast_pairs time_of_impact pair_sub_world pair_contacts continuous_collision next_impact
   free_paths resolve_impact)
 # swept_contacts has the stages of a substep, for block_sweeps and hybrid_islands to conduct; plan_islands begins a batch.
-set(solver_sweeps_shares block_sweeps swept_contacts conjugate_gradients move_bodies note_impulses order_manifolds plan_islands predict_contacts
+set(solver_sweeps_shares block_sweeps swept_contacts conjugate_gradients kinematic_contacts move_bodies note_impulses order_manifolds plan_islands predict_contacts
   sequence_impacts solve_velocities sweep_positions sweep_velocities warm_start)
 # solve_sequentially conducts the stages of its substeps, and sequential_impulses names it to scenes.
-set(solver_sequential_shares point_view point_visit point_visits point_rows sequential_contacts move_point_bodies sweep_points solve_sequentially)
+set(solver_sequential_shares kinematic_points point_view point_visit point_visits point_rows sequential_contacts move_point_bodies sweep_points solve_sequentially)
 # hybrid_islands conducts the stages, and calls the others of its room.
 set(solver_direct_shares direct_view hybrid_contacts hold_energy misfit island_rows choose_islands normal_set sliding factor_rows solve_island solve_directly)
 

@@ -247,6 +247,9 @@ struct Wrong : ingot::Scene {
     static constexpr bool compensated_sums = true;
     using force_field = ingot::Spring;
 #endif
+#ifdef KINEMATIC_WITHOUT_SHAPES
+    static constexpr bool kinematic_bodies = true;
+#endif
 #ifdef GRAVITY_SHARES_WITHOUT_TRANSLATION
     static constexpr bool gravity_shares = true;
 #endif
@@ -305,6 +308,9 @@ int main() {
 #endif
 #ifdef DAMPING_WITHOUT_DAMPING
     (void)world.set_damping(id, {});
+#endif
+#ifdef PLATFORM_WITHOUT_KINEMATIC_BODIES
+    (void)world.set_velocity(id, {});
 #endif
 #ifdef WORD_WITHOUT_USER_DATA
     (void)world.set_user_data(id, 1);

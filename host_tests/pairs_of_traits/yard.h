@@ -81,6 +81,15 @@ void add_sensor(ingot::World<S>& world) {
     (void)add(world, sensor);
 }
 
+/// The wall comes nearer, turns, and goes from pose to pose; the lowest cube is a lift and then a turntable.
+template <class S>
+void move_kinematic(ingot::World<S>& world, const Ids& ids, int step_i) {
+    if (step_i == 5) expect(world.set_velocity(ids.wall, {-6, 0, 0}, {0, 0, scalar(0.25)}));
+    if (step_i >= 40) expect(world.move_to(ids.wall, {scalar(4) - scalar(step_i - 40) / 16, 0, 3}, ingot::identity_matrix<scalar>()));
+    if (step_i == 2) expect(world.set_velocity(ids.cubes[0], {0, 0, scalar(0.5)}));
+    if (step_i == 20) expect(world.set_velocity(ids.cubes[0], {}, {0, 0, 2}));
+}
+
 template <class S>
 void add_hulls(ingot::World<S>& world) {
     for (int i = 0; i < 2; ++i) {

@@ -33,6 +33,9 @@ inline constexpr scalar step_max     = scalar(1);     ///< s; bad_step
 inline constexpr scalar speed_runaway = scalar(1e9);  ///< m/s
 inline constexpr scalar spin_runaway  = scalar(1e9);  ///< rad/s
 
+/// rad in a step, by which a kinematic body turns at most: beyond it nothing that touches it could follow.
+inline constexpr scalar kinematic_turn_max = 500;
+
 // Tolerances of input.
 /// Largest entry of |A^T A - 1| that is taken for a rotation; it is then made orthonormal at the door.
 inline constexpr scalar orthogonality = scalar(1e-2);

@@ -11,6 +11,7 @@ namespace ingot { inline namespace INGOT_ABI {
 namespace {
 
 constexpr scalar turn_max = 500;  ///< rad in a step, of a path; no method follows a body that far
+static_assert(turn_max == limits::kinematic_turn_max);
 
 Vector turn_in_range(const Vector& turn) {
     const scalar angle_sq = length_sq(turn);
@@ -48,7 +49,10 @@ PathFrame frame_on_path(const BodyPath& path, scalar t) {
 }
 
 bool begins_fast(const BodyView& bodies, const BodyShapes& shapes, scalar h, int slot) {
-    if (!is_dynamic(bodies, slot)) return false;
+    return is_dynamic(bodies, slot) && kinematic_begins_fast(bodies, shapes, h, slot);
+}
+
+bool kinematic_begins_fast(const BodyView& bodies, const BodyShapes& shapes, scalar h, int slot) {
     const Vector way = lane_of(bodies.translation[place_of(slot).tile].v_CM, place_of(slot).lane) * h, turn = omega_of(bodies, slot) * h;
     return is_fast(extent_of(shapes, slot), sqrt(length_sq(way)), sqrt(length_sq(turn)));
 }
@@ -66,6 +70,13 @@ void begin_path(const BodyView& bodies, scalar h, int slot, BodyPath& path) {
     path.until = 1;
     path.next = never;
     path.fast = fast;
+}
+
+void begin_kinematic_path(BodyPath& path) {
+    path.turn = turn_in_range(path.turn);
+    path.until = 1;
+    path.next = never;
+    path.in_contact = path.falls_free = false;
 }
 
 scalar end_of_path(const Vector& turn, scalar from) {

@@ -58,6 +58,8 @@ PathFrame frame_on_path(const BodyPath& path, scalar t);
 
 /// Before a step of h seconds: whether a body is fast, by v_CM and omega.
 bool begins_fast(const BodyView& bodies, const BodyShapes& shapes, scalar h, int slot);
+/// The same of one that shows the motion of a kinematic body.
+bool kinematic_begins_fast(const BodyView& bodies, const BodyShapes& shapes, scalar h, int slot);
 /// And where it begins. Whether it is fast stays as it is known.
 void begin_path(const BodyView& bodies, scalar h, int slot, BodyPath& path);
 
@@ -96,6 +98,13 @@ bool leaves_bounds(const PathPoint& begin, const Vector& way, const Vector& turn
 
 /// The path from one point to another, as it turns in the mean of both, and what that leaves to the other's A. fall: m in a step, squared.
 void lay_path(const PathPoint& begin, scalar from, const PathPoint& end, scalar until, const Vector& fall, BodyPath& path);
+
+/// The path of a kinematic body as the step begins is what it goes, whoever it meets.
+INGOT_INLINE bool is_kinematic_path(const BodyView& bodies, const BodyPath& path, int slot) {
+    return !is_dynamic(bodies, slot) && length_sq(path.way) + length_sq(path.turn) > 0;
+}
+/// It turns by limits::kinematic_turn_max at most.
+void begin_kinematic_path(BodyPath& path);
 
 /// Whether a path is fast.
 bool is_fast_path(const BodyPath& path, const BodyExtent& extent);

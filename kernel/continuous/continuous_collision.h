@@ -42,7 +42,7 @@ struct AwakeBodies {
 /// What the collision of a step works on.
 ///
 /// Scene: as types and numbers, Shapes (with the forms of hulls), Rotation, Solver, View (of that solver), notes_impulses, bounces, and
-/// pair_manifolds, the room for what two bodies do to each other.
+/// pair_manifolds, the room for what two bodies do to each other; sees_kinematic, where bodies may be kinematic.
 /// Meets: bool(shape slot, shape slot), of those that are solid to each other. Sensors: PassedSensors, or NoPassedSensors.
 /// Tree: a SortedTreeView over the fat AABBs of all shapes, or NoTree.
 template <class Scene, class MovingBodies, class Meets, class Sensors, class Tree>
@@ -73,6 +73,15 @@ struct PairRoom {
     PairSubWorld two;
     typename Collision::Contacts contacts;
 };
+
+/// Whether a body goes its way whoever it meets.
+template <class Collision>
+bool is_kinematic([[maybe_unused]] const Collision& collision, [[maybe_unused]] int slot) {
+    if constexpr (Collision::SceneTraits::sees_kinematic)
+        return collision.moving.has(slot) && is_kinematic_path(collision.bodies, collision.paths[slot], slot);
+    else
+        return false;
+}
 
 /// True for shapes with a manifold in this step. Bound: a search in a sorted list.
 template <class Collision>

@@ -21,6 +21,11 @@ void wait_at(const Collision& collision, int slot, scalar t, PairSubWorld& two) 
 template <class Collision>
 void lay_path_of_step(const Collision& collision, int slot, PairSubWorld& two) {
     BodyPath& path = collision.paths[slot];
+    if (is_kinematic(collision, slot)) {
+        begin_kinematic_path(path);
+        if (path.fast) collision.lists->add_fast(collision.paths, slot);
+        return;
+    }
     const PathPoint begin = {path.r_CM, path.way, path.turn, path.A};
     const Vector way = flight_state(collision.bodies, slot).r_CM - begin.r_CM;
     path.in_contact = takes_part(collision.solver, slot);
@@ -81,6 +86,8 @@ bool take_impact(const Collision& collision, const int (&slots)[2], bool followe
 /// What was made fast by the contacts of this step is seen too: all goes by the ways that bodies have gone.
 /// Of bodies of several shapes the first pair of shapes that meets counts, and all that touch then are solved together; those that find no room
 /// among limits::pair_manifolds_max are counted in report.contacts_lost.
+/// Kinematic bodies are met where they are at the time, and one that is fast meets those in its way; it waits for nobody, so it also throws what
+/// takes part in the contacts of the step. Whom it has met limits::impacts_of_body_max times it meets in the next step.
 /// Bound: impacts_of_body_max impacts a body, and as many parts of paths as their turns need, limits::path_parts_max a body and step.
 /// Cost:  for each fast body and part of its path O(log bodies) with a tree, a look at every body without; and some searches for nearest points for
 ///        those near its path.
@@ -102,10 +109,10 @@ void follow_fast_bodies(const Collision& collision, StepReport& report) {
         if (slots[1] != slot_A && collision.moving.has(slots[1])) note_passed_sensors(collision, slots[1], t);
         if (slots[1] == slot_A) {
             lay_free_path(collision, slot_A, motion_at(collision, slot_A, t, room.two), t, room.two);
-        } else if (take_impact(collision, slots, is_followed(collision, A, B, slots[1], t))) {
+        } else if (take_impact(collision, slots, is_kinematic(collision, slot_A) || is_followed(collision, A, B, slots[1], t))) {
             resolve_impact(collision, slots, t, room, report);
         } else {
-            const bool both = B.fast;
+            const bool both = B.fast && !is_kinematic(collision, slots[1]);
             wait_at(collision, slot_A, t, room.two);
             if (both) wait_at(collision, slots[1], t, room.two);
             if (t < 1 - limits::last_moment) count(report.impacts_deferred, both ? 2 : 1);

@@ -39,6 +39,12 @@ template <class Collision>
 FlightState motion_at(const Collision& collision, int slot, scalar t, PairSubWorld& two) {
     const BodyPath& path = collision.paths[slot];
     FlightState motion = flight_state(collision.bodies, slot);
+    if (is_kinematic(collision, slot)) {
+        const PathFrame at = frame_on_path(path, t);
+        motion.r_CM = at.r_CM;
+        motion.A = at.A;
+        return motion;
+    }
     if (!(collision.bodies.translation[place_of(slot).tile].inv_M[place_of(slot).lane] > 0)) return motion;
     if (path.falls_free) {
         fly_alone(collision, slot, t, two);

@@ -41,10 +41,18 @@ void for_fast(const Collision& collision, const Each& each) {
         if (collision.paths[slot - 1].fast) each(slot - 1);
 }
 
+/// Whether a kinematic body takes no notice of another: what cannot move, what sleeps, and what it has met as often as may be.
+template <class Collision>
+bool is_passed_by(const Collision& collision, int slot, int other) {
+    if (!is_kinematic(collision, slot)) return false;
+    return !is_dynamic(collision.bodies, other) || !collision.moving.has(other) || collision.paths[other].impacts >= limits::impacts_of_body_max;
+}
+
 /// Looks whether one body meets another before all else that comes to it. Of two that come at the same time the first counts, or, where they are
 /// looked at in whatever order, the lower.
 template <class Collision>
 void consider(const Collision& collision, int slot, int other, bool lower_counts) {
+    if (is_passed_by(collision, slot, other)) return;
     const scalar unit = collision.shapes.surfaces.unit;
     BodyPath at_rest, &path = collision.paths[slot];
     const BodyPath& path_B = path_of(collision, other, at_rest);
@@ -55,6 +63,7 @@ void consider(const Collision& collision, int slot, int other, bool lower_counts
             if (!may_meet(A, B, unit) || !collision.meets(shape_A.number, shape_B.number)) return;
             const scalar latest = min(path.next, min(path.until, path_B.until));
             const scalar t = time_of_impact(A, B, unit, latest, !is_solved(collision, {shape_A, shape_B}));
+            if (is_kinematic(collision, slot) && !(t < 1 - limits::last_moment)) return;  // the next step finds them
             const bool ties = lower_counts && t <= latest && !(t < path.next) && path.next_slot != slot && other < path.next_slot;
             if (!(t < latest || ties)) return;
             path.next = t;
@@ -69,7 +78,7 @@ void note_passed_sensors([[maybe_unused]] const Collision& collision, [[maybe_un
     if constexpr (decltype(collision.sensors)::some) {
         const scalar unit = collision.shapes.surfaces.unit;
         const BodyPath& path = collision.paths[slot];
-        if (!path.fast) return;
+        if (!path.fast || is_kinematic(collision, slot)) return;
         for_others_near(collision, slot, [&](int other) {
             BodyPath at_rest;
             const BodyPath& path_B = path_of(collision, other, at_rest);

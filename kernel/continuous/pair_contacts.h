@@ -4,6 +4,7 @@
 
 #include "../base/report.h"
 #include "../constraint/impact_note.h"
+#include "../constraint/kinematic_view.h"
 #include "../constraint/surface_materials.h"
 #include "pair_sub_world.h"
 
@@ -74,6 +75,7 @@ struct PairContacts {
             own.local_of = local_of;
             own.body_count = own.island_count = 0;
         }
+        if constexpr (sees_kinematic<View>) own.kinematic.of_slots = nullptr;
         if constexpr (View::rolls) own.rolling_records = rolling;
         if constexpr (View::has_belts) own.belt_velocities = belts;
         return own;

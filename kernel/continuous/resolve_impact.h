@@ -5,6 +5,7 @@
 #include "../narrow_phase/find_manifolds.h"
 #include "../solver/conduct_substeps.h"
 #include "../solver/sweeps/move_bodies.h"
+#include "../body/kinematic_motion.h"
 #include "free_paths.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -71,6 +72,23 @@ void find_pair_contacts(const Collision& collision, const int (&slots)[2], PairR
     });
 }
 
+/// Kinematic bodies of a sub-world as they are at time t, and how they move: see body/kinematic_motion.h.
+template <class Collision>
+void show_kinematic(const Collision& collision, const int (&slots)[2], scalar t, PairSubWorld& two) {
+    for (int which = 0; which < 2; ++which) {
+        if (!is_kinematic(collision, slots[which])) continue;
+        const BodyPath& path = collision.paths[slots[which]];
+        const PathFrame at = frame_on_path(path, t);
+        put_state(two.bodies(), which, {at.r_CM, {}, {}, at.A});
+        show_kinematic_motion(two.bodies(), which, path.way * (1 / collision.clock.h), path.turn * (1 / collision.clock.h));
+    }
+}
+template <class Collision>
+void hide_kinematic(const Collision& collision, const int (&slots)[2], PairSubWorld& two) {
+    for (int which = 0; which < 2; ++which)
+        if (is_kinematic(collision, slots[which])) hide_kinematic_motion(two.bodies(), which);
+}
+
 /// Two bodies in their sub-world for h seconds, by the laws of any step. True if they press on each other at the end.
 template <class Collision>
 bool solve_pair_for(const Collision& collision, const int (&slots)[2], PairRoom<Collision>& room, scalar h, StepReport& report) {
@@ -79,6 +97,7 @@ bool solve_pair_for(const Collision& collision, const int (&slots)[2], PairRoom<
     const Vector gravity = collision.clock.gravity;
     find_pair_contacts(collision, slots, room, h, report);
     if (room.contacts.count == 0) {
+        hide_kinematic(collision, slots, room.two);
         fly_freely<typename Traits::Rotation>(two, gravity, h);
         return false;
     }
@@ -86,6 +105,7 @@ bool solve_pair_for(const Collision& collision, const int (&slots)[2], PairRoom<
     typename Traits::View solver = room.contacts.solver(collision.solver);
     room.two.keep_forces();
     Traits::Solver::template solve_pair<Traits::notes_impulses, Traits::bounces>(solver, {two, gravity, h, {room.contacts.notes, nullptr}}, report);
+    hide_kinematic(collision, slots, room.two);
     integrate_L(two, h);
     integrate_v(two, h, gravity);
     write_contact_motion(solver, two, gravity, h);
@@ -109,11 +129,13 @@ void resolve_impact(const Collision& collision, const int (&slots)[2], scalar t,
         two.take(which, collision.bodies, collision.shapes, slots[which]);
         put_state(two.bodies(), which, states[which]);
     }
+    show_kinematic(collision, slots, t, two);
     const scalar h = (1 - t) * collision.clock.h, moment = min(h, two.moment());
     bool pressed = solve_pair_for(collision, slots, room, moment, report);
     if constexpr (Collision::SceneTraits::notes_impulses) note_flights(collision, room.contacts);
     const scalar parted = moment < h ? t + moment / collision.clock.h : scalar(1);
     const bool over = parted >= 1 - limits::last_moment;
+    show_kinematic(collision, slots, parted, two);
     PathPoint after[2];
     for (int which = 0; which < 2; ++which) {
         states[which] = flight_state(two.bodies(), which);

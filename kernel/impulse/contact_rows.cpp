@@ -3,6 +3,7 @@
 
 #include "../base/checks.h"
 #include "../base/limits.h"
+#include "../body/kinematic_motion.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -46,20 +47,29 @@ scalar magnitude_of(const Vector& a, const Vector& b) { return abs(a.x * b.x) + 
 
 }  // namespace
 
+template <bool sees_kinematic>
 void prepare_contact_rows(const ContactView& contacts, const BodyView& bodies) {
     for (int contact_i = 0; contact_i < *contacts.count; ++contact_i) {  // bound: max_contacts
         Contact& c = contacts.contacts[contact_i];
         const scalar inv_M_A = inv_M_of(bodies, c.body_A), inv_M_B = inv_M_of(bodies, c.body_B);
+        [[maybe_unused]] const Vector lever_A = c.lever_A, lever_B = c.lever_B;
         if (!(inv_M_A > 0)) c.lever_A = {};
         if (!(inv_M_B > 0)) c.lever_B = {};
         c.k_A = inv_I_world_of(bodies, c.body_A) * c.lever_A;
         c.k_B = inv_I_world_of(bodies, c.body_B) * c.lever_B;
         c.inv_K = 1 / (length_sq(c.n) * (inv_M_A + inv_M_B) + dot(c.k_A, c.lever_A) + dot(c.k_B, c.lever_B));
         INGOT_ASSERT(c.inv_K > 0);  // at least one of the two moves
+        if constexpr (sees_kinematic) {
+            if (shows_kinematic_motion(bodies, c.body_A)) c.k_A = -lever_A;
+            if (shows_kinematic_motion(bodies, c.body_B)) c.k_B = -lever_B;
+        }
         c.active = false;
         c.tolerance = c.j = 0;
     }
 }
+// The linker takes the one that the scene calls.
+template void prepare_contact_rows<false>(const ContactView&, const BodyView&);
+template void prepare_contact_rows<true>(const ContactView&, const BodyView&);
 
 int manifold_end(const ContactView& contacts, int first) {
     const Contact& c = contacts.contacts[first];

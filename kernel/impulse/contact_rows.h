@@ -15,6 +15,8 @@ struct NormalSpeed {
 
 /// Fills k_A, k_B and inv_K = 1 / (n.n (inv_M_A + inv_M_B) + k_A.lever_A + k_B.lever_B) (Hecker 1997, Fig. 4) of all contacts.
 /// n.n stands for the rounding of n: with it an elastic impact keeps the energy whatever the last bit of n.
+/// sees_kinematic: of a kinematic body, whose tiles show L = -omega, the row reads omega.lever by k = -lever; it takes no impulse.
+template <bool sees_kinematic = false>
 void prepare_contact_rows(const ContactView& contacts, const BodyView& bodies);
 
 /// Index after the last contact of the pair of bodies that the contact `first` belongs to: a pair's contacts stand together.

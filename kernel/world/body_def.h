@@ -9,7 +9,7 @@ namespace ingot { inline namespace INGOT_ABI {
 
 /// What World::add needs to know of a body.
 struct BodyDef {
-    MassProperties mass{};       ///< see body/mass_properties.h; not looked at for an immovable body
+    MassProperties mass{};       ///< see body/mass_properties.h; not looked at for an immovable or kinematic body
     /// of the principal frame; an immovable body has v_CM = L = 0. body_state() makes it of a pose, a velocity and an angular velocity
     BodyState state{};
     Shape shape{};               ///< Sphere, Box ... in the principal frame, hulls by hull_of; none: the body touches nothing
@@ -18,6 +18,9 @@ struct BodyDef {
     BodyFilter filter = meets_all; ///< whom it meets; for scenes with filters
     bool sensor = false;         ///< notes who is in it and touches nothing; for scenes with max_overlaps
     bool immovable = false;      ///< neither force nor impulse moves it
+    /// A platform, lift, door, flipper, turntable: neither force nor impulse moves it. It goes on with state.v_CM and with state.L, which of such a body
+    /// is its angular velocity, rad/s. For scenes with kinematic_bodies
+    bool kinematic = false;
 };
 
 } }  // namespace ingot

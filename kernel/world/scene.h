@@ -39,6 +39,7 @@ struct Scene {
     static constexpr bool body_forces  = false;  ///< forces and torques that turn with their body: World::add_body_force
     static constexpr bool damping      = false;  ///< velocities die away, by rates of each body: World::set_damping
     static constexpr bool compensated_sums = false; ///< L, v_CM and r_CM keep what their roundings take off: for float at high rates
+    static constexpr bool kinematic_bodies = false; ///< bodies may move as they are told, whatever is in their way: BodyDef::kinematic
     static constexpr bool user_data    = false;  ///< a word of each body is the user's: World::set_user_data
     static constexpr bool reads_contacts = false; ///< World::contact tells all impulses of a step, and where impacts of max_contacts are
     static constexpr int  max_contacts = 0;      ///< points of contact in one step, 0 .. 65535, of FrictionlessImpacts

@@ -47,6 +47,7 @@ INGOT_INLINE void kick(Step<S>& now) {
 /// The motion changes the places: A by the scene's rotation, r_CM (Eq. 1).
 template <class S>
 INGOT_INLINE void drift(Step<S>& now) {
+    move_kinematic_bodies(now);
     const FlightClock clock{now.storage.steps, now.storage.energy_unit(now.h), now.h / 2};
     over_moving(now, [&now, &clock](const BodyView& some) {
         count(now.report.spins_clamped, S::rotation::integrate_A(some, now.h, clock));
@@ -61,6 +62,7 @@ INGOT_INLINE void drift(Step<S>& now) {
 struct AsPrinted {
     template <class S>
     static void advance(Step<S>& now) {
+        move_kinematic_bodies(now);
         if constexpr (S::translates) {
             drift_r(now.bodies, now.h);
             integrate_v(now.bodies, now.h, now.storage.gravity);          // Eq. 14

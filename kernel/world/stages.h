@@ -8,29 +8,9 @@
 #include "../impulse/solve_impacts.h"
 #include "../motion/integrate_L.h"
 #include "../narrow_phase/inner_edges.h"
-#include "world.h"
+#include "kinematic_stages.h"
 
 namespace ingot { inline namespace INGOT_ABI {
-
-struct NoSolver {};
-template <class S>
-constexpr auto solver_of_scene() {
-    if constexpr (stacks<S>)
-        return decltype(any_of<Storage<S>>().contact_solver()){};
-    else
-        return NoSolver{};
-}
-
-/// One step on its way through the stages: what it works on, and what it has to say.
-template <class S>
-struct Step {
-    Storage<S>& storage;
-    scalar h;            ///< s
-    const BodyView& bodies;
-    StepReport& report;
-    decltype(solver_of_scene<S>()) solver{};  ///< of contacts with friction: filled by advance, read by follow_fast_bodies
-    FlightImpactList flights{};               ///< of fast bodies: for events
-};
 
 /// False for an h that is no step: nothing changes then.
 template <class S>
@@ -51,9 +31,10 @@ void notice_field([[maybe_unused]] Step<S>& now) {
     }
 }
 
-/// True where nothing moves: the step is counted, and leaves the world as it was.
+/// True where nothing moves, kinematic bodies included: the step is counted, and leaves the world as it was.
 template <class S>
 bool passes_asleep([[maybe_unused]] Step<S>& now) {
+    begin_kinematic_motion(now);
     if constexpr (S::sleeps) {
         auto& storage = now.storage;
         notice_field(now);
@@ -152,6 +133,7 @@ auto find_fast_pairs([[maybe_unused]] Step<S>& now) {
         auto& storage = now.storage;
         const BodyShapes shapes = storage.body_shapes();
         over_active_bodies(now, [&](int slot) { storage.paths[slot].fast = begins_fast(now.bodies, shapes, now.h, slot); });
+        find_fast_kinematic(now, shapes);
         return FastPairs{now.bodies, shapes, storage.paths, now.h};
     } else {
         return NoFastPairs{};
@@ -169,9 +151,11 @@ void find_manifolds([[maybe_unused]] Step<S>& now) {
                                                              storage.pair_rules(now.report), storage.pair_list(), manifolds, now.report,
                                                              find_fast_pairs(now));
         if constexpr (hides_internal_edges<S>)
-            drop_hidden_points<ShapesOf<S>>(
-                {storage.shapes(), storage.surface_view(), storage.bounds, hulls_of<S>, storage.velocities_of_shapes()}, storage.pair_list(),
-                storage.last_of_shape, manifolds);
+            beside_moving_floors(now, [&] {
+                drop_hidden_points<ShapesOf<S>>(
+                    {storage.shapes(), storage.surface_view(), storage.bounds, hulls_of<S>, storage.velocities_of_shapes()}, storage.pair_list(),
+                    storage.last_of_shape, manifolds);
+            });
         count(now.report.contacts, *manifolds.count);
         count(now.report.pairs_lost, storage.pairs_lost);
         if constexpr (S::sleeps)
@@ -191,9 +175,11 @@ void wake_islands([[maybe_unused]] Step<S>& now) {
         const int in_step = *manifolds.count;
         join_islands(now.bodies, rest, manifolds);
         wake_met_islands(now.bodies, rest, manifolds);
+        wake_in_the_way(now);
         sort_in_woken(storage, in_step);
         if (end_settling(storage.search_view(), rest, storage.sensor_marks())) drop_resting_pairs(storage.search_view(), storage.pair_list());
         list_awake_pairs(now.bodies, rest, manifolds, storage.awake_pairs, storage.awake_pair_count);
+        keep_carried_awake(now);
     }
 }
 
@@ -206,7 +192,7 @@ void resolve_impacts([[maybe_unused]] Step<S>& now) {
         find_contacts<typename S::shapes>(now.bodies, now.storage.surface_view(), contacts, now.report);
         if constexpr (S::reads_contacts) note_places(contacts, now.bodies, now.storage.surface_view(), now.storage.contact_places);
         refresh_inv_I_world(now.bodies);                                  // Eq. 20
-        prepare_contact_rows(contacts, now.bodies);
+        prepare_contact_rows<S::kinematic_bodies>(contacts, now.bodies);
         solve_impacts(contacts, now.bodies, rest_speed, now.report);      // Fig. 4
     }
 }
@@ -230,7 +216,7 @@ struct FastSceneOf {
     using Rotation = typename S::rotation;
     using Solver = typename S::solver;
     using View = decltype(solver_of_scene<S>());
-    static constexpr bool notes_impulses = has_events<S>, bounces = S::bounces;
+    static constexpr bool notes_impulses = has_events<S>, bounces = S::bounces, sees_kinematic = S::kinematic_bodies;
     static constexpr int shape_pairs = S::max_shapes_of_body * S::max_shapes_of_body;
     static constexpr int room = limits::pair_manifolds_max < S::max_manifolds ? limits::pair_manifolds_max : S::max_manifolds;
     static constexpr int pair_manifolds = shape_pairs < room ? shape_pairs : room;

@@ -77,6 +77,18 @@ struct Storage : features::All::Memory<S> {
     }
     /// What the contact solver works on; where surfaces have materials beside friction, with those of the pairs that touch now.
     auto contact_solver() {
+        if constexpr (S::kinematic_bodies) {
+            auto plain = plain_contact_solver();
+            If<solves_pointwise<S>, KinematicPointViewOf<decltype(plain)>, KinematicViewOf<decltype(plain)>> view{};
+            static_cast<decltype(plain)&>(view) = plain;
+            this->show_kinematic(view, this->kinematic);
+            return view;
+        } else {
+            return plain_contact_solver();
+        }
+    }
+    /// The same, which sees kinematic bodies as immovable ones.
+    auto plain_contact_solver() {
         if constexpr (has_materials<S> || (solves_pointwise<S> && S::bounces)) {
             auto plain = this->solver();
             typename S::solver::template View<S::rolling_resistance, S::surface_velocities, S::bounces> view{};

@@ -22,8 +22,9 @@ namespace ingot { inline namespace INGOT_ABI {
 /// Calls that take a BodyId answer stale_id (removed, null, never given out) or foreign_id (of a world with another tag).
 /// Units are SI; vectors and points are in world axes unless they say body. Cost is O(1) unless said.
 ///
-/// Its calls stand in six files: bodies, their state and forces here, what scenes may name of a body in world_bodies.h, edits in
-/// world_edits.h, who touched whom in world_touching.h, who may in world_contacts.h, queries in world_queries.h.
+/// Its calls stand in seven files: bodies, their state and forces here, what scenes may name of a body in world_bodies.h, edits in
+/// world_edits.h, bodies that move as they are told in world_kinematic.h, who touched whom in world_touching.h, who may in world_contacts.h, queries
+/// in world_queries.h.
 template <class User>
 class World : public WorldQueries<SceneOf<User>> {
     using S = SceneOf<User>;
@@ -46,9 +47,9 @@ public:
 
     /// Adds a body in the lowest free slot.
     /// Errors: no_room, and what BodyDef's parts may have wrong: see check_mass_properties, check_state, check_shape;
-    ///         bad_restitution; bad_friction; immovable (one that has a velocity); not_in_scene (a shape the scene does not name, a filter, a
-    ///         sensor or a restitution where it names none, a place or velocity where it does not translate); bad_shape (a half space that can
-    ///         move, a hull that is none of the scene's).
+    ///         bad_restitution; bad_friction; immovable (one that has a velocity, or is kinematic too); not_in_scene (a shape the scene does not
+    ///         name, a filter, a sensor or a restitution where it names none, a kinematic body, a place or velocity where it does not translate);
+    ///         bad_shape (a half space that can move, or is kinematic; a hull that is none of the scene's).
     /// Cost:   O(1), or O(max_bodies) after removals.
     Result<BodyId> add(const BodyDef& def) {
         const Status status = check_add(def);
@@ -130,15 +131,26 @@ public:
 
     // State.
 
+    /// Of a kinematic body L is its angular velocity, rad/s.
     Result<BodyState> state(BodyId id) const {
         const Result<int> slot = find(id);
         if (!slot.ok()) return {slot.status, {}};
-        return {Status::ok, read_state(storage_.bodies(), slot.value)};
+        BodyState now = read_state(storage_.bodies(), slot.value);
+        if constexpr (S::kinematic_bodies)
+            if (ingot::is_kinematic(storage_.kinematic[slot.value])) {
+                now.v_CM = storage_.kinematic[slot.value].v_CM;
+                now.L = storage_.kinematic[slot.value].omega;
+            }
+        return {Status::ok, now};
     }
 
+    /// A kinematic body is put there, whatever is in its way, and goes on with v_CM and, in the place of L, omega: see move_to for one that is to
+    /// push others aside.
     /// Errors: those of check_state, frozen, immovable (a velocity for a body that has none), not_in_scene.
     Status set_state(BodyId id, const BodyState& state) {
         const Result<int> slot = find(id);
+        if constexpr (S::kinematic_bodies)
+            if (slot.ok() && ingot::is_kinematic(storage_.kinematic[slot.value])) return this->put_kinematic(slot.value, state);
         if constexpr (has_compounds<S>) {
             const Status status = slot.ok() ? write_state(storage_.bodies(), slot.value, state) : slot.status;
             if (status == Status::ok) place_shapes(storage_.bodies(), storage_.compound_view(), slot.value);
@@ -161,6 +173,8 @@ public:
     Result<Vector> omega(BodyId id) const {
         const Result<int> slot = find(id);
         if (!slot.ok()) return {slot.status, {}};
+        if constexpr (S::kinematic_bodies)
+            if (ingot::is_kinematic(storage_.kinematic[slot.value])) return {Status::ok, storage_.kinematic[slot.value].omega};
         return {Status::ok, omega_of(storage_.bodies(), slot.value)};
     }
 
@@ -318,7 +332,7 @@ private:
     Status check_add(const BodyDef& def) const {
         Status status = Status::ok;
         if constexpr (has_shapes<S>) status = check_surface(def);
-        if (status == Status::ok) status = check_definition(def, S::translates, has_shapes<S> && S::shapes::has(def.shape.kind));
+        if (status == Status::ok) status = check_definition(as_placed(def), S::translates, has_shapes<S> && S::shapes::has(def.shape.kind));
         if (status == Status::ok && !ShapesOf<S>::names_its_hull(def.shape)) status = Status::bad_shape;
         features::All::over_all([&](auto feature) {
             const Status of_feature = decltype(feature)::template check_def<S>(def);
@@ -329,11 +343,19 @@ private:
         return status;
     }
 
+    /// What the tiles hold of a definition: a kinematic body stands still between two steps.
+    static decltype(auto) as_placed(const BodyDef& def) {
+        if constexpr (S::kinematic_bodies)
+            return def.kinematic ? features::KinematicBodies::standing(def) : def;
+        else
+            return (def);
+    }
+
     void write_slot(int slot, const BodyDef& def) {
         if (slot == storage_.slots_used) begin_slot();
         storage_.free_hint = slot + 1;
         ++storage_.generation[slot];
-        write_body(storage_.bodies(), slot, def);
+        write_body(storage_.bodies(), slot, as_placed(def));
         storage_.set_generation_of_shapes(slot, storage_.generation[slot]);
         features::All::over_named<S>([&](auto feature) { decltype(feature)::begin_body(storage_, slot, def); });
     }

@@ -42,7 +42,7 @@ public:
         return {Status::ok, moments_of_slot(storage_.bodies(), slot.value)};
     }
 
-    /// An immovable body may move from now on, and begins at rest. One that can move gets this mass, as by set_mass.
+    /// An immovable or kinematic body may move from now on, and begins at rest. One that can move gets this mass, as by set_mass.
     /// Errors: those of check_mass_properties, bad_shape (a half space cannot move).
     Status set_movable(BodyId id, const MassProperties& mass) {
         const Result<int> slot = find(id);
@@ -53,6 +53,7 @@ public:
         if (status != Status::ok) return status;
         leave_contacts(slot.value);
         write_moments(storage_.bodies(), slot.value, mass);
+        forget_kinematic(slot.value);
         return come_back(slot.value);
     }
     /// A body stands still from now on, wherever it is, and nothing moves it. One that does so already: ok, and nothing changes.
@@ -60,13 +61,16 @@ public:
         const Result<int> slot = find(id);
         if (!slot.ok()) return slot.status;
         if (ingot::is_frozen(storage_.bodies(), slot.value)) return Status::frozen;
-        if (!is_dynamic(storage_.bodies(), slot.value)) return Status::ok;
+        if (!is_dynamic(storage_.bodies(), slot.value)) {
+            forget_kinematic(slot.value);
+            return Status::ok;
+        }
         leave_contacts(slot.value);
         stop_body(storage_.bodies(), slot.value);
         if constexpr (S::body_forces) features::BodyForces::forget_body(storage_, slot.value);
         return come_back(slot.value);
     }
-    /// False for immovable and frozen bodies, and for ids of none.
+    /// False for immovable, kinematic and frozen bodies, and for ids of none.
     bool is_movable(BodyId id) const {
         const Result<int> slot = find(id);
         return slot.ok() && is_dynamic(storage_.bodies(), slot.value);
@@ -173,6 +177,9 @@ public:
     }
 
 private:
+    void forget_kinematic([[maybe_unused]] int slot) {
+        if constexpr (S::kinematic_bodies) storage_.kinematic[slot] = {};
+    }
     bool has_half_space(int slot) const {
         bool has = false;
         if constexpr (has_shapes<S>)
@@ -187,6 +194,8 @@ private:
         if (shape.kind == ShapeKind::none) return has_compounds<S> ? Status::bad_shape : Status::ok;
         if (!S::shapes::has(shape.kind)) return Status::not_in_scene;
         if (shape.kind == ShapeKind::half_space && is_dynamic(storage_.bodies(), slot)) return Status::bad_shape;
+        if constexpr (S::kinematic_bodies)
+            if (shape.kind == ShapeKind::half_space && ingot::is_kinematic(storage_.kinematic[slot])) return Status::bad_shape;
         return ShapesOf<S>::names_its_hull(shape) ? Status::ok : Status::bad_shape;
     }
 

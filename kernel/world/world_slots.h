@@ -67,6 +67,10 @@ protected:
         static_assert(S::user_data, "bodies of this scene hold no word of yours: set user_data = true");
         return true;
     }
+    static constexpr bool kinematic_only() {
+        static_assert(S::kinematic_bodies, "no body of this scene moves by itself: set kinematic_bodies = true");
+        return true;
+    }
     static constexpr bool shapes_only() {
         static_assert(has_shapes<S>, "this scene keeps no shapes: set max_manifolds or max_contacts");
         return true;

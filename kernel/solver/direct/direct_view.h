@@ -7,6 +7,7 @@
 #pragma once
 
 #include "../../constraint/contact.h"
+#include "../../constraint/kinematic_view.h"
 #include "../../math/wide.h"
 
 #pragma GCC diagnostic push

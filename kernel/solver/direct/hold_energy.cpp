@@ -41,6 +41,20 @@ wide_scalar work_of_belts(const View& solver, const Direct& island) {
     return work;
 }
 
+/// What kinematic bodies give: the impulses of rows times how fast these bodies go along them.
+template <class View, class Direct>
+wide_scalar work_of_kinematic(const View& solver, const Direct& island) {
+    wide_scalar work = 0;
+    for_kinematic(solver, island, [&](const ManifoldOf<Direct>& manifold, const DirectBody&, const SolverBody& moving) {
+        const DirectRow* const rows = island.rows + (&manifold - island.manifolds) * Direct::row_count;
+        const DirectVector u = in_double(moving.v_CM), omega = in_double(moving.L);
+        for_impulses(solver, manifold, [&](int row, scalar& j, scalar&) {
+            work += static_cast<wide_scalar>(j) * (dot(rows[row].d, u) - dot(rows[row].k[1], omega));
+        });
+    });
+    return work;
+}
+
 }  // namespace
 
 template <class View, class Direct>
@@ -57,6 +71,7 @@ void hold_energy(const View& solver, const Direct& island) {
         across += 0.5 * (length_sq(d_v) / body.inv_M + dot(turn, d_L));
     }
     if constexpr (View::has_belts) along -= work_of_belts(solver, island);
+    if constexpr (sees_kinematic<View>) along -= work_of_kinematic(solver, island);
     if (!(along + across > 0) || some_bounce(solver, island)) return;
 
     const wide_scalar share = along < 0 ? -along / (2 * across) : 0;
@@ -78,5 +93,9 @@ template void hold_energy(const SolverView&, const DirectView&);
 template void hold_energy(const RollingView&, const RollingDirectView&);
 template void hold_energy(const BeltView&, const DirectView&);
 template void hold_energy(const RollingBeltView&, const RollingDirectView&);
+template void hold_energy(const KinematicViewOf<SolverView>&, const DirectView&);
+template void hold_energy(const KinematicViewOf<RollingView>&, const RollingDirectView&);
+template void hold_energy(const KinematicViewOf<BeltView>&, const DirectView&);
+template void hold_energy(const KinematicViewOf<RollingBeltView>&, const RollingDirectView&);
 
 } }  // namespace ingot

@@ -10,10 +10,12 @@ namespace ingot { inline namespace INGOT_ABI {
 
 /// The sweeps with chosen islands solved directly, as conduct_substeps asks for them.
 template <class View, bool notes_impulses, bool bounces>
-struct HybridContacts : SweptContacts<View, notes_impulses, bounces> {
-    using Swept = SweptContacts<View, notes_impulses, bounces>;
+struct HybridContacts : SweptContacts<PlainViewOf<View>, notes_impulses, bounces> {
+    using Swept = SweptContacts<PlainViewOf<View>, notes_impulses, bounces>;
 
-    HybridContacts(View& of, const DirectOf<View>& direct_view) : Swept(of), direct(direct_view) { direct.unit = static_cast<wide_scalar>(of.unit); }
+    HybridContacts(View& of, const DirectOf<View>& direct_view) : Swept(of), direct(direct_view), whole(of) {
+        direct.unit = static_cast<wide_scalar>(of.unit);
+    }
 
     void begin(const ContactStep& step, StepReport& report) {
         Swept::begin(step, report);
@@ -30,13 +32,13 @@ struct HybridContacts : SweptContacts<View, notes_impulses, bounces> {
     }
     void solve_velocities(const ContactStep& step, scalar h, StepReport& report) {
         plan_sweeps(this->view);
-        if (direct.some_chosen) solve_before_sweeps(this->view, direct, step.bodies, h);
+        if (direct.some_chosen) solve_before_sweeps(whole, direct, step.bodies, h);
         ingot::solve_velocities(this->view);
-        if (direct.some_chosen) solve_after_sweeps(this->view, direct, step.bodies, h, report);
+        if (direct.some_chosen) solve_after_sweeps(whole, direct, step.bodies, h, report);
     }
     void solve_positions(const ContactStep& step, scalar h) {
         if (!direct.some_chosen) return Swept::solve_positions(step, h);
-        place_islands(this->view, direct, step.bodies, h);
+        place_islands(whole, direct, step.bodies, h);
         select_live(this->view);
         sweep_positions(of_points(this->view), this->view.live, this->view.live_count, h);
     }
@@ -47,6 +49,7 @@ struct HybridContacts : SweptContacts<View, notes_impulses, bounces> {
 
 private:
     DirectOf<View> direct;
+    View& whole;  ///< with kinematic bodies, where the scene has some
 };
 
 } }  // namespace ingot

@@ -85,6 +85,32 @@ void load_manifold(const View& solver, Direct& direct, ManifoldOf<Direct>& manif
                 rows[friction_row + axis].target = -static_cast<wide_scalar>(solver.belts[block_i].speed[axis][lane_i]);
 }
 
+/// Puts the body that stands for a kinematic one into a manifold that was loaded as one with what cannot move. It is B from now on: rows are the same
+/// with A and B in each other's place and d turned round. J = 0 and k = -J of the partner: see constraint/kinematic_view.h.
+template <class Direct>
+void load_kinematic(const SolverView& solver, Direct& direct, ManifoldOf<Direct>& manifold, DirectRow* rows, uint16_t body_i, int& end) {
+    const bool is_A = manifold.body[0] == 0;
+    if (is_A) manifold.body[0] = manifold.body[1];
+    manifold.body[1] = static_cast<uint16_t>(--end);
+    DirectBody& body = direct.bodies[end];
+    body = {};
+    body.body_i = body_i;
+    body.linear = in_double(solver.bodies[body_i].v_CM);
+    body.angular = in_double(solver.bodies[body_i].L);
+    // bound: direct_rows_of: nine, with rolling
+    for (int row = 0; row < Direct::row_count; ++row) {
+        if (!has(manifold.rows, row)) continue;
+        DirectRow& at = rows[row];
+        if (is_A) {
+            at.d = -at.d;
+            at.J[0] = at.J[1];
+            at.k[0] = at.k[1];
+        }
+        at.J[1] = {};
+        at.k[1] = -at.J[0];
+    }
+}
+
 }  // namespace
 
 template <class View, class Direct>
@@ -97,11 +123,21 @@ void load_rows(const View& solver, const BodyView& bodies, Direct& direct, int i
     direct.body_count = 1;
     direct.bodies[0] = {};
     direct.local[0] = 0;
+    [[maybe_unused]] int end = direct.manifold_capacity + 2;  // there is room: each manifold joins a body more, or has a kinematic one
     for (int manifold_i = 0; manifold_i < direct.manifold_count; ++manifold_i) {  // bound: max_manifolds
         ManifoldOf<Direct>& manifold = direct.manifolds[manifold_i];
         manifold.position = solver.members[island.member_begin + manifold_i];
         const ContactBlock& block = solver.blocks[manifold.position / lanes];
-        const uint16_t body_A = block.body_A[manifold.position % lanes], body_B = block.body_B[manifold.position % lanes];
+        uint16_t body_A = block.body_A[manifold.position % lanes], body_B = block.body_B[manifold.position % lanes];
+        [[maybe_unused]] uint16_t kinematic_i = 0;
+        if constexpr (sees_kinematic<View>) {
+            uint16_t* const of_pair[2] = {&body_A, &body_B};
+            for (uint16_t* const body : of_pair) {
+                if (*body < solver.kinematic.body_begin) continue;
+                kinematic_i = *body;
+                *body = 0;
+            }
+        }
         take_in(solver, bodies, direct, body_A);
         take_in(solver, bodies, direct, body_B);
         manifold.body[0] = direct.local[body_A];
@@ -109,6 +145,8 @@ void load_rows(const View& solver, const BodyView& bodies, Direct& direct, int i
         manifold.active = 0;
         direct.uneven = direct.uneven || are_uneven(solver, body_A, body_B);
         load_manifold(solver, direct, manifold, direct.rows + manifold_i * Direct::row_count);
+        if constexpr (sees_kinematic<View>)
+            if (kinematic_i != 0) load_kinematic(solver, direct, manifold, direct.rows + manifold_i * Direct::row_count, kinematic_i, end);
 
         manifold.first = static_cast<uint16_t>(manifold_i);
         for (int before = 0; before < manifold_i; ++before) {  // bound: max_island: manifolds of an island before one
@@ -128,5 +166,9 @@ template void load_rows(const SolverView&, const BodyView&, DirectView&, int);
 template void load_rows(const RollingView&, const BodyView&, RollingDirectView&, int);
 template void load_rows(const BeltView&, const BodyView&, DirectView&, int);
 template void load_rows(const RollingBeltView&, const BodyView&, RollingDirectView&, int);
+template void load_rows(const KinematicViewOf<SolverView>&, const BodyView&, DirectView&, int);
+template void load_rows(const KinematicViewOf<RollingView>&, const BodyView&, RollingDirectView&, int);
+template void load_rows(const KinematicViewOf<BeltView>&, const BodyView&, DirectView&, int);
+template void load_rows(const KinematicViewOf<RollingBeltView>&, const BodyView&, RollingDirectView&, int);
 
 } }  // namespace ingot

@@ -14,6 +14,17 @@ using DirectOf = DirectViewOf<View::rolls>;
 template <class View, class Direct>
 void load_rows(const View& solver, const BodyView& bodies, Direct& direct, int island_i);
 
+/// Calls each(manifold, body, solver body) for the bodies of the island that stand for kinematic ones. They are B of their manifolds, and lie
+/// behind all others.
+template <class View, class Direct, class Each>
+inline void for_kinematic(const View& solver, const Direct& direct, const Each& each) {
+    // bound: max_island of HybridIslands: larger islands are swept
+    for (int manifold_i = 0; manifold_i < direct.manifold_count; ++manifold_i) {
+        const uint16_t at = direct.manifolds[manifold_i].body[1];
+        if (at >= direct.body_count) each(direct.manifolds[manifold_i], direct.bodies[at], solver.bodies[direct.bodies[at].body_i]);
+    }
+}
+
 inline bool has(unsigned bits, int row) { return (bits >> row & 1u) != 0; }
 
 /// The impulses of a manifold in its block, by the numbers of their rows, and what the sweeps to come take for their last.

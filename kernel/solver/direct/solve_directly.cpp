@@ -97,6 +97,10 @@ INGOT_VIEW(SolverView);
 INGOT_VIEW(RollingView);
 INGOT_VIEW(BeltView);
 INGOT_VIEW(RollingBeltView);
+INGOT_VIEW(KinematicViewOf<SolverView>);
+INGOT_VIEW(KinematicViewOf<RollingView>);
+INGOT_VIEW(KinematicViewOf<BeltView>);
+INGOT_VIEW(KinematicViewOf<RollingBeltView>);
 #undef INGOT_VIEW
 template void begin_direct_batch(const SolverView&, DirectView&);
 template void begin_direct_batch(const SolverView&, RollingDirectView&);

@@ -256,6 +256,11 @@ template <class View, class Direct>
 IslandState solve_island(const View& solver, Direct& island, scalar h, bool after_sweeps) {
     island.paid = false;
     begin_free(solver, island);
+    if constexpr (sees_kinematic<View>)
+        for_kinematic(solver, island, [](const auto&, DirectBody& body, const SolverBody& moving) {
+            body.linear = in_double(moving.v_CM);
+            body.angular = in_double(moving.L);
+        });
     if (has_impact(solver, island, h)) return IslandState::left_to_sweeps;
     begin_solve(solver, island);
     const wide_scalar merit_most = after_sweeps ? misfit(island).merit : 1e30;  // a NaN, which comparisons pass by, stays in the sum
@@ -320,10 +325,6 @@ bool begin_placing(const SolverView& solver, Direct& island, scalar h) {
     return off;
 }
 
-}  // namespace
-
-namespace {
-
 /// The largest displacement, in units of length and rad; not finite if one is not.
 template <class Direct>
 wide_scalar farthest(const Direct& island) {
@@ -339,11 +340,15 @@ wide_scalar farthest(const Direct& island) {
 
 }  // namespace
 
-template <class Direct>
-bool place_island(const SolverView& solver, Direct& island, scalar h) {
+template <class View, class Direct>
+bool place_island(const View& solver, Direct& island, scalar h) {
     island.paid = false;
+    if constexpr (sees_kinematic<View>)
+        for_kinematic(solver, island, [](const auto&, DirectBody& body, const SolverBody& moved) { body.linear = in_double(moved.dp); });
     if (!begin_placing(solver, island, h)) return true;
     set_free<true>(island);
+    if constexpr (sees_kinematic<View>)
+        for_kinematic(solver, island, [](const auto&, DirectBody& body, const SolverBody&) { body.linear = body.angular = {}; });
     for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
         ManifoldOf<Direct>& manifold = island.manifolds[manifold_i];
         DirectRow* const rows = island.rows + manifold_i * Direct::row_count;
@@ -380,6 +385,16 @@ template IslandState solve_island(const RollingView&, RollingDirectView&, scalar
 template IslandState solve_island(const BeltView&, DirectView&, scalar, bool);
 template IslandState solve_island(const RollingBeltView&, RollingDirectView&, scalar, bool);
 template bool place_island(const SolverView&, DirectView&, scalar);
-template bool place_island(const SolverView&, RollingDirectView&, scalar);
+template bool place_island(const RollingView&, RollingDirectView&, scalar);
+template bool place_island(const BeltView&, DirectView&, scalar);
+template bool place_island(const RollingBeltView&, RollingDirectView&, scalar);
+#define INGOT_KINEMATIC(View, Direct)                                                      \
+    template IslandState solve_island(const KinematicViewOf<View>&, Direct&, scalar, bool); \
+    template bool place_island(const KinematicViewOf<View>&, Direct&, scalar)
+INGOT_KINEMATIC(SolverView, DirectView);
+INGOT_KINEMATIC(RollingView, RollingDirectView);
+INGOT_KINEMATIC(BeltView, DirectView);
+INGOT_KINEMATIC(RollingBeltView, RollingDirectView);
+#undef INGOT_KINEMATIC
 
 } }  // namespace ingot

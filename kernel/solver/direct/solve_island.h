@@ -23,7 +23,7 @@ IslandState solve_island(const View& solver, Direct& island, scalar h, bool afte
 
 /// The same for displacements, with normals only: 0.4 of each overlap is taken back, and of a gap between points that carry a load. False: nothing is
 /// written.
-template <class Direct>
-bool place_island(const SolverView& solver, Direct& island, scalar h);
+template <class View, class Direct>
+bool place_island(const View& solver, Direct& island, scalar h);
 
 } }  // namespace ingot

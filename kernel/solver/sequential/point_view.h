@@ -7,6 +7,7 @@
 
 #include "../../base/if.h"
 #include "../../body/body_tiles.h"
+#include "../../constraint/kinematic_view.h"
 #include "../../constraint/surface_materials.h"
 #include "../../narrow_phase/manifold_record.h"
 #include "../../base/contact_lengths.h"
@@ -94,5 +95,24 @@ struct PointMaterialView : PointView {
 };
 template <bool rolls, bool has_belts, bool bounces>
 using PointViewOf = If<rolls || has_belts || bounces, PointMaterialView<rolls, has_belts, bounces>, PointView>;
+
+/// The kinematic body of a manifold, as constraint/kinematic_view.h has it, and its motion as the partner would have it.
+struct KinematicPoint {
+    KinematicContact body;
+    Vector r_partner;  ///< m, centre of the partner as the step begins
+    PointMotion forces, velocity, displacement;  ///< as of a PointBody; there is no moment
+    scalar sign;       ///< 1: it is B of the manifold; -1: A; 0: there is none
+};
+struct KinematicPoints {
+    KinematicPoint* points;         ///< by place in pairs, as contacts
+    const KinematicBody* of_slots;  ///< how bodies move; null: evenly
+};
+/// View: any other of the sequential solver.
+template <class View>
+struct KinematicPointViewOf : View {
+    KinematicPoints kinematic;
+};
+template <class View>
+inline constexpr bool sees_kinematic<KinematicPointViewOf<View>> = true;
 
 } }  // namespace ingot

@@ -42,7 +42,7 @@ template <class View>
 VisitOf<View> visit_of(const View& solver, int manifold_i) {
     const BodyPair& pair = solver.pairs[manifold_i];
     PointBody &A = solver.bodies[pair.body_A], &B = solver.bodies[pair.body_B];
-    if constexpr (View::rolls || View::has_belts || View::bounces)
+    if constexpr (View::rolls || View::has_belts || View::bounces || sees_kinematic<View>)
         return {{{A, B}, solver.records[pair.record], solver.contacts[manifold_i], solver.unit}, solver, manifold_i, pair.record};
     else
         return {{{A, B}, solver.records[pair.record], solver.contacts[manifold_i], solver.unit}};
@@ -58,8 +58,24 @@ struct NormalMotion {
 INGOT_INLINE NormalMotion normal_motion(const PointVisit& visit, const RelativeVelocity& relative) {
     return {cross(visit.n(), relative.angular), visit.contact.middle, dot(visit.n(), relative.linear)};
 }
-INGOT_SHARED NormalMotion normal_displacement(const PointVisit& visit) {
-    return normal_motion(visit, relative_motion(visit.pair, &PointBody::displacement, visit.contact.middle));
+/// Motion of A against B as P sees it: their velocities, or displacements, or what forces give them in a second.
+INGOT_INLINE RelativeVelocity relative_in(const PointVisit& visit, MotionOfBody kind, const Vector& P) {
+    return relative_motion(visit.pair, kind, P);
+}
+/// Of a contact with a kinematic body: that of the body that moves, less what it would have if it were stuck to the other.
+template <class View>
+INGOT_SHARED RelativeVelocity relative_in(const VisitOf<KinematicPointViewOf<View>>& visit, MotionOfBody kind, const Vector& P) {
+    RelativeVelocity relative = relative_motion(visit.pair, kind, P);
+    const KinematicPoint& point = visit.solver.kinematic.points[visit.manifold_i];
+    const PointMotion& motion = kind == &PointBody::velocity ? point.velocity : kind == &PointBody::forces ? point.forces : point.displacement;
+    relative.linear -= (motion.linear + cross(motion.angular, P - point.r_partner)) * point.sign;
+    relative.angular -= motion.angular * point.sign;
+    return relative;
+}
+
+template <class Visit>
+INGOT_SHARED NormalMotion normal_displacement(const Visit& visit) {
+    return normal_motion(visit, relative_in(visit, &PointBody::displacement, visit.contact.middle));
 }
 
 }  // namespace

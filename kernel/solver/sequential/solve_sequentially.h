@@ -19,4 +19,12 @@ namespace ingot { inline namespace INGOT_ABI {
 template <bool notes_impulses, class View>
 void solve_sequentially(View& solver, const ContactStep& step, StepReport& report);
 
+/// The same where bodies may be kinematic.
+template <bool notes_impulses, class View>
+void solve_kinematic_sequentially(KinematicPointViewOf<View>& solver, const ContactStep& step, StepReport& report);
+template <bool notes_impulses, class View>
+void solve_sequentially(KinematicPointViewOf<View>& solver, const ContactStep& step, StepReport& report) {
+    solve_kinematic_sequentially<notes_impulses>(solver, step, report);
+}
+
 } }  // namespace ingot

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "block_sweeps.h"
 
+#include "kinematic_contacts.h"
 #include "swept_contacts.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
 template <bool notes_impulses, bool bounces, class View>
 void solve_by_sweeps(View& view, const ContactStep& step, StepReport& report) {
-    SweptContacts<View, notes_impulses, bounces> contacts(view);
+    using Swept = SweptContacts<PlainViewOf<View>, notes_impulses, bounces>;
+    If<sees_kinematic<View>, SeesKinematic<Swept, View>, Swept> contacts(view);
     conduct_substeps(contacts, step, report);
 }
 
@@ -22,6 +24,11 @@ INGOT_VIEW(BallView);
 INGOT_VIEW(RollingView);
 INGOT_VIEW(BeltView);
 INGOT_VIEW(RollingBeltView);
+INGOT_VIEW(KinematicViewOf<SolverView>);
+INGOT_VIEW(KinematicViewOf<BallView>);
+INGOT_VIEW(KinematicViewOf<RollingView>);
+INGOT_VIEW(KinematicViewOf<BeltView>);
+INGOT_VIEW(KinematicViewOf<RollingBeltView>);
 #undef INGOT_VIEW
 
 } }  // namespace ingot

@@ -6,6 +6,7 @@
 #include "body_traits.h"
 #include "compensated_sums.h"
 #include "gravity_shares.h"
+#include "kinematic_bodies.h"
 #include "materials.h"
 #include "motion.h"
 #include "reads_contacts.h"
@@ -17,7 +18,7 @@ namespace ingot { inline namespace INGOT_ABI { namespace features {
 
 using All = FeatureList<Rotation, Translation, Compensation, EnergyReturn, FieldOfForce, Surfaces, Compounds, Impacts, Manifolds, Unsettled,
                         RollingResistance, Belts, Filters, Sensors, Continuous, Events, ToldEvents, Sleep, GravityShares, TouchAside, SteadyField,
-                        UserData, BodyForces, BodyDamping, ReadsContacts, CompensatedSums>;
+                        UserData, BodyForces, BodyDamping, ReadsContacts, CompensatedSums, KinematicBodies>;
 
 static_assert(All::bits_differ(SnapshotPart::doubles | SnapshotPart::anchors | SnapshotPart::pointwise));  // of a snapshot's parts
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "../../base/if.h"
-#include "../../constraint/material_view.h"
+#include "../../constraint/kinematic_view.h"
 #include "../../impulse/find_contacts.h"
 #include "../../narrow_phase/inner_edges.h"
 #include "shapes.h"
@@ -54,14 +54,17 @@ template <class S>
 struct ManifoldTraitsPart : AnchorPart<S, S::recycles_manifolds>, BodyPairPart<S, has_compounds<S> && !S::sleeps>, BroadPhasePart<S, S::sleeps>,
                             S::solver::template Memory<S::max_bodies, S::max_manifolds, S::rolling_resistance, S::bounces> {};
 
+/// Solver bodies: one stands for all that cannot move; and each contact with a kinematic body has one.
+template <class S>
+inline constexpr unsigned solver_body_capacity = static_cast<unsigned>(S::max_bodies) + 1 +
+                                                 (S::kinematic_bodies ? static_cast<unsigned>(S::max_manifolds) : 0);
+
 /// What a solver works in that solves manifolds as blocks. The sequential solver brings all it needs.
 template <class S, bool present>
 struct BlockPart : ManifoldTraitsPart<S> {
-    static constexpr unsigned body_capacity = static_cast<unsigned>(S::max_bodies) + 1;
-
     ContactBlock blocks[block_capacity_of<S>] = {};
-    SolverBody solver_bodies[body_capacity] = {};
-    SolverBodyHistory histories[body_capacity] = {};
+    SolverBody solver_bodies[solver_body_capacity<S>] = {};
+    SolverBodyHistory histories[solver_body_capacity<S>] = {};
     Vector friction_references[static_cast<unsigned>(S::max_manifolds)] = {};
 };
 template <class S>
@@ -88,7 +91,7 @@ struct BlockOrderPart : ManifoldListPart<S> {
     static constexpr unsigned visit_capacity = manifold_capacity + block_capacity;
 
     Island islands[body_capacity < manifold_capacity ? body_capacity : manifold_capacity] = {};
-    uint32_t colours_of_body[body_capacity] = {};
+    uint32_t colours_of_body[solver_body_capacity<S>] = {};
     uint16_t level_of_body[body_capacity] = {}, slot_of[body_capacity] = {}, island_of[body_capacity] = {}, batch_bodies[body_capacity] = {};
     uint16_t local_of[static_cast<unsigned>(tile_capacity<S> * lanes)] = {};
     uint16_t members[manifold_capacity] = {}, sorted[manifold_capacity] = {};

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "kinematic_contacts.h"
+
+#include "../../body/auxiliary.h"
+#include "../../constraint/contact.h"
+#include "../../constraint/kinematic_motion_at.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+namespace {
+
+Vector vector_of(const scalar (&from)[4]) { return {from[0], from[1], from[2]}; }
+void set3(scalar (&to)[4], const Vector& value) {
+    to[0] = value.x;
+    to[1] = value.y;
+    to[2] = value.z;
+}
+void set_opposite(scalar (&to)[3][lanes], int lane_i, const Vector& of) { set_lane(to, lane_i, -of); }
+
+/// What a row reads of the kinematic body: k = -J of its partner.
+void see_levers(Levers& levers, int lane_i, bool is_A) {
+    set_opposite(is_A ? levers.k_A : levers.k_B, lane_i, lane_of(is_A ? levers.J_B : levers.J_A, lane_i));
+}
+
+/// The rows of one manifold. J of a partner along an axis is the axis for A, its opposite for B.
+template <class View>
+void see_rows(const View& solver, const KinematicContact& contact) {
+    const int block_i = contact.position / lanes, lane_i = contact.position % lanes;
+    ContactBlock& block = solver.blocks[block_i];
+    const bool is_A = contact.is_A != 0;
+    for (int row = 0; row < block_rows && row < block.rows; ++row) see_levers(block.row[row].levers, lane_i, is_A);  // bound: 4: block_rows
+    for (Levers& levers : block.friction.levers) see_levers(levers, lane_i, is_A);
+    const scalar sign = is_A ? scalar(-1) : scalar(1);
+    if (block.rows > 1) set_opposite(is_A ? block.torsion.k_A : block.torsion.k_B, lane_i, lane_of(block.n, lane_i) * sign);
+    if constexpr (View::rolls) {
+        RollingRows& rolling = solver.rolling[block_i];
+        set_opposite(is_A ? rolling.k_A[0] : rolling.k_B[0], lane_i, lane_of(block.t_1, lane_i) * sign);
+        set_opposite(is_A ? rolling.k_A[1] : rolling.k_B[1], lane_i, lane_of(block.t_2, lane_i) * sign);
+    }
+}
+
+SolverBody& body_of(const SolverView& solver, const KinematicContacts& kinematic, int contact_i) {
+    return solver.bodies[kinematic.body_begin + contact_i];
+}
+Vector r_CM_of_slot(const BodyView& bodies, int slot) {
+    return lane_of(bodies.translation[place_of(slot).tile].r_CM, place_of(slot).lane);
+}
+
+}  // namespace
+
+template <class View>
+void see_kinematic_bodies(const View& solver, KinematicContacts& kinematic, const BodyView& bodies, scalar h) {
+    kinematic.count = 0;
+    // bound: max_manifolds, rounded up to whole blocks
+    for (int position = 0; position < solver.block_count * lanes; ++position) {
+        ContactBlock& block = solver.blocks[position / lanes];
+        const int lane_i = position % lanes;
+        const uint16_t manifold_i = block.manifold[lane_i];
+        if (manifold_i == no_manifold || (block.body_A[lane_i] != 0) == (block.body_B[lane_i] != 0)) continue;
+        const bool is_A = block.body_A[lane_i] == 0;
+        const BodyPair& pair = solver.pairs[manifold_i];
+        const int slot = is_A ? pair.body_A : pair.body_B;
+        if (!shows_kinematic_motion(bodies, slot)) continue;
+        const int contact_i = kinematic.count++;
+        KinematicContact& contact = kinematic.contacts[contact_i];
+        contact = kinematic_contact_of(bodies, kinematic.of_slots, h, slot, r_CM_of_slot(bodies, is_A ? pair.body_B : pair.body_A));
+        contact.position = static_cast<uint16_t>(position);
+        contact.partner = is_A ? block.body_B[lane_i] : block.body_A[lane_i];
+        contact.is_A = is_A ? uint16_t(1) : uint16_t(0);
+        const uint16_t body_i = static_cast<uint16_t>(kinematic.body_begin + contact_i);
+        (is_A ? block.body_A : block.body_B)[lane_i] = body_i;
+        solver.bodies[body_i] = {};
+        solver.histories[body_i] = {};
+        solver.colours_of_body[body_i] = 0;
+        see_rows(solver, contact);
+    }
+}
+
+void begin_kinematic_substep(const SolverView& solver, const KinematicContacts& kinematic, scalar h) {
+    for (int contact_i = 0; contact_i < kinematic.count; ++contact_i) {  // bound: max_manifolds
+        KinematicContact& contact = kinematic.contacts[contact_i];
+        SolverBody& body = body_of(solver, kinematic, contact_i);
+        SolverBodyHistory& history = solver.histories[kinematic.body_begin + contact_i];
+        begin_substep(contact, vector_of(solver.bodies[contact.partner].dp));
+        set3(body.v_CM, velocity_at_begin(contact, h));
+        set3(body.L, contact.omega);
+        set3(history.a, acceleration_at_begin(contact));
+        set3(history.tau, contact.alpha);
+    }
+}
+
+void kick_kinematic_bodies(const SolverView& solver, const KinematicContacts& kinematic, scalar h) {
+    for (int contact_i = 0; contact_i < kinematic.count; ++contact_i) {
+        const KinematicContact& contact = kinematic.contacts[contact_i];
+        SolverBody& body = body_of(solver, kinematic, contact_i);
+        set3(body.v_CM, velocity_at_end(contact, h));
+        set3(body.L, contact.omega + contact.alpha * h);
+    }
+}
+
+void drift_kinematic_bodies(const SolverView& solver, KinematicContacts& kinematic, scalar h) {
+    for (int contact_i = 0; contact_i < kinematic.count; ++contact_i) {
+        KinematicContact& contact = kinematic.contacts[contact_i];
+        SolverBody& body = body_of(solver, kinematic, contact_i);
+        const Vector turn = mean_spin(contact, h) * h;
+        set3(body.dp, vector_of(body.dp) + end_substep(contact, h));
+        ContactBlock& block = solver.blocks[contact.position / lanes];
+        const int lane_i = contact.position % lanes;
+        // bound: 4: block_rows
+        for (int row = 0; row < block.rows; ++row) {
+            const Levers& levers = block.row[row].levers;
+            block.row[row].separation[lane_i] += dot(turn, lane_of(contact.is_A != 0 ? levers.k_A : levers.k_B, lane_i));
+        }
+    }
+}
+
+// The linker takes the one that the scene calls.
+template void see_kinematic_bodies(const SolverView&, KinematicContacts&, const BodyView&, scalar);
+template void see_kinematic_bodies(const BallView&, KinematicContacts&, const BodyView&, scalar);
+template void see_kinematic_bodies(const RollingView&, KinematicContacts&, const BodyView&, scalar);
+template void see_kinematic_bodies(const BeltView&, KinematicContacts&, const BodyView&, scalar);
+template void see_kinematic_bodies(const RollingBeltView&, KinematicContacts&, const BodyView&, scalar);
+
+} }  // namespace ingot

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// What the adaptors of stages.h, kinematic_stages.h and schemes.h are handed.
+#pragma once
+
+#include "world.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+struct NoSolver {};
+template <class S>
+constexpr auto solver_of_scene() {
+    if constexpr (stacks<S>)
+        return decltype(any_of<Storage<S>>().contact_solver()){};
+    else
+        return NoSolver{};
+}
+
+/// One step on its way through the stages: what it works on, and what it has to say.
+template <class S>
+struct Step {
+    Storage<S>& storage;
+    scalar h;            ///< s
+    const BodyView& bodies;
+    StepReport& report;
+    decltype(solver_of_scene<S>()) solver{};  ///< of contacts with friction: filled by advance, read by follow_fast_bodies
+    FlightImpactList flights{};               ///< of fast bodies: for events
+};
+
+} }  // namespace ingot
