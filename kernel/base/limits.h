@@ -35,6 +35,9 @@ inline constexpr scalar spin_runaway  = scalar(1e9);  ///< rad/s
 
 /// rad in a step, by which a kinematic body turns at most: beyond it nothing that touches it could follow.
 inline constexpr scalar kinematic_turn_max = 500;
+/// Of the speed of a kinematic body, and of length_unit/s: what sweeps leave by more than both, at their bound, cannot be, as between two plates that
+/// close. Impulses of such an island are halved from substep to substep, or they would add up without end.
+inline constexpr scalar kinematic_yield_share = scalar(0.1), kinematic_yield_speed = scalar(0.01);
 
 // Tolerances of input.
 /// Largest entry of |A^T A - 1| that is taken for a rotation; it is then made orthonormal at the door.

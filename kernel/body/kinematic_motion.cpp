@@ -108,9 +108,9 @@ void move_kinematic_body(const BodyView& bodies, scalar h, int slot, KinematicBo
     if (!(length_sq(body.omega) > 0)) return;
     const Matrix off = polar_correction(A);
     Matrix next;
-    next.c0 = add_keeping(A.c0, change_by_turn(body.omega, h, A.c0) + off.c0, body.A_low.c0);
-    next.c1 = add_keeping(A.c1, change_by_turn(body.omega, h, A.c1) + off.c1, body.A_low.c1);
-    next.c2 = add_keeping(A.c2, change_by_turn(body.omega, h, A.c2) + off.c2, body.A_low.c2);
+    next.c0 = add_keeping(A.c0, change_by_turn(body.omega, h, A.c0 + off.c0) + off.c0, body.A_low.c0);
+    next.c1 = add_keeping(A.c1, change_by_turn(body.omega, h, A.c1 + off.c1) + off.c1, body.A_low.c1);
+    next.c2 = add_keeping(A.c2, change_by_turn(body.omega, h, A.c2 + off.c2) + off.c2, body.A_low.c2);
     set_lane(rotation.A, at.lane, next);
 }
 

@@ -41,6 +41,12 @@ inline Vector velocity_at_end(const KinematicContact& contact, scalar h) {
     const Vector R = contact.R + change_by_turn(mean_spin(contact, h), h, contact.R);
     return carried_velocity(contact.v_CM + contact.a * h, contact.omega + contact.alpha * h, h, R);
 }
+/// Whether what an island's sweeps have left, m/s, is more than they ever solve: u is how fast the kinematic body asks it to go.
+inline bool asks_too_much(scalar residual, const Vector& u, scalar unit) {
+    return residual > limits::kinematic_yield_speed * unit &&
+           residual * residual > limits::kinematic_yield_share * limits::kinematic_yield_share * length_sq(u);
+}
+
 /// The end of it. Returns: the displacement at R, along its arc.
 inline Vector end_substep(KinematicContact& contact, scalar h) {
     const Vector way = (contact.v_CM + contact.a * (h / 2)) * h, displacement = way + change_by_turn(mean_spin(contact, h), h, contact.R);

@@ -18,7 +18,7 @@ struct BodyDef {
     BodyFilter filter = meets_all; ///< whom it meets; for scenes with filters
     bool sensor = false;         ///< notes who is in it and touches nothing; for scenes with max_overlaps
     bool immovable = false;      ///< neither force nor impulse moves it
-    /// A platform, lift, door, flipper, turntable: neither force nor impulse moves it. It goes on with state.v_CM and with state.L, which of such a body
+    /// A platform, lift, door, flipper, turntable: neither force nor impulse moves it. It goes on with state.v_CM and state.L, which of such a body
     /// is its angular velocity, rad/s. For scenes with kinematic_bodies
     bool kinematic = false;
 };

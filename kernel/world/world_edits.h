@@ -176,10 +176,7 @@ public:
         return {Status::ok, storage_.is_sensor[shape_slot.value] != 0};
     }
 
-private:
-    void forget_kinematic([[maybe_unused]] int slot) {
-        if constexpr (S::kinematic_bodies) storage_.kinematic[slot] = {};
-    }
+protected:
     bool has_half_space(int slot) const {
         bool has = false;
         if constexpr (has_shapes<S>)
@@ -187,6 +184,11 @@ private:
             for (int shape_i = 0; shape_i < S::max_shapes_of_body; ++shape_i)
                 has = has || storage_.surfaces[slot * S::max_shapes_of_body + shape_i].shape.kind == ShapeKind::half_space;
         return has;
+    }
+
+private:
+    void forget_kinematic([[maybe_unused]] int slot) {
+        if constexpr (S::kinematic_bodies) storage_.kinematic[slot] = {};
     }
     Status check_new_shape(int slot, const Shape& shape) const {
         const Status status = check_shape(shape);

@@ -61,7 +61,10 @@ struct SeesKinematicPoints : SequentialContacts<View, notes_impulses> {
         });
     }
     void drift(const BodyView& bodies, scalar h) {
+        bool too_much = false;
+        for_kinematic(all, [&](KinematicPoint& point) { too_much = too_much || asks_too_much(this->residual(), point.velocity.linear, all.unit); });
         Contacts::drift(bodies, h);
+        if (too_much) this->halve_impulses();
         for_kinematic(all, [&](KinematicPoint& point) {
             point.displacement.angular += mean_spin(point.body, h) * h;
             point.displacement.linear += end_substep(point.body, h);

@@ -112,6 +112,15 @@ struct SequentialContacts {
         note_sweeps(report, swept_.sweeps, swept_.residual);
     }
 
+protected:
+    /// m/s, what the sweeps of the substep left.
+    scalar residual() const { return swept_.residual; }
+    /// The next substep begins with half of the impulses of this one.
+    void halve_impulses() {
+        end_contacts(view, scalar(0.5), false);
+        given_again_ = false;
+    }
+
 private:
     View& view;
     int slot_ = -1, substeps_ = 0;

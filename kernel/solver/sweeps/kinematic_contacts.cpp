@@ -98,6 +98,26 @@ void kick_kinematic_bodies(const SolverView& solver, const KinematicContacts& ki
     }
 }
 
+template <class View>
+void yield_islands(const View& solver, const KinematicContacts& kinematic) {
+    bool some = false;
+    const auto island_of = [&solver](int position) { return solver.blocks[position / lanes].island[position % lanes]; };
+    for (int contact_i = 0; contact_i < kinematic.count; ++contact_i) {
+        Island& island = solver.islands[island_of(kinematic.contacts[contact_i].position)];
+        if (!island.at_bound || !asks_too_much(island.residual, vector_of(body_of(solver, kinematic, contact_i).v_CM), solver.unit)) continue;
+        island.residual = -island.residual;  // a mark
+        some = true;
+    }
+    // bound: max_manifolds, rounded up to whole blocks
+    for (int position = 0; some && position < solver.block_count * lanes; ++position) {
+        const int lane_i = position % lanes;
+        if (solver.blocks[position / lanes].manifold[lane_i] == no_manifold || !(solver.islands[island_of(position)].residual < 0)) continue;
+        ContactConstraint<View>::Given::for_rows(solver, position / lanes, [lane_i](const SeenRow& row) { row.j[lane_i] *= scalar(0.5); });
+    }
+    for (int island_i = 0; some && island_i < solver.island_count; ++island_i)  // bound: max_bodies
+        solver.islands[island_i].residual = max(solver.islands[island_i].residual, -solver.islands[island_i].residual);
+}
+
 void drift_kinematic_bodies(const SolverView& solver, KinematicContacts& kinematic, scalar h) {
     for (int contact_i = 0; contact_i < kinematic.count; ++contact_i) {
         KinematicContact& contact = kinematic.contacts[contact_i];
@@ -115,6 +135,11 @@ void drift_kinematic_bodies(const SolverView& solver, KinematicContacts& kinemat
 }
 
 // The linker takes the one that the scene calls.
+template void yield_islands(const SolverView&, const KinematicContacts&);
+template void yield_islands(const BallView&, const KinematicContacts&);
+template void yield_islands(const RollingView&, const KinematicContacts&);
+template void yield_islands(const BeltView&, const KinematicContacts&);
+template void yield_islands(const RollingBeltView&, const KinematicContacts&);
 template void see_kinematic_bodies(const SolverView&, KinematicContacts&, const BodyView&, scalar);
 template void see_kinematic_bodies(const BallView&, KinematicContacts&, const BodyView&, scalar);
 template void see_kinematic_bodies(const RollingView&, KinematicContacts&, const BodyView&, scalar);

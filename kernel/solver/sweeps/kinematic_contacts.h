@@ -16,6 +16,9 @@ void see_kinematic_bodies(const View& solver, KinematicContacts& kinematic, cons
 void begin_kinematic_substep(const SolverView& solver, const KinematicContacts& kinematic, scalar h);
 /// Velocities as they are at its end, which contacts aim at.
 void kick_kinematic_bodies(const SolverView& solver, const KinematicContacts& kinematic, scalar h);
+/// Halves the impulses of islands that are asked for what cannot be: see limits::kinematic_yield_share.
+template <class View>
+void yield_islands(const View& solver, const KinematicContacts& kinematic);
 /// Displaces them by a substep, along their arcs. What they turn by is taken from the separations.
 void drift_kinematic_bodies(const SolverView& solver, KinematicContacts& kinematic, scalar h);
 
@@ -39,6 +42,7 @@ struct SeesKinematic : Contacts {
         kick_kinematic_bodies(all, all.kinematic, h);
     }
     void drift(const BodyView& bodies, scalar h) {
+        yield_islands(static_cast<PlainViewOf<View>&>(all), all.kinematic);
         Contacts::drift(bodies, h);
         drift_kinematic_bodies(all, all.kinematic, h);
     }
