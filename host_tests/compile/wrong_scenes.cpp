@@ -247,6 +247,10 @@ struct Wrong : ingot::Scene {
     static constexpr bool compensated_sums = true;
     using force_field = ingot::Spring;
 #endif
+#ifdef TOO_MANY_FOR_KINEMATIC_BODIES
+    static constexpr bool translates = true, kinematic_bodies = true;
+    static constexpr int max_bodies = 40000, max_manifolds = 30000;
+#endif
 #ifdef KINEMATIC_WITHOUT_SHAPES
     static constexpr bool kinematic_bodies = true;
 #endif

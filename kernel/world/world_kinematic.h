@@ -21,7 +21,7 @@ public:
     // the substeps of everything else, and nothing stops them: neither gravity, forces and impulses nor what is in their way. To contacts they
     // are infinitely heavy and move: friction carries, restitution throws, as v_CM + omega x r at each point asks for. Among themselves, and with
     // immovable bodies, they have no contacts. They join no islands. One that moves keeps awake what it touches and wakes what it meets; one that
-    // stands still is as an immovable body. Energy and momentum of the world do not count them.
+    // stands still is as an immovable body. Energy and momentum of the world do not count them, and World::collide takes them for standing.
     // Their motion is exact: r_CM goes along a straight line, A turns by exp(omega h), and rounding does not add up; points go on arcs. What turns
     // about a hinge beside its middle has its body's centre there: World::add with parts. It turns by limits::kinematic_turn_max in a step at most.
     // With `continuous` fast bodies meet them where they are at the time of impact, and one that is itself fast, a flipper, meets what is in its way.

@@ -9,7 +9,7 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
-Vector vector_of(const scalar (&from)[4]) { return {from[0], from[1], from[2]}; }
+Vector three_of(const scalar (&from)[4]) { return {from[0], from[1], from[2]}; }
 void set3(scalar (&to)[4], const Vector& value) {
     to[0] = value.x;
     to[1] = value.y;
@@ -81,7 +81,7 @@ void begin_kinematic_substep(const SolverView& solver, const KinematicContacts& 
         KinematicContact& contact = kinematic.contacts[contact_i];
         SolverBody& body = body_of(solver, kinematic, contact_i);
         SolverBodyHistory& history = solver.histories[kinematic.body_begin + contact_i];
-        begin_substep(contact, vector_of(solver.bodies[contact.partner].dp));
+        begin_substep(contact, three_of(solver.bodies[contact.partner].dp));
         set3(body.v_CM, velocity_at_begin(contact, h));
         set3(body.L, contact.omega);
         set3(history.a, acceleration_at_begin(contact));
@@ -104,7 +104,7 @@ void yield_islands(const View& solver, const KinematicContacts& kinematic) {
     const auto island_of = [&solver](int position) { return solver.blocks[position / lanes].island[position % lanes]; };
     for (int contact_i = 0; contact_i < kinematic.count; ++contact_i) {
         Island& island = solver.islands[island_of(kinematic.contacts[contact_i].position)];
-        if (!island.at_bound || !asks_too_much(island.residual, vector_of(body_of(solver, kinematic, contact_i).v_CM), solver.unit)) continue;
+        if (!island.at_bound || !asks_too_much(island.residual, three_of(body_of(solver, kinematic, contact_i).v_CM), solver.unit)) continue;
         island.residual = -island.residual;  // a mark
         some = true;
     }
@@ -123,7 +123,7 @@ void drift_kinematic_bodies(const SolverView& solver, KinematicContacts& kinemat
         KinematicContact& contact = kinematic.contacts[contact_i];
         SolverBody& body = body_of(solver, kinematic, contact_i);
         const Vector turn = mean_spin(contact, h) * h;
-        set3(body.dp, vector_of(body.dp) + end_substep(contact, h));
+        set3(body.dp, three_of(body.dp) + end_substep(contact, h));
         ContactBlock& block = solver.blocks[contact.position / lanes];
         const int lane_i = contact.position % lanes;
         // bound: 4: block_rows
