@@ -34,7 +34,7 @@ FUNCTIONS_ARE_NOT_PUBLIC = ("motion/force_fields.h", "world/snapshot.h", "world/
 
 def members_of_world(text):
     """Names of the public member functions of World, or of a part of it, as often as they are declared. One a line, four columns in: clang-format sees to it."""
-    public = re.search(r"^class World\w*(?: : [^\n]*)? \{\n(.*?)^(?:private:|\};)\n", text, re.M | re.S)[1].split("\npublic:\n", 1)[1]
+    public = re.search(r"^class World\w*(?: : [^\n]*)? \{\n(.*?)^(?:private:|\};|protected:(?!.*^public:))\n", text, re.M | re.S)[1].split("\npublic:\n", 1)[1]
     return collections.Counter(re.findall(r"^ {4}(?!static_assert)[A-Za-z][^(\n]*?(\w+)\(", public, re.M))
 
 

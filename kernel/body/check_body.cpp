@@ -37,6 +37,8 @@ Matrix nearest_rotation(const Matrix& A) {
     return R + Matrix{};  // x + 0 turns -0 into +0
 }
 
+Matrix correction_of_rotation(const Matrix& A) { return polar_correction(A); }
+
 ScaledInverseInertia scaled_inverse_inertia(const Vector& I_body) {
     const Vector J = {1 / I_body.x, 1 / I_body.y, 1 / I_body.z};
     const scalar sum = J.x + J.y + J.z;

@@ -37,6 +37,9 @@ constexpr Status check_step(scalar h) {
 /// The rotation next to A. An A orthonormal to rounding is returned bitwise; -0 becomes +0 in every entry.
 Matrix nearest_rotation(const Matrix& A);
 
+/// What one step towards it adds to A: polar_correction, as code that is there once.
+Matrix correction_of_rotation(const Matrix& A);
+
 /// The inverse principal moments as body tiles keep them (see RotationTile).
 struct ScaledInverseInertia {
     Vector ratio;

@@ -106,7 +106,7 @@ void move_kinematic_body(const BodyView& bodies, scalar h, int slot, KinematicBo
     body.r_CM_low = r_CM_low;
     set_lane(translation.r_CM, at.lane, r_CM);
     if (!(length_sq(body.omega) > 0)) return;
-    const Matrix off = polar_correction(A);
+    const Matrix off = correction_of_rotation(A);
     Matrix next;
     next.c0 = add_keeping(A.c0, change_by_turn(body.omega, h, A.c0 + off.c0) + off.c0, body.A_low.c0);
     next.c1 = add_keeping(A.c1, change_by_turn(body.omega, h, A.c1 + off.c1) + off.c1, body.A_low.c1);

@@ -135,13 +135,9 @@ public:
     Result<BodyState> state(BodyId id) const {
         const Result<int> slot = find(id);
         if (!slot.ok()) return {slot.status, {}};
-        BodyState now = read_state(storage_.bodies(), slot.value);
         if constexpr (S::kinematic_bodies)
-            if (ingot::is_kinematic(storage_.kinematic[slot.value])) {
-                now.v_CM = storage_.kinematic[slot.value].v_CM;
-                now.L = storage_.kinematic[slot.value].omega;
-            }
-        return {Status::ok, now};
+            if (ingot::is_kinematic(storage_.kinematic[slot.value])) return {Status::ok, this->kinematic_state(slot.value)};
+        return {Status::ok, read_state(storage_.bodies(), slot.value)};
     }
 
     /// A kinematic body is put there, whatever is in its way, and goes on with v_CM and, in the place of L, omega: see move_to for one that is to

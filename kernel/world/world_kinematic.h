@@ -80,6 +80,13 @@ public:
     }
 
 protected:
+    /// See World::state.
+    BodyState kinematic_state(int slot) const {
+        BodyState now = read_state(storage_.bodies(), slot);
+        now.v_CM = storage_.kinematic[slot].v_CM;
+        now.L = storage_.kinematic[slot].omega;
+        return now;
+    }
     /// See World::set_state.
     Status put_kinematic(int slot, const BodyState& state) {
         Status status = check_kinematic_motion(state.v_CM, state.L);

@@ -58,24 +58,31 @@ struct NormalMotion {
 INGOT_INLINE NormalMotion normal_motion(const PointVisit& visit, const RelativeVelocity& relative) {
     return {cross(visit.n(), relative.angular), visit.contact.middle, dot(visit.n(), relative.linear)};
 }
-/// Motion of A against B as P sees it: their velocities, or displacements, or what forces give them in a second.
-INGOT_INLINE RelativeVelocity relative_in(const PointVisit& visit, MotionOfBody kind, const Vector& P) {
-    return relative_motion(visit.pair, kind, P);
-}
-/// Of a contact with a kinematic body: that of the body that moves, less what it would have if it were stuck to the other.
+/// The bodies of a manifold as relative_motion asks for them.
+INGOT_INLINE const PointPair& pair_in(const PointVisit& visit) { return visit.pair; }
+/// Of a contact with a kinematic body, with that.
+struct KinematicPair {
+    const PointPair& pair;
+    const KinematicPoint& point;
+};
 template <class View>
-INGOT_SHARED RelativeVelocity relative_in(const VisitOf<KinematicPointViewOf<View>>& visit, MotionOfBody kind, const Vector& P) {
-    RelativeVelocity relative = relative_motion(visit.pair, kind, P);
-    const KinematicPoint& point = visit.solver.kinematic.points[visit.manifold_i];
-    const PointMotion& motion = kind == &PointBody::velocity ? point.velocity : kind == &PointBody::forces ? point.forces : point.displacement;
-    relative.linear -= (motion.linear + cross(motion.angular, P - point.r_partner)) * point.sign;
-    relative.angular -= motion.angular * point.sign;
+INGOT_INLINE KinematicPair pair_in(const VisitOf<KinematicPointViewOf<View>>& visit) {
+    return {visit.pair, visit.solver.kinematic.points[visit.manifold_i]};
+}
+/// The motion of the body that moves, less what it would have if it were stuck to the kinematic one.
+[[maybe_unused]] RelativeVelocity relative_motion(const KinematicPair& of, MotionOfBody kind, const Vector& P) {
+    const PointMotion& motion = kind == &PointBody::velocity ? of.point.velocity
+                                : kind == &PointBody::forces ? of.point.forces
+                                                             : of.point.displacement;
+    RelativeVelocity relative = relative_motion(of.pair, kind, P);
+    relative.linear -= (motion.linear + cross(motion.angular, P - of.point.r_partner)) * of.point.sign;
+    relative.angular -= motion.angular * of.point.sign;
     return relative;
 }
 
 template <class Visit>
 INGOT_SHARED NormalMotion normal_displacement(const Visit& visit) {
-    return normal_motion(visit, relative_in(visit, &PointBody::displacement, visit.contact.middle));
+    return normal_motion(visit, relative_motion(pair_in(visit), &PointBody::displacement, visit.contact.middle));
 }
 
 }  // namespace

@@ -77,7 +77,7 @@ scalar round_of_normals(const Visit& visit, RelativeVelocity& relative, scalar i
         largest = max(largest, abs(d * K));
         note_change(sweep, abs(d), K, 1);
         push_pair(visit.pair, &PointBody::velocity, visit.P(point_i), visit.n() * d, {});
-        relative = relative_in(visit, &PointBody::velocity, visit.contact.middle);
+        relative = relative_motion(pair_in(visit), &PointBody::velocity, visit.contact.middle);
         is_known = false;
     }
     return largest;
@@ -125,13 +125,13 @@ bool solve_rolling(const VisitOf<View>& visit, const RelativeVelocity& relative,
 
 template <class View>
 void visit_velocities(const VisitOf<View>& visit, scalar ignored, SweepOfPoints& sweep) {
-    RelativeVelocity relative = relative_in(visit, &PointBody::velocity, visit.contact.middle);
+    RelativeVelocity relative = relative_motion(pair_in(visit), &PointBody::velocity, visit.contact.middle);
     for (int round_i = 0; round_i < limits::rounds_of_points; ++round_i)
         if (round_of_normals(visit, relative, ignored, sweep) <= ignored) break;
     const scalar load = load_on(visit), limit = visit.record.mu * load;
     bool turned = solve_torsion(visit, relative, limit, ignored, sweep);
     if constexpr (View::rolls) turned = solve_rolling(visit, relative, load, ignored, sweep) || turned;  // across n: the torsion is about it
-    if (turned) relative = relative_in(visit, &PointBody::velocity, visit.contact.middle);
+    if (turned) relative = relative_motion(pair_in(visit), &PointBody::velocity, visit.contact.middle);
     if constexpr (View::has_belts) relative.linear += visit.belt_velocity();
     solve_friction(visit, relative, limit, ignored, sweep);
 }
@@ -290,7 +290,7 @@ void go_on(const VisitOf<View>& visit, scalar beta) {
 template <class View>
 bool predict_bounces_of(const VisitOf<View>& visit, scalar h) {
     const NormalMotion moved = normal_displacement(visit);
-    const auto along_n = [&](MotionOfBody kind) { return normal_motion(visit, relative_in(visit, kind, visit.contact.middle)); };
+    const auto along_n = [&](MotionOfBody kind) { return normal_motion(visit, relative_motion(pair_in(visit), kind, visit.contact.middle)); };
     const NormalMotion speed = along_n(&PointBody::velocity), pull = along_n(&PointBody::forces);
     bool some = false;
     for (int point_i = 0; point_i < visit.count(); ++point_i) {
