@@ -23,7 +23,7 @@ TYPED_TEST_SUITE(Random, RandomScenes);
 struct Draw {
     std::mt19937 engine;
 
-    scalar real(double low, double high) { return of(low + (high - low) * (engine() / 4294967296.0)); }
+    scalar real(double low, double high) { return of(low + (high - low) * (static_cast<double>(engine()) / 4294967296.0)); }
     int integer(int n) { return static_cast<int>(engine() % static_cast<unsigned>(n)); }
     Vector vector(double most) { return {real(-most, most), real(-most, most), real(-most, most)}; }
     Matrix rotation() {

@@ -8,10 +8,8 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-namespace {
-
 /// For a step of h seconds: the kinematic body of a manifold, or none.
-void see_kinematic_body(const PointView& solver, const KinematicPoints& kinematic, const BodyView& bodies, scalar h, int manifold_i) {
+inline void see_kinematic_body(const PointView& solver, const KinematicPoints& kinematic, const BodyView& bodies, scalar h, int manifold_i) {
     KinematicPoint& point = kinematic.points[manifold_i];
     point = {};
     const BodyPair& pair = solver.pairs[manifold_i];
@@ -74,7 +72,5 @@ struct SeesKinematicPoints : SequentialContacts<View, notes_impulses> {
 private:
     View& all;
 };
-
-}  // namespace
 
 } }  // namespace ingot

@@ -15,7 +15,7 @@ struct CompensatedSums : Feature {
 
     template <class S, bool present>
     struct Memory {
-        static constexpr int place_capacity = S::translates ? tile_capacity<S> : 1;
+        static constexpr unsigned place_capacity = S::translates ? static_cast<unsigned>(tile_capacity<S>) : 1u;
         SumTile L_sums[tile_capacity<S>] = {};
         SumTile v_sums[place_capacity] = {}, r_sums[place_capacity] = {};
 
