@@ -56,7 +56,6 @@ inline constexpr int sweeps_max = INGOT_DOUBLE ? 32 : 16;  ///< of the fixed poi
 inline constexpr scalar angle_per_forced_substep = scalar(0.25);  ///< rad; of CommutatorFree4, whose error grows with its fifth power
 inline constexpr int forced_substeps_max = 16;             ///< beyond 16 * 0.25 rad a body of CommutatorFree4 is reported
 inline constexpr scalar elliptic_turn_max = 16;            ///< rad; of ExactElliptic, beyond it the turn of a step is clamped and reported
-inline constexpr scalar elliptic_turn_of_part = 1;         ///< rad; of ExactElliptic, a step that turns further is made in parts
 inline constexpr int agm_steps_max = 10;                   ///< of the arithmetic-geometric mean, which doubles its digits in each
 inline constexpr int polar_interval = 16;                  ///< steps from one polar step to the next
 inline constexpr int polar_steps_max = 5;                  ///< of Rk4Polar, from one step's slopes back to a rotation; then A stays
@@ -117,6 +116,16 @@ inline constexpr scalar sliding_share_sq = scalar(0.998);
 /// each visit leaves a third of the slip.
 inline constexpr scalar friction_stiffening = scalar(0.75);
 
+// Bodies that turn in contact (body/turning_inertia.h).
+/// rad, times what the inverse moments differ by, of the least: a body that turns further in a substep has another inertia in the next. Its contacts
+/// give no more than this part of its energy of rotation.
+inline constexpr scalar inertia_turn = INGOT_DOUBLE ? scalar(1e-9) : scalar(1e-5);
+inline constexpr scalar turning_speed = scalar(0.1);    ///< m/s; one that spins more slowly, by its energy, keeps the inertia of the step
+inline constexpr int energy_turns = 16;                 ///< by which the energy of a turn is made right, at most: one or two as a rule
+inline constexpr scalar energy_turn_max = scalar(0.25); ///< rad, of one of them
+/// Of the energy: what is off by less is rounding. A body that spins about an axis of inertia would be turned by degrees to take that back.
+inline constexpr scalar energy_rounding = 16 * epsilon;
+
 // Sweeps (solver/sweeps/).
 inline constexpr int substeps = 4;  ///< of a step; each is solved and displaced by itself
 inline constexpr int sweeps = 3;    ///< over all contacts in a substep
@@ -144,6 +153,12 @@ inline constexpr int steady_substeps = 2;
 inline constexpr int steady_sweeps = sweeps * substeps / steady_substeps;  ///< at most, in each
 inline constexpr scalar settled_turn = 2 * epsilon;                        ///< rad; a correction that turns by less rounds to nothing
 inline constexpr int level_passes_max = 32;                                ///< over the contacts, to find the distance of bodies from the ground
+/// m/s; sweeps that end at their bound with a larger residual may give energy, where something is faster than the second. An island that gains more
+/// than this part of what it would have without contacts is swept again, so many times at most.
+inline constexpr scalar gaining_residual = scalar(1e-4), gaining_speed = scalar(0.25);
+inline constexpr scalar gain_allowed = scalar(1e-6);
+inline constexpr int gaining_rounds = 8;
+inline constexpr int bounce_rounds = 8;           ///< in which bounces are lowered that gain energy by friction
 inline constexpr int landing_pushes = 4;                                   ///< of points that bounce within a substep: each leaves 1 % of the way
 inline constexpr int impacts_of_contact = 8;      ///< within a substep, where impacts cause others; in the mean over the contacts
 inline constexpr scalar together = scalar(5e-5);  ///< of a substep; impacts no further apart are simultaneous: 0.2 us at 60 Hz

@@ -59,6 +59,12 @@ INGOT_INLINE auto bounces_off(const RowImpact<T>& impact, T e) {
     return both(both(impact.meets, -impact.speed > impact.rest_speed), e > T{});
 }
 
+/// A target for points that do not reach the other body in this substep: it does not slow their own flight, but it stops what others push further.
+template <class T>
+INGOT_INLINE T flying_target(const RowFlight<T>& from, T resting, T h) {
+    return min(resting, from.speed + from.a * h);
+}
+
 /// A target that stops nothing. A point that does not reach the other body in this substep is left alone: stopping it, as if it touched, would take
 /// energy from the bounce to come.
 template <class T>

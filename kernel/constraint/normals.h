@@ -74,7 +74,8 @@ struct Normals {
         const auto& block = solver.blocks[block_i];
         auto& record = solver.records[record_i];
         for (int row = 0; row < record.manifold.count; ++row) {  // bound: 4: Manifold::points_max
-            record.j[row] = block.row[row].j[lane_i] * part;
+            const bool bounced = block.row[row].landing[lane_i] < limits::unbounded;  // an impact is over: it is not given again
+            record.j[row] = bounced ? scalar(0) : block.row[row].j[lane_i] * part;
             record.j_before[row] = block.row[row].j_before[lane_i] * part;
         }
     }

@@ -27,27 +27,32 @@ struct Collected {
     scalar n[3][lanes], P[block_rows][3][lanes], used[block_rows][lanes], separation[block_rows][lanes];
 };
 
-/// Names the bodies of a block, and collects them. Body 0 of the solver cannot move: it is all zero here too. Between two of them there is nothing to
+/// What bore load at the end of the last step does not bounce: impacts are of those that come from apart. Else each collision in a heap makes all of
+/// it rattle.
+bool bears_load(const ManifoldRecord& record) {
+    scalar load = 0;
+    for (int row = 0; row < record.manifold.count; ++row) load += record.j[row];  // bound: 4: Manifold::points_max
+    return load > 0;
+}
+
+/// Collects the bodies of a block. Body 0 of the solver cannot move: it is all zero here too. Between two of them there is nothing to
 /// solve, and the lane is left as if it had no points.
 void collect(const SolverView& solver, const BodyView& bodies, ContactBlock& block, Collected& in) {
     block.rows = 1;
     for (int lane_i = 0; lane_i < lanes; ++lane_i) {
         const uint16_t manifold_i = block.manifold[lane_i];
         const ManifoldRecord& record = kept_of(solver, manifold_i).record;
-        block.body_A[lane_i] = block.body_B[lane_i] = 0;
         block.mu[lane_i] = record.mu;
-        block.e[lane_i] = record.e;
-        block.substeps[lane_i] = static_cast<scalar>(age_of(record));
+        block.e[lane_i] = bears_load(record) ? scalar(0) : record.e;
         block.halvings[lane_i] = static_cast<uint8_t>(record.manifold.halvings);
         set_lane(in.n, lane_i, record.manifold.n);
         if (manifold_i == no_manifold) continue;
         const BodyPair& pair = solver.pairs[manifold_i];
-        block.body_A[lane_i] = solver.local_of[pair.body_A];
-        block.body_B[lane_i] = solver.local_of[pair.body_B];
-        if (block.body_A[lane_i] != 0) in.A.put(lane_i, bodies, pair.body_A);
-        if (block.body_B[lane_i] != 0) in.B.put(lane_i, bodies, pair.body_B);
+        const bool A_moves = solver.local_of[pair.body_A] != 0, B_moves = solver.local_of[pair.body_B] != 0;
+        if (A_moves) in.A.put(lane_i, bodies, pair.body_A);
+        if (B_moves) in.B.put(lane_i, bodies, pair.body_B);
         if (record.manifold.count > 1) block.rows = block_rows;
-        if (block.body_A[lane_i] == 0 && block.body_B[lane_i] == 0) continue;  // one has gone bad
+        if (!A_moves && !B_moves) continue;  // one has gone bad
         for (int row = 0; row < record.manifold.count; ++row) {  // bound: 4: Manifold::points_max
             in.used[row][lane_i] = 1;
             in.separation[row][lane_i] = record.manifold.points[row].separation;
@@ -77,12 +82,24 @@ void count_central(const SolverView& solver, const ContactBlock& block, mask cen
         if ((left & 1u) != 0) ++solver.islands[block.island[lane_i]].central_count;
 }
 
+/// What the rows of a block are made of, from the tiles of its bodies as they are now.
+template <class View>
+LaneContacts collected(const View& solver, const BodyView& bodies, ContactBlock& block) {
+    Collected in{};
+    collect(solver, bodies, block, in);
+    return vectors_of(in, View::points_max == 1 ? 1 : block.rows, scale_of(solver, block) * splat<lane>(limits::contact_margin));
+}
+
+void name_bodies(const SolverView& solver, ContactBlock& block, int lane_i) {
+    const uint16_t manifold_i = block.manifold[lane_i];
+    block.body_A[lane_i] = manifold_i == no_manifold ? uint16_t(0) : solver.local_of[solver.pairs[manifold_i].body_A];
+    block.body_B[lane_i] = manifold_i == no_manifold ? uint16_t(0) : solver.local_of[solver.pairs[manifold_i].body_B];
+}
+
 template <class View>
 void prepare_block(const View& solver, const BodyView& bodies, int block_i) {
     ContactBlock& block = solver.blocks[block_i];
-    Collected in{};
-    collect(solver, bodies, block, in);
-    LaneContacts contacts = vectors_of(in, View::points_max == 1 ? 1 : block.rows, scale_of(solver, block) * splat<lane>(limits::contact_margin));
+    LaneContacts contacts = collected(solver, bodies, block);
     store(block.inv_M_A, contacts.response.A.inv_M);
     store(block.inv_M_B, contacts.response.B.inv_M);
     store(block.n, contacts.n);
@@ -90,9 +107,34 @@ void prepare_block(const View& solver, const BodyView& bodies, int block_i) {
     store(block.t_2, contacts.t_2);
 
     ContactConstraint<View>::Given::prepare(solver, block_i, contacts);
-    for (int lane_i = 0; lane_i < lanes; ++lane_i)
-        ContactConstraint<View>::Given::recall(solver, block_i, lane_i, kept_of(solver, block.manifold[lane_i]));
+    for (int lane_i = 0; lane_i < lanes; ++lane_i) {
+        const KeptOfLane kept = kept_of(solver, block.manifold[lane_i]);
+        name_bodies(solver, block, lane_i);
+        block.substeps[lane_i] = static_cast<scalar>(age_of(kept.record));
+        ContactConstraint<View>::Given::recall(solver, block_i, lane_i, kept);
+    }
     count_central(solver, block, contacts.central);
+}
+
+/// Lanes with a body whose inertia has turned in the substep before.
+uint16_t turning_lanes(const SolverView& solver, const ContactBlock& block) {
+    uint16_t turning = 0;
+    for (int lane_i = 0; lane_i < lanes; ++lane_i)
+        if (solver.bodies[block.body_A[lane_i]].dth[3] > 1 || solver.bodies[block.body_B[lane_i]].dth[3] > 1)
+            turning = static_cast<uint16_t>(turning | 1u << lane_i);
+    return turning;
+}
+
+/// Prepares a block again. Lanes that do not turn may be of other islands: they keep all that they have, what the last visit has cached as well.
+template <class View>
+void refresh_block(const View& solver, const BodyView& bodies, int block_i, uint16_t turning) {
+    ContactBlock& block = solver.blocks[block_i];
+    lane cached[10];
+    for (int i = 0; i < 10; ++i) cached[i] = load(block.cached_inverse[i]);
+    LaneContacts contacts = collected(solver, bodies, block);
+    ContactConstraint<View>::Given::prepare(solver, block_i, contacts);
+    const mask turns = mask_from_bits(turning);
+    for (int i = 0; i < 10; ++i) store(block.cached_inverse[i], select(turns, load(block.cached_inverse[i]), cached[i]));
 }
 
 }  // namespace
@@ -101,6 +143,14 @@ template <class View>
 void prepare_blocks(const View& solver, const BodyView& bodies) {
     // bound: max_manifolds, rounded up to whole blocks
     for (int block_i = 0; block_i < solver.block_count; ++block_i) prepare_block(solver, bodies, block_i);
+}
+
+template <class View>
+void refresh_blocks(const View& solver, const BodyView& bodies) {
+    if (!solver.some_turn) return;
+    for (int block_i = 0; block_i < solver.block_count; ++block_i) {
+        if (const uint16_t turning = turning_lanes(solver, solver.blocks[block_i]); turning != 0) refresh_block(solver, bodies, block_i, turning);
+    }
 }
 
 template <class View>
@@ -127,6 +177,11 @@ template void prepare_blocks(const BallView&, const BodyView&);
 template void prepare_blocks(const RollingView&, const BodyView&);
 template void prepare_blocks(const BeltView&, const BodyView&);
 template void prepare_blocks(const RollingBeltView&, const BodyView&);
+template void refresh_blocks(const SolverView&, const BodyView&);
+template void refresh_blocks(const BallView&, const BodyView&);
+template void refresh_blocks(const RollingView&, const BodyView&);
+template void refresh_blocks(const BeltView&, const BodyView&);
+template void refresh_blocks(const RollingBeltView&, const BodyView&);
 template void remember_impulses(const SolverView&);
 template void remember_impulses(const BallView&);
 template void remember_impulses(const RollingView&);

@@ -11,6 +11,10 @@ namespace ingot { inline namespace INGOT_ABI {
 template <class View>
 void prepare_blocks(const View& solver, const BodyView& bodies);
 
+/// In a substep after the first: what bodies answer, where they have turned. Levers stay those of the begin of the step, and so do impulses.
+template <class View>
+void refresh_blocks(const View& solver, const BodyView& bodies);
+
 /// Keeps the impulses for the next step, but for islands that begin again.
 template <class View>
 void remember_impulses(const View& solver);

@@ -21,16 +21,17 @@ INGOT_INLINE Vec3<lane> gather_history(const SolverView& solver, const uint16_t*
     return load(rows);
 }
 
-/// Of the points of a block at the begin of a substep.
-INGOT_INLINE BlockFlight flight_of(const SolverView& solver, const ContactBlock& block) {
+using QuadOfHistory = scalar (SolverBodyHistory::*)[4];
+INGOT_INLINE BodyPairLanes gather_histories(const SolverView& solver, const ContactBlock& block, QuadOfHistory linear, QuadOfHistory angular) {
+    return {gather_history(solver, block.body_A, linear), gather_history(solver, block.body_A, angular),
+            gather_history(solver, block.body_B, linear), gather_history(solver, block.body_B, angular), {}};
+}
+
+/// Of the points of a block at the begin of a substep, where its bodies have this motion.
+INGOT_INLINE BlockFlight flight_of(const SolverView& solver, const ContactBlock& block, const BodyPairLanes& motion) {
     const Vec3<lane> n = load(block.n);
     const BodyPairLanes displaced = gather_bodies(solver, block, &SolverBody::dp, &SolverBody::dth);
-    const BodyPairLanes motion = gather_bodies(solver, block, &SolverBody::v_CM, &SolverBody::L);
-    const BodyPairLanes forces = {gather_history(solver, block.body_A, &SolverBodyHistory::a),
-                                  gather_history(solver, block.body_A, &SolverBodyHistory::tau),
-                                  gather_history(solver, block.body_B, &SolverBodyHistory::a),
-                                  gather_history(solver, block.body_B, &SolverBodyHistory::tau),
-                                  {}};
+    const BodyPairLanes forces = gather_histories(solver, block, &SolverBodyHistory::a, &SolverBodyHistory::tau);
     const lane apart = dot(n, displaced.linear_A - displaced.linear_B);
     const lane approach = dot(n, motion.linear_A - motion.linear_B), pull = dot(n, forces.linear_A - forces.linear_B);
     BlockFlight flight{};
@@ -38,6 +39,10 @@ INGOT_INLINE BlockFlight flight_of(const SolverView& solver, const ContactBlock&
         flight.row[row] = {separation_now(block, row, apart, displaced), row_speed(block.row[row].levers, approach, motion),
                            row_speed(block.row[row].levers, pull, forces)};
     return flight;
+}
+
+INGOT_INLINE BlockFlight flight_of(const SolverView& solver, const ContactBlock& block) {
+    return flight_of(solver, block, gather_bodies(solver, block, &SolverBody::v_CM, &SolverBody::L));
 }
 
 /// How fast points without restitution may approach. gap: m, touching_gap of the pair.

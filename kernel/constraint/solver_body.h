@@ -14,7 +14,7 @@ struct alignas(4 * sizeof(scalar)) SolverBody {
     scalar v_CM[4];  ///< m/s; last: inv_M, kg^-1
     scalar L[4];     ///< kg m^2/s; last: 1 where the body was hit in the substep before
     scalar dp[4];    ///< m, displacement of the centre of mass since the step began; last: m s^-2, of gravity and forces
-    scalar dth[4];   ///< rad, small rotation since then
+    scalar dth[4];   ///< rad, small rotation since then; last: 2 where its inertia turned along in the substep before, 1 earlier
 };
 
 /// The rest, which only loops over bodies use.
@@ -27,6 +27,7 @@ struct alignas(4 * sizeof(scalar)) SolverBodyHistory {
     scalar L_sweep[4];
     scalar P_v[4];        ///< conjugate direction
     scalar P_L[4];
+    scalar turn[4];       ///< rad, in this step, without pushes
     scalar L_sum[4];      ///< of the substeps: the drift of A goes by the mean
 };
 

@@ -87,6 +87,7 @@ struct SolverView {
     SweepPlan plan;
     int substeps;              ///< of the step
     bool some_hit;             ///< a body was hit in the substep before
+    bool some_turn;            ///< a body turned so far in the substep before that its inertia is another: see refresh_blocks
     bool some_bounce;          ///< a manifold has restitution
 };
 

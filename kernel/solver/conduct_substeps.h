@@ -32,6 +32,7 @@ void conduct_substeps(Solver& solver, const ContactStep& step, StepReport& repor
         const int substeps = solver.substeps();
         const scalar h = step.h / static_cast<scalar>(substeps);
         for (int substep_i = 0; substep_i < substeps; ++substep_i) {  // bound: limits::substeps
+            solver.refresh(step.bodies);
             solver.predict(h, step.notes, report);
             solver.kick(h);
             solver.warm_start(h);

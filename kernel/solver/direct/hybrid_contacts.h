@@ -26,6 +26,10 @@ struct HybridContacts : SweptContacts<PlainViewOf<View>, notes_impulses, bounces
         begin_direct_batch(this->view, direct);
         return true;
     }
+    void drift(const BodyView& bodies, scalar h) {
+        Swept::drift(bodies, h);
+        if (this->view.some_turn) direct.loaded_island = -1;  // its rows were made of the inertia before
+    }
     void kick(scalar h) {
         Swept::kick(h);
         if (direct.some_chosen) keep_free_motion(this->view, direct);
@@ -35,6 +39,7 @@ struct HybridContacts : SweptContacts<PlainViewOf<View>, notes_impulses, bounces
         if (direct.some_chosen) solve_before_sweeps(whole, direct, step.bodies, h);
         ingot::solve_velocities(this->view);
         if (direct.some_chosen) solve_after_sweeps(whole, direct, step.bodies, h, report);
+        this->solve_passively(step.bodies, h);
     }
     void solve_positions(const ContactStep& step, scalar h) {
         if (!direct.some_chosen) return Swept::solve_positions(step, h);

@@ -76,6 +76,12 @@ void see_kinematic_bodies(const View& solver, KinematicContacts& kinematic, cons
     }
 }
 
+template <class View>
+void see_kinematic_levers(const View& solver, const KinematicContacts& kinematic) {
+    if (!solver.some_turn) return;
+    for (int contact_i = 0; contact_i < kinematic.count; ++contact_i) see_rows(solver, kinematic.contacts[contact_i]);  // bound: max_manifolds
+}
+
 void begin_kinematic_substep(const SolverView& solver, const KinematicContacts& kinematic, scalar h) {
     for (int contact_i = 0; contact_i < kinematic.count; ++contact_i) {  // bound: max_manifolds
         KinematicContact& contact = kinematic.contacts[contact_i];
@@ -84,6 +90,8 @@ void begin_kinematic_substep(const SolverView& solver, const KinematicContacts& 
         begin_substep(contact, three_of(solver.bodies[contact.partner].dp));
         set3(body.v_CM, velocity_at_begin(contact, h));
         set3(body.L, contact.omega);
+        set3(history.v_begin, three_of(body.v_CM));
+        set3(history.L_begin, contact.omega);
         set3(history.a, acceleration_at_begin(contact));
         set3(history.tau, contact.alpha);
     }
@@ -140,10 +148,15 @@ template void yield_islands(const BallView&, const KinematicContacts&);
 template void yield_islands(const RollingView&, const KinematicContacts&);
 template void yield_islands(const BeltView&, const KinematicContacts&);
 template void yield_islands(const RollingBeltView&, const KinematicContacts&);
+template void see_kinematic_levers(const SolverView&, const KinematicContacts&);
 template void see_kinematic_bodies(const SolverView&, KinematicContacts&, const BodyView&, scalar);
+template void see_kinematic_levers(const BallView&, const KinematicContacts&);
 template void see_kinematic_bodies(const BallView&, KinematicContacts&, const BodyView&, scalar);
+template void see_kinematic_levers(const RollingView&, const KinematicContacts&);
 template void see_kinematic_bodies(const RollingView&, KinematicContacts&, const BodyView&, scalar);
+template void see_kinematic_levers(const BeltView&, const KinematicContacts&);
 template void see_kinematic_bodies(const BeltView&, KinematicContacts&, const BodyView&, scalar);
+template void see_kinematic_levers(const RollingBeltView&, const KinematicContacts&);
 template void see_kinematic_bodies(const RollingBeltView&, KinematicContacts&, const BodyView&, scalar);
 
 } }  // namespace ingot

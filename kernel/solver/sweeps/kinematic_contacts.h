@@ -12,6 +12,10 @@ namespace ingot { inline namespace INGOT_ABI {
 template <class View>
 void see_kinematic_bodies(const View& solver, KinematicContacts& kinematic, const BodyView& bodies, scalar h);
 
+/// The same levers again, after refresh_blocks.
+template <class View>
+void see_kinematic_levers(const View& solver, const KinematicContacts& kinematic);
+
 /// The begin of a substep of h seconds: velocities as they are then, with the acceleration of what is carried along.
 void begin_kinematic_substep(const SolverView& solver, const KinematicContacts& kinematic, scalar h);
 /// Velocities as they are at its end, which contacts aim at.
@@ -32,6 +36,10 @@ struct SeesKinematic : Contacts {
         if (!Contacts::next_batch(step)) return false;
         see_kinematic_bodies(static_cast<PlainViewOf<View>&>(all), all.kinematic, step.bodies, step.h);
         return true;
+    }
+    void refresh(const BodyView& bodies) {
+        Contacts::refresh(bodies);
+        see_kinematic_levers(static_cast<PlainViewOf<View>&>(all), all.kinematic);
     }
     void predict(scalar h, const StepNotes& notes, StepReport& report) {
         begin_kinematic_substep(all, all.kinematic, h);

@@ -3,7 +3,7 @@
 
 #include "../../base/limits.h"
 #include "../../body/kinematics.h"
-#include "../../math/rotation.h"
+#include "../../body/turning_inertia.h"
 #include "../../math/sqrt.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -70,6 +70,21 @@ uint16_t take_in(SolverView& solver, const BodyView& bodies, const Vector& gravi
     return static_cast<uint16_t>(local);
 }
 
+/// The inertia of a body goes along with its turn of the substep. Returns the turn.
+Vector let_inertia_turn(const BodyView& bodies, const Place& at, const Vector& L, scalar h) {
+    TranslationTile& translation = bodies.translation[at.tile];
+    SymmetricMatrix inv_I_world = lane_of(translation.inv_I_world, at.lane);
+    const Vector turn = turn_freely(inv_I_world, L, h);
+    set_lane(translation.inv_I_world, at.lane, inv_I_world);
+    return turn;
+}
+/// The inertia that it began the step with.
+void begin_inertia(const BodyView& bodies, const Place& at) {
+    const RotationTile& tile = bodies.rotation[at.tile];
+    set_lane(bodies.translation[at.tile].inv_I_world, at.lane,
+             inverse_inertia_world(lane_of(tile.A, at.lane), lane_of(tile.inv_I_ratio, at.lane) * tile.inv_I_scale[at.lane]));
+}
+
 }  // namespace
 
 void take_in_bodies(SolverView& solver, const BodyView& bodies, const Vector& gravity, scalar h) {
@@ -84,7 +99,10 @@ void take_in_bodies(SolverView& solver, const BodyView& bodies, const Vector& gr
 }
 
 void take_in_again(const SolverView& solver, const BodyView& bodies, const Vector& gravity) {
-    for_bodies(solver, [&](int body_i) { begin_body(solver, body_i, motion_of(bodies, gravity, solver.slot_of[body_i])); });
+    for_bodies(solver, [&](int body_i) {
+        if (solver.bodies[body_i].dth[3] > 0) begin_inertia(bodies, place_of(solver.slot_of[body_i]));
+        begin_body(solver, body_i, motion_of(bodies, gravity, solver.slot_of[body_i]));
+    });
 }
 
 void kick_bodies(const SolverView& solver, scalar h) {
@@ -104,6 +122,7 @@ void kick_bodies(const SolverView& solver, scalar h) {
 
 void drift_bodies(SolverView& solver, const BodyView& bodies, scalar h) {
     solver.some_hit = false;
+    solver.some_turn = false;
     for_bodies(solver, [&](int body_i) {
         SolverBody& body = solver.bodies[body_i];
         SolverBodyHistory& history = solver.histories[body_i];
@@ -114,12 +133,24 @@ void drift_bodies(SolverView& solver, const BodyView& bodies, scalar h) {
         const bool hit = length_sq(change) > smooth * smooth;
         const Vector dp = vector_of(body.dp) + (hit ? v : v - change * scalar(0.5)) * h;
         const SymmetricMatrix inv_I_world = lane_of(bodies.translation[at.tile].inv_I_world, at.lane);
-        const Vector turn = inv_I_world * L * h, spun = L - vector_of(history.L_begin);
+        const Vector spun = L - vector_of(history.L_begin);
+        Vector turn = inv_I_world * L * h;
+        // Of bodies about to rest the energy does not matter, and where they are does.
+        const scalar least = limits::turning_speed * solver.unit;
+        if (turns_inertia(lane_of(bodies.rotation[at.tile].inv_I_ratio, at.lane), turn) &&
+            dot(L, inv_I_world * L) * body.v_CM[3] > least * least) {
+            turn = let_inertia_turn(bodies, at, L, h);
+            body.dth[3] = 2;
+            solver.some_turn = true;
+        } else {
+            body.dth[3] = min(body.dth[3], scalar(1));
+        }
         solver.some_hit = solver.some_hit || hit;
         const scalar steady_change = limits::steady_acceleration * body.dp[3] * h + limits::settled_speed * solver.unit;
         island.steady = island.steady && length_sq(change) + dot(spun, inv_I_world * spun) * body.v_CM[3] <= steady_change * steady_change;
         set4(body.dp, dp, body.dp[3]);
-        set4(body.dth, vector_of(body.dth) + turn);
+        set4(body.dth, vector_of(body.dth) + turn, body.dth[3]);
+        set4(history.turn, vector_of(history.turn) + turn);
         body.L[3] = hit ? scalar(1) : scalar(0);
         set4(history.L_sum, vector_of(history.L_sum) + L * shares_of_substep(solver));
     });
@@ -149,19 +180,22 @@ void write_contact_motion(const SolverView& solver, const BodyView& bodies, cons
 
 void turn_by_corrections(const SolverView& solver, const BodyView& bodies, scalar h) {
     for (int body_i = 1; body_i < solver.body_count; ++body_i) {
+        const SolverBody& body = solver.bodies[body_i];
+        const SolverBodyHistory& history = solver.histories[body_i];
         const Place at = place_of(solver.slot_of[body_i]);
-        const Vector L_sum = vector_of(solver.histories[body_i].L_sum);
-        const Vector drift = lane_of(bodies.translation[at.tile].inv_I_world, at.lane) * L_sum * (h / limits::substeps);
-        const Vector push = vector_of(solver.bodies[body_i].dth) - drift;
-        if (!(length_sq(push) > limits::settled_turn * limits::settled_turn)) continue;
+        const SymmetricMatrix inv_I_world = lane_of(bodies.translation[at.tile].inv_I_world, at.lane);
+        const bool turns = body.dth[3] > 0;
+        const Vector drift = turns ? vector_of(history.turn) : inv_I_world * vector_of(history.L_sum) * (h / limits::substeps);
+        const Vector push = vector_of(body.dth) - drift;
+        const bool is_pushed = length_sq(push) > limits::settled_turn * limits::settled_turn;
         RotationTile& rotation = bodies.rotation[at.tile];
-        if ((rotation.bad >> at.lane & 1u) != 0) continue;
+        if (!(turns || is_pushed) || (rotation.bad >> at.lane & 1u) != 0) continue;
         const Matrix A = lane_of(rotation.A, at.lane);
-        // By Cayley's formula, a rotation however far the push: A += 2/(1 + c.c) (c x A + c x (c x A)) with c = push/2.
-        const Vector c = push * scalar(0.5);
-        const scalar f = 2 / (1 + length_sq(c));
-        const auto turned = [&](const Vector& a) { return a + (cross(c, a) + cross(c, cross(c, a))) * f; };
-        const Matrix A_turned = {turned(A.c0), turned(A.c1), turned(A.c2)}, A_next = A_turned + polar_correction(A_turned);
+        Matrix A_next = is_pushed ? turned_about(A, push) : A;
+        if (turns) {
+            const Vector L = lane_of(rotation.L, at.lane);
+            A_next = return_energy(A_next, lane_of(rotation.inv_I_ratio, at.lane) * rotation.inv_I_scale[at.lane], L, dot(L, inv_I_world * L));
+        }
         if (is_finite(A_next)) set_lane(rotation.A, at.lane, A_next);
     }
 }

@@ -17,7 +17,7 @@ void take_in_again(const SolverView& solver, const BodyView& bodies, const Vecto
 void kick_bodies(const SolverView& solver, scalar h);
 
 /// Displacements of a substep: dp += h v, dth += h omega; by the trapezoid where the velocity changed smoothly, so that a steady acceleration is
-/// exact. A change beyond 2 h |a| is an impact, which is flagged for the next warm start.
+/// exact. A change beyond 2 h |a| is an impact, which is flagged for the next warm start. The inertia of a body that turns goes along, in the tiles.
 void drift_bodies(SolverView& solver, const BodyView& bodies, scalar h);
 
 /// Gives the bodies that touch the motion that was found: v_CM and L of the end of the step, and in F_T and tau_T the constant force and torque that
@@ -25,7 +25,8 @@ void drift_bodies(SolverView& solver, const BodyView& bodies, scalar h);
 /// Comes after integrate_v and integrate_L.
 void write_contact_motion(const SolverView& solver, const BodyView& bodies, const Vector& gravity, scalar h);
 
-/// The small turns by which overlaps were taken back. Comes after the rotation.
+/// The small turns by which overlaps were taken back; and of bodies that turn, those by which they have the energy that their contacts left them.
+/// Comes after the rotation.
 void turn_by_corrections(const SolverView& solver, const BodyView& bodies, scalar h);
 
 } }  // namespace ingot

@@ -91,7 +91,7 @@ bool begin_batch(SolverView& solver, SweepPlan plan, const BodyView& bodies, con
     if (!some) return false;
     solver.plan = plan;
     solver.substeps = is_steady(plan) ? limits::steady_substeps : limits::substeps;
-    solver.some_hit = false;
+    solver.some_hit = solver.some_turn = false;
     solver.batch_body_count = 0;
     for (int body_i = 1; body_i < solver.body_count; ++body_i)
         if (solver.islands[solver.island_of[body_i]].in_batch) solver.batch_bodies[solver.batch_body_count++] = static_cast<uint16_t>(body_i);
@@ -109,6 +109,7 @@ void plan_sweeps(const SolverView& solver) {
         island.sweeps_max = sweeps_max_of(island);
         island.settled = settled_speed_of(island.plan) * solver.unit + rounding_of_speeds(island, solver.unit);
         island.sweeps_on = true;
+        island.at_bound = false;
         island.size_before = 0;
         island.residual = 0;  // of one that is not swept
     }

@@ -7,6 +7,7 @@
 #include "../../constraint/contact.h"
 #include "../../constraint/row_flight.h"
 #include "note_impulses.h"
+#include "passive_bounces.h"
 #include "plan_islands.h"
 #include "sweep_velocities.h"
 
@@ -15,7 +16,7 @@ namespace ingot { inline namespace INGOT_ABI {
 namespace {
 
 // What colours_of_body says of a body: how many of its contacts bounce, and two marks.
-constexpr uint32_t leans = 1u << 31;    ///< on something without restitution
+constexpr uint32_t leans = leaning_body;  ///< on something that does not bounce
 constexpr uint32_t changed = 1u << 30;  ///< by the impact at hand
 constexpr uint32_t bouncing = changed - 1;
 
@@ -72,20 +73,35 @@ void drop_impulses(const View& solver, int block_i, int lane_i) {
     ContactConstraint<View>::Given::for_rows(solver, block_i, [lane_i](const SeenRow& row) { row.j[lane_i] = 0; });
 }
 
-/// Impulses given at the time `now` act from the begin of the substep: takes the displacement before `now` back.
+/// Impulses given at the time `now` act from the begin of the substep: takes the displacement before `now` back. A point that met later, in the same
+/// manifold, has its own time: else it would gain what gravity gives meanwhile.
 template <class View>
-void take_back(const View& solver, int block_i, int lane_i, scalar now) {
+void take_back(const View& solver, int block_i, int lane_i, scalar now, scalar h) {
     const ContactBlock& block = solver.blocks[block_i];
+    const BlockFlight flight = flight_of(solver, block, gather_histories(solver, block, &SolverBodyHistory::v_sweep, &SolverBodyHistory::L_sweep));
     BodyPairLanes displaced = gather_bodies(solver, block, &SolverBody::dp, &SolverBody::dth);
-    const lane inv_M_A = load(block.inv_M_A), inv_M_B = load(block.inv_M_B), back = splat<lane>(-now);
-    ContactConstraint<View>::Given::for_rows(solver, block_i,
-                                   [&](const SeenRow& row) { push_along(displaced, row, load(row.j) * back, inv_M_A, inv_M_B); });
+    const lane inv_M_A = load(block.inv_M_A), inv_M_B = load(block.inv_M_B), since = splat<lane>(now);
+    ContactConstraint<View>::Given::for_rows(solver, block_i, [&](const SeenRow& row) {
+        lane when = since;
+        if (row.number < block_rows) {
+            const RowImpact<lane> impact = impact_of(flight_from(flight.row[row.number], since), splat<lane>(h) - since, solver.unit);
+            when = when + select(bounces_off(impact, load(block.e)), impact.when, lane{});
+        }
+        push_along(displaced, row, -load(row.j) * when, inv_M_A, inv_M_B);
+    });
     scatter_bodies(solver, block, static_cast<uint16_t>(1u << lane_i), displaced, &SolverBody::dp, &SolverBody::dth);
 }
 
+void keep_motion(const SolverView& solver, int body_i) {
+    const SolverBody& body = solver.bodies[body_i];
+    SolverBodyHistory& history = solver.histories[body_i];
+    for (int i = 0; i < 4; ++i) history.v_sweep[i] = body.v_CM[i];
+    for (int i = 0; i < 4; ++i) history.L_sweep[i] = body.L[i];
+}
+
 /// Solves the impacts at hand together, by sweeps over them alone.
-template <bool notes_impulses, class View>
-void solve_at_hand(const View& solver, Island& island, scalar now, [[maybe_unused]] const StepNotes& notes) {
+template <class View>
+void sweep_at_hand(const View& solver, Island& island) {
     Visit visit{};
     View one = solver;
     one.live = &visit;
@@ -102,10 +118,28 @@ void solve_at_hand(const View& solver, Island& island, scalar now, [[maybe_unuse
             residual = max(residual, solver.blocks[block_i].fastest[lane_i]);
         });
     }
+}
+
+template <bool notes_impulses, class View>
+void solve_at_hand(const View& solver, Island& island, scalar now, scalar h, [[maybe_unused]] const StepNotes& notes) {
+    for_each_in_chain(solver, island, [&](int block_i, int lane_i) {
+        const ContactBlock& block = solver.blocks[block_i];
+        if (time_of(solver.blocks[block_i], lane_i) != at_hand) return;
+        keep_motion(solver, block.body_A[lane_i]);
+        keep_motion(solver, block.body_B[lane_i]);
+    });
+    bool gains = true;
+    for (int round = 0; round <= limits::bounce_rounds && gains; ++round) {
+        sweep_at_hand(solver, island);
+        gains = false;
+        for_each_in_chain(solver, island, [&](int block_i, int lane_i) {
+            if (time_of(solver.blocks[block_i], lane_i) == at_hand && lower_impact(solver, block_i, lane_i, now, h)) gains = true;
+        });
+    }
     for_each_in_chain(solver, island, [&](int block_i, int lane_i) {
         ContactBlock& block = solver.blocks[block_i];
         if (time_of(block, lane_i) != at_hand) return;
-        take_back(solver, block_i, lane_i, now);
+        take_back(solver, block_i, lane_i, now, h);
         if constexpr (notes_impulses) {
             if (notes.impacts != nullptr) notes.impacts[block.manifold[lane_i]].carried = true;
             if (notes.sums != nullptr) add_to_sum(solver, block, lane_i, notes.sums);
@@ -144,9 +178,10 @@ void aim_at_rest(const SolverView& solver, ContactBlock& block, int lane_i, scal
     const lane gap = scale_of(solver, block) * splat<lane>(limits::touching_gap);
     for (int row = 0; row < block.rows; ++row) {
         const RowFlight<lane>& from = flight.row[row];
+        const lane resting = resting_target(from.s, gap, splat<lane>(1 / h));
         scalar target[lanes];
         store(target,
-              select(meets(from, splat<lane>(h)), resting_target(from.s, gap, splat<lane>(1 / h)), no_bound(from, splat<lane>(h))));
+              select(meets(from, splat<lane>(h)), resting, no_bound(from, splat<lane>(h))));
         block.row[row].target[lane_i] = target[lane_i];
         block.row[row].landing[lane_i] = limits::unbounded;
     }
@@ -173,7 +208,7 @@ bool sequence_impacts_of(const View& solver, Island& island, scalar h, const Ste
             time_of(block, lane_i) = at_hand;
             drop_impulses(solver, block_i, lane_i);
         });
-        solve_at_hand<notes_impulses>(solver, island, now, notes);
+        solve_at_hand<notes_impulses>(solver, island, now, h, notes);
         look_again(solver, island, now, h);
         count(report.impact_waves);
         some = true;

@@ -7,6 +7,17 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
+/// In SolverView::colours_of_body, once find_impact_chains has run: the body is on something that does not bounce, or that bears load.
+inline constexpr uint32_t leaning_body = 1u << 31;
+/// Lanes of which a body leans so. Solver body 0, which stands for all that cannot move, has marks of others' contacts.
+inline mask leaning_lanes(const SolverView& solver, const ContactBlock& block) {
+    const auto leans = [&](uint16_t body_i) { return body_i != 0 && (solver.colours_of_body[body_i] & leaning_body) != 0; };
+    uint16_t leaning = 0;
+    for (int lane_i = 0; lane_i < lanes; ++lane_i)
+        if (leans(block.body_A[lane_i]) || leans(block.body_B[lane_i])) leaning = static_cast<uint16_t>(leaning | 1u << lane_i);
+    return mask_from_bits(leaning);
+}
+
 /// Looks once for each batch for contacts whose impacts may cause others: both bodies bounce off whatever they touch, and one of them
 /// has another contact that bounces. Needs colours_of_body, which holds the answer for the substeps. Island::has_chains says
 /// which islands have some. False if none has.

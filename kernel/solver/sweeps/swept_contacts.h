@@ -3,9 +3,11 @@
 
 #include "../conduct_substeps.h"
 #include "../../constraint/prepare_blocks.h"
+#include "gaining_islands.h"
 #include "move_bodies.h"
 #include "note_impulses.h"
 #include "order_manifolds.h"
+#include "passive_bounces.h"
 #include "plan_islands.h"
 #include "predict_contacts.h"
 #include "sequence_impacts.h"
@@ -37,6 +39,7 @@ struct SweptContacts {
     }
     int substeps() const { return view.substeps; }
 
+    void refresh(const BodyView& bodies) { refresh_blocks(view, bodies); }
     void predict(scalar h, [[maybe_unused]] const StepNotes& notes, [[maybe_unused]] StepReport& report) {
         predict_contacts(view, h);
         if constexpr (bounces) {
@@ -48,9 +51,10 @@ struct SweptContacts {
     void warm_start(scalar h) {
         ingot::warm_start(without_belts(view), h);
     }
-    void solve_velocities(const ContactStep&, scalar, StepReport&) {
+    void solve_velocities(const ContactStep& step, scalar h, StepReport&) {
         plan_sweeps(view);
         ingot::solve_velocities(view);
+        solve_passively(step.bodies, h);
     }
     void note_impulses([[maybe_unused]] const StepNotes& notes) {
         if constexpr (notes_impulses) ingot::note_impulses(view, notes);
@@ -65,6 +69,17 @@ struct SweptContacts {
 
 protected:
     View& view;
+
+    /// Solves again where sweeps that did not settle give energy, and where bounces do: each time these are lower.
+    void solve_passively(const BodyView& bodies, scalar h) {
+        // Belts do give energy.
+        if constexpr (!View::has_belts)
+            for (int round = 0; round < limits::gaining_rounds && find_gaining_islands(view, bodies, h); ++round) ingot::solve_velocities(view);
+        if constexpr (bounces) {
+            for (int round = 0; round < limits::bounce_rounds && lower_bounces(view, h); ++round) ingot::solve_velocities(view);
+            take_back_bounces(view, h);
+        }
+    }
 
 private:
     void prepare(const ContactStep& step) {

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "gaining_islands.h"
+
+#include "../../base/limits.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+namespace {
+
+Vector first_three(const scalar (&from)[4]) { return {from[0], from[1], from[2]}; }
+
+bool is_unsettled(const Island& island, scalar unit) {
+    return island.in_batch && island.at_bound && island.residual > limits::gaining_residual * unit &&
+           island.fastest_sq > limits::gaining_speed * limits::gaining_speed * unit * unit;
+}
+
+/// J: what a body would have without contacts, and what it has.
+struct Energies {
+    scalar without, with;
+};
+Energies energies_of(const SolverView& solver, const BodyView& bodies, scalar h, int body_i) {
+    const SolverBody& body = solver.bodies[body_i];
+    const SolverBodyHistory& history = solver.histories[body_i];
+    const Place at = place_of(solver.slot_of[body_i]);
+    const SymmetricMatrix inv_I_world = lane_of(bodies.translation[at.tile].inv_I_world, at.lane);
+    const auto energy = [&](const Vector& v, const Vector& L) { return (length_sq(v) / body.v_CM[3] + dot(L, inv_I_world * L)) / 2; };
+    return {energy(first_three(history.v_begin) + first_three(history.a) * h, first_three(history.L_begin) + first_three(history.tau) * h),
+            energy(first_three(body.v_CM), first_three(body.L))};
+}
+
+}  // namespace
+
+bool find_gaining_islands(const SolverView& solver, const BodyView& bodies, scalar h) {
+    bool some = false;
+    for (int island_i = 0; island_i < solver.island_count; ++island_i) {  // bound: max_bodies
+        Island& island = solver.islands[island_i];
+        island.size = island.size_before = 0;
+        some = some || is_unsettled(island, solver.unit);
+    }
+    if (!some) return false;
+    for_bodies(solver, [&](int body_i) {
+        Island& island = solver.islands[solver.island_of[body_i]];
+        if (!is_unsettled(island, solver.unit)) return;
+        const Energies energies = energies_of(solver, bodies, h, body_i);
+        island.size += energies.with;
+        island.size_before += energies.without;
+    });
+    some = false;
+    for (int island_i = 0; island_i < solver.island_count; ++island_i) {
+        Island& island = solver.islands[island_i];
+        if (!(island.size > island.size_before * (1 + limits::gain_allowed))) continue;
+        island.sweeps_on = some = true;
+        island.at_bound = false;
+        island.size_before = island.residual = 0;
+    }
+    return some;
+}
+
+} }  // namespace ingot
