@@ -8,6 +8,8 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
+namespace {
+
 /// For a step of h seconds: the kinematic body of a manifold, or none.
 inline void see_kinematic_body(const PointView& solver, const KinematicPoints& kinematic, const BodyView& bodies, scalar h, int manifold_i) {
     KinematicPoint& point = kinematic.points[manifold_i];
@@ -72,5 +74,7 @@ struct SeesKinematicPoints : SequentialContacts<View, notes_impulses> {
 private:
     View& all;
 };
+
+}  // namespace
 
 } }  // namespace ingot
