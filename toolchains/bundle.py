@@ -80,7 +80,7 @@ def local_names(lines):
         elif line == "}  // namespace":
             inside = False
         elif inside:
-            type_name = re.match(r"(?:struct|class|enum class|enum|union|using) (\w+)", line)
+            type_name = re.match(r"(?:struct|class|enum class|enum|union|using(?! namespace)) (\w+)", line)
             function = re.match(r"[A-Za-z_][\w:<>,&* ]*[ &*](\w+)\(", line)
             if type_name:
                 names.add(type_name[1])

@@ -84,6 +84,11 @@ struct Following : Telling {
 struct FollowingDirectly : Following {
     using solver = HybridIslands<>;
 };
+struct Asking : Touching {
+    static constexpr int max_shapes_of_body = 3;
+    static constexpr bool sleeps = true;
+    using broad_phase = QueryTree;
+};
 struct Light : Telling {
     static constexpr bool bounces = false, sleeps = true;
     using solver = SequentialImpulses;
@@ -107,6 +112,7 @@ CALL(step_sweeps)(World<Telling>& world, scalar h) { return step(world, h); }
 CALL(step_point_sweeps)(World<Light>& world, scalar h) { return step(world, h); }
 CALL(step_hybrid_islands)(World<Sleeping>& world, scalar h) { return step(world, h); }
 CALL(step_belts)(World<Conveyors>& world, scalar h) { return step(world, h); }
+CALL(step_query_tree)(World<Asking>& world, scalar h) { return step(world, h); }
 CALL(step_compounds)(World<ManyShapes>& world, scalar h) { return step(world, h); }
 CALL(step_continuous)(World<Following>& world, scalar h) { return step(world, h); }
 CALL(step_continuous_hybrid_islands)(World<FollowingDirectly>& world, scalar h) { return step(world, h); }
@@ -209,6 +215,9 @@ CALL(overlap)(const World<Sleeping>& world, int index) { return world.overlap(in
 CALL(events)(const World<Sleeping>& world) { return world.events(); }
 
 // Sleep.
+CALL(room_needed)(const World<Sleeping>& world, const ingot::StepReport& report, ingot::RoomNeeded& most) {
+    most.raise(world.room_needed(report));
+}
 CALL(is_asleep)(const World<Sleeping>& world, BodyId id) { return world.is_asleep(id); }
 CALL(wake)(World<Sleeping>& world, BodyId id) { return world.wake(id); }
 CALL(sleep)(World<Sleeping>& world, BodyId id) { return world.sleep(id); }
@@ -235,6 +244,18 @@ CALL(find_overlaps)(const World<Sleeping>& world, const PlacedShape& shape, Body
 }
 CALL(find_overlaps_of_compounds)(const World<ManyShapes>& world, const PlacedShape& shape, BodyId* found, int capacity, const QueryFilter& filter) {
     return world.find_overlaps(shape, found, capacity, filter);
+}
+CALL(cast_ray_by_tree)(const World<Asking>& world, const Vector& from, const Vector& way, const QueryFilter& filter) {
+    return world.cast_ray(from, way, filter);
+}
+CALL(cast_shape_by_tree)(const World<Asking>& world, const PlacedShape& shape, const Vector& way, const QueryFilter& filter) {
+    return world.cast_shape(shape, way, filter);
+}
+CALL(find_overlaps_by_tree)(const World<Asking>& world, const PlacedShape& shape, BodyId* found, int capacity, const QueryFilter& filter) {
+    return world.find_overlaps(shape, found, capacity, filter);
+}
+CALL(find_nearest_by_tree)(const World<Asking>& world, const Vector& point, scalar within, const QueryFilter& filter) {
+    return world.find_nearest(point, within, filter);
 }
 CALL(find_nearest)(const World<Sleeping>& world, const Vector& point, scalar within, const QueryFilter& filter) {
     return world.find_nearest(point, within, filter);

@@ -239,7 +239,8 @@ protected:
 };
 template <class S>
 World<S> FpTrapsOfFriction<S>::world_;
-using Piles = ::testing::Types<Pile<ingot::AllPairs, true>, Pile<ingot::SortedTree, true>, Pile<ingot::AllPairs, false>>;
+using Piles = ::testing::Types<Pile<ingot::AllPairs, true>, Pile<ingot::SortedTree, true>, Pile<ingot::AllPairs, false>,
+                               Pile<ingot::QueryTree, true>>;
 TYPED_TEST_SUITE(FpTrapsOfFriction, Piles);
 
 TYPED_TEST(FpTrapsOfFriction, none_in_a_heap_that_falls_and_settles) {
@@ -274,6 +275,32 @@ TYPED_TEST(FpTrapsOfFriction, none_where_shapes_coincide) {
         }
         for (int step_i = 0; step_i < 60; ++step_i) (void)ingot::step(world, h);
     }
+}
+
+/// Rays of a micrometre and of the whole world, square to axes and not; before there is a tree, and in one that is half empty.
+TYPED_TEST(FpTrapsOfFriction, none_in_queries_at_the_ends_of_the_ranges) {
+    auto& world = this->world_;
+    this->put_ground();
+    const Traps traps;
+    const scalar far = limits::position_max / 2, near = 2 * limits::size_min;
+    for (int body_i = 0; body_i < 10; ++body_i) {
+        const scalar place = body_i == 9 ? far : scalar(body_i);
+        ASSERT_TRUE(world.add(plain_body({place, scalar(body_i % 3), 1}, this->shape(body_i))).ok());
+    }
+    int found = 0;
+    for (int step_i = 0; step_i < 3; ++step_i) {
+        for (const scalar length : {near, scalar(1), 2 * far})
+            for (const scalar z : {scalar(1), -far, near})
+                for (int towards = 1; towards < 27; ++towards) {
+                    const Vector way = Vector{scalar(towards % 3 - 1), scalar(towards / 3 % 3 - 1), scalar(towards / 9 - 1)} * length;
+                    const ingot::PlacedShape ball = {ingot::Sphere{near}, {0, 0, z}, ingot::identity_matrix<scalar>(), nullptr};
+                    BodyId ids[4];
+                    if (towards != 13) found += world.cast_ray(ball.r, way).value.found() + world.cast_shape(ball, way).value.found();
+                    found += world.find_nearest(ball.r, length).value.found() + world.find_overlaps(ball, ids, 4).value;
+                }
+        (void)ingot::step(world, h);
+    }
+    EXPECT_GT(found, 200);
 }
 
 TYPED_TEST(FpTrapsOfFriction, none_of_masses_and_frictions_at_the_ends_of_the_ranges) {

@@ -121,6 +121,8 @@ template bool use_stack(ingot::World<Stacking<ingot::AllPairs>>&);
 template int use(ingot::World<Stacking<ingot::AllPairs>>&);
 template bool use_stack(ingot::World<Stacking<ingot::SortedTree>>&);
 template int use(ingot::World<Stacking<ingot::SortedTree>>&);
+template bool use_stack(ingot::World<Stacking<ingot::QueryTree>>&);
+template int use(ingot::World<Stacking<ingot::QueryTree>>&);
 template bool use_sleep(ingot::World<Sleeping<ingot::AllPairs>>&);
 template int use(ingot::World<Sleeping<ingot::AllPairs>>&);
 template int keep(ingot::World<Sleeping<ingot::AllPairs>>&);

@@ -15,7 +15,7 @@ set(impulse_may base math body shape)
 set(constraint_may base math body shape broad_phase narrow_phase)
 set(island_may base math body broad_phase narrow_phase)
 set(sleep_may base math body shape broad_phase narrow_phase constraint island)
-set(solver_may base body constraint)
+set(solver_may base math body constraint)
 set(solver_sweeps_may base math body narrow_phase constraint island solver)
 set(solver_direct_may ${solver_sweeps_may} solver/sweeps)
 set(solver_sequential_may base math body narrow_phase constraint solver)
@@ -34,7 +34,7 @@ set(shape_shares shapes surface convex_hull placed_shape compound)
 set(broad_phase_shares near_shapes body_bounds body_pairs bound_shape all_pairs search_view sorted_tree tree_walk)
 set(narrow_phase_shares manifold manifold_points box_axes contact_geometry contact_patch collide_pairs nearest_points plane_between manifold_record
   manifold_anchors find_manifolds normal_cone)
-set(query_shares candidates query_filter ray_on_shapes cast_ray)
+set(query_shares candidates shapes_of_tree query_filter ray_on_shapes cast_ray)
 set(impulse_shares contact collide_shapes contact_rows impulse)
 set(constraint_shares belts block_bodies block_rows block_solve contact contact_block flight friction impact_note kinematic_motion_at kinematic_view laws
   material_view normals response rolling
@@ -45,12 +45,12 @@ set(events_shares contact_events pair_rules)
 set(continuous_shares body_path fast_pairs time_of_impact pair_sub_world pair_contacts continuous_collision next_impact
   free_paths resolve_impact)
 # swept_contacts has the stages of a substep, for block_sweeps and hybrid_islands to conduct; plan_islands begins a batch.
-set(solver_sweeps_shares block_sweeps swept_contacts conjugate_gradients gaining_islands kinematic_contacts move_bodies note_impulses order_manifolds
+set(solver_sweeps_shares block_sweeps swept_contacts conjugate_gradients diverged_islands gaining_islands kinematic_contacts move_bodies note_impulses order_manifolds
   passive_bounces plan_islands predict_contacts sequence_impacts solve_velocities sweep_positions sweep_velocities warm_start)
 # solve_sequentially conducts the stages of its substeps, and sequential_impulses names it to scenes.
 set(solver_sequential_shares kinematic_points point_view point_visit point_visits point_rows sequential_contacts move_point_bodies sweep_points solve_sequentially)
 # hybrid_islands conducts the stages, and calls the others of its room.
-set(solver_direct_shares direct_view hybrid_contacts hold_energy misfit island_rows choose_islands normal_set sliding factor_rows solve_island solve_directly)
+set(solver_direct_shares carried_loads direct_view hybrid_contacts hold_energy hold_speeds impact_of_island misfit island_rows choose_islands normal_set sliding factor_rows solve_island solve_directly)
 
 set(broken "")
 file(GLOB_RECURSE files RELATIVE ${HOUSE} ${HOUSE}/kernel/*.h ${HOUSE}/kernel/*.cpp ${HOUSE}/platform/*.h ${HOUSE}/platform/*.cpp)

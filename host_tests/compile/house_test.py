@@ -5,6 +5,7 @@
     The step is a page: step() in kernel/world/step.h has at most 25 lines and no `if constexpr`.
     A scene is asked in one place: no trait of a scene, `S::something`, is named outside of kernel/world.
     A file of kernel/ has at most 400 lines, and a function at most 60.
+    toolchains/README.md names every file beside it.
 
 There are no exceptions. STEP, FILE and FUNCTION are other limits, for a house of a few lines that breaks them.
 """
@@ -73,6 +74,10 @@ def breaches_of(house):
                 yield f"{name}:{line}: a branch in the step: it belongs to an adaptor in stages.h"
             if not name.startswith("kernel/world/") and re.search(r"\bS::\w+", content):
                 yield f"{name}:{line}: a trait of a scene is asked for outside of kernel/world"
+    page = (house / "toolchains/README.md").read_text()
+    for path in sorted((house / "toolchains").iterdir()):
+        if path.is_file() and path.name != "README.md" and f"`{path.name}`" not in page:
+            yield f"toolchains/README.md does not name {path.name}"
 
 
 def main():

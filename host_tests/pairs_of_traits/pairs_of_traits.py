@@ -174,16 +174,28 @@ def kinds_of_scenes(rows):
     return kinds
 
 
+# What is said of traits that stand in some of the bases alone.
+STANDS_IN = {("contacts",): "Only with `max_manifolds`", ("impacts",): "Only with `max_contacts`", ("flight",): "Only without contacts",
+             ("contacts", "impacts"): "Only with `max_manifolds` or `max_contacts`", ("impacts", "flight"): "Never with `max_manifolds`",
+             ("contacts", "flight"): "Never with `max_contacts`"}
+
+
 def readme_part(rows):
+    """Every pair that is refused: by the bases that its traits stand in, or by name."""
     kinds = kinds_of_scenes(rows)
-    names_of = lambda *bases: ", ".join(f"`{name}`" for name, stands in kinds.items() if stands == set(bases))
+    named = {bases: [f"`{name}`" for name, stands in kinds.items() if stands == set(bases)] for bases in STANDS_IN}
+    stand = " ".join(f"{words}: {', '.join(named[bases])}." for bases, words in STANDS_IN.items() if named[bases])
+    odd = [name for name, stands in kinds.items() if tuple(base for base in ("contacts", "impacts", "flight") if base in stands) not in
+           [*STANDS_IN, ("contacts", "impacts", "flight")]]
+    assert not odd, f"say in STANDS_IN where these stand: {odd}"
     refused = {}
     for (a, b), row in rows.items():
-        if row["sentence"] and a in kinds and b in kinds and kinds[a] & kinds[b]:
+        makers = a not in kinds and b not in kinds
+        if row["sentence"] and (makers or (a in kinds and b in kinds and kinds[a] & kinds[b])):
             refused.setdefault(row["sentence"], []).append((a, b))
     count = sum(1 for row in rows.values() if row["sentence"])
     lines = [f"{len(rows) - count} of {len(rows)} pairs of traits go together, each tried in a scene that uses both; the others do not compile, and say why.",
-             f"Only with `max_manifolds`: {names_of('contacts')}. Only without contacts: {names_of('flight')}. Never with `max_manifolds`: {names_of('impacts', 'flight')}.",
+             stand,
              "", "| not together | what the compiler says |", "| --- | --- |"]
     for sentence, pairs in refused.items():
         partners, share = {}, {}

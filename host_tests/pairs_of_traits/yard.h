@@ -129,6 +129,17 @@ void set_drag(Field& field) {
     field.c_turn = scalar(0.03125);
 }
 
+/// Where there are shapes they are met.
+template <class S>
+void cast_rays(const ingot::World<S>& world) {
+    if constexpr (ingot::has_shapes<S>) {
+        const ingot::Result<ingot::QueryHit> down = world.cast_ray({-9, 1, 9}, {0, 0, -18});
+        expect(down.status);
+        if (!down.value.found()) expect(ingot::Status::bad_shape);
+        expect(world.cast_ray({-4, 0, scalar(0.5)}, {8, 1, 0}).status);
+    }
+}
+
 /// 64 bits of all that the world tells.
 class Digest {
 public:

@@ -72,6 +72,7 @@ struct CompoundPile : Compounded<19, 160> {
     static constexpr const char* name = "compound_pile";
     static constexpr const char* title = "hammers, tables, jacks and dumbbells fall into a pit";
     static constexpr int golden_steps = 180;
+    static bool went_well(ingot::StepReport report) { return well_but_for_impacts(report); }
     static constexpr int wall_count = 5;
     static constexpr scalar side = 3, mu = scalar(0.5);
 };

@@ -62,6 +62,7 @@ struct HullPile : Hulled<23, 100> {
     static constexpr const char* name = "hull_pile";
     static constexpr const char* title = "hulls and all other shapes fall into a pit";
     static constexpr int golden_steps = 180;
+    static bool went_well(ingot::StepReport report) { return well_but_for_impacts(report); }
     static constexpr int wall_count = 5;
     static constexpr scalar side = 3;
 

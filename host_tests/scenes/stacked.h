@@ -9,6 +9,12 @@
 
 namespace scenes {
 
+/// Of scenes in which things hit each other: islands that are hit are not settled in the same step, and nothing else is amiss.
+inline bool well_but_for_impacts(ingot::StepReport report) {
+    report.sweeps_unfinished = 0;
+    return report.clean();
+}
+
 /// What they share. Pairs are as many as manifolds and half again: bodies that touch are near others.
 template <int bodies, int manifolds>
 struct Stacked : ingot::Scene {
@@ -32,7 +38,7 @@ struct Tower10 : Stacked<11, 10> {
 struct TenBoxesBudget : Stacked<11, 10> {
     static constexpr bool bounces = false;
     static constexpr bool recycles_manifolds = false;
-    static constexpr bool hides_internal_edges = false;
+    static constexpr bool hides_internal_edges = false, holds_crowds = false;
     using solver = ingot::SequentialImpulses;
     using rotation = ingot::LieMidpoint;
 };
@@ -57,6 +63,7 @@ struct LightPile : Stacked<13, 48> {
     static constexpr const char* name = "light_pile";
     static constexpr const char* title = "boxes and balls fall into a pit, solved point by point";
     static constexpr int golden_steps = 180;
+    static bool went_well(ingot::StepReport report) { return well_but_for_impacts(report); }
     static constexpr scalar side = scalar(1.6);
 
     static constexpr PlacedBody body(int body_i) {
@@ -104,6 +111,7 @@ struct ChosenBoxes : Stacked<13, 78> {
     static constexpr const char* name = "uneven_boxes";
     static constexpr const char* title = "boxes of 1 and 100 kg fall on each other, solved by what suits";
     static constexpr int golden_steps = 180;
+    static bool went_well(ingot::StepReport report) { return well_but_for_impacts(report); }
     static constexpr PlacedBody body(int body_i) { return UnevenBoxes<12, 100>::body(body_i); }
 };
 
@@ -114,6 +122,7 @@ struct MixedPile : Stacked<21, 110> {
     static constexpr const char* name = "mixed_pile";
     static constexpr const char* title = "boxes and balls fall into a pit";
     static constexpr int golden_steps = 180;
+    static bool went_well(ingot::StepReport report) { return well_but_for_impacts(report); }
     static constexpr int wall_count = 5;
     static constexpr scalar side = 3;
 
@@ -139,6 +148,7 @@ struct SleepingTowers : Stacked<14, 48> {
     static constexpr const char* name = "sleeping_towers";
     static constexpr const char* title = "towers that sleep, and a ball that wakes one";
     static constexpr int golden_steps = 130;
+    static bool went_well(ingot::StepReport report) { return well_but_for_impacts(report); }
 
     static constexpr PlacedBody body(int body_i) {
         if (body_i == 0) return flat_ground(scalar(0.6));
@@ -153,11 +163,13 @@ struct SleepingTowers : Stacked<14, 48> {
 /// Boxes, balls and a capsule in a sensor, with filters, events and sleep: many features at once, for the budgets of small targets.
 struct Playground : Stacked<9, 12> {
     using shapes = ingot::Shapes<ingot::Sphere, ingot::Capsule, ingot::Box, ingot::HalfSpace>;
-    static constexpr bool filters = true, sleeps = true, hides_internal_edges = false;  // its ground is alone
+    static constexpr bool filters = true, sleeps = true;
+    static constexpr bool hides_internal_edges = false, holds_crowds = false;  // its ground is alone, and there is room for all
     static constexpr int max_overlaps = 8, max_events = 24;
     static constexpr const char* name = "playground";
     static constexpr const char* title = "boxes, balls and a capsule, with filters, a sensor, events and sleep";
     static constexpr int golden_steps = 60;
+    static bool went_well(ingot::StepReport report) { return well_but_for_impacts(report); }
 
     static constexpr PlacedBody body(int body_i) {
         constexpr scalar mu = scalar(0.5);
@@ -186,7 +198,7 @@ struct BulletRange : Stacked<BulletWalls::body_count, 40> {
     static constexpr PlacedBody body(int body_i) { return BulletWalls::body(body_i); }
     /// In a crowd some wait for others, and bullets that scrape along a wall spin beyond the limit: that is what reports are for.
     static bool went_well(ingot::StepReport report) {
-        report.impacts_deferred = report.spins_clamped = 0;
+        report.impacts_deferred = report.spins_clamped = report.sweeps_unfinished = 0;
         return report.clean();
     }
 };
@@ -198,6 +210,7 @@ struct Conveyors : Stacked<ConveyorLine::body_count, 48> {
     static constexpr const char* name = "conveyors";
     static constexpr const char* title = "parcels on belts, balls that resist being rolled";
     static constexpr int golden_steps = 180;
+    static bool went_well(ingot::StepReport report) { return well_but_for_impacts(report); }
     static constexpr PlacedBody body(int body_i) { return ConveyorLine::body(body_i).body; }
 };
 

@@ -216,7 +216,8 @@ TEST(Kept, contacts_neither_end_nor_begin_when_an_island_sleeps_or_wakes) {
     EXPECT_EQ(world.events()[1].kind, ingot::EventKind::end);
 }
 
-/// Manifolds for two bodies, and three that want one: whoever has one keeps it in its sleep, and the third falls until one is free.
+/// Manifolds for two bodies, and three that want one: whoever has one keeps it in its sleep, and the third lies on the
+/// ground without, awake.
 TEST(Kept, full_arrays_leave_sleepers_what_they_have) {
     using S = Bedroom<5, true, ingot::AllPairs, 2>;
     std::vector<PlacedBody> bodies = columns(3, 1);
@@ -227,7 +228,7 @@ TEST(Kept, full_arrays_leave_sleepers_what_they_have) {
     EXPECT_TRUE(play.world().is_asleep(play.id(1)));
     EXPECT_TRUE(play.world().is_asleep(play.id(2)));
     EXPECT_FALSE(play.world().is_asleep(play.id(3)));
-    EXPECT_LT(play.r(3).z(), -10) << "it falls, and every step tells of it";
+    EXPECT_NEAR(play.r(3).z(), 0.5, static_cast<double>(ingot::limits::touching_gap)) << "and every step tells of it";
     EXPECT_EQ(play.reports().lost, 121);
     EXPECT_NEAR(play.r(1).z(), 0.5, static_cast<double>(ingot::limits::touching_gap));
 }

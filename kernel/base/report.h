@@ -31,7 +31,11 @@ struct [[nodiscard]] StepReport {
     /// turned by the largest angle a step allows instead of omega h, or, by CommutatorFree4, further than its substeps are right for: lower h
     uint16_t spins_clamped{};
     uint16_t contacts{};         ///< contacts found
-    /// no room: raise Scene::max_manifolds, or max_contacts in a scene of impacts without friction; pairs_lost are among them
+    /// no room: raise Scene::max_manifolds, or max_contacts in a scene of impacts without friction, to what World::room_needed says; pairs_lost are
+    /// among them. Who meets what cannot move is kept first, then who is deepest. The others do not fall: they are stopped, one by one and without
+    /// the others in view, see impulse/hold_apart.h. In such a step nothing ends deeper in a fixed shape than limits::touching_gap, and bodies sink
+    /// into each other by what gravity moves them in a few steps, or slide off; they do not sleep. Without friction nothing takes overlap back: there
+    /// they end a few times deeper than they come in one step. With holds_crowds = false they fall
     uint16_t contacts_lost{};
     uint16_t pairs_lost{};       ///< of contacts_lost, pairs whose bounds overlap: raise Scene::max_pairs
     uint16_t pairs_untested{};   ///< pairs of shapes that overlap by their bounds, and for which the kernel has no test yet
@@ -41,8 +45,14 @@ struct [[nodiscard]] StepReport {
     uint16_t impacts_deferred{};
     uint16_t sweeps{};           ///< sweeps over contacts in all substeps: the most that an island took
     uint16_t overlaps_lost{};    ///< bodies in a sensor, and no room: raise Scene::max_overlaps
-    scalar residual{};           ///< m/s; the largest speed that the last sweep over manifolds still corrected
-    uint16_t sweeps_unfinished{};  ///< solves that stopped at limits::contact_sweeps_max
+    /// m/s; the largest speed that the last sweep over manifolds still corrected; of a direct solve what the grain of its
+    /// impulses is worth, where that is more than limits::unsettled_speed
+    scalar residual{};
+    /// islands that were not settled when their sweeps were over: of up to limits::small_island manifolds, where the last sweep corrected more than
+    /// limits::unsettled_speed and a thousandth of what gravity gives in a substep; of more, which settle over many steps, where it corrected more
+    /// than all of that. They carry what sweeps do not, or are being hit: see HybridIslands. Of impacts without friction: solves that stopped at
+    /// limits::contact_sweeps_max
+    uint16_t sweeps_unfinished{};
     uint16_t events_lost{};      ///< no room: raise Scene::max_events
 
     /// True when the step did all it was asked for, in full.
@@ -53,8 +63,28 @@ struct [[nodiscard]] StepReport {
     }
 };
 
-/// An island tells how many sweeps it took, and what the last of them still corrected: the most count.
-inline void note_sweeps(StepReport& report, int sweeps, scalar residual) {
+/// How much room a world needed: each number is of the trait of its name, which is large enough with it. At least as many: up to 65535 that are lost
+/// in a step are counted.
+///
+///     ingot::RoomNeeded most;
+///     ...
+///     const ingot::StepReport report = ingot::step(world, h);
+///     most.raise(world.room_needed(report));   // in the end: what to set the traits to, if anything was lost
+struct RoomNeeded {
+    int32_t max_pairs{}, max_manifolds{}, max_contacts{}, max_overlaps{}, max_events{};
+
+    constexpr void raise(const RoomNeeded& other) {
+        if (other.max_pairs > max_pairs) max_pairs = other.max_pairs;
+        if (other.max_manifolds > max_manifolds) max_manifolds = other.max_manifolds;
+        if (other.max_contacts > max_contacts) max_contacts = other.max_contacts;
+        if (other.max_overlaps > max_overlaps) max_overlaps = other.max_overlaps;
+        if (other.max_events > max_events) max_events = other.max_events;
+    }
+};
+
+/// An island tells how many sweeps it took, and what the last of them still corrected: the most count. `settled`, m/s: with more it is unfinished.
+inline void note_sweeps(StepReport& report, int sweeps, scalar residual, scalar settled) {
+    if (!(residual <= settled)) count(report.sweeps_unfinished);
     if (sweeps > report.sweeps) report.sweeps = static_cast<uint16_t>(sweeps < 65535 ? sweeps : 65535);
     if (residual > report.residual) report.residual = residual;
 }

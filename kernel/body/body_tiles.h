@@ -117,6 +117,11 @@ struct Place {
 };
 INGOT_INLINE constexpr Place place_of(int slot) { return {slot / lanes, slot % lanes}; }
 
+INGOT_INLINE Vector r_CM_of(const BodyView& bodies, int slot) {
+    const Place at = place_of(slot);
+    return lane_of(bodies.translation[at.tile].r_CM, at.lane);
+}
+
 /// True for a body that can move: neither immovable nor frozen.
 INGOT_INLINE bool is_dynamic(const BodyView& bodies, int slot) {
     return bodies.rotation[place_of(slot).tile].inv_I_scale[place_of(slot).lane] > 0;

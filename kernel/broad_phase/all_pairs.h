@@ -8,7 +8,7 @@ namespace ingot { inline namespace INGOT_ABI {
 /// Every pair whose fat AABBs overlap and of which one can move, sorted by slots.
 ///
 /// Tests `lanes` bodies at once. Cost: n^2 / (2 lanes) tests of boxes, the least there is up to a few hundred bodies.
-/// Full: pairs of the lowest slots are kept.
+/// Full: pairs of the lowest slots are kept; which it is in the end is for keep_urgent_pairs to say.
 void find_all_pairs(const BodyView& bodies, const BoundsTile* bounds, const PairList& pairs);
 
 /// The same, without pairs of two shapes at rest: see search_view.h.
@@ -27,6 +27,7 @@ inline constexpr bool is_tree<NoTree> = false;
 /// `using broad_phase = ingot::AllPairs;`, for up to a few hundred bodies.
 struct AllPairs {
     static constexpr const char* name = "all_pairs";
+    static constexpr bool answers_queries = false;
     template <int max_bodies, int max_pairs>
     struct Memory {
         static constexpr uint8_t* search_flags = nullptr;

@@ -6,6 +6,8 @@
 namespace ingot { inline namespace INGOT_ABI {
 
 inline constexpr uint16_t no_record = 65535;
+/// Within a step: it touches, and there is no record for it. See crowd.h.
+inline constexpr uint16_t refused_record = no_record - 1;
 
 /// Two bodies that may touch: slots, A the lower one, and what is known of their contact.
 struct BodyPair {

@@ -35,7 +35,7 @@ INGOT_INLINE void set_bounds(BoundsTile& bounds, int lane_i, const Vector& low, 
 inline constexpr Vector everywhere = {limits::unbounded, limits::unbounded, limits::unbounded};
 inline constexpr Vector nowhere = everywhere * scalar(2);  ///< empty bounds begin there: not even a half space reaches them
 
-/// A half space whose face lies along two of the axes ends there; any other is everywhere. It never moves.
+/// A half space whose face lies along two of the axes, to the bit, ends there; any other is everywhere. It never moves.
 INGOT_INLINE void bound_half_space(const BodyView& bodies, const Surface& surface, Place at, scalar unit, BoundsTile& tile) {
     set_bounds(tile, at.lane, -everywhere, everywhere);
     tile.spin_reach[at.lane] = 0;  // what was in the slot before may have spun
@@ -43,7 +43,7 @@ INGOT_INLINE void bound_half_space(const BodyView& bodies, const Surface& surfac
     const scalar n_of[3] = {n.x, n.y, n.z}, r_of[3] = {r.x, r.y, r.z}, offset = surface.shape.offset;
     for (int axis = 0; axis < 3; ++axis) {
         const scalar along = n_of[axis], place = r_of[axis];
-        if (abs(along) != 1 || length_sq(n) != 1) continue;
+        if (abs(along) != 1 || n_of[(axis + 1) % 3] != 0 || n_of[(axis + 2) % 3] != 0) continue;
         const scalar slack = limits::contact_margin / 2 * unit + 4 * epsilon * (abs(place) + abs(offset));
         if (along > 0)
             tile.high[axis][at.lane] = place + offset + slack;

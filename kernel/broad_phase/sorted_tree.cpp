@@ -24,43 +24,12 @@ void build_with_places(const SearchView& search, const SortedTreeView& tree) {
     *tree.moved = 0;
 }
 
-void set_leaf(TreeLeaf& leaf, int i, const TreeBox& box, int slot, bool moves) {
-    const scalar low[3] = {box.low.x, box.low.y, box.low.z}, high[3] = {box.high.x, box.high.y, box.high.z};
-    for (int axis = 0; axis < 3; ++axis) {
-        leaf.low[axis][i] = low[axis];
-        leaf.high[axis][i] = high[axis];
-    }
-    leaf.slot[i] = static_cast<uint16_t>(slot);
-    leaf.moves[i] = moves ? 1 : 0;
-}
-
-/// The box of a leaf and those above it.
-void refit(const SortedTreeView& tree, int leaf_i) {
-    const TreeLeaf& leaf = tree.leaves[leaf_i];
-    TreeBox all = nothing;
-    for (int i = 0; i < leaf_bodies; ++i)
-        all = around(all, {{leaf.low[0][i], leaf.low[1][i], leaf.low[2][i]}, {leaf.high[0][i], leaf.high[1][i], leaf.high[2][i]}});
-    int box_i = tree.leaf_places + leaf_i;
-    tree.boxes[box_i] = all;
-    // bound: log2(leaf_places): box_i halves each turn
-    for (box_i /= 2; box_i > 0; box_i /= 2) tree.boxes[box_i] = around(tree.boxes[2 * box_i], tree.boxes[2 * box_i + 1]);
-}
-
 /// A shape has another fat AABB, or is new, or gone.
 void replace(const SearchView& search, const SortedTreeView& tree, int slot) {
     const TreeBox box = box_of(search.bounds, slot);
     if (!search.has(slot, SearchFlag::moved)) ++*tree.moved;
     search.set(slot, SearchFlag::moved);
-    if (tree.place[slot] == 0) {
-        if (!(box.low.x <= box.high.x)) return;
-        const int place = (*tree.used)++;
-        tree.place[slot] = static_cast<uint16_t>(place + 1);
-        if (place % leaf_bodies == 0)
-            for (int i = 0; i < leaf_bodies; ++i) set_leaf(tree.leaves[place / leaf_bodies], i, nothing, 0, false);
-    }
-    const int place = tree.place[slot] - 1;
-    set_leaf(tree.leaves[place / leaf_bodies], place % leaf_bodies, box, slot, search.moves(slot));
-    refit(tree, place / leaf_bodies);
+    put_in_place(tree, slot, box, search.moves(slot));
 }
 
 /// Pairs of one shape with those of a leaf. Of two that are due the lower finds the pair.

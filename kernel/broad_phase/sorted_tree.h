@@ -44,7 +44,7 @@ struct SortedTreeView {
 };
 
 /// Every pair of which one is searched for and one can move and whose fat AABBs overlap, sorted by slots: what find_all_awake_pairs finds.
-/// Cost: near-linear in shapes. Full: which pairs are kept depends on the fat AABBs alone, but is not one of the slots; lost counts the others.
+/// Cost: near-linear in shapes. Full: some are kept, and lost counts the others; which are kept in the end is for keep_urgent_pairs to say.
 void find_pairs_by_tree(const SearchView& search, const SortedTreeView& tree, const PairList& pairs);
 
 /// The same where the list holds those of the last search, and due[0 .. due_count) are the shapes that are due, in any order. Their pairs are without
@@ -58,6 +58,7 @@ bool search_by_tree(const SearchView& search, const SortedTreeView& tree, scalar
 /// `using broad_phase = ingot::SortedTree;`, for hundreds to tens of thousands of bodies.
 struct SortedTree {
     static constexpr const char* name = "sorted_tree";
+    static constexpr bool answers_queries = false;  ///< see QueryTree
     template <int max_bodies, int max_pairs>
     struct TreeMemory {
         static constexpr int leaf_count = (max_bodies + leaf_bodies - 1) / leaf_bodies;

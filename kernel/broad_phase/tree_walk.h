@@ -11,6 +11,7 @@ namespace ingot { inline namespace INGOT_ABI { namespace trees {
 inline constexpr scalar no_place = 2 * limits::unbounded;
 inline constexpr TreeBox nothing = {{no_place, no_place, no_place}, {-no_place, -no_place, -no_place}};
 inline constexpr int code_bits = 10;  // along each axis
+inline constexpr int levels_max = 14;  // of boxes, those of leaves among them: 65536 shapes, 8 of them in a leaf
 
 inline TreeBox around(const TreeBox& a, const TreeBox& b) { return {min(a.low, b.low), max(a.high, b.high)}; }
 
@@ -120,6 +121,42 @@ inline void make_leaves(const BodyView& bodies, const BoundsTile* bounds, const 
     }
     // bound: max_bodies max_shapes_of_body / leaf_bodies, rounded up to a power of two
     for (int box_i = tree.leaf_places - 1; box_i > 0; --box_i) tree.boxes[box_i] = around(tree.boxes[2 * box_i], tree.boxes[2 * box_i + 1]);
+}
+
+inline void set_leaf(TreeLeaf& leaf, int i, const TreeBox& box, int slot, bool moves) {
+    const scalar low[3] = {box.low.x, box.low.y, box.low.z}, high[3] = {box.high.x, box.high.y, box.high.z};
+    for (int axis = 0; axis < 3; ++axis) {
+        leaf.low[axis][i] = low[axis];
+        leaf.high[axis][i] = high[axis];
+    }
+    leaf.slot[i] = static_cast<uint16_t>(slot);
+    leaf.moves[i] = moves ? 1 : 0;
+}
+
+/// The box of a leaf and those above it.
+inline void refit(const SortedTreeView& tree, int leaf_i) {
+    const TreeLeaf& leaf = tree.leaves[leaf_i];
+    TreeBox all = nothing;
+    for (int i = 0; i < leaf_bodies; ++i)
+        all = around(all, {{leaf.low[0][i], leaf.low[1][i], leaf.low[2][i]}, {leaf.high[0][i], leaf.high[1][i], leaf.high[2][i]}});
+    int box_i = tree.leaf_places + leaf_i;
+    tree.boxes[box_i] = all;
+    // bound: log2(leaf_places): box_i halves each turn
+    for (box_i /= 2; box_i > 0; box_i /= 2) tree.boxes[box_i] = around(tree.boxes[2 * box_i], tree.boxes[2 * box_i + 1]);
+}
+
+/// A shape has this box from now on: in its place, or in the next free one. One that has neither box nor place gets none.
+INGOT_INLINE void put_in_place(const SortedTreeView& tree, int slot, const TreeBox& box, bool moves) {
+    if (tree.place[slot] == 0) {
+        if (!(box.low.x <= box.high.x)) return;
+        const int place = (*tree.used)++;
+        tree.place[slot] = static_cast<uint16_t>(place + 1);
+        if (place % leaf_bodies == 0)
+            for (int i = 0; i < leaf_bodies; ++i) set_leaf(tree.leaves[place / leaf_bodies], i, nothing, 0, false);
+    }
+    const int place = tree.place[slot] - 1;
+    set_leaf(tree.leaves[place / leaf_bodies], place % leaf_bodies, box, slot, moves);
+    refit(tree, place / leaf_bodies);
 }
 
 /// The pairs between two leaves, or within one, for which wanted(slot, slot) is true.

@@ -27,14 +27,6 @@ struct Collected {
     scalar n[3][lanes], P[block_rows][3][lanes], used[block_rows][lanes], separation[block_rows][lanes];
 };
 
-/// What bore load at the end of the last step does not bounce: impacts are of those that come from apart. Else each collision in a heap makes all of
-/// it rattle.
-bool bears_load(const ManifoldRecord& record) {
-    scalar load = 0;
-    for (int row = 0; row < record.manifold.count; ++row) load += record.j[row];  // bound: 4: Manifold::points_max
-    return load > 0;
-}
-
 /// Collects the bodies of a block. Body 0 of the solver cannot move: it is all zero here too. Between two of them there is nothing to
 /// solve, and the lane is left as if it had no points.
 void collect(const SolverView& solver, const BodyView& bodies, ContactBlock& block, Collected& in) {
@@ -43,6 +35,7 @@ void collect(const SolverView& solver, const BodyView& bodies, ContactBlock& blo
         const uint16_t manifold_i = block.manifold[lane_i];
         const ManifoldRecord& record = kept_of(solver, manifold_i).record;
         block.mu[lane_i] = record.mu;
+        // Impacts are of those that come from apart: else each collision in a heap makes all of it rattle.
         block.e[lane_i] = bears_load(record) ? scalar(0) : record.e;
         block.halvings[lane_i] = static_cast<uint8_t>(record.manifold.halvings);
         set_lane(in.n, lane_i, record.manifold.n);

@@ -31,6 +31,9 @@ struct alignas(4 * sizeof(scalar)) SolverBodyHistory {
     scalar L_sum[4];      ///< of the substeps: the drift of A goes by the mean
 };
 
+/// A quad without its last.
+inline Vector three_of(const scalar (&from)[4]) { return {from[0], from[1], from[2]}; }
+
 /// One of the four quads.
 using QuadOfBody = scalar (SolverBody::*)[4];
 

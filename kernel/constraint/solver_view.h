@@ -37,6 +37,7 @@ struct Island {
     bool has_chains;  ///< impacts may cause impacts
     bool sweeps_on;   ///< not settled yet in this substep
     bool at_bound;    ///< its sweeps ended at their bound
+    bool carries;     ///< a body of it carries more than limits::direct_mass_ratio times its mass; only the direct solver asks
     int sweeps_max, sweeps;  ///< of a substep; of the step so far
     scalar fastest_sq;       ///< m^2/s^2, of its bodies in this substep
     scalar settled;          ///< m/s; a sweep that corrects no speed by more is its last

@@ -50,13 +50,6 @@ const Manifold& manifold_of(const ManifoldView& manifolds, int manifold_i) {
     return manifolds.records[manifolds.pairs[manifold_i].record].manifold;
 }
 
-scalar least_separation(const Manifold& manifold) {
-    scalar least = limits::unbounded;
-    for (int point_i = 0; point_i < manifold.count; ++point_i)
-        least = manifold.points[point_i].separation < least ? manifold.points[point_i].separation : least;
-    return least;
-}
-
 /// Walks along a sorted list, ahead of a walk along another.
 struct Finger {
     const PairOfBodiesList& list;

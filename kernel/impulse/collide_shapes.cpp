@@ -6,6 +6,18 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
+namespace {
+
+/// Of the one rather than of the other there is no room.
+bool gives_way(const BodyView* bodies, const Contact& a, const Contact& b) {
+    const auto on_fixed = [bodies](const Contact& c) {
+        return bodies != nullptr && (!is_dynamic(*bodies, c.body_A) || !is_dynamic(*bodies, c.body_B));
+    };
+    return on_fixed(a) == on_fixed(b) ? a.separation > b.separation : on_fixed(b);
+}
+
+}  // namespace
+
 void ContactSink::add(const Vector& n, const Vector& lever_A, const Vector& lever_B, scalar separation) {
     INGOT_ASSERT(*contacts.count <= contacts.capacity);
     INGOT_ASSERT(slot_A != slot_B);
@@ -17,8 +29,12 @@ void ContactSink::add(const Vector& n, const Vector& lever_A, const Vector& leve
         index = 0;
         // bound: max_contacts
         for (int contact_i = 1; contact_i < contacts.capacity; ++contact_i)
-            if (contacts.contacts[contact_i].separation > contacts.contacts[index].separation) index = contact_i;
-        if (separation >= contacts.contacts[index].separation) return;
+            if (gives_way(bodies, contacts.contacts[contact_i], contacts.contacts[index])) index = contact_i;
+        Contact next{};
+        next.body_A = static_cast<uint16_t>(slot_A);
+        next.body_B = static_cast<uint16_t>(slot_B);
+        next.separation = separation;
+        if (!gives_way(bodies, contacts.contacts[index], next)) return;
     }
     Contact& contact = contacts.contacts[index];
     contact.body_A = static_cast<uint16_t>(slot_A);

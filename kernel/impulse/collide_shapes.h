@@ -22,12 +22,13 @@ INGOT_INLINE Placed placed(const BodyView& bodies, const SurfaceView& surfaces, 
             lane_of(bodies.rotation[at.tile].A, at.lane)};
 }
 
-/// Where the routines put what they find; keeps the deepest contacts when the array is full.
+/// Where the routines put what they find. When the array is full it keeps contacts with what cannot move, then the deepest.
 struct ContactSink {
     ContactView contacts;
     int slot_A, slot_B;
     scalar e;
     uint16_t* lost;
+    const BodyView* bodies = nullptr;  ///< who cannot move; null: depth alone counts
 
     void add(const Vector& n, const Vector& lever_A, const Vector& lever_B, scalar separation);
 };

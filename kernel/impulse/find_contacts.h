@@ -24,7 +24,7 @@ void collide_pair(const Placed& A, const Placed& B, ContactSink& sink, StepRepor
 
 /// Fills the contacts of the step, pair by pair in the order of the slots. Two bodies that cannot move do not touch.
 ///
-/// Full: a contact deeper than the shallowest one kept takes its place; what is dropped counts in contacts_lost.
+/// Full: contacts with what cannot move are kept first, then the deepest; what is dropped counts in contacts_lost.
 /// Cost: bodies (bodies - 1) / 2 tests of bounding spheres.
 template <class Shapes>
 void find_contacts(const BodyView& bodies, const SurfaceView& surfaces, const ContactView& contacts, StepReport& report) {
@@ -36,7 +36,7 @@ void find_contacts(const BodyView& bodies, const SurfaceView& surfaces, const Co
             const bool swap = surfaces.surfaces[slot_A].shape.kind == ShapeKind::half_space;
             const int first = swap ? slot_B : slot_A, second = swap ? slot_A : slot_B;
             const scalar e_A = surfaces.surfaces[first].e, e_B = surfaces.surfaces[second].e;
-            ContactSink sink{contacts, first, second, e_A > e_B ? e_A : e_B, &report.contacts_lost};
+            ContactSink sink{contacts, first, second, e_A > e_B ? e_A : e_B, &report.contacts_lost, &bodies};
             collide_pair<Shapes>(placed(bodies, surfaces, first), placed(bodies, surfaces, second), sink, report);
         }
     }

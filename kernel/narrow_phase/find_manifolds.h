@@ -13,11 +13,6 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-INGOT_INLINE Vector r_CM_of(const BodyView& bodies, int slot) {
-    const Place at = place_of(slot);
-    return lane_of(bodies.translation[at.tile].r_CM, at.lane);
-}
-
 INGOT_INLINE BodyFrame frame_of(const BodyView& bodies, int slot) {
     const Place at = place_of(slot);
     return {lane_of(bodies.translation[at.tile].r_CM, at.lane), lane_of(bodies.rotation[at.tile].A, at.lane)};
@@ -160,11 +155,22 @@ void name_bodies(const ManifoldView& manifolds, BodyPair* body_pairs) {
     }
 }
 
+/// A pair that begins to touch has its record, all zero, filled.
+template <bool renews>
+INGOT_INLINE void begin_record(const BodyView& bodies, const SurfaceView& surfaces, const BodyPair& pair, const Manifold& found, scalar margin,
+                               const ManifoldView& manifolds) {
+    ManifoldRecord& record = manifolds.records[pair.record];
+    mix_materials(surfaces, pair, record);
+    keep_manifold(found, record.manifold);
+    if (renews && worth_renewing(surfaces.surfaces[pair.body_A], surfaces.surfaces[pair.body_B]))
+        anchor(frame_of(bodies, pair.body_A), frame_of(bodies, pair.body_B), found, margin, manifolds.anchors[pair.record]);
+}
+
 /// Manifolds of all pairs of the last search, those of the step before renewed; manifolds.pairs are those that touch.
 ///
 /// Pairs that the rules of the scene keep apart have none: see pair_rules.h.
 /// Pairs with a fast body touch or have none; those that meet hard in flight are seen to there.
-/// Full: contacts that are held stay, new ones are refused in the order of slots, and counted in contacts_lost.
+/// Full: what finds no record is refused_record, and counted in contacts_lost; who it is to be is then chosen anew: see crowded_manifolds.h.
 template <class Shapes, bool renews, class Rules, class FastPairs = NoFastPairs>
 void update_manifolds(const BodyView& bodies, const SurfaceView& surfaces, const BoundsTile* bounds, scalar h, const Rules& rules,
                       const PairList& found, const ManifoldView& manifolds, StepReport& report, const FastPairs& fast_pairs = {}) {
@@ -206,6 +212,7 @@ void update_manifolds(const BodyView& bodies, const SurfaceView& surfaces, const
         if (!has_record) pair.record = take_record(manifolds);
         if (pair.record == no_record) {
             count(report.contacts_lost);
+            pair.record = refused_record;
             continue;
         }
         ManifoldRecord& record = manifolds.records[pair.record];

@@ -81,15 +81,9 @@ unsigned HiddenPoints::hidden(const Manifold& manifold) const {
     return hidden & hidden_inside;
 }
 
-scalar HiddenPoints::least_of(const Manifold& manifold) {
-    scalar least = scalar_max;
-    for (int i = 0; i < manifold.count; ++i) least = min(least, manifold.points[i].separation);  // bound: 4: Manifold::points_max
-    return least;
-}
-
 /// True where no other direction can separate: that of a manifold of shapes that are apart, but for two boxes, is that of their nearest points.
-bool HiddenPoints::is_nearest(scalar least_separation) const {
-    return least_separation > -flush_ && !(S_.shape.kind == ShapeKind::box && body_.shape.kind == ShapeKind::box);
+bool HiddenPoints::is_nearest(scalar least) const {
+    return least > -flush_ && !(S_.shape.kind == ShapeKind::box && body_.shape.kind == ShapeKind::box);
 }
 
 /// Of points above a face, takes those that are above S and not hidden, if they separate by more than `best`.

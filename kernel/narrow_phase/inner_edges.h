@@ -64,7 +64,8 @@ public:
     template <class Shapes>
     bool turn_to_face(Manifold& manifold) const {
         const Vector d = manifold.n * of_.to_body;
-        const scalar least_before = least_of(manifold), margin = max(least_before, 0) + limits::contact_margin * neighbours_.all.surfaces.unit;
+        const scalar least_before = least_separation(manifold);
+        const scalar margin = max(least_before, 0) + limits::contact_margin * neighbours_.all.surfaces.unit;
         if (is_nearest(least_before)) return false;
         scalar best = least_before > -flush_ ? -flush_ : -scalar_max;
         bool turned = false;
@@ -87,8 +88,7 @@ private:
     };
     static constexpr uint32_t turned_feature = 0xff000000u;  ///< of no other manifold
 
-    static scalar least_of(const Manifold& manifold);
-    bool is_nearest(scalar least_separation) const;
+    bool is_nearest(scalar least) const;
     bool take_open(int face_i, Manifold& above, scalar& best, Manifold& manifold) const;
     void put_on_fixed(const Manifold& manifold, Touch (&touches)[Manifold::points_max]) const;
     Vector middle_below() const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "../base/limits.h"
 #include "../math/vec3.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -20,5 +21,13 @@ struct Manifold {
     uint16_t halvings;  ///< of the lengths that its contact is measured by: see base/contact_lengths.h
     ManifoldPoint points[points_max];
 };
+
+/// m, of the deepest point; limits::unbounded where there is none.
+inline scalar least_separation(const Manifold& manifold) {
+    scalar least = limits::unbounded;
+    // bound: 4: Manifold::points_max
+    for (int i = 0; i < manifold.count; ++i) least = manifold.points[i].separation < least ? manifold.points[i].separation : least;
+    return least;
+}
 
 } }  // namespace ingot

@@ -26,6 +26,13 @@ inline constexpr uint16_t steady_bit = 0x8000;
 inline int age_of(const ManifoldRecord& record) { return record.substeps & ~steady_bit; }
 inline bool was_steady(const ManifoldRecord& record) { return (record.substeps & steady_bit) != 0; }
 
+/// Some point of it pressed at the end of the last step.
+inline bool bears_load(const ManifoldRecord& record) {
+    scalar load = 0;
+    for (int row = 0; row < record.manifold.count; ++row) load += record.j[row];  // bound: 4: Manifold::points_max
+    return load > 0;
+}
+
 /// The contacts of a world, without their capacity.
 struct ManifoldView {
     BodyPair* pairs;              ///< that touch, sorted by slots; room for as many as records

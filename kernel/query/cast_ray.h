@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "candidates.h"
 #include "query_filter.h"
 #include "ray_on_shapes.h"
+#include "shapes_of_tree.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -13,6 +13,11 @@ struct SlotHit {
     scalar fraction;
     Vector P, n;
 };
+
+/// Whether the one is met before the other: of two at the same place the one of the lower slot, in whatever order they are looked at.
+INGOT_INLINE bool is_before(const scalar& at, int slot, const scalar& other_at, int other_slot) {
+    return at < other_at || (at == other_at && slot < other_slot);
+}
 
 /// The routine for a shape; only those of shapes that the scene names are linked.
 template <class Shapes>
@@ -33,16 +38,17 @@ RayEntry ray_on_shape(const PlacedShape& s, const LocalRay& ray) {
 
 /// The body that a ray enters first; of bodies it enters at the same place, that of the lowest slot.
 ///
-/// from, way: m, world. sees(slot): which bodies count. A ray that begins inside a body meets it at once, its n against the way.
-template <class Shapes, class Sees>
-SlotHit cast_ray(const BodyView& bodies, const SurfaceView& surfaces, const Vector& from, const Vector& way, const Sees& sees) {
-    MovingBall point = {from, way, 0, 1};
+/// all: an EveryShape, or ShapesOfTree. from, way: m, world. sees(slot): which bodies count. A ray that begins inside a body meets it at once, its n
+/// against the way.
+template <class Shapes, class All, class Sees>
+SlotHit cast_ray(const All& all, const Vector& from, const Vector& way, const Sees& sees) {
+    MovingBall point = {from, way, 0, 1, nullptr};
     SlotHit hit = {no_slot, 1, from + way, {}};
-    look_along(bodies, surfaces, point, [&](int slot) {
+    look_along(all, point, [&](int slot) {
         if (!sees(slot)) return;
-        const PlacedShape body = placed_body<Shapes>(bodies, surfaces, slot);
+        const PlacedShape body = placed_body<Shapes>(all.bodies, all.surfaces, slot);
         const RayEntry entry = ray_on_shape<Shapes>(body, {transpose_times(body.A, from - body.r), transpose_times(body.A, way)});
-        if (!entry.meets || (hit.slot != no_slot && !(entry.fraction < hit.fraction))) return;
+        if (!entry.meets || (hit.slot != no_slot && !is_before(entry.fraction, slot, hit.fraction, hit.slot))) return;
         const Vector n = length_sq(entry.n) > 0 ? body.A * entry.n : way * (-1 / sqrt(length_sq(way)));
         hit = {slot, entry.fraction, from + way * entry.fraction, n};
         point.fraction = entry.fraction;

@@ -30,12 +30,15 @@ ShapeEntry cast_on_shape(const PlacedShape& moving, const Vector& way, const Pla
         entry.P = other.r + nearest.P_B;
         if (nearest.overlap) return entry;  // from the begin, or by a rounding: with the plane before it
         const PlaneBetween plane = plane_between(A, B, nearest);
-        const scalar closing = -dot(plane.n, way), left = plane.gap - gap / 2;
+        const scalar closing = -dot(plane.n, way);
         if (!(closing > 0)) return missed;  // the plane between them stays between them
         entry.n = plane.n;
         if (plane.gap <= gap) return entry;
-        if (left > closing * (fraction_max - entry.fraction)) return missed;
-        entry.fraction += left / closing;
+        const scalar further = plane.gap - gap / 2;
+        if (further > closing) return missed;  // beyond the end; and no quotient is too large for a scalar
+        entry.fraction += further / closing;
+        // Fractions do not fall: what is met by the last of them is met wherever fraction_max lies beyond it.
+        if (entry.fraction > fraction_max) return missed;
     }
     return entry;
 }

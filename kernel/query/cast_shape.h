@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "candidates.h"
 #include "cast_ray.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -22,14 +21,14 @@ struct ShapeEntry {
 ShapeEntry cast_on_shape(const PlacedShape& moving, const Vector& way, const PlacedShape& B, scalar fraction_max);
 
 /// The body that a moving shape meets first; see cast_ray.
-template <class Shapes, class Sees>
-SlotHit cast_shape(const BodyView& bodies, const SurfaceView& surfaces, const PlacedShape& moving, const Vector& way, const Sees& sees) {
-    MovingBall ball = {moving.r, way, bounding_radius(moving.shape), 1};
+template <class Shapes, class All, class Sees>
+SlotHit cast_shape(const All& all, const PlacedShape& moving, const Vector& way, const Sees& sees) {
+    MovingBall ball = {moving.r, way, bounding_radius(moving.shape), 1, &moving};
     SlotHit hit = {no_slot, 1, moving.r + way, {}};
-    look_along(bodies, surfaces, ball, [&](int slot) {
+    look_along(all, ball, [&](int slot) {
         if (!sees(slot)) return;
-        const ShapeEntry entry = cast_on_shape(moving, way, placed_body<Shapes>(bodies, surfaces, slot), ball.fraction);
-        if (!entry.meets || (hit.slot != no_slot && !(entry.fraction < hit.fraction))) return;
+        const ShapeEntry entry = cast_on_shape(moving, way, placed_body<Shapes>(all.bodies, all.surfaces, slot), ball.fraction);
+        if (!entry.meets || (hit.slot != no_slot && !is_before(entry.fraction, slot, hit.fraction, hit.slot))) return;
         hit = {slot, entry.fraction, entry.P, entry.n};
         ball.fraction = entry.fraction;
     });

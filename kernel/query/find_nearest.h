@@ -2,8 +2,7 @@
 #pragma once
 
 #include "../narrow_phase/collide_pairs.h"
-#include "candidates.h"
-#include "query_filter.h"
+#include "cast_ray.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -32,17 +31,17 @@ void point_on_shape(const PlacedShape& point, const PlacedShape& s, Manifold& ma
 
 /// The body whose surface is nearest to a point, no further away than `within`, m; inside of several, the one it is deepest in.
 /// Of bodies at the same distance the one of the lowest slot. Distances carry a few roundings of the sizes and of |point - r_CM|.
-template <class Shapes, class Sees>
-SlotNearest find_nearest(const BodyView& bodies, const SurfaceView& surfaces, const Vector& point, scalar within, const Sees& sees) {
+template <class Shapes, class All, class Sees>
+SlotNearest find_nearest(const All& all, const Vector& point, scalar within, const Sees& sees) {
     const PlacedShape ball = {{ShapeKind::sphere, {}, 0}, point, identity_matrix<scalar>(), nullptr};
     SlotNearest nearest = {no_slot, within, point, {}};
-    look_about(bodies, surfaces, point, nearest.distance, [&](int slot) {
+    look_about(all, point, nearest.distance, [&](int slot) {
         if (!sees(slot)) return;
         Manifold manifold;
-        point_on_shape<Shapes>(ball, placed_body<Shapes>(bodies, surfaces, slot), manifold);
+        point_on_shape<Shapes>(ball, placed_body<Shapes>(all.bodies, all.surfaces, slot), manifold);
         if (manifold.count == 0) return;
         const scalar distance = manifold.points[0].separation;
-        if (!(nearest.slot == no_slot ? distance <= nearest.distance : distance < nearest.distance)) return;
+        if (!(nearest.slot == no_slot ? distance <= nearest.distance : is_before(distance, slot, nearest.distance, nearest.slot))) return;
         nearest = {slot, distance, manifold.points[0].P - manifold.n * (distance * scalar(0.5)), manifold.n};
     });
     return nearest;

@@ -2,17 +2,23 @@
 #pragma once
 
 #include "../narrow_phase/nearest_points.h"
-#include "candidates.h"
+#include "shapes_of_tree.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// Calls found(slot), in the order of slots, for every body that the shape overlaps or touches, to a few roundings of the sizes.
-/// Needs: no half space.
-template <class Shapes, class Sees, class Found>
-void find_overlaps(const BodyView& bodies, const SurfaceView& surfaces, const PlacedShape& shape, const Sees& sees, const Found& found) {
-    const MovingBall ball = {shape.r, {}, bounding_radius(shape.shape), 0};
-    look_along(bodies, surfaces, ball, [&](int slot) {
-        if (sees(slot) && closest_points(shape, placed_body<Shapes>(bodies, surfaces, slot)).overlap) found(slot);
+/// True where the shape overlaps or touches that of a slot, to a few roundings of the sizes. Needs: no half space.
+template <class Shapes>
+bool overlaps_slot(const EveryShape& all, const PlacedShape& shape, int slot) {
+    return closest_points(shape, placed_body<Shapes>(all.bodies, all.surfaces, slot)).overlap;
+}
+
+/// Calls found(slot) for every shape that counts and that the shape overlaps or touches. In the order of slots, where all is an EveryShape; in any,
+/// where it is ShapesOfTree.
+template <class Shapes, class All, class Sees, class Found>
+void find_overlaps(const All& all, const PlacedShape& shape, const Sees& sees, const Found& found) {
+    const MovingBall ball = {shape.r, {}, bounding_radius(shape.shape), 0, &shape};
+    look_along(all, ball, [&](int slot) {
+        if (sees(slot) && overlaps_slot<Shapes>(all, shape, slot)) found(slot);
     });
 }
 

@@ -5,6 +5,7 @@
 #include "../base/report.h"
 #include "../body/body_tiles.h"
 #include "../constraint/impact_note.h"
+#include "../math/sqrt.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -16,6 +17,11 @@ struct ContactStep {
     scalar h;           ///< s
     StepNotes notes;
 };
+
+/// m/s; what gravity gives in a substep.
+inline scalar fall_speed_of(const ContactStep& step, int substeps) {
+    return sqrt(length_sq(step.gravity)) * (step.h / static_cast<scalar>(substeps));
+}
 
 /// Solves all contacts of a step, island by island: many islands of one plan are a batch, which is cut into substeps alike.
 ///
@@ -41,7 +47,7 @@ void conduct_substeps(Solver& solver, const ContactStep& step, StepReport& repor
             solver.drift(step.bodies, h);
             solver.solve_positions(step, h);
         }
-        solver.end_batch(report);
+        solver.end_batch(step, report);
     }
 }
 

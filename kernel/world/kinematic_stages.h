@@ -31,6 +31,17 @@ INGOT_INLINE void move_kinematic_bodies([[maybe_unused]] Step<S>& now) {
         });
 }
 
+/// Runs a stage, after bodies have been moved, that sees how kinematic bodies moved in the step.
+template <class S, class Stage>
+INGOT_INLINE void as_kinematic_bodies_moved([[maybe_unused]] Step<S>& now, const Stage& stage) {
+    if constexpr (S::kinematic_bodies)
+        features::KinematicBodies::for_moving(
+            now.storage, [&now](int slot, KinematicBody& body) { show_kinematic_motion(now.bodies, slot, body.v_CM, body.omega); });
+    stage();
+    if constexpr (S::kinematic_bodies)
+        features::KinematicBodies::for_moving(now.storage, [&now](int slot, KinematicBody&) { hide_kinematic_motion(now.bodies, slot); });
+}
+
 /// Runs a stage that looks for one floor among what cannot move. Kinematic bodies that move are no part of it: their neighbours move otherwise.
 template <class S, class Stage>
 INGOT_INLINE void beside_moving_floors([[maybe_unused]] Step<S>& now, const Stage& stage) {

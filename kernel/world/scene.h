@@ -2,7 +2,7 @@
 #pragma once
 
 #include "../broad_phase/all_pairs.h"
-#include "../broad_phase/sorted_tree.h"
+#include "../broad_phase/query_tree.h"
 #include "../shape/compound.h"
 #include "../impulse/frictionless_impacts.h"
 #include "../solver/direct/hybrid_islands.h"
@@ -51,6 +51,9 @@ struct Scene {
     static constexpr scalar hit_speed  = 1;      ///< m/s; contacts that meet faster are told as hits
     static constexpr bool recycles_manifolds = true;   ///< where bodies hardly move, manifolds are moved along with them and not searched anew
     static constexpr bool hides_internal_edges = true;  ///< fixed boxes and hulls side by side are one floor; false: bodies stumble at edges there
+    /// Where arrays are full, who needs a contact most has one, and the others are stopped: see StepReport::contacts_lost. false: who comes late
+    /// falls, for 10 KB less flash, in scenes whose arrays have room for all there is
+    static constexpr bool holds_crowds = true;
     static constexpr bool bounces      = true;   ///< bodies may have a restitution; false: none bounces, for 5 KB less flash
     static constexpr bool sleeps       = false;  ///< islands of bodies at rest are left out of the step until something wakes them
     static constexpr scalar sleep_speed = limits::sleep_speed;  ///< length_unit/s; no point of a body at rest moves faster
@@ -58,7 +61,7 @@ struct Scene {
     static constexpr bool rolling_resistance = false;  ///< shapes may resist being rolled: World::set_rolling_resistance
     static constexpr bool surface_velocities = false;  ///< surfaces may move by themselves, as belts do: World::set_surface_velocity
     static constexpr bool continuous   = false;  ///< fast bodies are followed within a step, impact by impact: none passes through another
-    using broad_phase = AllPairs;                ///< or SortedTree, for many bodies
+    using broad_phase = AllPairs;                ///< or SortedTree, for many bodies, or QueryTree, for queries among many
     /// Of contacts. BlockSweeps carry piles, towers of 20, and up to 100 kg on 1 kg, with no memory of their own: what a small target
     /// wants. HybridIslands<> picks for each island: sweeps, or for mass ratios from 50 on, towers of 15 and more, and what sweeps do not settle
     /// a direct solve in double; it takes 121 KB of RAM (HybridIslands<20, 10>, for smaller islands, 39), so a scene has to name it.
@@ -161,6 +164,10 @@ struct ShapesOf : S::shapes {
 template <class S>
 inline constexpr bool hides_internal_edges =
     stacks<S> && S::hides_internal_edges && (S::shapes::has(ShapeKind::box) || S::shapes::has(ShapeKind::hull));
+
+/// Its queries go through the tree that finds its pairs.
+template <class S>
+inline constexpr bool queries_by_tree = stacks<S> && S::broad_phase::answers_queries;
 
 template <class S>
 inline constexpr bool has_sensors = S::max_overlaps > 0;

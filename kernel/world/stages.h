@@ -8,6 +8,7 @@
 #include "../impulse/solve_impacts.h"
 #include "../motion/integrate_L.h"
 #include "../narrow_phase/inner_edges.h"
+#include "crowd_stages.h"
 #include "kinematic_stages.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -121,6 +122,7 @@ void find_pairs([[maybe_unused]] Step<S>& now) {
         else
             changed = storage.search(search_of(now), now.h, pairs);
         if (!changed) return;
+        if (S::holds_crowds && *pairs.lost != 0) choose_pairs(now);
         if constexpr (has_compounds<S>) drop_pairs_of_one_body<S::max_shapes_of_body>(pairs);
         match_records(storage.manifold_view(), pairs);
     }
@@ -140,6 +142,15 @@ auto find_fast_pairs([[maybe_unused]] Step<S>& now) {
     }
 }
 
+/// As they were found.
+template <class S>
+auto known_fast_pairs([[maybe_unused]] Step<S>& now) {
+    if constexpr (S::continuous)
+        return FastPairs{now.bodies, now.storage.body_shapes(), now.storage.paths, now.h};
+    else
+        return NoFastPairs{};
+}
+
 /// Manifolds of the pairs that touch, or are near enough to; sensors note who is in them.
 template <class S>
 void find_manifolds([[maybe_unused]] Step<S>& now) {
@@ -147,9 +158,12 @@ void find_manifolds([[maybe_unused]] Step<S>& now) {
         auto& storage = now.storage;
         const ManifoldView manifolds = storage.manifold_view();
         if constexpr (has_events<S> && has_sensors<S>) copy_list(storage.overlap_list(), storage.overlap_list_before());
-        update_manifolds<ShapesOf<S>, S::recycles_manifolds>(storage.shapes(), surfaces_of(now), storage.bounds, now.h,
+        const SurfaceView surfaces = surfaces_of(now);
+        const auto fast_pairs = find_fast_pairs(now);
+        update_manifolds<ShapesOf<S>, S::recycles_manifolds>(storage.shapes(), surfaces, storage.bounds, now.h,
                                                              storage.pair_rules(now.report), storage.pair_list(), manifolds, now.report,
-                                                             find_fast_pairs(now));
+                                                             fast_pairs);
+        if (now.report.contacts_lost != 0) choose_manifolds(now, surfaces, fast_pairs);
         if constexpr (hides_internal_edges<S>)
             beside_moving_floors(now, [&] {
                 drop_hidden_points<ShapesOf<S>>(
@@ -190,6 +204,8 @@ void resolve_impacts([[maybe_unused]] Step<S>& now) {
         const ContactView contacts = now.storage.contact_view();
         const scalar rest_speed = limits::rest_speed_factor * now.h * sqrt(length_sq(now.storage.gravity));
         find_contacts<typename S::shapes>(now.bodies, now.storage.surface_view(), contacts, now.report);
+        if constexpr (S::holds_crowds)
+            if (now.report.contacts_lost != 0) hold_lost_contacts(now);
         if constexpr (S::reads_contacts) note_places(contacts, now.bodies, now.storage.surface_view(), now.storage.contact_places);
         refresh_inv_I_world(now.bodies);                                  // Eq. 20
         prepare_contact_rows<S::kinematic_bodies>(contacts, now.bodies);
@@ -276,6 +292,13 @@ void follow_fast_bodies([[maybe_unused]] Step<S>& now) {
             {storage.gravity, now.h}, moving, meets, sensors, begin_flights(now), tree, &lists};
         follow_fast_bodies(collision, now.report);
     }
+}
+
+/// What found no room in the arrays of contacts falls through nothing.
+template <class S>
+void hold_what_has_no_room([[maybe_unused]] Step<S>& now) {
+    if constexpr (stacks<S> && S::holds_crowds)
+        if (now.report.contacts_lost != 0) hold_refused(now, surfaces_of(now), known_fast_pairs(now));
 }
 
 /// Islands of which all was at rest for long enough sleep from now on.
@@ -369,6 +392,7 @@ INGOT_INLINE void freeze_bad_bodies(Step<S>& now) {
 template <class S>
 void finish_step(Step<S>& now) {
     place_shapes(now);
+    now.storage.hold_moved_shapes();
     if constexpr (has_field<S>) now.storage.advance_time(now.h);
     ++now.storage.steps;
 }

@@ -6,6 +6,7 @@
 // lies in .bss and memcpy is its snapshot.
 #pragma once
 
+#include "../broad_phase/hold_shapes.h"
 #include "features/features.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -56,6 +57,26 @@ struct Storage : features::All::Memory<S> {
         for_active(this->rest_view(), [this](int slot) { place_shapes(bodies(), compound_view(), slot); });
     }
     SearchView search_view() { return {shapes(), surface_view(), this->bounds, this->search_flags}; }
+    /// Of scenes whose queries go through it. Nothing in it is a pointer to be kept; whoever asks a query does not write.
+    SortedTreeView query_tree() const { return const_cast<Storage*>(this)->tree_of_bounds(); }
+    /// Queries find the shapes of a body where they are now. Before the first search there is no tree, and they look at all.
+    void hold_shapes([[maybe_unused]] int slot) {
+        if constexpr (queries_by_tree<S>)
+            ingot::hold_shapes(search_view(), query_tree(), slot * S::max_shapes_of_body, (slot + 1) * S::max_shapes_of_body);
+    }
+    /// The same after a step, of all bodies that it may have moved.
+    void hold_moved_shapes() {
+        if constexpr (queries_by_tree<S>) {
+            const SearchView search = search_view();
+            const SortedTreeView tree = query_tree();
+            if constexpr (S::sleeps)
+                for_active(this->rest_view(), [&](int slot) {
+                    ingot::hold_shapes(search, tree, slot * S::max_shapes_of_body, (slot + 1) * S::max_shapes_of_body);
+                });
+            else
+                ingot::hold_shapes(search, tree, 0, slots_used * S::max_shapes_of_body);
+        }
+    }
     SensorMarks sensor_marks() const {
         if constexpr (has_sensors<S>) return this->is_sensor;
         return nullptr;

@@ -60,6 +60,7 @@ public:
         write_slot(slot, def);
         write_shape(slot, 0, def, {{}, identity_matrix<scalar>()});
         if constexpr (has_compounds<S>) place_shapes(storage_.bodies(), storage_.compound_view(), slot);
+        storage_.hold_shapes(slot);
         return {Status::ok, id_of(slot)};
     }
 
@@ -88,6 +89,7 @@ public:
             write_shape(slot, shape_i, with_shape(def, shapes[shape_i]), {place.r + Vector{}, nearest_rotation(place.A)});
         }
         place_shapes(storage_.bodies(), storage_.compound_view(), slot);
+        storage_.hold_shapes(slot);
         return {Status::ok, id_of(slot)};
     }
     template <unsigned N>

@@ -35,6 +35,20 @@ protected:
     using Base::find_shape;
 
 public:
+    /// Room that the world needed in the last step, whose report this is; of manifolds the most in all steps since it began or was loaded.
+    /// Numbers of what the scene has not are 0. Pairs that are lost count as if they touched.
+    RoomNeeded room_needed([[maybe_unused]] const StepReport& report) const {
+        RoomNeeded room;
+        if constexpr (stacks<S>) {
+            room.max_pairs = storage_.pairs_lost == 0 ? storage_.found_count : features::pair_capacity<S> + storage_.pairs_lost;
+            room.max_manifolds = storage_.records_used + report.contacts_lost;
+        }
+        if constexpr (collides<S>) room.max_contacts = storage_.contact_count + report.contacts_lost;
+        if constexpr (has_sensors<S>) room.max_overlaps = storage_.overlap_count + report.overlaps_lost;
+        if constexpr (has_events<S>) room.max_events = storage_.event_count + report.events_lost;
+        return room;
+    }
+
     // Whom a body meets, in scenes with filters: two bodies do when each is of a category that the other's mask names.
 
     Result<BodyFilter> filter(BodyId id) const {

@@ -215,6 +215,7 @@ private:
     /// As if it was added.
     Status come_back(int slot) {
         move_shapes(slot);
+        storage_.hold_shapes(slot);
         if constexpr (S::compensated_sums) features::CompensatedSums::forget_body(storage_, slot);
         if constexpr (S::sleeps) begin_awake(storage_.rest_view(), slot);
         return Status::ok;

@@ -97,6 +97,7 @@ protected:
         body.r_CM_low = {};
         body.A_low = {};
         if constexpr (has_compounds<S>) place_shapes(storage_.bodies(), storage_.compound_view(), slot);
+        storage_.hold_shapes(slot);
         return touched(slot, status);
     }
 

@@ -87,6 +87,8 @@ protected:
     Status moved(int slot, Status status) {
         if constexpr (S::compensated_sums)
             if (status == Status::ok) features::CompensatedSums::forget_body(storage_, slot);
+        if constexpr (queries_by_tree<S>)
+            if (status == Status::ok) storage_.hold_shapes(slot);
         return touched(slot, status);
     }
     bool sleeps_in(int slot) const { return is_dynamic(storage_.bodies(), slot) && !storage_.is_awake(slot); }

@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "queries.h"
 #include "scenes/contact/stacks.h"
 
 namespace {
@@ -135,5 +136,5 @@ int main(int count, char** arguments) {
     else if (is("wall_210_ball_far_away")) wall(true, true);
     else if (is("wall_210")) wall(true, false);
     else if (is("ball")) wall(false, true);
-    else expect(false, "no such world");
+    else expect(ask_queries(name), "no such world");
 }

@@ -3,6 +3,7 @@
 
 #include "../../base/limits.h"
 #include "../sweeps/order_manifolds.h"
+#include "carried_loads.h"
 #include "island_rows.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -23,6 +24,14 @@ void choose_by_contacts(const SolverView& solver, const Direct& direct) {
     }
 }
 
+/// Where bodies carry many times their own mass, and there is room.
+template <class Direct>
+void choose_by_loads(const SolverView& solver, const Direct& direct) {
+    mark_carrying(solver, direct.manifold_capacity);
+    for (int island_i = 0; island_i < solver.island_count; ++island_i)  // bound: max_bodies
+        if (solver.islands[island_i].carries) direct.state[island_i] = IslandState::chosen;
+}
+
 /// Tall towers, where there is room for them.
 template <class Direct>
 void choose_by_levels(const SolverView& solver, const Direct& direct) {
@@ -39,6 +48,7 @@ template <class Direct>
 void choose_islands(const SolverView& solver, const Direct& direct, StepReport& report) {
     for (int island_i = 0; island_i < solver.island_count; ++island_i) direct.state[island_i] = IslandState::swept;  // bound: max_bodies
     choose_by_contacts(solver, direct);
+    choose_by_loads(solver, direct);
     choose_by_levels(solver, direct);
     for (int island_i = 0; island_i < solver.island_count; ++island_i) {
         if (direct.state[island_i] == IslandState::swept || solver.islands[island_i].manifold_count <= direct.manifold_capacity) continue;

@@ -6,9 +6,10 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// Which islands of the step are to be solved directly: those with bodies of limits::direct_mass_ratio on each other, those that are
-/// limits::direct_levels high, and those whose sweeps have stopped at their bound for limits::unsettled_steps steps. An island with more manifolds
-/// than there is room for is left to the sweeps, and the report says so: DirectBits::refused.
+/// Which islands of the step are to be solved directly: those with bodies of limits::direct_mass_ratio on each other, those
+/// in which a body carries so many times its own mass (carried_loads.h), those that are limits::direct_levels high, and those whose sweeps have
+/// stopped at their bound for limits::unsettled_steps steps. An island with more manifolds than there is room for is left to the sweeps; where its
+/// contacts are uneven, the report says so: DirectBits::refused.
 /// Needs: plan_islands.
 template <class Direct>
 void choose_islands(const SolverView& solver, const Direct& direct, StepReport& report);

@@ -133,7 +133,8 @@ struct DirectViewOf {
     bool some_chosen;  ///< of the batch
     bool factored, some_slide;
     bool paid;      ///< the factor at hand has been taken from work_left in this attempt
-    bool uneven;    ///< bodies of limits::direct_mass_ratio touch
+    bool uneven;    ///< bodies of limits::direct_mass_ratio touch, or carry as much
+    bool steep;     ///< its mass is limits::direct_steepness times that of its lightest body
     int work_left;  ///< multiplications that the attempt at hand may still spend on factors; see limits::direct_work_max
     wide_scalar unit;  ///< m; of lengths and speeds in limits.h
 };

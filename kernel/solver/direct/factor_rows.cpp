@@ -98,6 +98,7 @@ void factor_symmetric(const Direct& island) {
             pivot -= scaled * u[c - active.begin];
             u[c - active.begin] = scaled;
         }
+        if (island.steep && pivot > row.K * limits::direct_independence) pivot -= row.K * limits::direct_diagonal;
         active.inv_pivot = pivot > row.K * limits::direct_diagonal / 2 ? 1 / pivot : 0;
     }
 }

@@ -47,8 +47,8 @@ struct HybridContacts : SweptContacts<PlainViewOf<View>, notes_impulses, bounces
         select_live(this->view);
         sweep_positions(of_points(this->view), this->view.live, this->view.live_count, h);
     }
-    void end_batch(StepReport& report) {
-        Swept::end_batch(report);
+    void end_batch(const ContactStep& step, StepReport& report) {
+        Swept::end_batch(step, report);
         note_unsettled(this->view, direct);
     }
 

@@ -13,9 +13,10 @@ template <bool notes_impulses, bool bounces, class View>
 void solve_hybrid(View& view, const DirectViewOf<View::rolls>& direct, const ContactStep& step, StepReport& report);
 
 /// `using solver = ingot::HybridIslands<>;`: sweeps or a direct solve in double, chosen island by island. The direct solve is for islands of up to
-/// max_island manifolds that sweeps do not serve: heavy bodies on light ones, tall towers, and islands that sweeps have not settled for
-/// limits::unsettled_steps steps (see choose_islands). entries_of_row: of the matrix, on average; a tower has 10, a full matrix 3 max_island. Islands
-/// without room are swept, and StepReport::direct says so.
+/// max_island manifolds that sweeps do not serve: heavy bodies on light ones, bodies that carry many times their own mass, tall towers, and islands
+/// that sweeps have not settled for limits::unsettled_steps steps (see choose_islands). It carries 2e11 times the mass of the lightest body at any
+/// rate; beyond that, or where it finds no solution, StepReport::sweeps_unfinished says so. entries_of_row: of the matrix, on average; a tower has
+/// 10, a full matrix 3 max_island. Islands without room are swept, and StepReport::direct says so.
 ///
 /// RAM of the world: max_island (1.4 KB + 48 entries_of_row bytes), and 27 bytes a body, 1 a manifold of the scene:
 /// HybridIslands<4> 9 KB, HybridIslands<20, 10> 39 KB, HybridIslands<> 121 KB; never more islands than max_manifolds.
@@ -53,7 +54,7 @@ struct HybridIslands : BlockSolver {
         DirectViewOf<rolls> direct_view() {
             constexpr int manifolds = static_cast<int>(island), room = static_cast<int>(entries);
             return {manifold, row, active, body, entry, manifolds, room, free_motion, state, local, unsettled,
-                    0, 0, 0, 0, -1, false, false, false, false, false, 0, 1};
+                    0, 0, 0, 0, -1, false, false, false, false, false, false, 0, 1};
         }
         template <bool notes_impulses, bool bounces, class View>
         void solve_contacts(View& solver, const ContactStep& step, StepReport& report) {

@@ -5,6 +5,17 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
+/// Whether impulses of one row are lost in those of another: see limits::direct_steepness.
+template <class Direct>
+bool is_steep(const Direct& direct) {
+    wide_scalar mass = 0, lightest = 0;  // kg, 1/kg
+    for (int body_i = 1; body_i < direct.body_count; ++body_i) {  // bound: max_island + 2: manifolds join at most one body more than they are
+        mass += 1 / direct.bodies[body_i].inv_M;
+        lightest = max(lightest, direct.bodies[body_i].inv_M);
+    }
+    return mass * lightest > limits::direct_steepness;
+}
+
 template <class Direct>
 void take_in(const SolverView& solver, const BodyView& bodies, Direct& direct, uint16_t body_i) {
     if (body_i == 0) return;
@@ -118,7 +129,7 @@ void load_rows(const View& solver, const BodyView& bodies, Direct& direct, int i
     const Island& island = solver.islands[island_i];
     direct.loaded_island = island_i;
     direct.factored = false;
-    direct.uneven = false;
+    direct.uneven = island.carries;
     direct.manifold_count = island.member_count;
     direct.body_count = 1;
     direct.bodies[0] = {};
@@ -159,6 +170,7 @@ void load_rows(const View& solver, const BodyView& bodies, Direct& direct, int i
             break;
         }
     }
+    direct.steep = is_steep(direct);
 }
 
 // The linker takes the one that the scene calls.

@@ -16,6 +16,7 @@ wide_scalar length_of_row(const Direct& island, int row) {
 struct Misfit {
     wide_scalar worst;  ///< m/s
     wide_scalar merit;  ///< J; sum of squares over compliance
+    wide_scalar grain;  ///< m/s; what the grain of a normal's impulse gives to its row
 
     /// length: m, what turns the speed of the row into m/s.
     void add(wide_scalar impulse, wide_scalar K, wide_scalar length) {
@@ -34,9 +35,10 @@ Misfit misfit(const Direct& island) {
         // bound: 4: block_rows
         for (int row = 0; row < manifold.points; ++row) {
             if (!has(manifold.rows, row)) continue;
-            const wide_scalar wanted =
-                rows[row].j - (row_motion<false>(island, manifold, rows[row]) - rows[row].target) / rows[row].K;
-            sum.add(max(wanted, 0) - rows[row].j, rows[row].K, 1);
+            // what is to be given and, where that would pull, what there is to take: not as a difference of sums, which have the grain of the load
+            const wide_scalar more = (rows[row].target - row_motion<false>(island, manifold, rows[row])) / rows[row].K;
+            sum.add(max(more, -rows[row].j), rows[row].K, 1);
+            sum.grain = max(sum.grain, limits::direct_grain * rows[row].j * rows[row].K);
         }
         const wide_scalar N = load_of(manifold, rows);
         for (int pair_i = 0; pair_i < Direct::pair_count; ++pair_i) {  // bound: 2: friction and rolling

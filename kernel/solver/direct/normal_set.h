@@ -79,13 +79,13 @@ inline void gather_load(const Direct& island, const ManifoldOf<Direct>& manifold
     }
 }
 
-/// An impulse that rounding makes of nothing, where the manifold carries as much as it does.
+/// What normals push and pull.
 template <class OfIsland>
-inline wide_scalar rounding_of_load(const OfIsland& manifold, const DirectRow* rows) {
+inline wide_scalar size_of_load(const OfIsland& manifold, const DirectRow* rows) {
     wide_scalar N = 0;
     for (int row = 0; row < manifold.points; ++row)
         if (has(manifold.rows, row)) N += max(rows[row].j, -rows[row].j);
-    return limits::direct_roundings * N;
+    return N;
 }
 
 template <class OfIsland>
@@ -105,7 +105,8 @@ template <bool displaces, class Direct>
 bool change_normals(const Direct& island, ManifoldOf<Direct>& manifold, DirectRow* rows, wide_scalar slack) {
     const auto before = manifold.active;
     if (!displaces) spread_load(island, manifold, rows);
-    const wide_scalar pull = rounding_of_load(manifold, rows);
+    // An impulse that rounding makes of nothing, and one whose speed is nothing: where the manifold carries as much as it does.
+    const wide_scalar N = size_of_load(manifold, rows), pull = limits::direct_roundings * N, grain = 4 * limits::direct_grain * N;
     if (!displaces && some_pull(manifold, rows, slack, pull)) gather_load(island, manifold, rows);
     for (int row = 0; row < manifold.points; ++row) {
         if (!has(manifold.rows, row)) continue;
@@ -114,7 +115,7 @@ bool change_normals(const Direct& island, ManifoldOf<Direct>& manifold, DirectRo
             set_bit(manifold.active, row, false);
             give<displaces>(island, manifold, rows[row], -rows[row].j);
         } else if (!has(manifold.pulls, row) &&
-                   row_motion<displaces>(island, manifold, rows[row]) - rows[row].target < -slack) {
+                   row_motion<displaces>(island, manifold, rows[row]) - rows[row].target < -slack - grain * rows[row].K) {
             if (active_normals(manifold) == normals_max) drop_least<displaces>(island, manifold, rows);
             set_bit(manifold.active, row, true);
         }

@@ -4,6 +4,7 @@
 #include "../../base/limits.h"
 #include "../sweeps/order_manifolds.h"
 #include "hold_energy.h"
+#include "hold_speeds.h"
 #include "island_rows.h"
 #include "solve_island.h"
 
@@ -74,6 +75,7 @@ void solve_after_sweeps(View& solver, Direct& direct, const BodyView& bodies, sc
     for (const IslandState unsolved : states) {
         try_islands(solver, bodies, direct, unsolved, [&] {
             hold_energy(solver, direct);
+            if constexpr (!View::has_belts) hold_speeds(solver, direct);
             return unsolved;
         });
     }

@@ -3,6 +3,7 @@
 
 #include "../../base/limits.h"
 #include "factor_rows.h"
+#include "impact_of_island.h"
 #include "misfit.h"
 #include "normal_set.h"
 #include "sliding.h"
@@ -108,23 +109,6 @@ void stick_or_slide(const Direct& island, ManifoldOf<Direct>& manifold, DirectRo
         set_friction(island, manifold, rows, torsion_row, torsion_row + 1, loaded,
                      torsion_limit > 0 && abs(rows[torsion_row].j) >= torsion_limit * nearly);
     }
-}
-
-/// True where a body meets another faster than forces drive it within two substeps, and neither is much heavier. Sweeps are better at that: the set
-/// of contacts after an impact is far from the set before it, from which the direct solve begins.
-template <class Direct>
-bool has_impact(const SolverView& solver, const Direct& island, scalar h) {
-    if (island.uneven) return false;
-    for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
-        const ManifoldOf<Direct>& manifold = island.manifolds[manifold_i];
-        const DirectRow* const rows = island.rows + manifold_i * Direct::row_count;
-        wide_scalar smooth = 0;
-        for (const uint16_t body : manifold.body)
-            if (body != 0) smooth = max(smooth, static_cast<wide_scalar>(2 * h * solver.bodies[island.bodies[body].body_i].dp[3]));
-        for (int row = 0; row < manifold.points; ++row)
-            if (has(manifold.rows, row) && row_motion<false>(island, manifold, rows[row]) < rows[row].target - smooth) return true;
-    }
-    return false;
 }
 
 /// m/s, that a solve may leave.
@@ -278,10 +262,16 @@ IslandState solve_island(const View& solver, Direct& island, scalar h, bool afte
             break;
     }
     add_up<false>(island);
+    // Impulses have a grain, which for the lightest is a speed: what it leaves is taken off the motion.
+    if (island.steep && island.factored) (void)solve_active<false>(island, settled_speed_of(island));
     const Misfit left = misfit(island);
     const wide_scalar bound = after_sweeps ? static_cast<wide_scalar>(limits::settled_speed) * island.unit : 4 * settled_speed_of(island);
     if (!(left.worst <= bound) || !(left.merit < merit_most)) return IslandState::chosen;
     write_back(solver, island);
+    Island& solved = solver.islands[island.loaded_island];
+    solved.at_bound = false;  // what the sweeps left is of no account
+    const wide_scalar told = static_cast<wide_scalar>(limits::unsettled_speed) * island.unit;  // less than that is none
+    solved.residual = left.grain > told ? static_cast<scalar>(left.grain) : scalar(0);
     return IslandState::solved;
 }
 

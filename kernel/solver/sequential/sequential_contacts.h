@@ -109,9 +109,10 @@ struct SequentialContacts {
     }
     void solve_positions(const ContactStep&, scalar h) { sweep_point_positions(view, h); }
 
-    void end_batch(StepReport& report) {
+    void end_batch(const ContactStep& step, StepReport& report) {
         end_contacts(view, static_cast<scalar>(substeps_) / limits::substeps, steady_);
-        note_sweeps(report, swept_.sweeps, swept_.residual);
+        const scalar least = limits::unsettled_speed * view.unit + rounding_;
+        note_sweeps(report, swept_.sweeps, swept_.residual, max(least, fall_speed_of(step, substeps_)));
     }
 
 protected:

@@ -7,8 +7,6 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
-Vector first_three(const scalar (&from)[4]) { return {from[0], from[1], from[2]}; }
-
 bool is_unsettled(const Island& island, scalar unit) {
     return island.in_batch && island.at_bound && island.residual > limits::gaining_residual * unit &&
            island.fastest_sq > limits::gaining_speed * limits::gaining_speed * unit * unit;
@@ -24,8 +22,8 @@ Energies energies_of(const SolverView& solver, const BodyView& bodies, scalar h,
     const Place at = place_of(solver.slot_of[body_i]);
     const SymmetricMatrix inv_I_world = lane_of(bodies.translation[at.tile].inv_I_world, at.lane);
     const auto energy = [&](const Vector& v, const Vector& L) { return (length_sq(v) / body.v_CM[3] + dot(L, inv_I_world * L)) / 2; };
-    return {energy(first_three(history.v_begin) + first_three(history.a) * h, first_three(history.L_begin) + first_three(history.tau) * h),
-            energy(first_three(body.v_CM), first_three(body.L))};
+    return {energy(three_of(history.v_begin) + three_of(history.a) * h, three_of(history.L_begin) + three_of(history.tau) * h),
+            energy(three_of(body.v_CM), three_of(body.L))};
 }
 
 }  // namespace

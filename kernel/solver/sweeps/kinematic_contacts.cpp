@@ -9,7 +9,6 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
-Vector three_of(const scalar (&from)[4]) { return {from[0], from[1], from[2]}; }
 void set3(scalar (&to)[4], const Vector& value) {
     to[0] = value.x;
     to[1] = value.y;
@@ -42,9 +41,6 @@ void see_rows(const View& solver, const KinematicContact& contact) {
 SolverBody& body_of(const SolverView& solver, const KinematicContacts& kinematic, int contact_i) {
     return solver.bodies[kinematic.body_begin + contact_i];
 }
-Vector r_CM_of_slot(const BodyView& bodies, int slot) {
-    return lane_of(bodies.translation[place_of(slot).tile].r_CM, place_of(slot).lane);
-}
 
 }  // namespace
 
@@ -63,7 +59,7 @@ void see_kinematic_bodies(const View& solver, KinematicContacts& kinematic, cons
         if (!shows_kinematic_motion(bodies, slot)) continue;
         const int contact_i = kinematic.count++;
         KinematicContact& contact = kinematic.contacts[contact_i];
-        contact = kinematic_contact_of(bodies, kinematic.of_slots, h, slot, r_CM_of_slot(bodies, is_A ? pair.body_B : pair.body_A));
+        contact = kinematic_contact_of(bodies, kinematic.of_slots, h, slot, r_CM_of(bodies, is_A ? pair.body_B : pair.body_A));
         contact.position = static_cast<uint16_t>(position);
         contact.partner = is_A ? block.body_B[lane_i] : block.body_A[lane_i];
         contact.is_A = is_A ? uint16_t(1) : uint16_t(0);

@@ -115,14 +115,27 @@ void plan_sweeps(const SolverView& solver) {
     }
 }
 
-void end_batch(const SolverView& solver, StepReport& report) {
+namespace {
+
+/// m/s, that a solve may leave of an island. Sweeps at their bound may leave a small share of what falls on contacts in a substep; of large islands,
+/// which have few sweeps and settle over many steps, all of it.
+scalar finished_speed_of(const SolverView& solver, const Island& island, scalar fall_speed) {
+    const scalar least = max(limits::unsettled_speed * solver.unit, island.settled);
+    if (!island.at_bound) return least;
+    return max(least, is_large(island.plan) ? fall_speed : limits::unsettled_share * fall_speed);
+}
+
+}  // namespace
+
+void end_batch(const SolverView& solver, scalar fall_speed, StepReport& report) {
     for (int island_i = 0; island_i < solver.island_count; ++island_i) {
         Island& island = solver.islands[island_i];
         if (!island.in_batch) continue;
         const bool again = is_steady(island.plan) && !island.steady;
+        const scalar finished = finished_speed_of(solver, island, fall_speed);
         island.plan = !again ? SweepPlan::solved : island.plan == SweepPlan::small_steady ? SweepPlan::small : SweepPlan::large;
         island.begins_again = again;
-        if (!again) note_sweeps(report, island.sweeps, island.residual);
+        if (!again) note_sweeps(report, island.sweeps, island.residual, finished);
     }
 }
 

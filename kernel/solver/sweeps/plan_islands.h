@@ -21,8 +21,8 @@ void plan_islands(SolverView& solver);
 bool begin_batch(SolverView& solver, SweepPlan plan, const BodyView& bodies, const Vector& gravity);
 
 /// After the last substep of a batch. Islands that turned out not to be steady begin again with the plan that follows.
-/// The report tells the most sweeps that an island took, and the largest residual.
-void end_batch(const SolverView& solver, StepReport& report);
+/// The report tells the most sweeps that an island took, the largest residual, and how many islands were not settled. fall_speed: see fall_speed_of.
+void end_batch(const SolverView& solver, scalar fall_speed, StepReport& report);
 
 /// Of a substep: how many sweeps an island may have, and to what speed.
 void plan_sweeps(const SolverView& solver);

@@ -3,6 +3,7 @@
 
 #include "../conduct_substeps.h"
 #include "../../constraint/prepare_blocks.h"
+#include "diverged_islands.h"
 #include "gaining_islands.h"
 #include "move_bodies.h"
 #include "note_impulses.h"
@@ -62,8 +63,8 @@ struct SweptContacts {
     void drift(const BodyView& bodies, scalar h) { drift_bodies(view, bodies, h); }
     void solve_positions(const ContactStep&, scalar h) { sweep_positions(of_points(view), view.visits, view.visit_count, h); }
 
-    void end_batch(StepReport& report) {
-        ingot::end_batch(view, report);
+    void end_batch(const ContactStep& step, StepReport& report) {
+        ingot::end_batch(view, fall_speed_of(step, view.substeps), report);
         remember_impulses(without_belts(view));
     }
 
@@ -79,6 +80,7 @@ protected:
             for (int round = 0; round < limits::bounce_rounds && lower_bounces(view, h); ++round) ingot::solve_velocities(view);
             take_back_bounces(view, h);
         }
+        if constexpr (!View::has_belts) hold_diverged_islands(view, bodies, h);
     }
 
 private:

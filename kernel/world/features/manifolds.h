@@ -196,6 +196,7 @@ struct Manifolds : Feature {
         each(S::max_pairs);
         each(S::recycles_manifolds);
         if constexpr (!S::hides_internal_edges) each(S::hides_internal_edges);
+        if constexpr (!S::holds_crowds) each("holds_no_crowds");  // a name: a second false would be taken for the first
         each(S::broad_phase::name);
         each(S::solver::name);
         if constexpr (solves_directly<S>) {
