@@ -260,10 +260,15 @@ protected:
         const int waves_of_stacks = ingot::solves_pointwise<S> ? 0 : substeps * limits::impacts_of_contact * contacts;
         const int waves_max = ingot::stacks<S> ? waves_of_stacks : limits::impact_waves_max;
         demand(report.impact_waves <= waves_max, "waves are bounded");
-        const int in_a_substep = ingot::solves_pointwise<S> ? limits::sweeps_of_points : limits::sweeps_of_small;
+        // Islands that give energy are swept again, and so are those with bounces that do.
+        constexpr int rounds = 1 + limits::gaining_rounds + (S::bounces ? limits::bounce_rounds : 0);
+        constexpr int in_a_substep = ingot::solves_pointwise<S> ? limits::sweeps_of_points : limits::sweeps_of_small * rounds;
         const int sweeps_max = ingot::stacks<S> ? substeps * in_a_substep : limits::contact_sweeps_max * (limits::impact_waves_max + 1);
         demand(report.sweeps <= sweeps_max, "sweeps are bounded");
-        demand(report.sweeps_unfinished <= report.impact_waves + 1, "at most every solve is unfinished");
+        // An island has a body that moves, and is solved at most twice: calm, and again.
+        const int flights = substeps / (begun_again + limits::substeps);
+        const int solves = ingot::stacks<S> ? (ingot::solves_pointwise<S> ? 1 : 2) * movable * flights : report.impact_waves + 1;
+        demand(report.sweeps_unfinished <= solves, "at most every solve is unfinished");
         // With friction, a substep that leaves some contacts has had impacts_of_contact waves for each of them; fast bodies wait beside that.
         const int left_max = report.impact_waves / limits::impacts_of_contact + (S::continuous ? movable : 0);
         const bool ran_out = ingot::stacks<S> ? report.impacts_deferred <= left_max : report.impact_waves == limits::impact_waves_max;
