@@ -2,14 +2,16 @@
 # SPDX-License-Identifier: MIT
 """Every pair of traits compiles, runs and has a golden hash, or is refused with a sentence.
 
-    pairs_of_traits.py --units DIR COUNT            writes pairs_0.cpp .. and main.cpp: the pairs of pairs.csv that run
+    pairs_of_traits.py --units TABLE DIR COUNT      writes unit_0.cpp .. and main.cpp: the scenes of pairs.csv, or of covering.csv
     pairs_of_traits.py --check-table [SCENE.H]      every member of Scene is in traits.toml, every pair in pairs.csv, the README says who is refused
     pairs_of_traits.py --check-refused COMPILE...   the compiler refuses the pairs it has to, with these sentences, and no others
-    pairs_of_traits.py --check-hashes PROGRAM SCALAR
-    pairs_of_traits.py --update-refused COMPILE...  writes which pairs are refused to pairs.csv, and to the README
-    pairs_of_traits.py --update-hashes PROGRAM SCALAR
+    pairs_of_traits.py --check-hashes TABLE PROGRAM SCALAR
+    pairs_of_traits.py --update-refused COMPILE...  writes which pairs are refused to pairs.csv, and to the README; and covering.csv anew
+    pairs_of_traits.py --update-hashes TABLE PROGRAM SCALAR
 
 A pair is a row of pairs.csv: its traits, the base it stands in, and a hash for each scalar, over all lanes and compilers; or the sentence.
+A row of covering.csv is a scene of many traits: every pair that runs is in one of them (a covering array of strength 2: D. M. Cohen, S. R. Dalal,
+M. L. Fredman, G. C. Patton, "The AETG system", IEEE Transactions on Software Engineering 23(7), 1997).
 """
 import csv
 import itertools
@@ -22,9 +24,12 @@ import tomllib
 
 HERE = pathlib.Path(__file__).resolve().parent
 HOUSE = HERE.parents[1]
-TABLE, README, SCENE = HERE.parent / "tables/pairs.csv", HOUSE / "README.md", HOUSE / "kernel/world/scene.h"
+TABLES, README, SCENE = HERE.parent / "tables", HOUSE / "README.md", HOUSE / "kernel/world/scene.h"
+TABLE, COVERING = TABLES / "pairs.csv", TABLES / "covering.csv"
 MARK_BEGIN, MARK_END = "<!-- written by pairs_of_traits.py -->\n", "<!-- end of pairs -->\n"
 COLUMNS = ("trait", "other", "base", "float", "double", "sentence")
+COVERING_COLUMNS = ("traits", "base", "float", "double")
+TRAITS_OF_SCENE_MAX = 12  # of covering.csv: with more, one fault hides the next
 BASE_SHAPES = ("Sphere", "Box", "HalfSpace")
 
 settings = tomllib.loads((HERE / "traits.toml").read_text())
@@ -84,11 +89,24 @@ def read_table():
         return {(row["trait"], row["other"]): row for row in csv.DictReader(file)}
 
 
-def write_table(rows):
-    with open(TABLE, "w", newline="") as file:
-        writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
+def read_covering():
+    if not COVERING.exists():
+        return {}
+    with open(COVERING, newline="") as file:
+        return {tuple(row["traits"].split("+")): row for row in csv.DictReader(file)}
+
+
+def read_scenes(table):
+    """{traits: row} of those that run, of either table."""
+    rows = read_table() if pathlib.Path(table).name == TABLE.name else read_covering()
+    return {names: row for names, row in rows.items() if not row.get("sentence")}
+
+
+def write_rows(path, columns, rows):
+    with open(path, "w", newline="") as file:
+        writer = csv.DictWriter(file, columns, lineterminator="\n")
         writer.writeheader()
-        writer.writerows(rows[pair] for pair in PAIRS)
+        writer.writerows(rows)
 
 
 HEAD = "// Written by pairs_of_traits.py.\n#include \"pairs_of_traits/yard.h\"\n\nnamespace pairs {\n\n"
@@ -99,18 +117,18 @@ def write_if_new(path, text):
         path.write_text(text)
 
 
-def write_units(folder, count):
+def write_units(table, folder, count):
     folder = pathlib.Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
-    rows = [row for row in read_table().values() if not row["sentence"]] if TABLE.exists() else []
+    rows = list(read_scenes(table).items())
     for unit_i in range(count):
         text, calls = HEAD + "namespace {\n\n", ""
-        for row in rows[unit_i::count]:
-            names = row["trait"], row["other"]
-            text += scene(struct_name(*names), row["base"], *names) + "\n"
-            calls += f'    yard::run<{struct_name(*names)}>("{names[0]},{names[1]}");\n'
+        for scene_i, (names, row) in list(enumerate(rows))[unit_i::count]:
+            struct = f"Scene_{scene_i}"
+            text += scene(struct, row["base"], *names) + "\n"
+            calls += f'    yard::run<{struct}>("{"+".join(names)}");\n'
         text += f"}}  // namespace\n\nvoid run_unit_{unit_i}();\nvoid run_unit_{unit_i}() {{\n{calls}}}\n\n}}  // namespace pairs\n"
-        write_if_new(folder / f"pairs_{unit_i}.cpp", text)
+        write_if_new(folder / f"unit_{unit_i}.cpp", text)
     text = "// Written by pairs_of_traits.py.\nnamespace pairs {\n" + "".join(f"void run_unit_{i}();\n" for i in range(count)) + "}\n\nint main() {\n"
     write_if_new(folder / "main.cpp", text + "".join(f"    pairs::run_unit_{i}();\n" for i in range(count)) + "}\n")
 
@@ -161,6 +179,46 @@ def judge(compile_command):
         if (a, b) not in verdict or (verdict[a, b][1] and not sentences):
             verdict[a, b] = (base, sentences)
     return verdict
+
+
+def cover(edges, together, size):
+    """Sets of up to `size` traits, all pairs of them in `together`, each of `edges` in one of them: each begins with a pair that is left, and takes in
+    the trait that brings most such pairs, while there is one."""
+    order = {name: i for i, name in enumerate(TRAITS)}
+    friends = {}
+    for edge in together:
+        for name in edge:
+            friends.setdefault(name, set()).update(edge - {name})
+    left, found = set(edges), []
+    while left:
+        names = sorted(min(left, key=lambda edge: sorted(order[name] for name in edge)), key=order.get)
+        while len(names) < size:
+            brings = {name: sum(frozenset((name, other)) in left for other in names) for name in set.intersection(*(friends[name] for name in names))}
+            best = max(brings, key=lambda name: (brings[name], -order[name]), default=None)
+            if best is None or brings[best] == 0:
+                break
+            names.append(best)
+        found.append(tuple(sorted(names, key=order.get)))
+        left -= {frozenset(pair) for pair in itertools.combinations(names, 2)}
+    return found
+
+
+def covering(compile_command, rows):
+    """{traits: base}. Three may refuse each other that go together in pairs: such a scene is taken apart."""
+    chosen = {}
+    together = {frozenset(pair) for pair, row in rows.items() if not row["sentence"]}  # in one base or another: the compiler says in which
+    for base in BASES:
+        todo = [({frozenset(pair) for pair, row in rows.items() if row["base"] == base and not row["sentence"]}, TRAITS_OF_SCENE_MAX)]
+        while todo:
+            edges, size = todo.pop()
+            scenes = {f"Scene_{i}": names for i, names in enumerate(cover(edges, together, size))}
+            refused = sentences_of(compile_command, {struct: scene(struct, base, *names) for struct, names in scenes.items()}) if scenes else {}
+            for struct, names in scenes.items():
+                if struct in refused:
+                    todo.append(({edge for edge in edges if edge <= set(names)}, max(2, len(names) // 2)))
+                else:
+                    chosen[names] = base
+    return chosen
 
 
 def kinds_of_scenes(rows):
@@ -230,6 +288,9 @@ def check_table(header=SCENE):
     rows = read_table()
     complaints += [f"{a} with {b} has no row in pairs.csv" for a, b in PAIRS if (a, b) not in rows]
     complaints += [f"{a} with {b} is a row of pairs.csv, and no pair" for a, b in rows if (a, b) not in PAIRS]
+    covered = {pair for names in read_covering() for pair in itertools.combinations(names, 2)}
+    complaints += [f"{a} with {b} runs, and is in no row of covering.csv: --update-refused" for (a, b), row in rows.items()
+                   if not row["sentence"] and (a, b) not in covered]
     if not complaints:
         page, new_page = in_readme(rows)
         complaints = [] if page == new_page else ["the README is stale: --update-refused"]
@@ -253,33 +314,36 @@ def update_refused(compile_command):
         sentence = sentences[0] if sentences else ""
         kept = {} if sentence else {key: old.get(pair, {}).get(key, "") for key in ("float", "double")}
         rows[pair] = dict.fromkeys(COLUMNS, "") | {"trait": pair[0], "other": pair[1], "base": base, "sentence": sentence} | kept
-    write_table(rows)
+    write_rows(TABLE, COLUMNS, (rows[pair] for pair in PAIRS))
     README.write_text(in_readme(rows)[1])
+    old = read_covering()
+    write_rows(COVERING, COVERING_COLUMNS, ({"float": "", "double": ""} | old.get(names, {}) | {"traits": "+".join(names), "base": base}
+                                            for names, base in covering(compile_command, rows).items()))
 
 
 def hashes_of(program):
     said = subprocess.run([program], capture_output=True, text=True, check=True).stdout
-    return {tuple(line.split(",")[:2]): line.split(",")[2] for line in said.split()}
+    return {tuple(line.rsplit(",", 1)[0].split("+")): line.rsplit(",", 1)[1] for line in said.split()}
 
 
-def check_hashes(program, scalar):
-    rows, hashes = read_table(), hashes_of(program)
-    expected = {pair: row[scalar] for pair, row in rows.items() if not row["sentence"]}
-    fail([f"{a} with {b}: {hashes.get((a, b), 'not run')}, and {golden or 'nothing'} in pairs.csv" for (a, b), golden in expected.items()
-          if hashes.get((a, b)) != golden])
+def check_hashes(table, program, scalar):
+    hashes = hashes_of(program)
+    fail([f"{' with '.join(names)}: {hashes.get(names, 'not run')}, and {row[scalar] or 'nothing'} in {pathlib.Path(table).name}"
+          for names, row in read_scenes(table).items() if hashes.get(names) != row[scalar]])
 
 
-def update_hashes(program, scalar):
-    rows = read_table()
-    for pair, value in hashes_of(program).items():
-        rows[pair][scalar] = value
-    write_table(rows)
+def update_hashes(table, program, scalar):
+    is_pairs = pathlib.Path(table).name == TABLE.name
+    rows = read_table() if is_pairs else read_covering()
+    for names, value in hashes_of(program).items():
+        rows[names][scalar] = value
+    write_rows(*((TABLE, COLUMNS) if is_pairs else (COVERING, COVERING_COLUMNS)), rows.values())
 
 
 if __name__ == "__main__":
     verb, arguments = sys.argv[1], sys.argv[2:]
     if verb == "--units":
-        write_units(arguments[0], int(arguments[1]))
+        write_units(arguments[0], arguments[1], int(arguments[2]))
     else:
         {"--check-table": check_table, "--check-refused": lambda *command: check_refused(command), "--check-hashes": check_hashes,
          "--update-refused": lambda *command: update_refused(command), "--update-hashes": update_hashes}[verb](*arguments)
