@@ -260,6 +260,29 @@ TEST(BlockSolve, finds_it_with_fewer_points) { solve_many(2, false); }
 TEST(BlockSolve, lets_rows_pull) { solve_many(4, true); }
 TEST(BlockSolve, lets_rows_pull_with_fewer_points) { solve_many(2, true); }
 
+/// Bodies at rest stay at rest: points that touch carry nothing, however fast others may approach because they are far off, up to 3 mm in 0.25 us.
+TEST(BlockSolve, what_is_far_off_leaves_no_rounding) {
+    RandomInput random(6);
+    const mask active = ingot::splat<lane>(1) > lane{};
+    for (int problem_i = 0; problem_i < 4000; ++problem_i) {
+        std::vector<Block> blocks;
+        for (int lane_i = 0; lane_i < lanes; ++lane_i) {
+            Block block = random_block(random, random.integer(2, 4));
+            const int touching = random.integer(1, block.points - 1);
+            block.before.setZero();
+            block.w.setZero();
+            for (int row = touching; row < block.points; ++row) block.w(row) = std::exp(random.real(-3, 9.4));
+            round_to_scalar(block);
+            blocks.push_back(block);
+        }
+        Laid laid(blocks);
+        for (int visit_i = 0; visit_i < 2; ++visit_i) {
+            const Row4 l = ingot::solve_block<block_rows, true>(laid.K, laid.count, laid.cached, laid.w, laid.before, laid.pulls, 0, active);
+            for (int lane_i = 0; lane_i < lanes; ++lane_i) ASSERT_EQ(laid.solved(l, lane_i), Vector4d(Vector4d::Zero()));
+        }
+    }
+}
+
 /// One row has a closed form: max(0, before - w / K).
 TEST(BlockSolve, of_one_row_is_a_projection) {
     RandomInput random(1);

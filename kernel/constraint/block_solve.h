@@ -79,6 +79,27 @@ INGOT_INLINE mask any_of(const mask (&masks)[block_rows]) {
     return some;
 }
 
+/// Rows that are out carry nothing: base, which is what rows carry, is without them then, and w is what that makes of the speeds.
+template <int rows>
+INGOT_INLINE void take_out(const Sym4& K, const mask (&out)[block_rows], Row4& w, Row4& base) {
+    const Row4 before = base;
+    for (int row = 0; row < rows; ++row) base.at[row] = select(out[row], lane{}, before.at[row]);
+    for (int row = 0; row < rows; ++row)
+        for (int c = 0; c < rows; ++c) w.at[row] = w.at[row] + K(row, c) * (base.at[c] - before.at[c]);
+}
+
+/// What stops all rows but those that are out: zero rows of the inverse.
+template <int rows>
+INGOT_INLINE Row4 solution_of(const Sym4& inverse, const Row4& w, const Row4& base) {
+    Row4 l{};
+    for (int row = 0; row < rows; ++row) {
+        lane d{};
+        for (int c = 0; c < rows; ++c) d = d + inverse(row, c) * w.at[c];
+        l.at[row] = base.at[row] - d;
+    }
+    return l;
+}
+
 /// A solution with some rows out, as `inverse` says: it has zero rows for them, and the inverse of the rest elsewhere.
 struct Attempt {
     Row4 l;
@@ -92,20 +113,11 @@ INGOT_INLINE Attempt solve_with(const scalar (&K_rows)[10][lanes], const scalar 
     Row4 base = before;
     for (int row = 0; row < rows; ++row) out[row] = opposite(inverse(row, row) > lane{});
     const bool some_out = any(any_of<rows>(out));
-    if (some_out) {
-        const Sym4 K = load_sym4(K_rows);
-        for (int row = 0; row < rows; ++row) base.at[row] = select(out[row], lane{}, before.at[row]);
-        for (int row = 0; row < rows; ++row)
-            for (int c = 0; c < rows; ++c) w.at[row] = w.at[row] + K(row, c) * (base.at[c] - before.at[c]);
-    }
+    if (some_out) take_out<rows>(load_sym4(K_rows), out, w, base);
     Attempt attempt;
+    attempt.l = solution_of<rows>(inverse, w, base);
     attempt.fails = splat<lane>(1) < lane{};
-    for (int row = 0; row < rows; ++row) {
-        lane d{};
-        for (int c = 0; c < rows; ++c) d = d + inverse(row, c) * w.at[c];
-        attempt.l.at[row] = base.at[row] - d;
-        attempt.fails = either(attempt.fails, both(attempt.l.at[row] < lane{}, opposite(pulls[row])));
-    }
+    for (int row = 0; row < rows; ++row) attempt.fails = either(attempt.fails, both(attempt.l.at[row] < lane{}, opposite(pulls[row])));
     if (!some_out) return attempt;
     const Sym4 K = load_sym4(K_rows);
     for (int row = 0; row < rows; ++row) {
@@ -130,43 +142,43 @@ INGOT_INLINE Sym4 inverse_of_used(const Sym4& K, lane count) {
 }
 
 /// The search for the rows that are out. It begins with none; while a row is negative, the most negative is dropped from the inverse by a rank-one
-/// change.
+/// change, and what the others carry follows from the inverse that is left. To change it by what the row carried would leave the roundings of that:
+/// of a point that is 3 mm off in a substep of 0.5 us, those of 5 km/s, which push bodies at rest apart at millimetres a second.
 template <int rows>
 INGOT_RARE Row4 drop_rows(const Sym4& K, lane count, Sym4& left, const Row4& w, const Row4& before, const mask (&pulls)[block_rows]) {
     const lane one = splat<lane>(1);
     left = inverse_of_used<rows>(K, count);
-    Row4 l;
+    Row4 l = solution_of<rows>(left, w, before);
     lane lowest{};
-    for (int row = 0; row < rows; ++row) {
-        lane d{};
-        for (int c = 0; c < rows; ++c) d = d + left(row, c) * w.at[c];
-        l.at[row] = before.at[row] - d;
-        lowest = min(lowest, select(pulls[row], lane{}, l.at[row]));
-    }
+    for (int row = 0; row < rows; ++row) lowest = min(lowest, select(pulls[row], lane{}, l.at[row]));
     mask negative = lowest < lane{}, dropped[block_rows] = {};
     const mask was_negative = negative;
     for (int drop_i = 0; drop_i < rows && any(negative); ++drop_i) {
         mask is[block_rows], found = one < lane{};
-        lane column[block_rows] = {}, diagonal = one, l_row{};
+        lane column[block_rows] = {}, diagonal = one;
         for (int row = 0; row < rows; ++row) {
             const mask free = both(negative, select(pulls[row], lane{}, l.at[row]) <= lowest);
             is[row] = both(free, opposite(found));
             found = either(found, is[row]);
-            l_row = select(is[row], l.at[row], l_row);
             diagonal = select(is[row], left(row, row), diagonal);
             for (int c = 0; c < rows; ++c) column[c] = select(is[row], left(row, c), column[c]);
         }
         const lane inv = one / diagonal;
-        lowest = lane{};
         for (int row = 0; row < rows; ++row) {
-            l.at[row] = select(is[row], lane{}, select(negative, l.at[row] - column[row] * (l_row * inv), l.at[row]));
             dropped[row] = either(dropped[row], is[row]);
-            lowest = min(lowest, select(pulls[row], lane{}, l.at[row]));
             for (int c = row; c < rows; ++c) {
                 const lane changed = left(row, c) - column[row] * column[c] * inv;
                 const mask gone = either(is[row], is[c]);
                 left(row, c) = select(negative, select(gone, lane{}, changed), left(row, c));
             }
+        }
+        Row4 speeds = w, base = before;
+        take_out<rows>(K, dropped, speeds, base);
+        const Row4 next = solution_of<rows>(left, speeds, base);
+        lowest = lane{};
+        for (int row = 0; row < rows; ++row) {
+            l.at[row] = select(negative, next.at[row], l.at[row]);
+            lowest = min(lowest, select(pulls[row], lane{}, l.at[row]));
         }
         negative = both(negative, lowest < lane{});
     }
