@@ -2,6 +2,9 @@
 // Free rotation, cases R1 to R17 but R16 (driven/): each with its criterion, in float and double. Tables are of 32 digits.
 #include "hard_cases/flown_by.h"
 
+#include "reference/eigen_free_body.h"
+#include "reference/random_input.h"
+
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -229,6 +232,61 @@ TEST(HardCases, R17_orders) {
 struct ExactTop : ingot::Scene {
     using rotation = ingot::ExactElliptic;
 };
+
+/// A flight of the exact step beside the Taylor series in long double; the difference after each step.
+struct BesideSeries {
+    Flight<ingot::ExactElliptic> flight;
+    FreeBody series;
+
+    BesideSeries(const Column& I, const Square& A, const Column& w)
+        : flight(I, A, A * I.cwiseProduct(w)), series(as_kept(I), as_rotation(flight.A()), to_eigen<long double>(flight.begin().L)) {}
+    double after(scalar h) {
+        flight.fly(1, h);
+        series.advance(static_cast<long double>(h));
+        return flight.turned_from(series.A());
+    }
+    /// The moments of the body that the kernel flies: rounded.
+    static Column as_kept(const Column& I) { return to_eigen<long double>(to_vector(I)); }
+    static Square as_rotation(const Square& A) { return A + A * (Square::Identity() - A.transpose() * A) / 2; }
+};
+
+/// Any body, however slender: needles, plates, whatever has moments between. A rounding of y = A^T L changes the spin by |L| / I_min of it; y is
+/// a sum of six products, and what is made of it and of the turn are sums and products in a row, some 16 roundings in all; and A is rounded.
+/// Each of n steps adds this, and goes on turning by |L| h / I_min of it in those that follow.
+TEST(HardCases, exact_elliptic_step_of_any_body) {
+    RandomInput random(141);
+    for (int i = 0; i < 48; ++i) {
+        const double ratio = i % 12 == 0 ? 1e6 : std::pow(10, random.real(0, 6)), rate = 30 * std::pow(10, random.real(0, 1.5));
+        const bool plate = i % 3 == 0;
+        const long double small = static_cast<long double>(1 / ratio), share = static_cast<long double>(random.real(0, 1));
+        // A solid has no moment above the sum of the others.
+        const Column I = plate ? Column(1, 1 + share, 2 + share) : Column(small, 1, 1 + share * small);
+        const double turn = random.real(0.001, 0.9), spin = turn * rate;
+        Column w = (random.direction() * spin).cast<long double>();
+        if (i % 4 == 0) w.x() = 0;  // end over end
+        BesideSeries body(I, random.rotation().cast<long double>(), w);
+        const double lever = static_cast<double>(I.cwiseProduct(w).norm() / I.minCoeff()) / rate;  // |L| h / I_min
+        for (int n = 1; n <= 8; ++n)
+            ASSERT_LE(body.after(static_cast<scalar>(1 / rate)), eps * (1 + 16 * n * (turn + lever) * (1 + n * lever)))
+                << ratio << " at " << spin << " rad/s and " << rate << " Hz, step " << n;
+        EXPECT_TRUE(body.flight.clean() && body.flight.keeps_L() && body.flight.is_rotation());
+    }
+}
+
+/// Slow spins at high rates: A is summed with the bits it loses, so thousands of steps leave one rounding of A, and 16 of what it has turned.
+TEST(HardCases, exact_elliptic_steps_add_up_to_one_rounding) {
+    RandomInput random(142);
+    for (const int rate : {30, 60, 250, 1000}) {
+        const Column I = random.moments(12).cast<long double>();
+        const double spin = random.real(0.01, 0.1);
+        BesideSeries body(I, random.rotation().cast<long double>(), (random.direction() * spin).cast<long double>());
+        const double lever = static_cast<double>(I.maxCoeff() / I.minCoeff());
+        double worst = 0;
+        for (int step_i = 0; step_i < 2000; ++step_i) worst = std::max(worst, body.after(scalar(1) / static_cast<scalar>(rate)));
+        std::printf("    %4d Hz: %.1e rad after %.1f rad\n", rate, worst, spin * 2000 / rate);
+        EXPECT_LE(worst, eps * (1 + 16 * spin * 2000 / rate * lever));
+    }
+}
 
 /// A top that lies, and has next to no spin about its axis: the argument of the elliptic functions is as small as a number can be.
 TEST(HardCases, exact_elliptic_step_of_a_top_that_lies) {

@@ -56,6 +56,7 @@ inline constexpr int sweeps_max = INGOT_DOUBLE ? 32 : 16;  ///< of the fixed poi
 inline constexpr scalar angle_per_forced_substep = scalar(0.25);  ///< rad; of CommutatorFree4, whose error grows with its fifth power
 inline constexpr int forced_substeps_max = 16;             ///< beyond 16 * 0.25 rad a body of CommutatorFree4 is reported
 inline constexpr scalar elliptic_turn_max = 16;            ///< rad; of ExactElliptic, beyond it the turn of a step is clamped and reported
+inline constexpr scalar elliptic_turn_of_part = 1;         ///< rad; of ExactElliptic, a step that turns further is made in parts
 inline constexpr int agm_steps_max = 10;                   ///< of the arithmetic-geometric mean, which doubles its digits in each
 inline constexpr int polar_interval = 16;                  ///< steps from one polar step to the next
 inline constexpr int polar_steps_max = 5;                  ///< of Rk4Polar, from one step's slopes back to a rotation; then A stays

@@ -64,4 +64,13 @@ INGOT_INLINE Jacobi sum_of(const Jacobi& p, const Jacobi& q, scalar m) {
             (p.dn * q.dn - m * p.sn * q.sn * p.cn * q.cn) * inverse};
 }
 
+/// The functions of p + q less those of p, for a short q: without a difference of nearly equal numbers.
+INGOT_INLINE Jacobi change_by(const Jacobi& p, const Jacobi& q, scalar m) {
+    const scalar sn_sq = q.sn * q.sn, m_sn_sq = m * (p.sn * p.sn) * sn_sq, inverse = 1 / (1 - m_sn_sq);
+    const scalar less_cn = sn_sq / (1 + q.cn), less_dn = m * sn_sq / (1 + q.dn);  // 1 - cn, 1 - dn
+    return {(q.sn * p.cn * p.dn - p.sn * (less_cn + q.cn * less_dn) + p.sn * m_sn_sq) * inverse,
+            (p.cn * m_sn_sq - p.cn * less_cn - p.sn * q.sn * p.dn * q.dn) * inverse,
+            (p.dn * m_sn_sq - p.dn * less_dn - m * p.sn * q.sn * p.cn * q.cn) * inverse};
+}
+
 } }  // namespace ingot

@@ -79,15 +79,21 @@ Polhode polhode_of(const Vector& inv_I_body, const Vector& y_body) {
     return polhode;
 }
 
+/// rad/s; the fastest that the body spins on its way: |omega|^2 is linear in sn^2, so it is so at sn = 0 or at sn = 1.
+scalar fastest_spin(const Polhode& polhode) {
+    const auto spin_sq = [&](int axis) { return polhode.J[axis] * polhode.Y[axis] * (polhode.J[axis] * polhode.Y[axis]); };
+    return sqrt(max(spin_sq(0) + spin_sq(2), spin_sq(1) + spin_sq(2) * polhode.mc));
+}
+
 /// The angle by which axis `reference` of the body turns about L: the integral of (J_a y_a^2 + J_b y_b^2) / (y_a^2 + y_b^2) over the other two,
 /// times |L|.
 scalar angle_about_L(const Polhode& polhode, const JacobiOf& jacobi, int reference, scalar h) {
     const int a = reference == 0 ? 1 : 0, b = reference == 2 ? 1 : 2;
     const scalar u = polhode.p * h;
-    const int pieces = 1 + static_cast<int>(abs(u) * 2);
+    const int pieces = 1 + static_cast<int>((abs(u) < limits::elliptic_turn_of_part ? abs(u) : limits::elliptic_turn_of_part) * 2);
     const scalar piece = u / static_cast<scalar>(pieces), half_time = h / static_cast<scalar>(2 * pieces);
     scalar sum = 0;
-    // bound: 1 + 2 limits::elliptic_turn_max
+    // bound: 1 + 2 limits::elliptic_turn_of_part; p is no more than the spin of the body, but for rounding, and where squares leave the range
     for (int piece_i = 0; piece_i < pieces; ++piece_i) {
         for (int point_i = 0; point_i < gauss_points; ++point_i) {
             const int i = point_i / 2;
@@ -102,64 +108,107 @@ scalar angle_about_L(const Polhode& polhode, const JacobiOf& jacobi, int referen
     return sum;
 }
 
-/// The frame along y and an axis of the body: columns towards the axis across y, its normal, and y.
-Matrix frame_of(const Vector& y_unit, int axis) {
+/// tan(beta / 2): on the shortest way from y + dy to y, both of length 1, directions turn by beta about y, against the circles about the axis.
+/// Source: Napier's analogies, in components.
+scalar half_tangent_of_convergence(const Vector& y, const Vector& dy, const Vector& y_next, int axis) {
     const Vector e = {axis == 0 ? scalar(1) : scalar(0), axis == 1 ? scalar(1) : scalar(0), axis == 2 ? scalar(1) : scalar(0)};
-    const Vector across = cross(e, y_unit);
-    const Vector c0 = across * (1 / sqrt(length_sq(across)));
-    return {c0, cross(y_unit, c0), y_unit};
+    const scalar z = dot(e, y), z_next = dot(e, y_next);
+    const Vector across = y - e * z, across_next = y_next - e * z_next;
+    const scalar product = sqrt(length_sq(across) * length_sq(across_next));
+    const scalar half_tangent_of_azimuth = dot(e, cross(dy, y)) / (product + dot(across, across_next));
+    return -half_tangent_of_azimuth * (z + z_next) / (1 + z * z_next + product);
 }
 
-/// A after h seconds; `clamped` where the turn had to be cut.
-Matrix exact_turn(const Matrix& A, const Vector& inv_I_body, const Vector& L, scalar h, bool& clamped) {
-    const scalar length = sqrt(length_sq(L));
-    if (!(length > 0) || !(inv_I_body.x > 0)) return A;
-    const Vector y = transpose_times(A, L);
-    const Polhode polhode = polhode_of(inv_I_body, y);
-    const scalar fastest = polhode.J[0] > polhode.J[2] ? polhode.J[0] : polhode.J[2];
-    const scalar bound = fastest * length * abs(h);  // of |omega| h, and so of p h
-    clamped = bound > limits::elliptic_turn_max;
-    if (clamped) h *= limits::elliptic_turn_max / bound;
+/// The Rodrigues vector, in body axes, of the turn of h seconds: the shortest turn that takes y of the end to y of the begin, and then one
+/// about y by what is left of the angle about L.
+///
+/// All is formed from differences, so its roundings are epsilon of the turn and not of 1.
+/// Valid for: turns of up to limits::elliptic_turn_of_part.
+Vector turn_along(const Polhode& polhode, const Vector& y_body, scalar length, scalar h) {
+    const JacobiOf jacobi(polhode.mc);
+    const Jacobi change = change_by(polhode.begin, jacobi(polhode.p * h), polhode.m);
+    scalar dy_of_axis[3];
+    dy_of_axis[polhode.x] = polhode.Y[0] * change.cn;
+    dy_of_axis[polhode.y] = polhode.Y[1] * change.sn;
+    dy_of_axis[polhode.z] = polhode.Y[2] * change.dn;
+    const scalar per_length = 1 / length;
+    const Vector y = y_body * per_length, dy = Vector{dy_of_axis[0], dy_of_axis[1], dy_of_axis[2]} * per_length, y_next = y + dy;
 
     // Of the two extreme axes the one that L keeps further from: at least 45 degrees.
     const int reference = polhode.Y[0] * polhode.Y[0] >= polhode.Y[2] * polhode.Y[2] ? 2 : 0;
-    const JacobiOf jacobi(polhode.mc);
-    const Jacobi end = sum_of(polhode.begin, jacobi(polhode.p * h), polhode.m);
-    const SinCos turn = sin_cos(angle_about_L(polhode, jacobi, reference, h) * length);
+    const SinCos angle = sin_cos(angle_about_L(polhode, jacobi, reference, h) * length);
+    const scalar half_tangent = angle.sin / (1 + angle.cos);
+    const scalar convergence = half_tangent_of_convergence(y, dy, y_next, reference == 0 ? polhode.x : polhode.z);
+    const scalar left = (half_tangent - convergence) / (1 + half_tangent * convergence);
+    const Vector sum = y + y_next;
+    return (cross(dy, y) + sum * left) * (2 / length_sq(sum));
+}
 
-    scalar y_end[3];
-    y_end[polhode.x] = polhode.Y[0] * end.cn;
-    y_end[polhode.y] = polhode.Y[1] * end.sn;
-    y_end[polhode.z] = polhode.Y[2] * end.dn;
-    const Vector y_next = {y_end[0], y_end[1], y_end[2]};
-    const int axis = reference == 0 ? polhode.x : polhode.z;
-    const Matrix from = frame_of(y * (1 / sqrt(length_sq(y))), axis), to = frame_of(y_next * (1 / sqrt(length_sq(y_next))), axis);
+/// A (R(c) - 1) for the turn with Rodrigues vector c in body axes: see turn_body.
+Matrix increment_of(const Matrix& A, const Vector& c) {
+    const Matrix rows = transposed(A);
+    const scalar f = 2 / (1 + length_sq(c));
+    const auto of_row = [&](const Vector& a) {
+        const Vector u = cross(a, c);
+        return (u + cross(u, c)) * f;
+    };
+    return transposed(Matrix{of_row(rows.c0), of_row(rows.c1), of_row(rows.c2)});
+}
 
-    // The frame along L in the world turns about it; the body hangs in it by its own frame.
-    const Matrix world = A * from;
-    const Vector c0 = world.c0 * turn.cos + world.c1 * turn.sin, c1 = world.c1 * turn.cos - world.c0 * turn.sin;
-    return Matrix{c0, c1, world.c2} * transposed(to);
+/// An orientation, and what it knows beyond its last bit.
+struct Attitude {
+    Matrix A, A_low;
+};
+
+/// The attitude after h seconds; `clamped` where the turn had to be cut.
+Attitude exact_turn(Attitude at, const Vector& inv_I_body, const Vector& L, scalar h, bool polar_step, bool& clamped) {
+    const scalar length = sqrt(length_sq(L));
+    if (!(length > 0) || !(inv_I_body.x > 0)) return at;
+    int parts = 1;
+    // bound: 1 + limits::elliptic_turn_max / limits::elliptic_turn_of_part: parts is set in the first
+    for (int part_i = 0; part_i < parts; ++part_i) {
+        const Vector y = transpose_times(at.A, L) + transpose_times(at.A_low, L);
+        const Polhode polhode = polhode_of(inv_I_body, y);
+        if (part_i == 0) {
+            scalar bound = fastest_spin(polhode) * abs(h);
+            clamped = bound > limits::elliptic_turn_max;
+            if (clamped) h *= limits::elliptic_turn_max / bound;
+            if (clamped) bound = limits::elliptic_turn_max;
+            if (bound > limits::elliptic_turn_of_part) parts = 1 + static_cast<int>(bound * (1 / limits::elliptic_turn_of_part));  // NaN: one
+            h /= static_cast<scalar>(parts);
+        }
+        add_compensated(at.A, at.A_low, increment_of(at.A, turn_along(polhode, y, length, h)));
+    }
+    if (polar_step || parts > 1) add_compensated(at.A, at.A_low, polar_correction(at.A));
+    return at;
 }
 
 }  // namespace
 
 int ExactElliptic::integrate_A(const BodyView& bodies, scalar h, const FlightClock& clock) {
+    const bool polar_step = clock.steps % limits::polar_interval == 0;
     int clamped_count = 0;
     for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) {  // bound: max_bodies / lanes, rounded up
         RotationTile& tile = bodies.rotation[tile_i];
+        CompensationTile& compensation = bodies.compensation[tile_i];
         for (int lane_i = 0; lane_i < lanes; ++lane_i) {
             if (!(tile.inv_I_scale[lane_i] > 0)) continue;
-            const Matrix A = lane_of(tile.A, lane_i);
+            const Attitude at = {lane_of(tile.A, lane_i), lane_of(compensation.A_low, lane_i)};
             const Vector inv_I_body = lane_of(tile.inv_I_ratio, lane_i) * tile.inv_I_scale[lane_i];
             const Vector L = lane_of(tile.L, lane_i) - lane_of(tile.tau_T, lane_i) * clock.kick_ahead;
-            bool clamped = false;
-            const Matrix turned = exact_turn(A, inv_I_body, L, h, clamped);
-            const Matrix A_next = turned + polar_correction(turned);  // every step: what is left of roundings walks less
-            clamped_count += clamped ? 1 : 0;
-            if (is_finite(A_next) && is_within_runaway(spin_of(A, inv_I_body, L)))
-                set_lane(tile.A, lane_i, A_next);
-            else
+            if (!is_within_runaway(spin_of(at.A, inv_I_body, L))) {
                 tile.bad = static_cast<uint16_t>(tile.bad | (1u << lane_i));
+                continue;
+            }
+            bool clamped = false;
+            const Attitude next = exact_turn(at, inv_I_body, L, h, polar_step, clamped);
+            clamped_count += clamped ? 1 : 0;
+            if (is_finite(next.A) && is_finite(next.A_low)) {
+                set_lane(tile.A, lane_i, next.A);
+                set_lane(compensation.A_low, lane_i, next.A_low);
+            } else {
+                tile.bad = static_cast<uint16_t>(tile.bad | (1u << lane_i));
+            }
         }
         tile.kicked = 0;
     }

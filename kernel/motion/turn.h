@@ -13,22 +13,24 @@
 namespace ingot { inline namespace INGOT_ABI {
 
 /// a + b = sum + error exactly. Source: Knuth, The Art of Computer Programming 2, 4.2.2, theorem B.
-INGOT_INLINE void add_exactly(lane a, lane b, lane& sum, lane& error) {
+template <class T>
+INGOT_INLINE void add_exactly(T a, T b, T& sum, T& error) {
     sum = a + b;
-    const lane b_seen = sum - a;
+    const T b_seen = sum - a;
     error = (a - (sum - b_seen)) + (b - b_seen);
 }
 
 /// A + A_low += increment, rounded to A, the rest in A_low. Cost: 63 flops.
-INGOT_INLINE void add_compensated(Mat3<lane>& A, Mat3<lane>& A_low, const Mat3<lane>& increment) {
-    const Mat3<lane> due = increment + A_low;
-    Vec3<lane>* const columns[3] = {&A.c0, &A.c1, &A.c2};
-    Vec3<lane>* const low_columns[3] = {&A_low.c0, &A_low.c1, &A_low.c2};
-    const Vec3<lane> due_columns[3] = {due.c0, due.c1, due.c2};
+template <class T>
+INGOT_INLINE void add_compensated(Mat3<T>& A, Mat3<T>& A_low, const Mat3<T>& increment) {
+    const Mat3<T> due = increment + A_low;
+    Vec3<T>* const columns[3] = {&A.c0, &A.c1, &A.c2};
+    Vec3<T>* const low_columns[3] = {&A_low.c0, &A_low.c1, &A_low.c2};
+    const Vec3<T> due_columns[3] = {due.c0, due.c1, due.c2};
     for (int column_i = 0; column_i < 3; ++column_i) {
-        Vec3<lane>& a = *columns[column_i];
-        Vec3<lane>& low = *low_columns[column_i];
-        const Vec3<lane>& d = due_columns[column_i];
+        Vec3<T>& a = *columns[column_i];
+        Vec3<T>& low = *low_columns[column_i];
+        const Vec3<T>& d = due_columns[column_i];
         add_exactly(a.x, d.x, a.x, low.x);
         add_exactly(a.y, d.y, a.y, low.y);
         add_exactly(a.z, d.z, a.z, low.z);
