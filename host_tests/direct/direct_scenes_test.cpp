@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "contact/play.h"
+#include "reference/random_input.h"
 
 namespace {
 
@@ -12,6 +13,7 @@ using namespace ingot_contact;
 using namespace scenes;
 using ingot::HybridIslands;
 using ingot::BlockSweeps;
+using ingot_reference::RandomInput;
 
 constexpr scalar h = OnEarth::h;
 
@@ -218,24 +220,50 @@ TEST(HybridIslands, land_without_sinking_in) {
     EXPECT_EQ(scene.reports().unfinished_directly, 0);
 }
 
-/// No step gains more than 1e-4 of the energy; at rest in the end, and not inside each other. Before energy was held, impulses of an impact that were
-/// given again gave 8 % in one step of the first. Sweeps gain 0.04 % in it, 0.3 % in the second.
+/// The scene as it stands, or with each box up to a millimetre beside its place.
 template <class Scene>
-void expect_tumbles_to_rest() {
-    auto scene = play_by<Scene, HybridIslands<>>();
-    ASSERT_TRUE(scene.sound());
-    const Gains gains = gains_of(scene, 10);
-    figure("largest gain of a step, share of the energy", gains.most);
-    figure("steps with direct solves", scene.reports().solved_directly);
-    figure("steps with some that did not settle", scene.reports().unfinished_directly);
-    EXPECT_TRUE(scene.reports().clean());
-    EXPECT_GT(scene.reports().solved_directly, 0);
-    EXPECT_EQ(gains.count, 0);
-    EXPECT_LE(scene.fastest(), 0.01);
-    EXPECT_LE(1e3 * scene.deepest_overlap(), rounding_mm);
+std::vector<PlacedBody> drawn(int draw_i) {
+    std::vector<PlacedBody> bodies = scenes::bodies_of<Scene>();
+    if (draw_i == 0) return bodies;
+    RandomInput random(static_cast<uint64_t>(draw_i));
+    for (size_t i = 1; i < bodies.size(); ++i) bodies[i].def.state.r_CM += ingot_reference::to_vector(Eigen::Vector3d(random.vector(1e-3)));
+    return bodies;
 }
-TEST(UnevenBoxes, of_15_with_1000_to_1_gains_nothing) { expect_tumbles_to_rest<UnevenBoxes<15, 1000>>(); }
-TEST(UnevenBoxes, of_12_with_100_to_1_gains_nothing) { expect_tumbles_to_rest<UnevenBoxes<12, 100>>(); }
+
+/// What has sunk in and is lifted out again may give energy: one step in 14,400 does, by 0.06 %. Else none gains more than 1e-4; at rest in the end,
+/// and not inside each other. Before energy was held, impulses of an impact that were given again gave 8 % in one step of the first. Sweeps gain
+/// 0.04 % in it, 0.3 % in the second.
+template <class Scene>
+Gains expect_tumbles_to_rest() {
+    Gains all;
+    int solved_directly = 0, unfinished = 0;
+    for (int draw_i = 0; draw_i < 12; ++draw_i) {
+        SCOPED_TRACE(draw_i);
+        Play<RoomSolvedBy<Scene, HybridIslands<>>> scene(drawn<Scene>(draw_i), Scene::gravity);
+        EXPECT_TRUE(scene.sound());
+        const Gains gains = gains_of(scene, 10);
+        all.count += gains.count;
+        all.most = std::max(all.most, gains.most);
+        solved_directly += scene.reports().solved_directly;
+        unfinished += scene.reports().unfinished_directly;
+        EXPECT_TRUE(scene.reports().clean());
+        EXPECT_GT(scene.reports().solved_directly, 0);
+        if (draw_i == 0) {  // of others some may roll off the ground
+            EXPECT_LE(scene.fastest(), 0.01);
+        }
+        EXPECT_LE(1e3 * scene.deepest_overlap(), rounding_mm);
+    }
+    figure("steps that gain", all.count);
+    figure("largest gain of a step, share of the energy", all.most);
+    figure("steps with direct solves", solved_directly);
+    figure("steps with some that did not settle", unfinished);
+    return all;
+}
+TEST(UnevenBoxes, gain_in_one_step_at_most) {
+    const Gains of_15 = expect_tumbles_to_rest<UnevenBoxes<15, 1000>>(), of_12 = expect_tumbles_to_rest<UnevenBoxes<12, 100>>();
+    EXPECT_LE(of_15.count + of_12.count, 1);
+    EXPECT_LE(std::max(of_15.most, of_12.most), 1e-3);
+}
 
 /// Impacts of like masses are the sweeps': planks that fall gain no more than by sweeps, and are not tried where an impact is. (That both gain, by
 /// lifting out what sank in, is contact_test's FallingPlanks.)

@@ -35,8 +35,7 @@ void collect(const SolverView& solver, const BodyView& bodies, ContactBlock& blo
         const uint16_t manifold_i = block.manifold[lane_i];
         const ManifoldRecord& record = kept_of(solver, manifold_i).record;
         block.mu[lane_i] = record.mu;
-        // Impacts are of those that come from apart: else each collision in a heap makes all of it rattle.
-        block.e[lane_i] = bears_load(record) ? scalar(0) : record.e;
+        block.e[lane_i] = record.e;
         block.halvings[lane_i] = static_cast<uint8_t>(record.manifold.halvings);
         set_lane(in.n, lane_i, record.manifold.n);
         if (manifold_i == no_manifold) continue;
@@ -44,6 +43,8 @@ void collect(const SolverView& solver, const BodyView& bodies, ContactBlock& blo
         const bool A_moves = solver.local_of[pair.body_A] != 0, B_moves = solver.local_of[pair.body_B] != 0;
         if (A_moves) in.A.put(lane_i, bodies, pair.body_A);
         if (B_moves) in.B.put(lane_i, bodies, pair.body_B);
+        // Impacts are of those that come from apart: else each collision in a heap makes all of it rattle.
+        if (presses(load_of(record), in.A.inv_M[lane_i] + in.B.inv_M[lane_i], solver.unit)) block.e[lane_i] = 0;
         if (record.manifold.count > 1) block.rows = block_rows;
         if (!A_moves && !B_moves) continue;  // one has gone bad
         for (int row = 0; row < record.manifold.count; ++row) {  // bound: 4: Manifold::points_max

@@ -31,7 +31,7 @@ public:
         for (int i = 0; i < *manifolds.count; ++i) {  // bound: max_manifolds
             const BodyPair& pair = manifolds.pairs[i];
             ManifoldRecord& record = manifolds.records[pair.record];
-            record.next_free = kept(pair) ? rank_of_kept : crowd.rank_of_contact(pair, record.manifold, bears_load(record));
+            record.next_free = kept(pair) ? rank_of_kept : crowd.rank_of_contact(pair, record.manifold, load_of(record) > 0);
         }
         heap().make();
     }

@@ -26,11 +26,11 @@ inline constexpr uint16_t steady_bit = 0x8000;
 inline int age_of(const ManifoldRecord& record) { return record.substeps & ~steady_bit; }
 inline bool was_steady(const ManifoldRecord& record) { return (record.substeps & steady_bit) != 0; }
 
-/// Some point of it pressed at the end of the last step.
-inline bool bears_load(const ManifoldRecord& record) {
+/// N s; with which its points pressed at the end of the last step.
+inline scalar load_of(const ManifoldRecord& record) {
     scalar load = 0;
     for (int row = 0; row < record.manifold.count; ++row) load += record.j[row];  // bound: 4: Manifold::points_max
-    return load > 0;
+    return load;
 }
 
 /// The contacts of a world, without their capacity.
