@@ -119,16 +119,20 @@ uint16_t turning_lanes(const SolverView& solver, const ContactBlock& block) {
     return turning;
 }
 
-/// Prepares a block again. Lanes that do not turn may be of other islands: they keep all that they have, what the last visit has cached as well.
+/// Prepares a block again. Lanes that do not turn may be of other islands: they keep all that they have, what the last visit has cached as well. All
+/// keep their separations, from which drift_kinematic_bodies has taken what a kinematic body has turned by.
 template <class View>
 void refresh_block(const View& solver, const BodyView& bodies, int block_i, uint16_t turning) {
     ContactBlock& block = solver.blocks[block_i];
     lane cached[10];
     for (int i = 0; i < 10; ++i) cached[i] = load(block.cached_inverse[i]);
+    lane separation[block_rows];
+    for (int row = 0; row < block_rows; ++row) separation[row] = load(block.row[row].separation);
     LaneContacts contacts = collected(solver, bodies, block);
     ContactConstraint<View>::Given::prepare(solver, block_i, contacts);
     const mask turns = mask_from_bits(turning);
     for (int i = 0; i < 10; ++i) store(block.cached_inverse[i], select(turns, load(block.cached_inverse[i]), cached[i]));
+    for (int row = 0; row < block_rows; ++row) store(block.row[row].separation, separation[row]);
 }
 
 }  // namespace
