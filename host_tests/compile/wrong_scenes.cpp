@@ -243,6 +243,20 @@ struct Wrong : ingot::Scene {
     static constexpr bool compensated_sums = true;
     using rotation = ingot::Listing1Euler;
 #endif
+#ifdef BUDGET_WITHOUT_CONTACTS
+    static constexpr int work_budget = 100;
+#endif
+#ifdef BUDGET_TOO_SMALL
+    static constexpr bool translates = true;
+    static constexpr int max_manifolds = 20, work_budget = 119;
+    using shapes = ingot::Shapes<ingot::Box>;
+#endif
+#ifdef BUDGET_TOO_SMALL_FOR_IMPACTS
+    static constexpr bool translates = true;
+    static constexpr int max_contacts = 20, work_budget = 79;
+    using shapes = ingot::Shapes<ingot::Box>;
+    using solver = ingot::FrictionlessImpacts;
+#endif
 #ifdef SUMS_IN_A_FIELD
     static constexpr bool compensated_sums = true;
     using force_field = ingot::Spring;

@@ -135,6 +135,7 @@ int main() {
                             run<scenes::Tower10>("tower_10"),
                             run<scenes::TenBoxesRow>("ten_boxes_row"),
                             run<scenes::TenBoxesColumn>("ten_boxes_column"),
+                            run<scenes::TenBoxesOnBudget>("ten_boxes_on_budget"),
                             run<scenes::LightPile>("light_pile"),
                             keep<scenes::LightPile>("snapshot_light_pile"),
                             run<scenes::Playground>("playground"),

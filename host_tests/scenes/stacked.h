@@ -55,6 +55,19 @@ struct TenBoxesColumn : TenBoxesBudget {
     static constexpr PlacedBody body(int body_i) { return TenBoxes<true>::body(body_i); }
 };
 
+/// The same with a budget of work.
+struct TenBoxesOnBudget : TenBoxesBudget {
+    static constexpr const char* name = "ten_boxes_on_budget";
+    static constexpr const char* title = "ten cubes in one column, each contact visited up to 20 times a step";
+    static constexpr int golden_steps = 120;
+    static constexpr int work_budget = 20 * max_manifolds;
+    static bool went_well(ingot::StepReport report) {
+        report.sweeps_unfinished = 0;
+        return report.clean();
+    }
+    static constexpr PlacedBody body(int body_i) { return TenBoxes<true>::body(body_i); }
+};
+
 /// Boxes and balls fall into a pit, solved point by point: impacts, what slides and spins, manifolds that come and go, rest.
 struct LightPile : Stacked<13, 48> {
     using shapes = ingot::Shapes<ingot::Sphere, ingot::Box, ingot::HalfSpace>;
@@ -228,6 +241,7 @@ ingot::Status set_up_placed(ingot::World<S>& world) {
 inline ingot::Status set_up(ingot::World<Tower10>& world) { return set_up_placed(world); }
 inline ingot::Status set_up(ingot::World<TenBoxesRow>& world) { return set_up_placed(world); }
 inline ingot::Status set_up(ingot::World<TenBoxesColumn>& world) { return set_up_placed(world); }
+inline ingot::Status set_up(ingot::World<TenBoxesOnBudget>& world) { return set_up_placed(world); }
 inline ingot::Status set_up(ingot::World<LightPile>& world) { return set_up_placed(world); }
 inline ingot::Status set_up(ingot::World<Pyramid55>& world) { return set_up_placed(world); }
 inline ingot::Status set_up(ingot::World<MassRatio1e6>& world) { return set_up_placed(world); }

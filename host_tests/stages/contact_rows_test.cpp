@@ -27,6 +27,7 @@ using Real = long double;
 using V = Eigen::Matrix<Real, 3, 1>;
 
 constexpr double eps = static_cast<double>(ingot::epsilon);
+ingot::AnyVisits any_visits;
 
 /// Bodies, and contacts between them that need no shapes.
 struct Rows {
@@ -197,7 +198,7 @@ TEST(ContactRows, whose_impulse_leaves_the_range_are_given_up) {
         rows.prepare();
         rows.tiles.rotation(0).L[2][0] = most;  // any impulse drives it beyond
         for (Contact& c : rows.contacts) c.active = true, c.target = most;
-        const ingot::SweepOutcome outcome = ingot::solve_active_contacts(rows.view(), rows.tiles.view());
+        const ingot::SweepOutcome outcome = ingot::solve_active_contacts(rows.view(), rows.tiles.view(), any_visits);
         EXPECT_TRUE(outcome.finished) << "nothing is left to sweep over";
         EXPECT_TRUE(rows.bad(0));
         for (const Contact& c : rows.contacts) {
@@ -239,6 +240,43 @@ Rows chain_of(RandomInput& random, int bodies) {
     return rows;
 }
 
+/// As many visits as it takes give the same bits as no budget; with less it ends there, and says so.
+TEST(ContactRows, are_visited_within_a_budget) {
+    RandomInput random(305);
+    int cut_short = 0;
+    for (int case_i = 0; case_i < 200; ++case_i) {
+        const int bodies = random.integer(2, 9);
+        const auto aimed = [&](Rows rows) {
+            for (Contact& c : rows.contacts) {
+                c.tolerance = ingot::tolerance_of(c, ingot::normal_speed(c, rows.tiles.view()));
+                c.active = true;
+                c.target = 1;
+            }
+            return rows;
+        };
+        const Rows begin = aimed(chain_of(random, bodies));
+        Rows free = begin, within = begin, scarce = begin;
+        const int contacts = static_cast<int>(begin.contacts.size());
+        const ingot::SweepOutcome wanted = ingot::solve_active_contacts(free.view(), free.tiles.view(), any_visits);
+        ingot::VisitsLeft plenty{ingot::no_budget - 1};
+        const ingot::SweepOutcome outcome = ingot::solve_active_contacts(within.view(), within.tiles.view(), plenty);
+        EXPECT_EQ(outcome.sweeps, wanted.sweeps);
+        const int taken = ingot::no_budget - 1 - plenty.count;
+        EXPECT_GE(taken, contacts * outcome.sweeps);
+        for (int slot = 0; slot < bodies; ++slot) EXPECT_EQ(within.v(slot), free.v(slot)) << case_i;
+
+        ingot::VisitsLeft few{random.integer(contacts, taken)};
+        const bool enough = few.count == taken;
+        const ingot::SweepOutcome ended = ingot::solve_active_contacts(scarce.view(), scarce.tiles.view(), few);
+        EXPECT_GE(few.count, 0);
+        cut_short += !ended.finished;
+        if (!enough && wanted.finished) {
+            EXPECT_FALSE(ended.finished);
+        }
+    }
+    EXPECT_GT(cut_short, 50);
+}
+
 /// What settles a row: its tolerance, after a quarter of the sweeps limits::contact_slack times it; and the rounding of this test's sums.
 double allowed(const Contact& c) { return static_cast<double>(c.tolerance) * static_cast<double>(ingot::limits::contact_slack) * 2; }
 
@@ -258,7 +296,7 @@ TEST(ContactRows, of_many_pairs_meet_the_conditions_of_complementarity) {
         }
         std::vector<V> v, L;
         for (int slot = 0; slot < bodies; ++slot) v.push_back(rows.v(slot)), L.push_back(rows.L(slot));
-        const ingot::SweepOutcome outcome = ingot::solve_active_contacts(rows.view(), rows.tiles.view());
+        const ingot::SweepOutcome outcome = ingot::solve_active_contacts(rows.view(), rows.tiles.view(), any_visits);
         EXPECT_GE(outcome.sweeps, 1);
         EXPECT_EQ(outcome.finished || outcome.sweeps == ingot::limits::contact_sweeps_max, true);
         unfinished += outcome.finished ? 0 : 1;  // as the header says: the rest is reported, and promises no more than that
@@ -315,7 +353,7 @@ TEST(ContactRows, of_one_contact_are_figure_4) {
         const Real j = figure4_impulse<Real>(A, B, to_eigen<Real>(c.n), static_cast<Real>(c.e));
         const ingot::NormalSpeed before = ingot::normal_speed(c, rows.tiles.view());
         ingot::StepReport report{};
-        ingot::solve_impacts(rows.view(), rows.tiles.view(), 0, report);
+        ingot::solve_impacts(rows.view(), rows.tiles.view(), 0, any_visits, report);
         const double rounding = 64 * eps * static_cast<double>(before.magnitude * c.inv_K);
         EXPECT_NEAR(static_cast<double>(rows.contacts[0].j_total), static_cast<double>(j), rounding) << case_i;
         EXPECT_EQ(report.impact_waves, j > 0 ? 1u : 0u);
@@ -346,7 +384,7 @@ TEST(ContactRows, of_a_pair_bounce_together_or_not_at_all) {
         ASSERT_NEAR(u_0, -2.25, 1e-6);
         ASSERT_NEAR(u_1, -1.75, 1e-6);
         ingot::StepReport report{};
-        ingot::solve_impacts(rows.view(), rows.tiles.view(), static_cast<scalar>(rest_speed), report);
+        ingot::solve_impacts(rows.view(), rows.tiles.view(), static_cast<scalar>(rest_speed), any_visits, report);
         const double e = rest_speed < 2.25 ? 0.5 : 0;
         EXPECT_NEAR(static_cast<double>(rows.speed(rows.contacts[0])), -e * u_0, 64 * eps * 4);
         EXPECT_NEAR(static_cast<double>(rows.speed(rows.contacts[1])), -e * u_1, 64 * eps * 4);
@@ -364,7 +402,7 @@ TEST(ContactRows, pass_impacts_on_wave_by_wave) {
         rows.touch(slot, slot + 1, -Eigen::Vector3d::UnitX(), Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), 1);
     rows.prepare();
     ingot::StepReport report{};
-    ingot::solve_impacts(rows.view(), rows.tiles.view(), 0, report);
+    ingot::solve_impacts(rows.view(), rows.tiles.view(), 0, any_visits, report);
     for (int slot = 0; slot < balls; ++slot) EXPECT_EQ(rows.v(slot).x(), slot == balls - 1 ? 1 : 0);
     EXPECT_EQ(report.impact_waves, static_cast<std::uint32_t>(balls - 1));
     EXPECT_EQ(report.sweeps, 2u * (balls - 1));
@@ -384,7 +422,7 @@ TEST(ContactRows, bounce_to_and_fro_for_half_of_the_waves) {
         rows.touch(0, slot, Eigen::Vector3d::UnitX() * (slot == 1 ? 1 : -1), Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), 1);
     rows.prepare();
     ingot::StepReport report{};
-    ingot::solve_impacts(rows.view(), rows.tiles.view(), 0, report);
+    ingot::solve_impacts(rows.view(), rows.tiles.view(), 0, any_visits, report);
     // Waves 0 .. half are begun with a bounce each; the next one stops it.
     EXPECT_EQ(report.impact_waves, ingot::limits::impact_waves_max / 2 + 2u);
     EXPECT_EQ(report.impacts_deferred, 0u);
@@ -410,7 +448,7 @@ TEST(ContactForces, are_impulses_over_the_step_and_leave_loose_contacts_alone) {
             F[static_cast<std::size_t>(slot)] = tau[static_cast<std::size_t>(slot)] = to_eigen<Real>(push);
         }
         ingot::StepReport report{};
-        ingot::solve_contact_forces(rows.view(), rows.tiles.view(), h, report);
+        ingot::solve_contact_forces(rows.view(), rows.tiles.view(), h, any_visits, report);
         EXPECT_GE(report.sweeps, 1u);
         EXPECT_EQ(report.sweeps_unfinished, 0u);
         double size = 4;

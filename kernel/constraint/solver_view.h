@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../base/limits.h"
+#include "../base/work_budget.h"
 #include "../narrow_phase/manifold_record.h"
 #include "../base/contact_lengths.h"
 #include "contact_block.h"
@@ -63,6 +64,7 @@ struct SolverView {
     Vector* friction_references;  ///< by record: N s, world; the slow mean of j_friction
     int manifold_count;
     scalar unit = 1;           ///< m; of lengths and speeds in limits.h: see base/contact_lengths.h
+    int sweeps_of_step = no_budget;  ///< that each island may have
 
     SolverBody* bodies;        ///< [0] stands for all that cannot move and for spare lanes
     SolverBodyHistory* histories;
@@ -86,7 +88,7 @@ struct SolverView {
     int visit_count, live_count, block_count, batch_body_count;
     int lane_count, lane_capacity;  ///< of all blocks
     SweepPlan plan;
-    int substeps;              ///< of the step
+    int substeps, substeps_left;  ///< of the step; with the one at hand
     bool some_hit;             ///< a body was hit in the substep before
     bool some_turn;            ///< a body turned so far in the substep before that its inertia is another: see refresh_blocks
     bool some_bounce;          ///< a manifold has restitution

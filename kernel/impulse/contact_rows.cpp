@@ -134,12 +134,13 @@ void extrapolate(Contact& c, scalar beta, const BodyView& bodies) {
 }
 
 /// Sweeps over the contacts of one pair, joined by conjugate gradients, until they agree. Returns: the sweeps it took; 1 when
-/// they agreed already.
-int settle_manifold(Contact* first, int count, scalar slack, const BodyView& bodies) {
+/// they agreed already. `kept`: visits that contacts after it need in this sweep.
+template <class Left>
+int settle_manifold(Contact* first, int count, scalar slack, const BodyView& bodies, Left& left, int kept) {
     // bound: 4: contacts of one pair, Manifold::points_max a pair
     for (int contact_i = 0; contact_i < count; ++contact_i) first[contact_i].direction = 0;
     scalar size_before = 0;
-    for (int sweep_i = 1; sweep_i <= limits::contact_sweeps_max; ++sweep_i) {
+    for (int sweep_i = 1; sweep_i <= limits::contact_sweeps_max && (sweep_i == 1 ? left.take(count) : left.take_spare(count, kept)); ++sweep_i) {
         if (sweep_i > limits::contact_sweeps_max / 4) slack = limits::contact_slack;
         bool settled = true;
         scalar size = 0;  // of the sweep, in units of energy
@@ -160,20 +161,27 @@ int settle_manifold(Contact* first, int count, scalar slack, const BodyView& bod
 
 }  // namespace
 
-SweepOutcome solve_active_contacts(const ContactView& contacts, const BodyView& bodies) {
+template <class Left>
+SweepOutcome solve_active_contacts(const ContactView& contacts, const BodyView& bodies, Left& left) {
     for (int contact_i = 0; contact_i < *contacts.count; ++contact_i) contacts.contacts[contact_i].j = 0;
-    for (int sweep_i = 0; sweep_i < limits::contact_sweeps_max; ++sweep_i) {
+    int sweeps = 0;
+    for (int sweep_i = 0; sweep_i < limits::contact_sweeps_max && left.some(); ++sweep_i) {
         // Rows that rounding keeps from the last digit are taken as they are.
         const scalar slack = sweep_i < limits::contact_sweeps_max / 4 ? 1 : limits::contact_slack;
         bool settled = true;
         // bound: max_contacts: end is after first: each pair has a contact
         for (int first = 0, end = 0; first < *contacts.count; first = end) {
             end = manifold_end(contacts, first);
-            if (settle_manifold(&contacts.contacts[first], end - first, slack, bodies) > 1) settled = false;
+            if (settle_manifold(&contacts.contacts[first], end - first, slack, bodies, left, *contacts.count - end) > 1) settled = false;
         }
-        if (settled) return {sweep_i + 1, true};
+        ++sweeps;
+        if (settled) return {sweeps, true};
     }
-    return {limits::contact_sweeps_max, false};
+    return {sweeps, false};
 }
+
+// The linker takes the one that the scene calls.
+template SweepOutcome solve_active_contacts(const ContactView&, const BodyView&, AnyVisits&);
+template SweepOutcome solve_active_contacts(const ContactView&, const BodyView&, VisitsLeft&);
 
 } }  // namespace ingot

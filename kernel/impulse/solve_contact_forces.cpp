@@ -18,14 +18,15 @@ void add_force(const BodyView& bodies, int slot, const Vector& F, const Vector& 
 
 }  // namespace
 
-void solve_contact_forces(const ContactView& contacts, const BodyView& bodies, scalar h, StepReport& report) {
+template <class Left>
+void solve_contact_forces(const ContactView& contacts, const BodyView& bodies, scalar h, Left& left, StepReport& report) {
     for (int contact_i = 0; contact_i < *contacts.count; ++contact_i) {  // bound: max_contacts
         Contact& c = contacts.contacts[contact_i];
         c.tolerance = tolerance_of(c, normal_speed(c, bodies));
         c.active = true;
         c.target = 0;
     }
-    const SweepOutcome outcome = solve_active_contacts(contacts, bodies);
+    const SweepOutcome outcome = solve_active_contacts(contacts, bodies, left);
     count(report.sweeps, outcome.sweeps);
     if (!outcome.finished) count(report.sweeps_unfinished);
 
@@ -38,5 +39,9 @@ void solve_contact_forces(const ContactView& contacts, const BodyView& bodies, s
         c.j_total += c.j;
     }
 }
+
+// The linker takes the one that the scene calls.
+template void solve_contact_forces(const ContactView&, const BodyView&, scalar, AnyVisits&, StepReport&);
+template void solve_contact_forces(const ContactView&, const BodyView&, scalar, VisitsLeft&, StepReport&);
 
 } }  // namespace ingot

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "../base/report.h"
+#include "../base/work_budget.h"
 #include "../body/body_tiles.h"
 #include "contact.h"
 
@@ -11,7 +12,9 @@ namespace ingot { inline namespace INGOT_ABI {
 ///
 /// Comes after integrate_v and integrate_L. The impulses found change v_CM and L, and enter F_T and tau_T divided by h, so
 /// that integrate_r and the rotation take them for what they are: forces that acted all step long.
-/// Units: h in s. Bound: limits::contact_sweeps_max sweeps; a solve that stops there counts in sweeps_unfinished.
-void solve_contact_forces(const ContactView& contacts, const BodyView& bodies, scalar h, StepReport& report);
+/// Units: h in s. Bound: limits::contact_sweeps_max sweeps, and the visits to contacts that are left; a solve that stops there counts in
+/// sweeps_unfinished.
+template <class Left>
+void solve_contact_forces(const ContactView& contacts, const BodyView& bodies, scalar h, Left& left, StepReport& report);
 
 } }  // namespace ingot

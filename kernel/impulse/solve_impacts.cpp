@@ -42,10 +42,11 @@ int begin_wave(const ContactView& contacts, const BodyView& bodies, scalar rest_
 
 }  // namespace
 
-void solve_impacts(const ContactView& contacts, const BodyView& bodies, scalar rest_speed, StepReport& report) {
+template <class Left>
+void solve_impacts(const ContactView& contacts, const BodyView& bodies, scalar rest_speed, Left& left, StepReport& report) {
     int approaching = begin_wave(contacts, bodies, rest_speed);
-    for (int wave_i = 0; approaching > 0 && wave_i < limits::impact_waves_max; ++wave_i) {
-        const SweepOutcome outcome = solve_active_contacts(contacts, bodies);
+    for (int wave_i = 0; approaching > 0 && wave_i < limits::impact_waves_max && left.some(); ++wave_i) {
+        const SweepOutcome outcome = solve_active_contacts(contacts, bodies, left);
         count(report.sweeps, outcome.sweeps);
         if (!outcome.finished) count(report.sweeps_unfinished);
         count(report.impact_waves);
@@ -58,5 +59,9 @@ void solve_impacts(const ContactView& contacts, const BodyView& bodies, scalar r
     }
     count(report.impacts_deferred, approaching);
 }
+
+// The linker takes the one that the scene calls.
+template void solve_impacts(const ContactView&, const BodyView&, scalar, AnyVisits&, StepReport&);
+template void solve_impacts(const ContactView&, const BodyView&, scalar, VisitsLeft&, StepReport&);
 
 } }  // namespace ingot

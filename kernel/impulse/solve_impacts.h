@@ -2,6 +2,7 @@
 #pragma once
 
 #include "../base/report.h"
+#include "../base/work_budget.h"
 #include "../body/body_tiles.h"
 #include "contact.h"
 
@@ -15,7 +16,8 @@ namespace ingot { inline namespace INGOT_ABI {
 /// energy of a wave changes by -(1 - e) j |u| / 2 summed: it never grows, and stays for e = 1.
 ///
 /// Contacts slower than rest_speed are at rest: they take e = 0; so do all in the second half of the waves.
-/// Bound: limits::impact_waves_max waves; contacts that then still approach count in impacts_deferred.
-void solve_impacts(const ContactView& contacts, const BodyView& bodies, scalar rest_speed, StepReport& report);
+/// Bound: limits::impact_waves_max waves, and as many visits to contacts as are left; contacts that then still approach count in impacts_deferred.
+template <class Left>
+void solve_impacts(const ContactView& contacts, const BodyView& bodies, scalar rest_speed, Left& left, StepReport& report);
 
 } }  // namespace ingot

@@ -86,7 +86,8 @@ struct ImpulsiveMotion {
     template <class S>
     static void advance(Step<S>& now) {
         kick(now);
-        solve_contact_forces(now.storage.contact_view(), now.bodies, now.h, now.report);
+        now.visits_left.add(S::work_budget / 4);  // kept for what presses
+        solve_contact_forces(now.storage.contact_view(), now.bodies, now.h, now.visits_left, now.report);
         drift(now);
     }
 };
@@ -124,6 +125,7 @@ private:
         now.solver = storage.contact_solver();
         now.solver.pairs = moving.pairs;
         now.solver.manifold_count = *moving.count;
+        now.solver.sweeps_of_step = sweeps_within(S::work_budget, *moving.count);
         storage.clear_impulse_sums(moving);
         const ContactStep step{now.bodies, storage.gravity, now.h, {storage.impact_notes(), storage.sums_of_impulses()}};
         storage.template solve_contacts<has_events<S> || S::reads_contacts, S::bounces>(now.solver, step, now.report);

@@ -209,7 +209,7 @@ void resolve_impacts([[maybe_unused]] Step<S>& now) {
         if constexpr (S::reads_contacts) note_places(contacts, now.bodies, now.storage.surface_view(), now.storage.contact_places);
         refresh_inv_I_world(now.bodies);                                  // Eq. 20
         prepare_contact_rows<S::kinematic_bodies>(contacts, now.bodies);
-        solve_impacts(contacts, now.bodies, rest_speed, now.report);      // Fig. 4
+        solve_impacts(contacts, now.bodies, rest_speed, now.visits_left, now.report);  // Fig. 4
     }
 }
 

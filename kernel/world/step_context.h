@@ -24,6 +24,7 @@ struct Step {
     StepReport& report;
     decltype(solver_of_scene<S>()) solver{};  ///< of contacts with friction: filled by advance, read by follow_fast_bodies
     FlightImpactList flights{};               ///< of fast bodies: for events
+    If<S::work_budget == 0, AnyVisits, VisitsLeft> visits_left{S::work_budget - S::work_budget / 4};  ///< to contacts without friction
 };
 
 } }  // namespace ingot

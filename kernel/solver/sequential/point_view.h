@@ -6,6 +6,7 @@
 #pragma once
 
 #include "../../base/if.h"
+#include "../../base/work_budget.h"
 #include "../../body/body_tiles.h"
 #include "../../constraint/kinematic_view.h"
 #include "../../constraint/surface_materials.h"
@@ -66,6 +67,7 @@ struct PointView {
     uint16_t* body_slots;     ///< of its bodies
     int slot_count;           ///< bodies looked at
     int member_count, body_count;
+    int sweeps_of_step = no_budget;  ///< that each island may have
 };
 
 /// Whether the body of a slot is one that a manifold of the step moves.

@@ -28,14 +28,15 @@ struct SweptPoints {
     scalar residual;  ///< m/s
 };
 
-/// Sweeps joined by nonlinear conjugate gradients, until no speed changes by more than limits::settled_speed_of_points and `rounding`, m/s.
+/// Up to sweeps_max sweeps joined by nonlinear conjugate gradients, until no speed changes by more than limits::settled_speed_of_points and
+/// `rounding`, m/s.
 template <class View>
-SweptPoints solve_point_velocities(const View& solver, scalar rounding) {
+SweptPoints solve_point_velocities(const View& solver, int sweeps_max, scalar rounding) {
     scalar size_before = 0;
     for (int sweep_i = 1;; ++sweep_i) {  // bound: limits::sweeps_of_points: left at the latest then
         const SweepOfPoints sweep = sweep_point_velocities(solver, sweep_i % 2 != 0, limits::ignored_speed * solver.unit + rounding);
         const bool settled = sweep.fastest <= limits::settled_speed_of_points * solver.unit + rounding;
-        if (sweep_i == limits::sweeps_of_points || settled) return {sweep_i, sweep.fastest};
+        if (sweep_i == sweeps_max || settled) return {sweep_i, sweep.fastest};
         const bool shrinks = sweep_i > 1 && sweep.size <= size_before;
         go_on_along(solver, shrinks ? sweep.size / size_before : 0);
         size_before = sweep.size;
@@ -77,6 +78,7 @@ struct SequentialContacts {
         if (slot_ >= view.slot_count) return false;
         substeps_ = begins_steady(view) ? limits::steady_substeps : limits::substeps;
         begin_contacts(view, static_cast<scalar>(limits::substeps / substeps_), step.h / static_cast<scalar>(substeps_));
+        substeps_left_ = substeps_;
         given_again_ = false;
         steady_ = is_first_ = true;
         swept_ = {};
@@ -95,7 +97,8 @@ struct SequentialContacts {
         if (!given_again_) ingot::warm_start(view);
     }
     void solve_velocities(const ContactStep&, scalar, StepReport&) {
-        const SweptPoints swept = solve_point_velocities(view, rounding_);
+        const int share = share_of_substep(view.sweeps_of_step - swept_.sweeps, 0, substeps_left_);
+        const SweptPoints swept = solve_point_velocities(view, share < limits::sweeps_of_points ? share : limits::sweeps_of_points, rounding_);
         swept_ = {swept_.sweeps + swept.sweeps, swept.residual};
     }
     void note_impulses([[maybe_unused]] const StepNotes& notes) {
@@ -106,6 +109,7 @@ struct SequentialContacts {
         const SubstepOfPoints substep = drift_bodies(view, h);
         given_again_ = !substep.some_hit;
         steady_ = steady_ && substep.steady;
+        --substeps_left_;
     }
     void solve_positions(const ContactStep&, scalar h) { sweep_point_positions(view, h); }
 
@@ -126,7 +130,7 @@ protected:
 
 private:
     View& view;
-    int slot_ = -1, substeps_ = 0;
+    int slot_ = -1, substeps_ = 0, substeps_left_ = 0;
     bool given_again_ = false, steady_ = true, is_first_ = true;
     scalar rounding_ = 0;
     SweptPoints swept_ = {};

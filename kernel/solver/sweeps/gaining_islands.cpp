@@ -2,6 +2,7 @@
 #include "gaining_islands.h"
 
 #include "../../base/limits.h"
+#include "plan_islands.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -46,10 +47,9 @@ bool find_gaining_islands(const SolverView& solver, const BodyView& bodies, scal
     some = false;
     for (int island_i = 0; island_i < solver.island_count; ++island_i) {
         Island& island = solver.islands[island_i];
-        if (!(island.size > island.size_before * (1 + limits::gain_allowed))) continue;
-        island.sweeps_on = some = true;
+        if (!(island.size > island.size_before * (1 + limits::gain_allowed)) || !sweep_again(solver, island)) continue;
+        some = true;
         island.at_bound = false;
-        island.size_before = island.residual = 0;
     }
     return some;
 }

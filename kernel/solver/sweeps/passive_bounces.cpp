@@ -4,6 +4,7 @@
 #include "../../constraint/block_bodies.h"
 #include "../../constraint/contact.h"
 #include "../../constraint/row_flight.h"
+#include "plan_islands.h"
 #include "sequence_impacts.h"
 
 #pragma GCC diagnostic push
@@ -34,6 +35,15 @@ mask bounced_lanes(const ContactBlock& block) {
     mask bounced = splat<lane>(1) < lane{};
     for (int row = 0; row < block.rows; ++row) bounced = either(bounced, bounces(block.row[row]));  // bound: 4: block_rows
     return bounced;
+}
+
+/// Those of the lanes whose islands may be swept again: what has no sweeps left keeps its bounces.
+mask lanes_with_sweeps(const SolverView& solver, const ContactBlock& block, mask some) {
+    if (solver.sweeps_of_step == no_budget) return some;
+    unsigned with = bits(some);
+    for (int lane_i = 0; lane_i < lanes; ++lane_i)
+        if (block.island[lane_i] != no_island && spare_sweeps(solver, solver.islands[block.island[lane_i]]) + 1 < 1) with &= ~(1u << lane_i);
+    return mask_from_bits(static_cast<uint16_t>(with));
 }
 
 /// What belts add to the slip of a friction row.
@@ -100,7 +110,7 @@ bool lower_bounces(const View& solver, scalar h) {
     bool some = false;
     for (int block_i = 0; block_i < solver.block_count; ++block_i) {  // bound: max_manifolds, rounded up to whole blocks
         ContactBlock& block = solver.blocks[block_i];
-        const mask bounced = bounced_lanes(block);
+        const mask bounced = lanes_with_sweeps(solver, block, bounced_lanes(block));
         if (!any(bounced)) continue;
         const AboutImpact about = {gather_histories(solver, block, &SolverBodyHistory::v_begin, &SolverBodyHistory::L_begin),
                                    gather_bodies(solver, block, &SolverBody::v_CM, &SolverBody::L),
@@ -109,9 +119,7 @@ bool lower_bounces(const View& solver, scalar h) {
         if (!any(lowered)) continue;
         for (unsigned lane_i = 0, left = bits(lowered); left != 0; ++lane_i, left >>= 1) {  // bound: lanes
             if ((left & 1u) == 0 || block.island[lane_i] == no_island) continue;
-            Island& island = solver.islands[block.island[lane_i]];
-            island.sweeps_on = some = true;
-            island.size_before = island.residual = 0;
+            if (sweep_again(solver, solver.islands[block.island[lane_i]])) some = true;
         }
     }
     return some;

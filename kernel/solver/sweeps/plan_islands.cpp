@@ -102,11 +102,34 @@ bool begin_batch(SolverView& solver, SweepPlan plan, const BodyView& bodies, con
 
 scalar rounding_of_speeds(const Island& island, scalar unit) { return 4 * epsilon * min(sqrt(island.fastest_sq), limits::rounding_speed_max * unit); }
 
+namespace {
+
+/// Sweeps that a steady island needs where it begins again.
+int kept_of(const Island& island) { return is_steady(island.plan) ? limits::substeps : 0; }
+
+int within(int share, int most) { return share < most ? share : most; }
+
+}  // namespace
+
+int spare_sweeps(const SolverView& solver, const Island& island) {
+    return solver.sweeps_of_step - island.sweeps - kept_of(island) - solver.substeps_left;
+}
+
+bool sweep_again(const SolverView& solver, Island& island) {
+    const int spare = spare_sweeps(solver, island) + 1;  // the one of this substep has been
+    if (spare < 1) return false;
+    island.sweeps_max = within(share_of_substep(spare, 0, solver.substeps_left), sweeps_max_of(island));
+    island.sweeps_on = true;
+    island.size_before = island.residual = 0;
+    return true;
+}
+
 void plan_sweeps(const SolverView& solver) {
     for (int island_i = 0; island_i < solver.island_count; ++island_i) {
         Island& island = solver.islands[island_i];
         if (!island.in_batch) continue;
-        island.sweeps_max = sweeps_max_of(island);
+        const int left = solver.sweeps_of_step - island.sweeps;
+        island.sweeps_max = within(share_of_substep(left, kept_of(island), solver.substeps_left), sweeps_max_of(island));
         island.settled = settled_speed_of(island.plan) * solver.unit + rounding_of_speeds(island, solver.unit);
         island.sweeps_on = true;
         island.at_bound = false;

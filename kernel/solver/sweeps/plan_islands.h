@@ -27,6 +27,12 @@ void end_batch(const SolverView& solver, scalar fall_speed, StepReport& report);
 /// Of a substep: how many sweeps an island may have, and to what speed.
 void plan_sweeps(const SolverView& solver);
 
+/// Sweeps beside those that the substeps to come need, the one at hand among them: what an island of a scene with a work_budget may spend otherwise.
+int spare_sweeps(const SolverView& solver, const Island& island);
+
+/// Turns the sweeps of an island on once more in its substep, as many as its budget has; false: none.
+bool sweep_again(const SolverView& solver, Island& island);
+
 /// m/s; how far rounding may put off the speeds of an island's bodies, as they are after the last kick.
 scalar rounding_of_speeds(const Island& island, scalar unit);
 

@@ -101,7 +101,7 @@ void keep_motion(const SolverView& solver, int body_i) {
 
 /// Solves the impacts at hand together, by sweeps over them alone.
 template <class View>
-void sweep_at_hand(const View& solver, Island& island) {
+void sweep_at_hand(const View& solver, Island& island, VisitsLeft& left) {
     Visit visit{};
     View one = solver;
     one.live = &visit;
@@ -109,10 +109,11 @@ void sweep_at_hand(const View& solver, Island& island) {
     const scalar settled = limits::settled_speed_of_small * solver.unit + rounding_of_speeds(island, solver.unit);
     island.settled = limits::unbounded;  // no body becomes active by this: the sweeps of the substep come later
     scalar residual = scalar_max;
-    for (int sweep_i = 0; sweep_i < limits::sweeps_of_small && residual > settled; ++sweep_i) {
+    for (int sweep_i = 0; sweep_i < limits::sweeps_of_small && residual > settled && left.some(); ++sweep_i) {
         residual = 0;
         for_each_in_chain(solver, island, [&](int block_i, int lane_i) {
             if (time_of(solver.blocks[block_i], lane_i) != at_hand) return;
+            if (!left.take(1)) return;
             visit = {static_cast<uint16_t>(block_i), static_cast<uint16_t>(1u << lane_i), no_island};
             sweep_velocities(one, 1, true);
             residual = max(residual, solver.blocks[block_i].fastest[lane_i]);
@@ -121,7 +122,7 @@ void sweep_at_hand(const View& solver, Island& island) {
 }
 
 template <bool notes_impulses, class View>
-void solve_at_hand(const View& solver, Island& island, scalar now, scalar h, [[maybe_unused]] const StepNotes& notes) {
+void solve_at_hand(const View& solver, Island& island, scalar now, scalar h, VisitsLeft& left, [[maybe_unused]] const StepNotes& notes) {
     for_each_in_chain(solver, island, [&](int block_i, int lane_i) {
         const ContactBlock& block = solver.blocks[block_i];
         if (time_of(solver.blocks[block_i], lane_i) != at_hand) return;
@@ -129,8 +130,8 @@ void solve_at_hand(const View& solver, Island& island, scalar now, scalar h, [[m
         keep_motion(solver, block.body_B[lane_i]);
     });
     bool gains = true;
-    for (int round = 0; round <= limits::bounce_rounds && gains; ++round) {
-        sweep_at_hand(solver, island);
+    for (int round = 0; round <= limits::bounce_rounds && gains && left.some(); ++round) {
+        sweep_at_hand(solver, island, left);
         gains = false;
         for_each_in_chain(solver, island, [&](int block_i, int lane_i) {
             if (time_of(solver.blocks[block_i], lane_i) == at_hand && lower_impact(solver, block_i, lane_i, now, h)) gains = true;
@@ -187,6 +188,12 @@ void aim_at_rest(const SolverView& solver, ContactBlock& block, int lane_i, scal
     }
 }
 
+/// What the substep has beside its sweeps.
+VisitsLeft visits_for_chains(const SolverView& solver, const Island& island) {
+    if (solver.sweeps_of_step == no_budget) return VisitsLeft(no_budget);
+    return VisitsLeft(spare_sweeps(solver, island) / solver.substeps_left * island.manifold_count);
+}
+
 /// The impacts of one island in a substep. True if there were any.
 template <bool notes_impulses, class View>
 bool sequence_impacts_of(const View& solver, Island& island, scalar h, const StepNotes& notes, StepReport& report) {
@@ -197,8 +204,10 @@ bool sequence_impacts_of(const View& solver, Island& island, scalar h, const Ste
         time_of(block, lane_i) = next_impact(solver, block, lane_i, 0, h, false);
         ++contacts;
     });
-    // bound: limits::impacts_of_contact max_manifolds: contacts are counted
-    for (int impact_i = 0; impact_i < limits::impacts_of_contact * contacts; ++impact_i) {
+    VisitsLeft left = visits_for_chains(solver, island);
+    const int before = left.count;
+    // bound: limits::impacts_of_contact max_manifolds: contacts are counted. To look for the next impact counts as a visit to each
+    for (int impact_i = 0; impact_i < limits::impacts_of_contact * contacts && left.take(contacts) && left.count >= contacts; ++impact_i) {
         const scalar now = first_impact(solver, island);
         if (!(now < no_impact)) break;
         for_each_in_chain(solver, island, [&](int block_i, int lane_i) {
@@ -208,11 +217,12 @@ bool sequence_impacts_of(const View& solver, Island& island, scalar h, const Ste
             time_of(block, lane_i) = at_hand;
             drop_impulses(solver, block_i, lane_i);
         });
-        solve_at_hand<notes_impulses>(solver, island, now, h, notes);
+        solve_at_hand<notes_impulses>(solver, island, now, h, left, notes);
         look_again(solver, island, now, h);
         count(report.impact_waves);
         some = true;
     }
+    if (before != no_budget) island.sweeps += (before - left.count + island.manifold_count - 1) / island.manifold_count;
     for_each_in_chain(solver, island, [&](int block_i, int lane_i) {
         ContactBlock& block = solver.blocks[block_i];
         if (time_of(block, lane_i) < no_impact) count(report.impacts_deferred);

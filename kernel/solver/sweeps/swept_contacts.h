@@ -60,7 +60,10 @@ struct SweptContacts {
     void note_impulses([[maybe_unused]] const StepNotes& notes) {
         if constexpr (notes_impulses) ingot::note_impulses(view, notes);
     }
-    void drift(const BodyView& bodies, scalar h) { drift_bodies(view, bodies, h); }
+    void drift(const BodyView& bodies, scalar h) {
+        drift_bodies(view, bodies, h);
+        --view.substeps_left;
+    }
     void solve_positions(const ContactStep&, scalar h) { sweep_positions(of_points(view), view.visits, view.visit_count, h); }
 
     void end_batch(const ContactStep& step, StepReport& report) {
@@ -86,6 +89,7 @@ protected:
 private:
     void prepare(const ContactStep& step) {
         prepare_blocks(view, step.bodies);
+        view.substeps_left = view.substeps;
         if constexpr (notes_impulses) clear_impulse_notes(view, step.notes);
         if constexpr (bounces)
             if (find_impact_chains(view)) list_members(view);

@@ -13,12 +13,13 @@
 #include "sensors_and_events.h"
 #include "shapes.h"
 #include "sleep.h"
+#include "work_budget.h"
 
 namespace ingot { inline namespace INGOT_ABI { namespace features {
 
 using All = FeatureList<Rotation, Translation, Compensation, EnergyReturn, FieldOfForce, Surfaces, Compounds, Impacts, Manifolds, Unsettled,
                         RollingResistance, Belts, Filters, Sensors, Continuous, Events, ToldEvents, Sleep, GravityShares, TouchAside, SteadyField,
-                        UserData, BodyForces, BodyDamping, ReadsContacts, CompensatedSums, KinematicBodies>;
+                        UserData, BodyForces, BodyDamping, ReadsContacts, CompensatedSums, KinematicBodies, WorkBudget>;
 
 static_assert(All::bits_differ(SnapshotPart::doubles | SnapshotPart::anchors | SnapshotPart::pointwise));  // of a snapshot's parts
 

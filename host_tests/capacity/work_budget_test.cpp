@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+// Scenes with a work_budget: it is kept in every step, what is enough changes nothing, and with the least there is things still stand and lie.
+#include "capacity/crowd.h"
+
+#include <gtest/gtest.h>
+
+#include "reference/draws.h"
+
+namespace {
+
+using namespace crowd;
+namespace limits = ingot::limits;
+
+constexpr double eps = static_cast<double>(ingot::epsilon);
+constexpr int rates[] = {30, 60, 120, 240, 1000};
+constexpr int room = 600, least = (limits::substeps + limits::steady_substeps) * room, plenty = (1 << 30) - 1;
+
+template <class Solver, int budget, bool fast = false>
+struct Heap : Tight<room, 6 * room, ingot::SortedTree, Solver> {
+    static constexpr int work_budget = budget;
+    static constexpr bool continuous = fast;
+};
+template <int contacts, int budget>
+struct Impacts : TightImpacts<contacts> {
+    static constexpr int work_budget = budget;
+};
+/// A budget that is scarce: the least for a world with less room.
+template <class Solver, int visits_of_contact>
+struct Scarce : Tight<72, 600, ingot::AllPairs, Solver> {
+    static constexpr int work_budget = visits_of_contact * Scarce::max_manifolds;
+};
+
+template <class S>
+int manifolds_of(ingot::World<S>& world) {
+    int count = 0;
+    for ([[maybe_unused]] const ingot::ContactInfo& contact : world.contacts()) ++count;
+    return count;
+}
+
+Plan plan_of(unsigned seed, int case_i) {
+    RandomInput random(seed * 1000 + static_cast<unsigned>(case_i));
+    const int rate = rates[case_i % 5];
+    const int bodies = rate > 500 ? random.integer(6, 10) : random.integer(10, 16);
+    return {seed * 1000 + static_cast<unsigned>(case_i), bodies, rate, false, rate > 500 ? 3.0 : 8.0};
+}
+
+/// No island takes more than its share, nothing comes through the floor, and what was cut short is told.
+template <class S>
+int unfinished_steps_of_crowd(const Plan& plan) {
+    SCOPED_TRACE(::testing::Message() << S::solver::name << ", budget " << S::work_budget << ", " << plan.bodies << " bodies, " << plan.rate
+                                      << " Hz, seed " << plan.seed);
+    Crowd<S> crowd(plan);
+    EXPECT_TRUE(crowd.sound());
+    const double slack = 64 * eps * (floor_half + crowd.highest());
+    int unfinished = 0;
+    for (int step_i = 0; step_i < crowd.steps() && !::testing::Test::HasFailure(); ++step_i) {
+        const StepReport report = crowd.step();
+        EXPECT_EQ(report.contacts_lost, 0);
+        EXPECT_EQ(report.bodies_frozen, 0);
+        EXPECT_LE(report.sweeps * manifolds_of(crowd.world()), S::work_budget) << "step " << step_i;
+        EXPECT_LE(crowd.depth(), crowd.way_of_step() + slack) << "step " << step_i;
+        unfinished += report.sweeps_unfinished > 0;
+        EXPECT_EQ(report.sweeps_unfinished > 0 && report.clean(), false);
+    }
+    EXPECT_LE(crowd.depth(), static_cast<double>(limits::touching_gap) + slack) << "at the end";
+    return unfinished;
+}
+
+template <class S>
+void expect_kept_by_crowds(unsigned seed) {
+    int unfinished = 0;
+    for (int case_i = 0; case_i < ingot_reference::draws(20) && !::testing::Test::HasFailure(); ++case_i)
+        unfinished += unfinished_steps_of_crowd<S>(plan_of(seed, case_i));
+    EXPECT_GT(unfinished, 0) << "a budget that nothing meets shows nothing";
+}
+
+TEST(WorkBudget, is_kept_by_sweeps) {
+    expect_kept_by_crowds<Scarce<ingot::BlockSweeps, 6>>(1);
+    expect_kept_by_crowds<Scarce<ingot::BlockSweeps, 9>>(2);
+}
+TEST(WorkBudget, is_kept_by_sequential_impulses) { expect_kept_by_crowds<Scarce<ingot::SequentialImpulses, 6>>(3); }
+
+/// The same bits as without, step by step.
+template <class Without, class With>
+void expect_same_with_plenty(unsigned seed) {
+    for (int case_i = 0; case_i < ingot_reference::draws(10) && !::testing::Test::HasFailure(); ++case_i) {
+        const Plan plan = plan_of(seed, case_i);
+        Crowd<Without> without(plan);
+        Crowd<With> with(plan);
+        for (int step_i = 0; step_i < without.steps() && !::testing::Test::HasFailure(); ++step_i) {
+            (void)without.step();
+            (void)with.step();
+            EXPECT_EQ(with.world().state_hash(), without.world().state_hash()) << "step " << step_i << ", seed " << plan.seed;
+        }
+    }
+}
+TEST(WorkBudget, that_is_enough_changes_nothing) {
+    expect_same_with_plenty<Heap<ingot::BlockSweeps, 0, true>, Heap<ingot::BlockSweeps, plenty, true>>(4);
+    expect_same_with_plenty<Heap<ingot::HybridIslands<>, 0>, Heap<ingot::HybridIslands<>, plenty>>(5);
+    expect_same_with_plenty<Heap<ingot::SequentialImpulses, 0>, Heap<ingot::SequentialImpulses, plenty>>(6);
+    expect_same_with_plenty<Impacts<200, 0>, Impacts<200, plenty>>(7);
+}
+
+/// Without friction nothing takes overlap back, and nothing is remembered of the step before: each contact is visited once at least, and what that
+/// leaves sinks by no more than gravity gives in a step.
+TEST(WorkBudget, of_impacts_lets_nothing_fall) {
+    using S = Impacts<120, 4 * 120>;
+    int unfinished = 0;
+    for (int case_i = 0; case_i < ingot_reference::draws(20) && !HasFailure(); ++case_i) {
+        const Plan plan = plan_of(8, case_i);
+        Crowd<S> crowd(plan);
+        for (int step_i = 0; step_i < crowd.steps() && !HasFailure(); ++step_i) {
+            const StepReport report = crowd.step();
+            unfinished += report.sweeps_unfinished > 0 || report.impacts_deferred > 0;
+            const double sunk = Crowd<S>::g / plan.rate / plan.rate * step_i;
+            EXPECT_LE(crowd.depth(), crowd.way_of_step() + sunk) << "step " << step_i << " seed " << plan.seed;
+        }
+    }
+    EXPECT_GT(unfinished, 0) << "a budget that nothing meets shows nothing";
+}
+
+/// Ten boxes on each other, pushed aside at random by up to a tenth of their edge, with six visits of each contact in a step.
+template <class Solver>
+struct Column : ingot::Scene {
+    static constexpr int max_bodies = 11, max_manifolds = 10;
+    static constexpr int work_budget = 6 * max_manifolds;
+    static constexpr bool translates = true;
+    using solver = Solver;
+    using shapes = ingot::Shapes<ingot::Box, ingot::HalfSpace>;
+};
+
+/// What is not carried in the first steps falls by g h^2 in one of them, and is lifted again.
+template <class Solver>
+void expect_columns_stand(unsigned seed) {
+    using S = Column<Solver>;
+    RandomInput random(seed);
+    for (int case_i = 0; case_i < ingot_reference::draws(20) && !::testing::Test::HasFailure(); ++case_i) {
+        const int rate = rates[case_i % 5];
+        const double edge = random.real(0.2, 2), g = 9.81, fall = g / rate / rate, aside = case_i % 2 * random.real(0, 0.1) * edge;
+        const auto world = std::make_unique<ingot::World<S>>();
+        ASSERT_EQ(world->set_gravity({0, 0, scalar(-g)}), ingot::Status::ok);
+        ingot::BodyDef ground;
+        ground.shape = ingot::HalfSpace{{0, 0, 1}, 0};
+        ground.immovable = true;
+        ASSERT_TRUE(world->add(ground).ok());
+        ingot::BodyId ids[10];
+        for (int i = 0; i < 10; ++i) {
+            const scalar half = static_cast<scalar>(edge / 2);
+            ingot::BodyDef def;
+            def.shape = ingot::Box{{half, half, half}};
+            def.mass = ingot::principal(ingot::solid_box(500, {half, half, half})).value;
+            def.state.r_CM = {static_cast<scalar>(random.real(-aside, aside)), static_cast<scalar>(random.real(-aside, aside)),
+                              static_cast<scalar>((i + 0.5) * edge)};
+            const ingot::Result<ingot::BodyId> added = world->add(def);
+            ASSERT_TRUE(added.ok());
+            ids[i] = added.value;
+        }
+        for (int step_i = 0; step_i < 10 * rate; ++step_i) {
+            const StepReport report = ingot::step(*world, scalar(1) / static_cast<scalar>(rate));
+            ASSERT_LE(report.sweeps, 6);
+        }
+        for (int i = 0; i < 10; ++i)
+            EXPECT_NEAR(static_cast<double>(world->state(ids[i]).value.r_CM.z), (i + 0.5) * edge, fall + 64 * eps * 10 * edge)
+                << Solver::name << ", " << rate << " Hz, edge " << edge << ", aside " << aside << ", box " << i;
+    }
+}
+TEST(WorkBudget, of_six_visits_a_contact_lets_a_column_stand) {
+    expect_columns_stand<ingot::BlockSweeps>(9);
+    expect_columns_stand<ingot::SequentialImpulses>(10);
+    expect_columns_stand<ingot::HybridIslands<>>(11);
+}
+
+}  // namespace
