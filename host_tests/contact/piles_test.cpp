@@ -2,7 +2,11 @@
 // Many bodies dropped: overlap at rest, energy of every step, nothing escapes.
 #include <gtest/gtest.h>
 
+#include <memory>
+
 #include "contact/play.h"
+#include "reference/draws.h"
+#include "reference/random_input.h"
 
 namespace {
 
@@ -60,6 +64,56 @@ TEST(SpherePile, does_not_depend_on_the_broad_phase) {
         (void)by_all.step(OnEarth::h);
         (void)by_tree.step(OnEarth::h);
         ASSERT_EQ(by_all.world().state_hash(), by_tree.world().state_hash()) << step_i;
+    }
+}
+
+struct HighHeap : ingot::Scene {
+    static constexpr int max_bodies = 505, max_manifolds = 4000, max_pairs = 12000;
+    static constexpr bool translates = true, bounces = false;
+    using broad_phase = ingot::SortedTree;
+    using shapes = ingot::Shapes<ingot::Sphere, ingot::HalfSpace>;
+};
+/// m, how far the deepest of 500 balls comes into the floor of a narrow pit, in which they fall on each other. One of them, anywhere, is lighter.
+double depth_of_high_heap(int rate, int light_i, double light) {
+    constexpr double radius = 0.25, room = 0.55, half = 5 * room / 2;
+    const auto world = std::make_unique<ingot::World<HighHeap>>();
+    EXPECT_EQ(world->set_gravity({0, 0, scalar(-9.81)}), ingot::Status::ok);
+    const auto wall = [&](const ingot::Vector& n, double distance) {
+        ingot::BodyDef def;
+        def.immovable = true;
+        def.shape = ingot::HalfSpace{n, 0};
+        def.state.r_CM = n * static_cast<scalar>(-distance);
+        EXPECT_TRUE(world->add(def).ok());
+    };
+    wall({0, 0, 1}, 0);
+    for (const scalar side : {scalar(-1), scalar(1)}) wall({side, 0, 0}, half), wall({0, side, 0}, half);
+    std::vector<ingot::BodyId> ids;
+    for (int i = 0; i < 500; ++i) {
+        ingot::BodyDef def;
+        def.shape = ingot::Sphere{scalar(radius)};
+        def.mass = ingot::principal(ingot::solid_sphere(static_cast<scalar>(i == light_i ? 500 * light : 500), scalar(radius))).value;
+        const auto at = [&](int k, int aside) { return static_cast<scalar>(-half + (k + 0.5) * room + 0.02 * (aside % 5 - 2)); };
+        def.state.r_CM = {at(i % 5, 7 * i), at(i / 5 % 5, 3 * i), static_cast<scalar>(radius + 0.8 * (i / 25))};
+        const auto added = world->add(def);
+        EXPECT_TRUE(added.ok());
+        ids.push_back(added.value);
+    }
+    double depth = 0;
+    for (int step_i = 0; step_i < 5 * rate; ++step_i) {
+        (void)ingot::step(*world, scalar(1) / static_cast<scalar>(rate));
+        for (const ingot::BodyId id : ids) depth = std::max(depth, radius - static_cast<double>(world->state(id).value.r_CM.z));
+    }
+    return depth;
+}
+/// Fifty times lighter is no load that sweeps cannot carry, however much the heap weighs in all.
+TEST(HighHeap, of_balls_bears_one_that_is_light) {
+    ingot_reference::RandomInput random(77);
+    for (const int rate : {30, 60}) {
+        const double alike = depth_of_high_heap(rate, 0, 1);
+        for (int case_i = 0; case_i < ingot_reference::draws(4); ++case_i) {
+            const int light_i = random.integer(100, 400);
+            EXPECT_LE(depth_of_high_heap(rate, light_i, 0.02), 1.5 * alike) << rate << " Hz, ball " << light_i;
+        }
     }
 }
 

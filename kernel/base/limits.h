@@ -164,9 +164,9 @@ inline constexpr int level_passes_max = 32;                                ///< 
 inline constexpr scalar gaining_residual = scalar(1e-4), gaining_speed = scalar(0.25);
 inline constexpr scalar gain_allowed = scalar(1e-6);
 inline constexpr int gaining_rounds = 8;
-/// An island of so many times the mass of its lightest body, whose sweeps end at their bound with a residual of this share of the speed that its
-/// heavy bodies would have without contacts, is being crushed: its impulses are dropped. Heavy: the heaviest is no more than heavy_ratio times as
-/// heavy.
+/// An island whose heaviest body has so many times the mass of its lightest, and whose sweeps end at their bound with a residual of this share of the
+/// speed that its heavy bodies would have without contacts, is being crushed: its impulses are dropped. Heavy: the heaviest is no more than
+/// heavy_ratio times as heavy. (Not by the mass of all: ten thousand like bodies are a pile.)
 inline constexpr scalar crushing_ratio = scalar(1e4), crushing_share = scalar(0.25), heavy_ratio = 50;
 inline constexpr int bounce_rounds = 8;           ///< in which bounces are lowered that gain energy by friction
 inline constexpr int landing_pushes = 4;                                   ///< of points that bounce within a substep: each leaves 1 % of the way

@@ -35,7 +35,7 @@ private:
     SymmetricMatrix inv_I_world_;
 };
 
-/// Of each island the sum of masses and the greatest inverse mass, in size and size_before; those that hang on kinematic bodies are no candidates.
+/// Of each island the greatest mass and the greatest inverse mass, in size and size_before; those that hang on kinematic bodies are no candidates.
 bool find_crushing(const SolverView& solver) {
     bool some = false;
     for (int island_i = 0; island_i < solver.island_count; ++island_i) {  // bound: max_bodies
@@ -49,7 +49,7 @@ bool find_crushing(const SolverView& solver) {
     for_bodies(solver, [&](int body_i) {
         Island& island = solver.islands[solver.island_of[body_i]];
         const scalar inv_M = solver.bodies[body_i].v_CM[3];
-        island.size += 1 / inv_M;
+        island.size = max(island.size, 1 / inv_M);
         island.size_before = max(island.size_before, inv_M);
     });
     some = false;
