@@ -13,7 +13,7 @@ namespace limits = ingot::limits;
 
 constexpr double eps = static_cast<double>(ingot::epsilon);
 constexpr int rates[] = {30, 60, 120, 240, 1000};
-constexpr int room = 600, least = (limits::substeps + limits::steady_substeps) * room, plenty = (1 << 30) - 1;
+constexpr int room = 600, plenty = ingot::no_budget - 1;
 
 template <class Solver, int budget, bool fast = false>
 struct Heap : Tight<room, 6 * room, ingot::SortedTree, Solver> {

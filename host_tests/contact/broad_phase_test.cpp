@@ -247,12 +247,12 @@ void expect_manifolds_of_all_near_pairs() {
     auto scene = play<Pile, BroadPhase>();
     const double h = 1.0 / 60, margin = static_cast<double>(ingot::limits::contact_margin), rounding = 1e-5;
     for (int step_i = 0; step_i < 200; ++step_i) {
-        std::vector<scenes::Surface> surfaces;
-        for (int i = 0; i < Pile::body_count; ++i) surfaces.push_back(scene.surface(i));
+        std::vector<PlacedBody> bodies;
+        for (int i = 0; i < Pile::body_count; ++i) bodies.push_back(scene.placed_now(i));
         int near = 0, within = 0;
         for (int i = Pile::wall_count; i < Pile::body_count; ++i) {
             for (int k = 0; k < i; ++k) {
-                const double apart = -scenes::overlap_of(surfaces[static_cast<std::size_t>(i)], surfaces[static_cast<std::size_t>(k)]);
+                const double apart = -overlap_by_faces(bodies[static_cast<std::size_t>(i)], bodies[static_cast<std::size_t>(k)]);
                 const double spin = scene.omega(i).norm() + (scene.moves(k) ? scene.omega(k).norm() : 0);
                 near += apart <= margin - rounding;
                 within += apart <= margin + h * ((scene.v(i) - scene.v(k)).norm() + 0.5 * spin) + rounding;

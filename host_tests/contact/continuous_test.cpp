@@ -11,11 +11,13 @@ using namespace scenes;
 
 using AllShapes = ingot::Shapes<ingot::Sphere, ingot::Capsule, ingot::Box, ingot::Cylinder, ingot::HalfSpace>;
 
-template <int bodies>
-struct FastRoom : Room<bodies> {
+template <int size>
+struct FastRoomOfSize : Room<size> {
     static constexpr bool continuous = true;
     using shapes = AllShapes;
 };
+template <int bodies>
+using FastRoom = FastRoomOfSize<room_size(bodies)>;
 
 constexpr double eps = static_cast<double>(ingot::epsilon);
 constexpr int rates[] = {30, 60, 240};

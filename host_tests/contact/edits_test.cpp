@@ -10,6 +10,7 @@
 #include <functional>
 #include <vector>
 
+#include "reference/brief_types.h"
 #include "reference/kernel_types.h"
 #include "reference/random_input.h"
 
@@ -121,8 +122,9 @@ void edit(World<S>& world, BodyId id, const BodyDef& to) {
 
 template <class S>
 class Edits : public ::testing::Test {};
-using Scenes = ::testing::Types<Yard<BlockSweeps>, Yard<HybridIslands<10>, true>, Yard<BlockSweeps, false, SortedTree>,
-                                Yard<BlockSweeps, true, SortedTree>, Light, Yard<SequentialImpulses, true>, Fast, Many, Impacts>;
+using Scenes = ingot_reference::BriefTypes<5, Yard<HybridIslands<10>, true>, Light, Fast, Many, Impacts, Yard<BlockSweeps>,
+                                           Yard<BlockSweeps, false, SortedTree>, Yard<BlockSweeps, true, SortedTree>,
+                                           Yard<SequentialImpulses, true>>;
 TYPED_TEST_SUITE(Edits, Scenes);
 
 TYPED_TEST(Edits, make_the_world_that_was_built_so) {

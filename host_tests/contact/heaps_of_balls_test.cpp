@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "contact/play.h"
+#include "reference/brief_types.h"
 #include "reference/random_input.h"
 
 namespace {
@@ -54,7 +55,8 @@ std::vector<PlacedBody> heap(RandomInput& random, double size) {
 
 template <class S>
 class HeapsOfBalls : public ::testing::Test {};
-using Scenes = ::testing::Types<Balls<false, ingot::AllPairs, true>, Balls<true, ingot::SortedTree, true>, Balls<false, ingot::SortedTree, false>>;
+using Scenes = ingot_reference::BriefTypes<2, Balls<true, ingot::SortedTree, true>, Balls<false, ingot::SortedTree, false>,
+                                           Balls<false, ingot::AllPairs, true>>;
 TYPED_TEST_SUITE(HeapsOfBalls, Scenes);
 
 TYPED_TEST(HeapsOfBalls, go_as_in_a_scene_that_could_have_boxes) {

@@ -18,7 +18,7 @@ using ingot::ShapeKind;
 constexpr double rest_speed = 1e-3;  // m/s: free fall through one step gives 0.16
 
 template <int bodies>
-using HullRoom = Hulled<bodies, 8 * bodies>;
+using HullRoom = Hulled<room_size(bodies), 8 * room_size(bodies)>;
 
 /// The bodies of a scene of cubes, their boxes replaced by the hull of a cube.
 template <class Scene>

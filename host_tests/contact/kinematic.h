@@ -10,9 +10,12 @@
 #include <cstring>
 #include <vector>
 
+#include "reference/brief_types.h"
+
 namespace kinematic {
 
 using namespace ingot;
+using ingot_reference::BriefTypes;
 
 constexpr scalar g = scalar(9.8125);
 constexpr int rates[] = {30, 60, 120, 240, 1000};

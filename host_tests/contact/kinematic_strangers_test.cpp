@@ -15,8 +15,8 @@ struct Everything : Yard<Solver, sleepy, is_continuous, Search> {
 };
 template <class S>
 struct Random : testing::Test {};
-using RandomScenes = testing::Types<Everything<BlockSweeps, false, false, AllPairs>, Everything<HybridIslands<20, 10>, true, true, SortedTree>,
-                                    Everything<SequentialImpulses, true, false, AllPairs>, Everything<BlockSweeps, true, true, AllPairs>>;
+using RandomScenes = BriefTypes<3, Everything<BlockSweeps, true, true, AllPairs>, Everything<HybridIslands<20, 10>, true, true, SortedTree>,
+                                Everything<SequentialImpulses, true, false, AllPairs>, Everything<BlockSweeps, false, false, AllPairs>>;
 TYPED_TEST_SUITE(Random, RandomScenes);
 
 /// Draws calls, with what is right for them.
@@ -124,7 +124,7 @@ TEST(KinematicSizes, the_tiny_and_the_huge_are_carried_alike) {
 
 template <class S>
 struct Sudden : testing::Test {};
-using SuddenScenes = testing::Types<Swept, Hybrid, HybridFast, Light, LightFast>;
+using SuddenScenes = BriefTypes<3, Swept, HybridFast, LightFast, Hybrid, Light>;
 TYPED_TEST_SUITE(Sudden, SuddenScenes);
 
 /// A lift that starts at once throws what stands on it, and loses nobody. A hit without restitution gives less than one with all of it: 2 v.

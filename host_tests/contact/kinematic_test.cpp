@@ -36,7 +36,7 @@ double allowed(int rate) { return rate < 60 ? 4e-4 : 1e-4; }
 
 template <class S>
 struct Carries : testing::Test {};
-using CarryingScenes = testing::Types<Swept, Hybrid, SweptAsleep, HybridFast>;
+using CarryingScenes = BriefTypes<2, SweptAsleep, HybridFast, Swept, Hybrid>;
 TYPED_TEST_SUITE(Carries, CarryingScenes);
 
 TYPED_TEST(Carries, a_stack_on_a_lift_stands) {
@@ -140,7 +140,7 @@ TYPED_TEST(Throws, a_fast_ball_does_not_get_through_a_moving_door) {
 
 template <class S>
 struct Pushes : testing::Test {};
-using PushingScenes = testing::Types<Swept, Hybrid, Light, SweptAsleep, SweptFast, HybridFast, LightFast, Rich>;
+using PushingScenes = BriefTypes<4, SweptFast, HybridFast, LightFast, Rich, Swept, Hybrid, Light, SweptAsleep>;
 TYPED_TEST_SUITE(Pushes, PushingScenes);
 
 /// A lift presses a column against a ceiling, and through it. Impulses of what cannot be are halved from substep to substep: they are never more than

@@ -17,10 +17,12 @@ namespace {
 using namespace ingot_contact;
 using namespace scenes;
 
-template <int bodies>
-struct MaterialRoom : Room<bodies> {
+template <int size>
+struct MaterialRoomOfSize : Room<size> {
     static constexpr bool rolling_resistance = true, surface_velocities = true;
 };
+template <int bodies>
+using MaterialRoom = MaterialRoomOfSize<room_size(bodies)>;
 struct CapsuleRoom : MaterialRoom<2> {
     using shapes = ingot::Shapes<ingot::Capsule, ingot::HalfSpace>;
 };

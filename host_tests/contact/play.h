@@ -12,10 +12,9 @@
 #include <memory>
 #include <vector>
 
-#include "collide/convex_oracle.h"
+#include "contact/body_measures.h"
 #include "reference/kernel_types.h"
 #include "scenes/contact/all_contact_scenes.h"
-#include "scenes/contact/exact_problem.h"
 
 namespace ingot_contact {
 
@@ -25,17 +24,18 @@ using ingot::scalar;
 using ingot::Status;
 using ingot::StepReport;
 using ingot::Vector;
-using ingot_reference::Matrix3d;
+using Matrix3d = Eigen::Matrix3d;
+using Vector3d = Eigen::Vector3d;
 using ingot_reference::to_eigen;
-using ingot_reference::Vector3d;
 using scenes::PlacedBody;
 
 constexpr bool is_double = sizeof(scalar) == 8;
 
-/// Room for any scene of so many bodies: in a pile of boxes a body has about twelve neighbours, and half of each pair is its own.
-template <int bodies, class BroadPhase = ingot::AllPairs, bool renews = true, int manifolds = 8 * bodies, int pairs = 2 * manifolds,
-          class Solver = ingot::BlockSweeps>
-struct Room : ingot::Scene {
+/// Rooms come in few sizes: each that is stepped takes the compiler as long as a dozen tests.
+constexpr int room_size(int bodies) { return bodies <= 8 ? 8 : bodies <= 48 ? 48 : bodies <= 256 ? 256 : bodies <= 1024 ? 1024 : bodies; }
+
+template <int bodies, class BroadPhase, bool renews, int manifolds, int pairs, class Solver>
+struct RoomOfSize : ingot::Scene {
     static constexpr int max_bodies = bodies;
     static constexpr bool translates = true;
     static constexpr int max_manifolds = manifolds;
@@ -45,6 +45,11 @@ struct Room : ingot::Scene {
     using solver = Solver;
     using shapes = ingot::Shapes<ingot::Sphere, ingot::Box, ingot::HalfSpace>;
 };
+
+/// Room for any scene of so many bodies: in a pile of boxes a body has about twelve neighbours, and half of each pair is its own.
+template <int bodies, class BroadPhase = ingot::AllPairs, bool renews = true, int manifolds = 8 * room_size(bodies), int pairs = 2 * manifolds,
+          class Solver = ingot::BlockSweeps>
+using Room = RoomOfSize<room_size(bodies), BroadPhase, renews, manifolds, pairs, Solver>;
 
 /// What step reports add up to.
 struct ReportSum {
@@ -118,11 +123,7 @@ public:
     Vector3d r(int body_i) const { return to_eigen(state(body_i).r_CM); }
     Vector3d v(int body_i) const { return to_eigen(state(body_i).v_CM); }
     Matrix3d A(int body_i) const { return to_eigen(state(body_i).A); }
-    Vector3d omega(int body_i) const {
-        const BodyState now = state(body_i);
-        const Matrix3d turned = to_eigen(now.A);
-        return turned * (turned.transpose() * to_eigen(now.L)).cwiseQuotient(to_eigen(placed(body_i).def.mass.I_body));
-    }
+    Vector3d omega(int body_i) const { return omega_of(placed_now(body_i)); }
     Vector3d moved(int body_i) const { return r(body_i) - to_eigen(placed(body_i).def.state.r_CM); }
 
     /// Horizontal way from its place, m.
@@ -132,10 +133,7 @@ public:
     }
 
     double M(int body_i) const { return static_cast<double>(placed(body_i).def.mass.M); }
-    double kinetic(int body_i) const {
-        if (!moves(body_i)) return 0;
-        return (M(body_i) * v(body_i).squaredNorm() + to_eigen(state(body_i).L).dot(omega(body_i))) / 2;
-    }
+    double kinetic(int body_i) const { return kinetic_energy_of(placed_now(body_i)); }
     double kinetic() const { return sum([this](int i) { return kinetic(i); }); }
     /// Kinetic, and potential from the origin on.
     double energy() const {
@@ -160,42 +158,26 @@ public:
     bool finite() const {
         for (int i = 0; i < body_count(); ++i) {
             const BodyState now = state(i);
-            if (!to_eigen(now.r_CM).allFinite() || !to_eigen(now.v_CM).allFinite() || !to_eigen(now.L).allFinite() || !to_eigen(now.A).allFinite())
-                return false;
+            if (!is_finite(now.r_CM) || !is_finite(now.v_CM) || !is_finite(now.L) || !is_finite(now.A)) return false;
         }
         return true;
     }
 
-    scenes::Surface surface(int body_i) const {
+    /// A body as it is now.
+    PlacedBody placed_now(int body_i) const {
         PlacedBody now = placed(body_i);
         now.def.state = state(body_i);
-        return scenes::Surface(now);
+        return now;
     }
 
-    /// How deep two bodies are inside each other, m: boxes by the oracle of the narrow phase, which knows the axes of edges too.
-    double overlap(int i, int k) const {
-        if (placed(i).def.shape.kind != ingot::ShapeKind::box || placed(k).def.shape.kind != ingot::ShapeKind::box)
-            return scenes::overlap_of(surface(i), surface(k));
-        return -static_cast<double>(ingot_oracle::signed_distance(box(i), box(k)));
-    }
+    /// How deep two bodies are inside each other, m.
+    double overlap(int i, int k) const { return overlap_of(placed_now(i), placed_now(k)); }
 
     /// Overlaps of pairs that overlap, m. Cost: all pairs.
     std::vector<double> overlaps() const {
-        std::vector<scenes::Surface> surfaces;
-        for (int i = 0; i < body_count(); ++i) surfaces.push_back(surface(i));
-        std::vector<double> found;
-        for (int i = 0; i < body_count(); ++i) {
-            for (int k = 0; k < i; ++k) {
-                if (!moves(i) && !moves(k)) continue;
-                const scenes::Surface &a = surfaces[static_cast<std::size_t>(i)], &b = surfaces[static_cast<std::size_t>(k)];
-                const bool bounded = a.kind != ingot::ShapeKind::half_space && b.kind != ingot::ShapeKind::half_space;
-                if (bounded && (a.centre - b.centre).norm() > a.radius + b.radius) continue;
-                if (!(scenes::overlap_of(a, b) > 0)) continue;
-                const double deep = overlap(i, k);
-                if (deep > 0) found.push_back(deep);
-            }
-        }
-        return found;
+        std::vector<PlacedBody> bodies;
+        for (int i = 0; i < body_count(); ++i) bodies.push_back(placed_now(i));
+        return overlaps_of(bodies);
     }
     double deepest_overlap() const {
         double most = 0;
@@ -204,10 +186,6 @@ public:
     }
 
 private:
-    ingot_oracle::Convex box(int body_i) const {
-        const BodyState now = state(body_i);
-        return ingot_oracle::box(to_eigen<long double>(now.r_CM), to_eigen<long double>(now.A), to_eigen<long double>(placed(body_i).def.shape.size));
-    }
     template <class Of>
     double sum(const Of& of) const {
         double total = 0;
@@ -232,26 +210,31 @@ private:
     bool sound_ = true;
 };
 
-/// A scene that is a type, in room for it.
-template <class Scene, class BroadPhase = ingot::AllPairs, bool renews = true>
-Play<Room<Scene::body_count, BroadPhase, renews>> play() {
-    return {scenes::bodies_of<Scene>(), Scene::gravity};
-}
-
-/// The same, solved by another than sweeps.
-template <class Scene, class Solver>
-using RoomSolvedBy = Room<Scene::body_count, ingot::AllPairs, true, 8 * Scene::body_count, 16 * Scene::body_count, Solver>;
-template <class Scene, class Solver>
-Play<RoomSolvedBy<Scene, Solver>> play_by() {
-    return {scenes::bodies_of<Scene>(), Scene::gravity};
-}
-
-/// Bodies from a function that takes more than their number.
+/// Bodies from a function of their number.
 template <int body_count, class BodyOf>
 std::vector<PlacedBody> bodies_from(const BodyOf& body_of) {
     std::vector<PlacedBody> bodies;
     for (int body_i = 0; body_i < body_count; ++body_i) bodies.push_back(body_of(body_i));
     return bodies;
+}
+
+template <class Scene>
+std::vector<PlacedBody> bodies_of() {
+    return bodies_from<Scene::body_count>(Scene::body);
+}
+
+/// A scene that is a type, in room for it.
+template <class Scene, class BroadPhase = ingot::AllPairs, bool renews = true>
+Play<Room<Scene::body_count, BroadPhase, renews>> play() {
+    return {bodies_of<Scene>(), Scene::gravity};
+}
+
+/// The same, solved by another than sweeps.
+template <class Scene, class Solver>
+using RoomSolvedBy = Room<Scene::body_count, ingot::AllPairs, true, 8 * room_size(Scene::body_count), 16 * room_size(Scene::body_count), Solver>;
+template <class Scene, class Solver>
+Play<RoomSolvedBy<Scene, Solver>> play_by() {
+    return {bodies_of<Scene>(), Scene::gravity};
 }
 
 /// What a test measured, beside what it asks for.

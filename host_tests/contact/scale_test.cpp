@@ -192,6 +192,15 @@ void expect_same_way(uint64_t seed) {
     }
 }
 
+/// A scale that is left to nightly: each is a scene.
+template <template <int> class SceneAt, int k>
+void expect_same_way_by_nightly(uint64_t seed) {
+    if constexpr (INGOT_TEST_BRIEF)
+        (void)seed;
+    else
+        expect_same_way<SceneAt, k>(seed);
+}
+
 template <int k>
 using Swept = Scaled<ingot::BlockSweeps, false, false, k>;
 template <int k>
@@ -203,18 +212,18 @@ using Sequential = Scaled<ingot::SequentialImpulses, true, true, k>;
 
 TEST(Scale, is_no_matter_to_sweeps) {
     expect_same_way<Swept, -10>(1);
-    expect_same_way<Swept, 10>(2);
+    expect_same_way_by_nightly<Swept, 10>(2);
 }
 TEST(Scale, is_no_matter_to_sleep) {
-    expect_same_way<Asleep, -10>(3);
+    expect_same_way_by_nightly<Asleep, -10>(3);
     expect_same_way<Asleep, 7>(4);
 }
 TEST(Scale, is_no_matter_to_direct_islands_and_fast_bodies) {
     expect_same_way<Direct, -9>(5);
-    expect_same_way<Direct, 10>(6);
+    expect_same_way_by_nightly<Direct, 10>(6);
 }
 TEST(Scale, is_no_matter_to_sequential_impulses) {
-    expect_same_way<Sequential, -10>(7);
+    expect_same_way_by_nightly<Sequential, -10>(7);
     expect_same_way<Sequential, 8>(8);
 }
 

@@ -18,19 +18,21 @@ constexpr double eps = static_cast<double>(ingot::epsilon);
 /// What rows at rest may leave of a speed, m/s: nobody takes a slip back but friction, which leaves that alone.
 constexpr double ignored_speed = static_cast<double>(ingot::limits::ignored_speed);
 
-template <int bodies>
-struct LightRoom : Room<bodies> {
+template <int size>
+struct LightRoomOfSize : Room<size> {
     static constexpr bool bounces = false;
     using solver = ingot::SequentialImpulses;
 };
+template <int bodies>
+using LightRoom = LightRoomOfSize<room_size(bodies)>;
 template <class Scene>
 Play<LightRoom<Scene::body_count>> play_lightly() {
     return {bodies_of<Scene>(), Scene::gravity};
 }
 
 /// Sinks <= 0.2 mm and drifts <= 1 mm within 60 s, and is at rest then: no faster than two sweeps may leave at each contact below.
-template <int bodies>
-void expect_rest(Play<LightRoom<bodies>> scene, double overlap_mm = 0.2) {
+template <class S>
+void expect_rest(Play<S> scene, double overlap_mm = 0.2) {
     ASSERT_TRUE(scene.sound());
     double worst_sink = 0, worst_shift = 0;
     scene.run(OnEarth::h, 60, [&](int) {

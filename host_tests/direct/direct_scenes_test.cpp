@@ -223,7 +223,7 @@ TEST(HybridIslands, land_without_sinking_in) {
 /// The scene as it stands, or with each box up to a millimetre beside its place.
 template <class Scene>
 std::vector<PlacedBody> drawn(int draw_i) {
-    std::vector<PlacedBody> bodies = scenes::bodies_of<Scene>();
+    std::vector<PlacedBody> bodies = ingot_contact::bodies_of<Scene>();
     if (draw_i == 0) return bodies;
     RandomInput random(static_cast<uint64_t>(draw_i));
     for (size_t i = 1; i < bodies.size(); ++i) bodies[i].def.state.r_CM += ingot_reference::to_vector(Eigen::Vector3d(random.vector(1e-3)));

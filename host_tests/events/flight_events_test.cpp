@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "reference/brief_types.h"
+
 namespace {
 
 using ingot::BodyDef;
@@ -27,8 +29,9 @@ struct Range : ingot::Scene {
 
 template <class S>
 class Flight : public ::testing::Test {};
-using Ranges = ::testing::Types<Range<ingot::BlockSweeps, false, 1>, Range<ingot::BlockSweeps, true, 2>, Range<ingot::HybridIslands<4>, true, 1>,
-                                Range<ingot::SequentialImpulses, false, 1>, Range<ingot::SequentialImpulses, true, 2>>;
+using Ranges = ingot_reference::BriefTypes<3, Range<ingot::BlockSweeps, true, 2>, Range<ingot::HybridIslands<4>, true, 1>,
+                                           Range<ingot::SequentialImpulses, false, 1>, Range<ingot::BlockSweeps, false, 1>,
+                                           Range<ingot::SequentialImpulses, true, 2>>;
 TYPED_TEST_SUITE(Flight, Ranges);
 
 constexpr scalar radius = scalar(0.02), face = scalar(-0.01);

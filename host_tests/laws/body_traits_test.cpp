@@ -9,6 +9,7 @@
 #include <cstring>
 #include <vector>
 
+#include "reference/brief_types.h"
 #include "reference/kernel_types.h"
 #include "reference/measure.h"
 #include "reference/random_input.h"
@@ -78,7 +79,7 @@ std::vector<uint8_t> saved(const World<S>& world) {
 
 template <class S>
 class BodyTraits : public ::testing::Test {};
-using Scenes = ::testing::Types<Named, Piled, Sleeping, Light, Direct, Fast, Bouncing, InField>;
+using Scenes = ingot_reference::BriefTypes<6, Sleeping, Light, Direct, Fast, Bouncing, InField, Named, Piled>;
 TYPED_TEST_SUITE(BodyTraits, Scenes);
 
 TEST(DecayShare, is_one_less_the_exponential) {

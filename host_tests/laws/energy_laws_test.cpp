@@ -12,6 +12,7 @@
 #include <memory>
 #include <vector>
 
+#include "reference/brief_types.h"
 #include "reference/kernel_types.h"
 #include "reference/random_input.h"
 
@@ -148,7 +149,8 @@ double largest_gain(Thrown<S>& thrown, double h, double seconds) {
 
 template <class S>
 class Energy : public ::testing::Test {};
-using Engines = ::testing::Types<Room<ingot::BlockSweeps, false>, Room<ingot::HybridIslands<8, 24>, false>, Room<ingot::BlockSweeps, true>>;
+using Engines = ingot_reference::BriefTypes<2, Room<ingot::BlockSweeps, true>, Room<ingot::HybridIslands<8, 24>, false>,
+                                            Room<ingot::BlockSweeps, false>>;
 TYPED_TEST_SUITE(Energy, Engines);
 
 /// One body, no gravity: any shape, e in 0 .. 1 and its ends, with friction and without.

@@ -7,6 +7,8 @@
 #include <cstring>
 #include <vector>
 
+#include "reference/brief_types.h"
+
 namespace {
 
 using namespace ingot;
@@ -49,7 +51,7 @@ BodyDef ball(const Vector& r_CM, scalar M = 2) {
 
 template <class S>
 class GravityShares : public ::testing::Test {};
-using Scenes = ::testing::Types<Sharing, Piled, Sleeping, Light, Fast, Bouncing>;
+using Scenes = ingot_reference::BriefTypes<4, Sleeping, Light, Fast, Bouncing, Sharing, Piled>;
 TYPED_TEST_SUITE(GravityShares, Scenes);
 
 TYPED_TEST(GravityShares, scale_the_fall) {

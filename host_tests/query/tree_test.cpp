@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Queries that go through the tree answer what those answer that look at all bodies.
 #include "query/twins.h"
+#include "reference/brief_types.h"
 #include "reference/draws.h"
 
 using namespace query_twins;
@@ -13,7 +14,7 @@ using Two = Twins<Yard<Search, bodies, shapes_of_body, sleepy, follows>, Yard<in
 
 template <class Worlds>
 class QueriesByTree : public ::testing::Test {};
-using Kinds = ::testing::Types<Two<60, 1, false, false>, Two<60, 1, true, true>, Two<40, 3, false, false>, Two<40, 3, true, false>>;
+using Kinds = ingot_reference::BriefTypes<2, Two<60, 1, true, true>, Two<40, 3, false, false>, Two<60, 1, false, false>, Two<40, 3, true, false>>;
 TYPED_TEST_SUITE(QueriesByTree, Kinds);
 
 constexpr Cloud clouds[] = {{10, 0.2, 2}, {30, 0.01, 100}, {2e4, 0.5, 20}, {0.5, 0.01, 0.1}};

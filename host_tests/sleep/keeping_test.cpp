@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What sleep keeps: bits, snapshots, events, sensors; in worlds where anything may happen.
+#include "reference/brief_types.h"
 #include "sleep/nursery.h"
 
 namespace {
@@ -17,9 +18,10 @@ std::vector<uint8_t> saved(const ingot::World<S>& world) {
 
 template <class S>
 class Keeping : public ::testing::Test {};
-using Nurseries = ::testing::Types<Nursery<ingot::MoserVeselov>, Nursery<ingot::LieMidpoint, ingot::SortedTree>, Nursery<ingot::ExactElliptic>,
-                                   Nursery<ingot::DiscreteMoserVeselov<4, true, true>, ingot::SortedTree>, Compounds<ingot::AllPairs>,
-                                   Compounds<ingot::SortedTree>, Crowd<ingot::AllPairs>, Crowd<ingot::SortedTree>>;
+using Nurseries = ingot_reference::BriefTypes<5, Nursery<ingot::LieMidpoint, ingot::SortedTree>, Nursery<ingot::ExactElliptic>,
+                                              Nursery<ingot::DiscreteMoserVeselov<4, true, true>, ingot::SortedTree>, Compounds<ingot::AllPairs>,
+                                              Crowd<ingot::SortedTree>, Nursery<ingot::MoserVeselov>, Compounds<ingot::SortedTree>,
+                                              Crowd<ingot::AllPairs>>;
 TYPED_TEST_SUITE(Keeping, Nurseries);
 
 TYPED_TEST(Keeping, who_sleeps_keeps_every_bit_until_it_wakes) {

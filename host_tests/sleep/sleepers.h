@@ -16,11 +16,13 @@ using namespace scenes;
 constexpr scalar h = OnEarth::h;
 constexpr double sleep_speed = static_cast<double>(ingot::limits::sleep_speed), sleep_time = static_cast<double>(ingot::limits::sleep_time);
 
-template <int bodies, bool sleepy = true, class BroadPhase = ingot::AllPairs, int manifolds = 8 * bodies>
-struct Bedroom : Room<bodies, BroadPhase, true, manifolds> {
+template <int size, bool sleepy, class BroadPhase, int manifolds>
+struct BedroomOfSize : Room<size, BroadPhase, true, manifolds> {
     static constexpr bool sleeps = sleepy;
     static constexpr bool filters = true;
 };
+template <int bodies, bool sleepy = true, class BroadPhase = ingot::AllPairs, int manifolds = 8 * room_size(bodies)>
+using Bedroom = BedroomOfSize<room_size(bodies), sleepy, BroadPhase, manifolds>;
 
 /// Steps in sleep_time.
 inline const int steps_to_sleep = static_cast<int>(std::lround(sleep_time / static_cast<double>(h)));
