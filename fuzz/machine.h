@@ -406,7 +406,7 @@ protected:
         if (kind < 244) return BodyId{};
         BodyId id = known_.id_count > 0 ? known_.ids[0] : BodyId{};
         if (kind < 248) id.generation += in.byte();
-        else if (kind < 250) id.slot = in.raw<uint16_t>();
+        else if (kind < 250) id.slot = in.raw<ingot::Index>();
         else if (kind < 252) id.world_tag = in.raw<uint16_t>();
         else id = in.raw<BodyId>();
         return id;

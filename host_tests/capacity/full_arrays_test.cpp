@@ -151,6 +151,7 @@ struct Heap : ingot::Scene {
 };
 
 TEST(FullContacts, counts_end_at_their_largest_value_and_do_not_begin_anew) {
+    if (INGOT_INDEX_BITS != 16) GTEST_SKIP() << "no test comes to the end of 32 bits";
     static World<Heap> world;
     clear(world);
     for (int ball_i = 0; ball_i < heap_count; ++ball_i) ASSERT_TRUE(world.add(plain_body({}, ingot::Sphere{1})).ok());
@@ -199,7 +200,7 @@ void fill_past_the_end(Fenced<S>& fenced) {
         }
         (void)world.contact(again);
         (void)world.body_at(again);
-        (void)world.state({static_cast<uint16_t>(again), 0, 1});
+        (void)world.state({static_cast<ingot::Index>(again), 0, 1});
         ASSERT_TRUE(fenced.intact());
     }
     EXPECT_EQ(world.add(plain_body({})).ok(), world.body_count() <= S::max_bodies && fenced.intact());

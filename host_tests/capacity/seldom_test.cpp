@@ -244,11 +244,11 @@ TEST(Ids, of_two_worlds_differ_in_their_tag_alone) {
 TEST(Reports, are_clean_when_no_count_is_raised) {
     StepReport report{};
     EXPECT_TRUE(report.clean());
-    for (uint16_t StepReport::*const harmless : {&StepReport::contacts, &StepReport::impact_waves, &StepReport::sweeps}) {
+    for (ingot::Index StepReport::*const harmless : {&StepReport::contacts, &StepReport::impact_waves, &StepReport::sweeps}) {
         report.*harmless = 1;
         EXPECT_TRUE(report.clean());
     }
-    for (uint16_t StepReport::*const telling :
+    for (ingot::Index StepReport::*const telling :
          {&StepReport::bodies_frozen, &StepReport::spins_clamped, &StepReport::contacts_lost, &StepReport::pairs_untested,
           &StepReport::impacts_deferred, &StepReport::sweeps_unfinished, &StepReport::overlaps_lost, &StepReport::events_lost}) {
         report.*telling = 1;
@@ -339,7 +339,7 @@ TEST(Hulls, beyond_the_range_are_refused_along_each_axis) {
 /// Balls and boxes that come near and do not touch: scenes without friction look at each pair whose bounding balls touch.
 TEST(Impacts, of_what_is_apart_are_none) {
     ingot::Contact contacts[8];
-    uint16_t count = 0, lost = 0;
+    ingot::Index count = 0, lost = 0;
     ingot::ContactSink sink{{contacts, &count, 8}, 0, 1, 0, &lost};
     const ingot::Matrix upright = ingot::identity_matrix<scalar>();
     const ingot::Placed ball{ingot::Sphere{1}, {0, 0, scalar(2.5)}, upright}, other{ingot::Sphere{1}, {}, upright},
@@ -355,7 +355,7 @@ TEST(Impacts, of_what_is_apart_are_none) {
 
 TEST(Impacts, of_what_overlaps_say_by_how_much) {
     ingot::Contact contacts[8];
-    uint16_t count = 0, lost = 0;
+    ingot::Index count = 0, lost = 0;
     ingot::ContactSink sink{{contacts, &count, 8}, 0, 1, 0, &lost};
     const ingot::Matrix upright = ingot::identity_matrix<scalar>();
     const ingot::Placed ball{ingot::Sphere{1}, {0, 0, scalar(1.75)}, upright}, other{ingot::Sphere{scalar(0.5)}, {0, 0, scalar(0.5)}, upright};

@@ -56,10 +56,10 @@ TEST(PlacedShapes, are_where_the_body_has_them_and_turn_with_it) {
 TEST(PlacedShapes, have_events_of_their_bodies) {
     constexpr int each = 3;
     ingot::Event events[4] = {};
-    std::uint16_t count = 0, lost = 0;
+    ingot::Index count = 0, lost = 0;
     for (int i = 0; i < 4; ++i) {
-        events[i].A.slot = static_cast<std::uint16_t>(5 + i), events[i].A.generation = 7;
-        events[i].B.slot = static_cast<std::uint16_t>(13 + i);
+        events[i].A.slot = static_cast<ingot::Index>(5 + i), events[i].A.generation = 7;
+        events[i].B.slot = static_cast<ingot::Index>(13 + i);
         ++count;
     }
     ingot::name_bodies<each>({events, &count, 4, &lost});

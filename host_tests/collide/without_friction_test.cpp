@@ -24,7 +24,7 @@ constexpr double eps = static_cast<double>(ingot::epsilon), flatness = static_ca
 /// Room for the contacts of a pair.
 struct Sink {
     Contact contacts[8] = {};
-    std::uint16_t count = 0, lost = 0;
+    ingot::Index count = 0, lost = 0;
     ingot::ContactSink sink{{contacts, &count, 8}, 1, 0, scalar(0.5), &lost};
 };
 

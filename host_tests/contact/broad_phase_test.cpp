@@ -12,6 +12,7 @@ namespace {
 
 using namespace ingot_contact;
 using ingot::BodyPair;
+using ingot::Index;
 using ingot::lanes;
 using ingot_reference::RandomInput;
 
@@ -55,17 +56,17 @@ struct Bodies {
                 return false;
         return true;
     }
-    std::vector<std::uint32_t> expected() const {
-        std::vector<std::uint32_t> keys;
+    std::vector<ingot::PairKey> expected() const {
+        std::vector<ingot::PairKey> keys;
         for (int a = 0; a < count; ++a)
             for (int b = a + 1; b < count; ++b)
-                if ((moves(a) || moves(b)) && overlap(a, b)) keys.push_back(static_cast<std::uint32_t>(a) << 16 | static_cast<std::uint32_t>(b));
+                if ((moves(a) || moves(b)) && overlap(a, b)) keys.push_back(ingot::key_of(static_cast<Index>(a), static_cast<Index>(b)));
         return keys;
     }
 };
 
 struct Found {
-    std::vector<std::uint32_t> keys;
+    std::vector<ingot::PairKey> keys;
     int lost;
 };
 template <class BroadPhase>
@@ -73,7 +74,7 @@ Found found_by(Bodies& bodies, int capacity) {
     using Memory = typename BroadPhase::template Memory<bodies_max, pairs_max>;
     static const std::unique_ptr<Memory> memory(new Memory{});  // what an earlier search left in it must not matter
     std::vector<BodyPair> pairs(static_cast<std::size_t>(capacity));
-    std::uint16_t count = 7, lost = 7;
+    Index count = 7, lost = 7;
     std::vector<std::uint8_t> flags(bodies.bounds.size() * lanes, ingot::SearchFlag::searched);
     memory->find_pairs({bodies.view(), {}, bodies.bounds.data(), flags.data()}, {pairs.data(), capacity, &count, &lost});
     Found found;
@@ -120,7 +121,7 @@ TEST(BroadPhase, both_find_exactly_the_overlaps) {
     for (const int count : counts) {
         for (int scene_i = 0; scene_i < (count > 500 ? 4 : 30); ++scene_i) {
             Bodies bodies = random_bodies(random, count);
-            const std::vector<std::uint32_t> expected = bodies.expected();
+            const std::vector<ingot::PairKey> expected = bodies.expected();
             if (expected.size() > pairs_max) continue;
             const Found all = found_by<ingot::AllPairs>(bodies, pairs_max), tree = found_by<ingot::SortedTree>(bodies, pairs_max);
             ASSERT_EQ(all.keys, expected) << count;
@@ -142,7 +143,7 @@ void expect_full_array_is_told() {
     RandomInput random(4);
     for (const int count : {9, 64, 300, 1000}) {
         Bodies bodies = random_bodies(random, count);
-        const std::vector<std::uint32_t> expected = bodies.expected();
+        const std::vector<ingot::PairKey> expected = bodies.expected();
         if (expected.size() < 2 || expected.size() > pairs_max) continue;
         for (const std::size_t capacity : {expected.size() - 1, expected.size() / 2, std::size_t{1}}) {
             const Found found = found_by<BroadPhase>(bodies, static_cast<int>(capacity));
@@ -160,6 +161,7 @@ TEST(BroadPhase, sorted_tree_tells_what_has_no_room) { expect_full_array_is_told
 /// More than can be counted are as many as can.
 template <class BroadPhase>
 void expect_lost_pairs_are_counted_to_the_end() {
+    if (INGOT_INDEX_BITS != 16) GTEST_SKIP() << "no test comes to the end of 32 bits";
     constexpr int count = 400;
     Bodies bodies(count);
     for (int slot = 0; slot < count; ++slot) bodies.put(slot, Vector3d(0, 0, 0), Vector3d(1, 1, 1), true);
@@ -200,7 +202,7 @@ TEST(BroadPhase, a_kept_tree_finds_the_pairs_of_those_that_are_due) {
             std::vector<std::uint8_t> flags(bodies.bounds.size() * lanes, 0);
             for (int slot = 0; slot < count; ++slot) flags[static_cast<std::size_t>(slot)] = scene_i % 2 == 0 || random.integer(0, 2) > 0;
             std::vector<BodyPair> pairs(pairs_max);
-            std::uint16_t found = 0, lost = 0;
+            Index found = 0, lost = 0;
             const ingot::SearchView search = {bodies.view(), {}, bodies.bounds.data(), flags.data()};
             const ingot::PairList list = {pairs.data(), pairs_max, &found, &lost};
             memory->find_pairs(search, list);
@@ -220,9 +222,10 @@ TEST(BroadPhase, a_kept_tree_finds_the_pairs_of_those_that_are_due) {
                         bodies.put(slot, centre - half, centre + half, random.integer(0, 7) > 0);
                 }
                 memory->find_due_pairs(search, due, list);
-                std::vector<std::uint32_t> expected, keys;
-                for (const std::uint32_t key : bodies.expected()) {
-                    const int A = static_cast<int>(key >> 16), B = static_cast<int>(key & 65535u);
+                std::vector<ingot::PairKey> expected, keys;
+                for (const ingot::PairKey key : bodies.expected()) {
+                    const ingot::PairKey high = key >> INGOT_INDEX_BITS;
+                    const int A = static_cast<int>(high), B = static_cast<int>(key - (high << INGOT_INDEX_BITS));
                     if (search.has(A, ingot::SearchFlag::searched) || search.has(B, ingot::SearchFlag::searched)) expected.push_back(key);
                 }
                 if (expected.size() > pairs_max) break;

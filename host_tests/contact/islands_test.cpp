@@ -104,7 +104,7 @@ struct Yard {
             record.manifold.points[i].P = {P.x + ((i & 1) != 0 ? side : -side), (i & 2) != 0 ? side : -side, P.z};
             record.manifold.points[i].feature = static_cast<std::uint32_t>(i);
         }
-        pile.pairs.push_back({static_cast<std::uint16_t>(below), static_cast<std::uint16_t>(above), static_cast<std::uint16_t>(pile.records.size())});
+        pile.pairs.push_back({static_cast<ingot::Index>(below), static_cast<ingot::Index>(above), static_cast<ingot::Index>(pile.records.size())});
         pile.records.push_back(record);
     }
 
@@ -347,7 +347,7 @@ TEST(Islands, have_sums_of_their_own) {
             std::map<std::pair<int, int>, int> of_colour;
             int manifolds = 0, several = 0;
             for (int position = 0; position < solver.lane_count; ++position) {
-                const std::uint16_t manifold_i = ingot::manifold_at(solver, position);
+                const ingot::Index manifold_i = ingot::manifold_at(solver, position);
                 if (manifold_i == ingot::no_manifold || solver.island_at[manifold_i] != island_i) continue;
                 const ingot::ContactBlock& block = solver.blocks[position / lanes];
                 const int level = solver.level[manifold_i], colour = solver.colour[manifold_i];
@@ -389,7 +389,7 @@ TEST(Islands, that_are_settled_drop_out_of_the_sweeps) {
             for (int visit_i = 0; visit_i < solver.live_count; ++visit_i) {
                 const ingot::Visit visit = solver.live[visit_i];
                 for (int lane_i = 0; lane_i < lanes; ++lane_i) {
-                    const std::uint16_t manifold_i = solver.blocks[visit.block].manifold[lane_i];
+                    const ingot::Index manifold_i = solver.blocks[visit.block].manifold[lane_i];
                     if ((visit.lane_bits >> lane_i & 1u) != 0 && manifold_i != ingot::no_manifold) ++live[manifold_i];
                 }
             }
@@ -410,7 +410,7 @@ TEST(Islands, that_are_settled_drop_out_of_the_sweeps) {
                 EXPECT_EQ(same, !island.in_batch || !island.sweeps_on) << body_i;
             }
             for (int position = 0; position < solver.lane_count; ++position) {
-                const std::uint16_t manifold_i = ingot::manifold_at(solver, position);
+                const ingot::Index manifold_i = ingot::manifold_at(solver, position);
                 if (manifold_i == ingot::no_manifold) continue;
                 const ingot::ContactBlock &is = solver.blocks[position / lanes], &was = blocks[static_cast<std::size_t>(position / lanes)];
                 const int lane_i = position % lanes;

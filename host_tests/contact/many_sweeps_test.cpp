@@ -94,7 +94,7 @@ Twins random_pile(RandomInput& random, double mu_max) {
                 record.manifold.points[i].feature = static_cast<std::uint32_t>(i);
             }
             pile.pairs.push_back(
-                {static_cast<std::uint16_t>(lower), static_cast<std::uint16_t>(upper), static_cast<std::uint16_t>(pile.records.size())});
+                {static_cast<ingot::Index>(lower), static_cast<ingot::Index>(upper), static_cast<ingot::Index>(pile.records.size())});
             pile.records.push_back(record);
         }
     }
@@ -133,7 +133,7 @@ void take_in(ingot::SolverView& solver, const ContactProblem& problem) {
     solver.body_count = static_cast<int>(problem.bodies.size());
     for (int slot = 1; slot < solver.body_count; ++slot) {
         const ContactBody& body = problem.bodies[static_cast<std::size_t>(slot)];
-        solver.local_of[slot] = solver.slot_of[slot] = static_cast<std::uint16_t>(slot);
+        solver.local_of[slot] = solver.slot_of[slot] = static_cast<ingot::Index>(slot);
         put(solver.bodies[slot].v_CM, body.v_CM, body.inv_M);
         put(solver.bodies[slot].L, body.inv_I_world.inverse() * body.omega, 0);
     }
@@ -243,7 +243,7 @@ double sum_by_lanes(const ingot::SolverView& solver) {
 struct LightPile {
     std::vector<ingot::PointBody> bodies;
     std::vector<ingot::PointContact> contacts;
-    std::vector<std::uint16_t> members, body_slots;
+    std::vector<ingot::Index> members, body_slots;
     ingot::PointView view{};
 
     explicit LightPile(Twins& twins)

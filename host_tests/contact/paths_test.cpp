@@ -430,7 +430,7 @@ TEST(PairSubWorld, refuse_a_state_that_is_no_number) {
 /// They press on each other where any of the points of their manifolds has an impulse; what is left of points before does not count.
 TEST(PairContacts, press_on_each_other_where_a_point_carries) {
     static ingot::PairContacts<2, ingot::SolverView> contacts;
-    uint16_t lost = 0;
+    ingot::Index lost = 0;
     for (int at = 0; at < 2; ++at) {
         for (int count = 0; count <= 4; ++count) {
             for (unsigned carrying = 0; carrying < 16; ++carrying) {
@@ -455,7 +455,7 @@ TEST(PairContacts, keep_the_deepest) {
     int order[5] = {0, 1, 2, 3, 4};
     do {
         contacts.count = 0;
-        uint16_t lost = 0;
+        ingot::Index lost = 0;
         for (const int depth : order) {
             ingot::Manifold manifold{};
             manifold.count = 1;

@@ -23,7 +23,7 @@ struct Pile {
     std::vector<ingot::Visit> visits, some_visits;
     std::vector<ingot::Island> islands;
     std::vector<std::uint8_t> colour;
-    std::vector<std::uint16_t> members, sorted, island_at, level, slot_of, local_of, level_of_body, island_of, batch_bodies;
+    std::vector<ingot::Index> members, sorted, island_at, level, slot_of, local_of, level_of_body, island_of, batch_bodies;
     std::vector<ingot::SolverBody> solver_bodies;
     std::vector<ingot::SolverBodyHistory> histories;
     std::vector<std::uint32_t> colours;

@@ -32,7 +32,7 @@ struct Touching {
     ingot::BodyPair pair = {0, ingot::lanes + 1, 0};
     ingot::ManifoldRecord record{};
     ingot::PointContact contact{};
-    std::uint16_t member = 0, body_slots[2] = {};
+    ingot::Index member = 0, body_slots[2] = {};
     ingot::PointView view{};
     int lowest = 0;  ///< slot of the lowest body of the first island
 

@@ -32,7 +32,7 @@ struct Solved {
     ingot::SolverBody bodies[3] = {};
     ingot::SolverBodyHistory histories[3] = {};
     ingot::Island islands[2] = {};
-    std::uint16_t slot_of[3] = {0, 1, ingot::lanes + 1}, island_of[3] = {ingot::no_island, 0, 1}, batch_bodies[2] = {1, 2};
+    ingot::Index slot_of[3] = {0, 1, ingot::lanes + 1}, island_of[3] = {ingot::no_island, 0, 1}, batch_bodies[2] = {1, 2};
     Vector3d v[3], L[3], dp[3], L_sum[3];
 
     Solved() {

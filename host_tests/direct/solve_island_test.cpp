@@ -112,8 +112,8 @@ struct RandomIsland {
         const int manifold_i = storage.manifold_count++;
         ingot::ManifoldRecord& record = storage.records[manifold_i];
         record.mu = static_cast<scalar>(random.real(0, mu_most));
-        storage.pairs[manifold_i] = {static_cast<uint16_t>(below), static_cast<uint16_t>(above),
-                                     static_cast<uint16_t>(manifold_i)};
+        storage.pairs[manifold_i] = {static_cast<ingot::Index>(below), static_cast<ingot::Index>(above),
+                                     static_cast<ingot::Index>(manifold_i)};
         const Vector3d n = (Vector3d(0, 0, 1.2) + random.direction()).normalized(),
                        across = n.cross(random.direction()).normalized();
         const auto &A = problem.bodies[static_cast<std::size_t>(below)], &B = problem.bodies[static_cast<std::size_t>(above)];
@@ -401,7 +401,7 @@ TEST(DirectIsland, that_is_solved_is_left_out_of_the_sweeps) {
             const ingot::Visit visit = visits[visit_i];
             const ingot::ContactBlock& block = solver.blocks[visit.block];
             for (int lane_i = 0; lane_i < ingot::lanes; ++lane_i) {
-                const uint16_t manifold_i = block.manifold[lane_i];
+                const ingot::Index manifold_i = block.manifold[lane_i];
                 if ((visit.lane_bits >> lane_i & 1u) == 0 || manifold_i == ingot::no_manifold) continue;  // spare lanes join a visit
                 EXPECT_EQ(block.island[lane_i], solver.island_at[manifold_i]);
                 // A visit that names an island is added up as one vector.

@@ -123,12 +123,12 @@ std::string read_fields(const std::vector<uint8_t>& bytes, SnapshotFields& snaps
         if (generation % 2 == 1) read_body(in, parts);
     }
     in.at_slot(-1);
-    uint16_t manifolds = 0;
+    ingot::Index manifolds = 0;
     if (has(parts, ingot::features::Manifolds::part)) in("manifolds", manifolds);
     for (int manifold_i = 0; manifold_i < manifolds && !in.overrun(); ++manifold_i) read_numbers<ingot::OfManifold>(in, parts);
     ingot::features::All::over_all([&](auto feature) {
         using F = decltype(feature);
-        uint16_t entries = 0;
+        ingot::Index entries = 0;
         if (F::has_entries && has(parts, F::part)) in("entries", entries);
         typename F::OfEntry entry{};
         for (int entry_i = 0; entry_i < entries && !in.overrun(); ++entry_i) entry.numbers(in, parts);

@@ -33,18 +33,18 @@ ingot::AnyVisits any_visits;
 struct Rows {
     Tiles tiles;
     std::vector<Contact> contacts;
-    std::uint16_t count = 0;
+    ingot::Index count = 0;
 
     explicit Rows(int slots) : tiles(slots) {}
     ingot::ContactView view() {
-        count = static_cast<std::uint16_t>(contacts.size());
+        count = static_cast<ingot::Index>(contacts.size());
         return {contacts.data(), &count, static_cast<int>(contacts.size())};
     }
 
     /// n from B to A; the places of the point are from the centres of mass.
     void touch(int A, int B, const Eigen::Vector3d& n, const Eigen::Vector3d& r_A, const Eigen::Vector3d& r_B, double e = 0) {
         Contact c{};
-        c.body_A = static_cast<std::uint16_t>(A), c.body_B = static_cast<std::uint16_t>(B);
+        c.body_A = static_cast<ingot::Index>(A), c.body_B = static_cast<ingot::Index>(B);
         c.n = to_vector(n);
         c.lever_A = cross(to_vector(r_A), c.n), c.lever_B = cross(to_vector(r_B), c.n);
         c.e = static_cast<scalar>(e);

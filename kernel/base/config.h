@@ -10,6 +10,11 @@
 #define INGOT_LANES 1
 #endif
 
+/// Bits of the numbers that name bodies, shapes, pairs and manifolds: 16, or 32 for worlds of more than 65535 of any of them.
+#ifndef INGOT_INDEX_BITS
+#define INGOT_INDEX_BITS 16
+#endif
+
 /// 0: the scalar is float; 1: double.
 #ifndef INGOT_DOUBLE
 #define INGOT_DOUBLE 0
@@ -47,11 +52,19 @@
 #define INGOT_JOIN_(a, b, c) a##b##c
 #define INGOT_JOIN(a, b, c) INGOT_JOIN_(a, b, c)
 
-/// Part of every symbol's name, so that objects built for other scalars or lane counts do not link.
-#if INGOT_DOUBLE
-#define INGOT_ABI INGOT_JOIN(f64x, INGOT_LANES, )
+#if INGOT_INDEX_BITS == 16
+#define INGOT_ABI_INDEX
+#elif INGOT_INDEX_BITS == 32
+#define INGOT_ABI_INDEX i32
 #else
-#define INGOT_ABI INGOT_JOIN(f32x, INGOT_LANES, )
+#error "ingot: INGOT_INDEX_BITS is 16 or 32"
+#endif
+
+/// Part of every symbol's name, so that objects built for other scalars, lane counts or widths of indices do not link.
+#if INGOT_DOUBLE
+#define INGOT_ABI INGOT_JOIN(f64x, INGOT_LANES, INGOT_ABI_INDEX)
+#else
+#define INGOT_ABI INGOT_JOIN(f32x, INGOT_LANES, INGOT_ABI_INDEX)
 #endif
 
 /// Helpers over lanes are inlined at every level: a vector passed by value across a call is an ABI trap. With one lane and
@@ -94,6 +107,20 @@ inline constexpr scalar scalar_max = FLT_MAX;
 #endif
 
 inline constexpr int lanes = INGOT_LANES;
+
+/// Of a body, shape, pair, manifold, contact, island; and how many there are. With 32 bits a world holds up to index_max of each, as far as there is
+/// memory.
+#if INGOT_INDEX_BITS == 16
+using Index = uint16_t;
+using PairKey = uint32_t;  ///< of two indices
+inline constexpr int index_max = 65535;
+#else
+using Index = int32_t;
+using PairKey = uint64_t;
+inline constexpr int index_max = (1 << 24) - 1;
+#endif
+
+constexpr PairKey key_of(Index a, Index b) { return static_cast<PairKey>(a) << INGOT_INDEX_BITS | static_cast<PairKey>(b); }
 static_assert(lanes == 1 || lanes == 2 || lanes == 4 || lanes == 8 || lanes == 16, "INGOT_LANES is 1, 2, 4, 8 or 16");
 static_assert(sizeof(float) == 4 && sizeof(double) == 8, "ingot needs IEEE 754 single and double precision");
 

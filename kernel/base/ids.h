@@ -14,7 +14,7 @@ namespace ingot { inline namespace INGOT_ABI {
 /// the other for its own where slot and generation fit. A world holds no pointer and knows of no other, so nothing can tell: who has two worlds gives
 /// each a tag.
 struct BodyId {
-    uint16_t slot{};
+    Index slot{};
     uint16_t world_tag{};   ///< World::set_tag; tells apart the ids of several worlds of one scene
     uint32_t generation{};
 

@@ -7,9 +7,9 @@
 namespace ingot { inline namespace INGOT_ABI {
 
 /// Counts n more; a counter that is full stays full, and never begins anew.
-constexpr void count(uint16_t& counter, int n = 1) {
-    constexpr int full = 65535;
-    counter = static_cast<uint16_t>(n > full - counter ? full : counter + n);
+constexpr void count(Index& counter, int n = 1) {
+    constexpr int full = index_max;
+    counter = static_cast<Index>(n > full - counter ? full : counter + n);
 }
 
 /// What the direct solver did in a step: bits of StepReport::direct, which take no room of their own there.
@@ -27,24 +27,24 @@ struct [[nodiscard]] StepReport {
     Status status{};             ///< bad_step: the step was refused and nothing has changed
     uint8_t direct{};            ///< DirectBits
 
-    uint16_t bodies_frozen{};    ///< driven out of range in this step: they stand still, see World::is_frozen
+    Index bodies_frozen{};    ///< driven out of range in this step: they stand still, see World::is_frozen
     /// turned by the largest angle a step allows instead of omega h, or, by CommutatorFree4, further than its substeps are right for: lower h
-    uint16_t spins_clamped{};
-    uint16_t contacts{};         ///< contacts found
+    Index spins_clamped{};
+    Index contacts{};         ///< contacts found
     /// no room: raise Scene::max_manifolds, or max_contacts in a scene of impacts without friction, to what World::room_needed says; pairs_lost are
     /// among them. Who meets what cannot move is kept first, then who is deepest. The others do not fall: they are stopped, one by one and without
     /// the others in view, see impulse/hold_apart.h. In such a step nothing ends deeper in a fixed shape than limits::touching_gap, and bodies sink
     /// into each other by what gravity moves them in a few steps, or slide off; they do not sleep. Without friction nothing takes overlap back: there
     /// they end a few times deeper than they come in one step. With holds_crowds = false they fall
-    uint16_t contacts_lost{};
-    uint16_t pairs_lost{};       ///< of contacts_lost, pairs whose bounds overlap: raise Scene::max_pairs
-    uint16_t pairs_untested{};   ///< pairs of shapes that overlap by their bounds, and for which the kernel has no test yet
-    uint16_t impact_waves{};     ///< rounds of simultaneous impacts that were resolved
+    Index contacts_lost{};
+    Index pairs_lost{};       ///< of contacts_lost, pairs whose bounds overlap: raise Scene::max_pairs
+    Index pairs_untested{};   ///< pairs of shapes that overlap by their bounds, and for which the kernel has no test yet
+    Index impact_waves{};     ///< rounds of simultaneous impacts that were resolved
     /// contacts still approaching after limits::impact_waves_max or impacts_of_contact, fast bodies that wait for the next step where they met
     /// something
-    uint16_t impacts_deferred{};
-    uint16_t sweeps{};           ///< sweeps over contacts in all substeps: the most that an island took
-    uint16_t overlaps_lost{};    ///< bodies in a sensor, and no room: raise Scene::max_overlaps
+    Index impacts_deferred{};
+    Index sweeps{};           ///< sweeps over contacts in all substeps: the most that an island took
+    Index overlaps_lost{};    ///< bodies in a sensor, and no room: raise Scene::max_overlaps
     /// m/s; the largest speed that the last sweep over manifolds still corrected; of a direct solve what the grain of its
     /// impulses is worth, where that is more than limits::unsettled_speed
     scalar residual{};
@@ -52,8 +52,8 @@ struct [[nodiscard]] StepReport {
     /// limits::unsettled_speed and a thousandth of what gravity gives in a substep; of more, which settle over many steps, where it corrected more
     /// than all of that. They carry what sweeps do not, or are being hit: see HybridIslands. Of impacts without friction: solves that stopped at
     /// limits::contact_sweeps_max
-    uint16_t sweeps_unfinished{};
-    uint16_t events_lost{};      ///< no room: raise Scene::max_events
+    Index sweeps_unfinished{};
+    Index events_lost{};      ///< no room: raise Scene::max_events
 
     /// True when the step did all it was asked for, in full.
     constexpr bool clean() const {
@@ -85,7 +85,7 @@ struct RoomNeeded {
 /// An island tells how many sweeps it took, and what the last of them still corrected: the most count. `settled`, m/s: with more it is unfinished.
 inline void note_sweeps(StepReport& report, int sweeps, scalar residual, scalar settled) {
     if (!(residual <= settled)) count(report.sweeps_unfinished);
-    if (sweeps > report.sweeps) report.sweeps = static_cast<uint16_t>(sweeps < 65535 ? sweeps : 65535);
+    if (sweeps > report.sweeps) report.sweeps = static_cast<Index>(sweeps < index_max ? sweeps : index_max);
     if (residual > report.residual) report.residual = residual;
 }
 

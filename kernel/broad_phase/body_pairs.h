@@ -5,29 +5,29 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-inline constexpr uint16_t no_record = 65535;
+inline constexpr Index no_record = index_max;
 /// Within a step: it touches, and there is no record for it. See crowd.h.
-inline constexpr uint16_t refused_record = no_record - 1;
+inline constexpr Index refused_record = no_record - 1;
 
 /// Two bodies that may touch: slots, A the lower one, and what is known of their contact.
 struct BodyPair {
-    uint16_t body_A, body_B;
-    uint16_t record;  ///< index of a ManifoldRecord, or no_record
+    Index body_A, body_B;
+    Index record;  ///< index of a ManifoldRecord, or no_record
 
-    uint32_t key() const { return static_cast<uint32_t>(body_A) << 16 | body_B; }
+    PairKey key() const { return key_of(body_A, body_B); }
 };
 
 /// The pairs of the last search, sorted by slots, without their capacity.
 struct PairList {
     BodyPair* pairs;
     int capacity;
-    uint16_t* count;
-    uint16_t* lost;   ///< in the last search: no room
+    Index* count;
+    Index* lost;   ///< in the last search: no room
 
     INGOT_INLINE void add(int A, int B) const {
         if (*count < capacity)
-            pairs[(*count)++] = {static_cast<uint16_t>(A), static_cast<uint16_t>(B), no_record};
-        else if (*lost < 65535)
+            pairs[(*count)++] = {static_cast<Index>(A), static_cast<Index>(B), no_record};
+        else if (*lost < index_max)
             ++*lost;
     }
 };

@@ -15,7 +15,7 @@ scalar overlap_of_bounds(const BoundsTile* bounds, const BodyPair& pair) {
     return least < size.z ? least : size.z;
 }
 
-uint16_t rank_of_pair(const SearchView& search, const HeldPairs& held, const BodyPair& pair) {
+Index rank_of_pair(const SearchView& search, const HeldPairs& held, const BodyPair& pair) {
     const bool is_held = place_in(held.pairs, held.count, pair.key()) >= 0;
     // Bounds overlap before shapes do, and by more: half of what they overlap by is as good a guess as any.
     const scalar urgency = overlap_of_bounds(search.bounds, pair) / (2 * lesser_radius(search.surfaces, pair)) - 1;
@@ -24,7 +24,7 @@ uint16_t rank_of_pair(const SearchView& search, const HeldPairs& held, const Bod
 
 }  // namespace
 
-int place_in(const BodyPair* pairs, int count, uint32_t key) {
+int place_in(const BodyPair* pairs, int count, PairKey key) {
     int low = 0, high = count;
     // bound: log2 of the count: what is between them halves each turn
     while (low < high) {
@@ -43,7 +43,7 @@ void NextNeighbours::note(int slot) {
     int at = count - 1;
     // bound: NextNeighbours::room
     for (; at > 0 && slots[at - 1] > slot; --at) slots[at] = slots[at - 1];
-    slots[at] = static_cast<uint16_t>(slot);
+    slots[at] = static_cast<Index>(slot);
 }
 
 template <class Tree>
@@ -52,7 +52,7 @@ void keep_urgent_pairs(const SearchView& search, const Tree& tree, const PairsOf
     const FullList<decltype(rank_in_pair)> full{list.pairs, list.capacity, rank_in_pair};
     *list.count = *list.lost = 0;
     for_near_pairs(search, tree, of_interest, [&](int A, int B) {
-        BodyPair pair = {static_cast<uint16_t>(A), static_cast<uint16_t>(B), 0};
+        BodyPair pair = {static_cast<Index>(A), static_cast<Index>(B), 0};
         pair.record = rank_of_pair(search, held, pair);
         if (*list.count < list.capacity) {
             list.pairs[(*list.count)++] = pair;

@@ -12,13 +12,13 @@
 namespace ingot { inline namespace INGOT_ABI {
 
 /// More is kept rather than less. urgency: of its lesser bounding radius, -1 .. 1; first: before all that are not.
-inline uint16_t rank_of(bool first, scalar urgency) {
+inline Index rank_of(bool first, scalar urgency) {
     constexpr scalar steps = 16383;
     const scalar within = urgency > -1 ? (urgency < 1 ? urgency : scalar(1)) : scalar(-1);
-    return static_cast<uint16_t>((first ? 32768 : 0) + static_cast<int>((within + 1) * steps));
+    return static_cast<Index>((first ? 32768 : 0) + static_cast<int>((within + 1) * steps));
 }
 /// Of what must not give way.
-inline constexpr uint16_t rank_of_kept = 65535;
+inline constexpr Index rank_of_kept = 65535;
 
 /// The lesser bounding radius of two shapes, m; a half space has none.
 inline scalar lesser_radius(const SurfaceView& surfaces, const BodyPair& pair) {
@@ -35,7 +35,7 @@ struct FullList {
     Rank rank;
 
     bool gives_way(const BodyPair& a, const BodyPair& b) const {
-        const uint16_t rank_a = rank(a), rank_b = rank(b);
+        const Index rank_a = rank(a), rank_b = rank(b);
         return rank_a < rank_b || (rank_a == rank_b && a.key() > b.key());
     }
     void sift(int parent) const {
@@ -59,13 +59,13 @@ struct FullList {
 };
 
 /// Where a pair stands in a list that is sorted by key; -1: nowhere.
-int place_in(const BodyPair* pairs, int count, uint32_t key);
+int place_in(const BodyPair* pairs, int count, PairKey key);
 
 /// Shapes behind a slot whose fat AABBs overlap its own: the lowest of them.
 struct NextNeighbours {
     static constexpr int room = 64;
     int count = 0;
-    uint16_t slots[room];
+    Index slots[room];
 
     bool is_full() const { return count == room; }
     void note(int slot);

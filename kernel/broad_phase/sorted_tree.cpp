@@ -19,8 +19,8 @@ void build_with_places(const SearchView& search, const SortedTreeView& tree) {
     }
     const int count = build_tree(search.shapes, search.bounds, tree);
     // bound: max_bodies max_shapes_of_body
-    for (int key_i = 0; key_i < count; ++key_i) tree.place[tree.other_keys[key_i].slot] = static_cast<uint16_t>(key_i + 1);
-    *tree.used = static_cast<uint16_t>(count);
+    for (int key_i = 0; key_i < count; ++key_i) tree.place[tree.other_keys[key_i].slot] = static_cast<Index>(key_i + 1);
+    *tree.used = static_cast<Index>(count);
     *tree.moved = 0;
 }
 
@@ -88,7 +88,7 @@ void find_due_pairs_by_tree(const SearchView& search, const SortedTreeView& tree
         const BodyPair pair = pairs.pairs[pair_i];
         if (!search.has(pair.body_A, SearchFlag::due) && !search.has(pair.body_B, SearchFlag::due)) pairs.pairs[kept++] = pair;
     }
-    *pairs.count = static_cast<uint16_t>(kept);
+    *pairs.count = static_cast<Index>(kept);
     // bound: max_bodies max_shapes_of_body
     for (int due_i = 0; due_i < due_count; ++due_i) replace(search, tree, static_cast<int>(due[due_i]));
     for (int due_i = 0; due_i < due_count; ++due_i) find_pairs_of(search, tree, static_cast<int>(due[due_i]), pairs);

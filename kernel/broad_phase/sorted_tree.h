@@ -13,13 +13,13 @@ struct TreeBox {
 };
 struct alignas(tile_alignment) TreeLeaf {
     scalar low[3][leaf_bodies], high[3][leaf_bodies];  ///< m; empty boxes where it has fewer bodies
-    uint16_t slot[leaf_bodies];
+    Index slot[leaf_bodies];
     uint8_t moves[leaf_bodies];
 };
 /// A body on its way along the Morton curve.
 struct TreeKey {
     uint32_t code;
-    uint16_t slot;
+    Index slot;
 };
 
 /// What the tree works on, without its capacities.
@@ -38,9 +38,9 @@ struct SortedTreeView {
     TreeKey *keys, *other_keys;
     BodyPair* other_pairs;       ///< as many as pairs
     uint32_t* counters;          ///< as many as bodies and spare lanes, and 1024 at least; until a search sorts, the shapes that are due
-    uint16_t* place;             ///< by slot: 1 + where it is in the leaves; 0: nowhere
-    uint16_t* used;              ///< places in the leaves that hold a shape, or held one
-    uint16_t* moved;             ///< shapes that are no more where the tree was built for
+    Index* place;             ///< by slot: 1 + where it is in the leaves; 0: nowhere
+    Index* used;              ///< places in the leaves that hold a shape, or held one
+    Index* moved;             ///< shapes that are no more where the tree was built for
 };
 
 /// Every pair of which one is searched for and one can move and whose fat AABBs overlap, sorted by slots: what find_all_awake_pairs finds.
@@ -76,8 +76,8 @@ struct SortedTree {
         TreeKey keys[static_cast<unsigned>(max_bodies)] = {}, other_keys[static_cast<unsigned>(max_bodies)] = {};
         BodyPair other_pairs[static_cast<unsigned>(max_pairs)] = {};
         uint32_t counters[static_cast<unsigned>(counter_count)] = {};
-        uint16_t place[shape_slots] = {};
-        uint16_t places_used = 0, shapes_moved = 0;
+        Index place[shape_slots] = {};
+        Index places_used = 0, shapes_moved = 0;
 
         SortedTreeView sorted() { return {leaves, boxes, places(), keys, other_keys, other_pairs, counters, place, &places_used, &shapes_moved}; }
         SortedTreeView tree_of_bounds() { return sorted(); }

@@ -11,7 +11,7 @@ namespace ingot { inline namespace INGOT_ABI { namespace trees {
 inline constexpr scalar no_place = 2 * limits::unbounded;
 inline constexpr TreeBox nothing = {{no_place, no_place, no_place}, {-no_place, -no_place, -no_place}};
 inline constexpr int code_bits = 10;  // along each axis
-inline constexpr int levels_max = 14;  // of boxes, those of leaves among them: 65536 shapes, 8 of them in a leaf
+inline constexpr int levels_max = INGOT_INDEX_BITS == 32 ? 22 : 14;  // of boxes, those of leaves among them: index_max shapes, 8 of them in a leaf
 
 inline TreeBox around(const TreeBox& a, const TreeBox& b) { return {min(a.low, b.low), max(a.high, b.high)}; }
 
@@ -53,7 +53,7 @@ inline int make_keys(const BodyView& bodies, const BoundsTile* bounds, const Sor
         if (!(box.low.x <= box.high.x)) continue;
         const Vector centre = centre_of(box);
         all = around(all, {centre, centre});
-        tree.keys[count++].slot = static_cast<uint16_t>(slot);
+        tree.keys[count++].slot = static_cast<Index>(slot);
     }
     const Vector size = all.high - all.low;
     const auto cells_per_metre = [](scalar extent) { return extent > 0 ? (1 << code_bits) / extent : scalar(0); };
@@ -113,7 +113,7 @@ inline void make_leaves(const BodyView& bodies, const BoundsTile* bounds, const 
                 leaf.high[axis][i] = high[axis];
             }
             const Place at = place_of(slot);
-            leaf.slot[i] = static_cast<uint16_t>(slot);
+            leaf.slot[i] = static_cast<Index>(slot);
             leaf.moves[i] = there && bodies.translation[at.tile].inv_M[at.lane] > 0;
             all = around(all, box);
         }
@@ -129,7 +129,7 @@ inline void set_leaf(TreeLeaf& leaf, int i, const TreeBox& box, int slot, bool m
         leaf.low[axis][i] = low[axis];
         leaf.high[axis][i] = high[axis];
     }
-    leaf.slot[i] = static_cast<uint16_t>(slot);
+    leaf.slot[i] = static_cast<Index>(slot);
     leaf.moves[i] = moves ? 1 : 0;
 }
 
@@ -150,7 +150,7 @@ INGOT_INLINE void put_in_place(const SortedTreeView& tree, int slot, const TreeB
     if (tree.place[slot] == 0) {
         if (!(box.low.x <= box.high.x)) return;
         const int place = (*tree.used)++;
-        tree.place[slot] = static_cast<uint16_t>(place + 1);
+        tree.place[slot] = static_cast<Index>(place + 1);
         if (place % leaf_bodies == 0)
             for (int i = 0; i < leaf_bodies; ++i) set_leaf(tree.leaves[place / leaf_bodies], i, nothing, 0, false);
     }
@@ -178,7 +178,7 @@ INGOT_INLINE void test_leaves(const TreeLeaf& A, const TreeLeaf& B, const PairLi
             // bound: lanes: found has a bit a lane
             for (int k = first; found != 0; ++k, found >>= 1) {
                 if ((found & 1u) == 0 || (same && k <= i) || (A.moves[i] | B.moves[k]) == 0) continue;
-                const uint16_t a = A.slot[i], b = B.slot[k];
+                const Index a = A.slot[i], b = B.slot[k];
                 if (wanted(a, b)) pairs.add(a < b ? a : b, a < b ? b : a);
             }
         }

@@ -24,7 +24,7 @@ INGOT_INLINE BodyPairLanes gather_bodies(const SolverView& solver, const Contact
 INGOT_INLINE LaneQuad quad_of(const Vec3<lane>& v, lane last) { return {{v.x, v.y, v.z, last}}; }
 
 /// Writes back the lanes of the visit: of one quad, or of all four.
-INGOT_INLINE void scatter_visited(const SolverView& solver, const uint16_t* bodies, uint16_t lane_bits, QuadOfBody part, const LaneQuad& value) {
+INGOT_INLINE void scatter_visited(const SolverView& solver, const Index* bodies, uint16_t lane_bits, QuadOfBody part, const LaneQuad& value) {
     if (is_all(lane_bits))
         scatter(solver.bodies, bodies, part, value);
     else

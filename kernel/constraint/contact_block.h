@@ -10,9 +10,9 @@
 namespace ingot { inline namespace INGOT_ABI {
 
 struct ContactBlock {
-    uint16_t body_A[lanes], body_B[lanes];  ///< of SolverBody
-    uint16_t manifold[lanes];               ///< no_manifold in a spare lane
-    uint16_t island[lanes];                 ///< of SolverView::islands
+    Index body_A[lanes], body_B[lanes];  ///< of SolverBody
+    Index manifold[lanes];               ///< no_manifold in a spare lane
+    Index island[lanes];                 ///< of SolverView::islands
     uint8_t sum_i[lanes];                   ///< which of the eight sums of its island its change is added to
     uint8_t halvings[lanes];                ///< of the manifold
     uint8_t rows;                           ///< 1 where no manifold of the block has more points, else block_rows
@@ -31,6 +31,6 @@ struct ContactBlock {
     TorsionRow torsion;
 };
 
-inline constexpr uint16_t no_manifold = 65535;
+inline constexpr Index no_manifold = index_max;
 
 } }  // namespace ingot

@@ -8,21 +8,21 @@
 namespace ingot { inline namespace INGOT_ABI {
 
 struct FlightImpact {
-    uint16_t shape_A, shape_B;  ///< shape slots, A the lower
+    Index shape_A, shape_B;  ///< shape slots, A the lower
     Vector P;                   ///< m, world, of the point that met fastest, when it did
     Vector n;                   ///< unit, from B to A
     scalar speed;               ///< m/s, at which they approached each other there
 
     /// The order of lists, as of BodyPair.
-    uint32_t key() const { return static_cast<uint32_t>(shape_A) << 16 | shape_B; }
+    PairKey key() const { return key_of(shape_A, shape_B); }
 };
 
 /// Those of a step, sorted by key; of a pair that meets several times the fastest.
 struct FlightImpactList {
     FlightImpact* impacts;
-    uint16_t* count;
+    Index* count;
     int capacity;
-    uint16_t* lost;  ///< no room
+    Index* lost;  ///< no room
 
     /// By members, as write_pair of events: an impact has gaps.
     static void write(FlightImpact& to, const FlightImpact& impact) {
@@ -33,14 +33,14 @@ struct FlightImpactList {
         to.speed = impact.speed;
     }
     /// The place of the first that is not before the key.
-    int place_of_key(uint32_t key) const {
+    int place_of_key(PairKey key) const {
         int place = 0;
         // bound: limits::flight_impacts_max
         while (place < *count && impacts[place].key() < key) ++place;
         return place;
     }
     /// Null where the pair met nobody in flight.
-    const FlightImpact* find(uint32_t key) const {
+    const FlightImpact* find(PairKey key) const {
         const int place = place_of_key(key);
         return place < *count && impacts[place].key() == key ? impacts + place : nullptr;
     }
@@ -60,7 +60,7 @@ struct FlightImpactList {
 
 /// Of a scene that follows no fast bodies.
 struct NoFlightImpacts {
-    static constexpr const FlightImpact* find(uint32_t) { return nullptr; }
+    static constexpr const FlightImpact* find(PairKey) { return nullptr; }
 };
 
 } }  // namespace ingot

@@ -22,10 +22,10 @@ struct KinematicContact {
     Vector begin;        ///< m, from its centre to that of the partner as the step begins
     Vector R;            ///< m, the same as the substep begins
     Vector way;          ///< m, of its centre since the step began
-    uint16_t position;   ///< of the manifold in the blocks: see manifold_at
-    uint16_t partner;    ///< of SolverBody
-    uint16_t is_A;       ///< 1: the kinematic body is A of the manifold; 0: B
-    uint16_t unused;     ///< no gap
+    Index position;   ///< of the manifold in the blocks: see manifold_at
+    Index partner;    ///< of SolverBody
+    Index is_A;       ///< 1: the kinematic body is A of the manifold; 0: B
+    Index unused;     ///< no gap
 };
 
 /// Those of the batch at hand. The solver body of contact i is body_begin + i.

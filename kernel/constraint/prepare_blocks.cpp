@@ -15,7 +15,7 @@ struct KeptOfLane {
     int record_i;  ///< -1: a spare lane
     scalar share;
 };
-KeptOfLane kept_of(const SolverView& solver, uint16_t manifold_i) {
+KeptOfLane kept_of(const SolverView& solver, Index manifold_i) {
     if (manifold_i == no_manifold) return {no_contact, -1, 0};
     const int record_i = solver.pairs[manifold_i].record;
     return {solver.records[record_i], record_i, shares_of_substep(solver)};
@@ -32,7 +32,7 @@ struct Collected {
 void collect(const SolverView& solver, const BodyView& bodies, ContactBlock& block, Collected& in) {
     block.rows = 1;
     for (int lane_i = 0; lane_i < lanes; ++lane_i) {
-        const uint16_t manifold_i = block.manifold[lane_i];
+        const Index manifold_i = block.manifold[lane_i];
         const ManifoldRecord& record = kept_of(solver, manifold_i).record;
         block.mu[lane_i] = record.mu;
         block.e[lane_i] = record.e;
@@ -85,9 +85,9 @@ LaneContacts collected(const View& solver, const BodyView& bodies, ContactBlock&
 }
 
 void name_bodies(const SolverView& solver, ContactBlock& block, int lane_i) {
-    const uint16_t manifold_i = block.manifold[lane_i];
-    block.body_A[lane_i] = manifold_i == no_manifold ? uint16_t(0) : solver.local_of[solver.pairs[manifold_i].body_A];
-    block.body_B[lane_i] = manifold_i == no_manifold ? uint16_t(0) : solver.local_of[solver.pairs[manifold_i].body_B];
+    const Index manifold_i = block.manifold[lane_i];
+    block.body_A[lane_i] = manifold_i == no_manifold ? Index(0) : solver.local_of[solver.pairs[manifold_i].body_A];
+    block.body_B[lane_i] = manifold_i == no_manifold ? Index(0) : solver.local_of[solver.pairs[manifold_i].body_B];
 }
 
 template <class View>
@@ -158,7 +158,7 @@ void remember_impulses(const View& solver) {
     for (int block_i = 0; block_i < solver.block_count; ++block_i) {
         const ContactBlock& block = solver.blocks[block_i];
         for (int lane_i = 0; lane_i < lanes; ++lane_i) {
-            const uint16_t manifold_i = block.manifold[lane_i];
+            const Index manifold_i = block.manifold[lane_i];
             if (manifold_i == no_manifold || solver.islands[block.island[lane_i]].begins_again) continue;
             const int record_i = solver.pairs[manifold_i].record;
             const scalar substeps = block.substeps[lane_i];

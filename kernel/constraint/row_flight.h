@@ -14,7 +14,7 @@ struct BlockFlight {
     RowFlight<lane> row[block_rows];
 };
 
-INGOT_INLINE Vec3<lane> gather_history(const SolverView& solver, const uint16_t* index, scalar (SolverBodyHistory::*part)[4]) {
+INGOT_INLINE Vec3<lane> gather_history(const SolverView& solver, const Index* index, scalar (SolverBodyHistory::*part)[4]) {
     scalar rows[3][lanes];
     for (int lane_i = 0; lane_i < lanes; ++lane_i)
         for (int axis = 0; axis < 3; ++axis) rows[axis][lane_i] = (solver.histories[index[lane_i]].*part)[axis];

@@ -37,15 +37,15 @@ inline Vector three_of(const scalar (&from)[4]) { return {from[0], from[1], from
 /// One of the four quads.
 using QuadOfBody = scalar (SolverBody::*)[4];
 
-INGOT_INLINE LaneQuad gather(const SolverBody* bodies, const uint16_t* index, QuadOfBody part) {
+INGOT_INLINE LaneQuad gather(const SolverBody* bodies, const Index* index, QuadOfBody part) {
     return gather4([&](int lane_i) { return static_cast<const scalar*>(bodies[index[lane_i]].*part); });
 }
 /// No two lanes share a body, other than the one that cannot move, whose numbers stay zero.
-INGOT_INLINE void scatter(SolverBody* bodies, const uint16_t* index, QuadOfBody part, const LaneQuad& value) {
+INGOT_INLINE void scatter(SolverBody* bodies, const Index* index, QuadOfBody part, const LaneQuad& value) {
     scatter4(value, [&](int lane_i) { return static_cast<scalar*>(bodies[index[lane_i]].*part); });
 }
 /// Writes only the lanes named by bits.
-INGOT_INLINE void scatter_some(SolverBody* bodies, const uint16_t* index, uint16_t lane_bits, QuadOfBody part, const LaneQuad& value) {
+INGOT_INLINE void scatter_some(SolverBody* bodies, const Index* index, uint16_t lane_bits, QuadOfBody part, const LaneQuad& value) {
     scalar rows[4][lanes];
     for (int i = 0; i < 4; ++i) store(rows[i], value.at[i]);
     for (int lane_i = 0; lane_i < lanes; ++lane_i) {

@@ -26,11 +26,11 @@ inline constexpr int sweep_plans = 4;
 struct Island {
     static constexpr int sum_count = 8;
 
-    uint16_t manifold_count, new_count, steady_count;  ///< manifolds; those younger than four steps; those that were steady
-    uint16_t central_count;  ///< manifolds whose normals go through both centres of mass
-    uint16_t level_count;    ///< the longest way to the ground, in contacts
-    uint16_t member_begin, member_count;  ///< of its manifolds in SolverView::members
-    uint16_t group, in_group;             ///< for its sums: the colour at hand, and how many of it came before
+    Index manifold_count, new_count, steady_count;  ///< manifolds; those younger than four steps; those that were steady
+    Index central_count;  ///< manifolds whose normals go through both centres of mass
+    Index level_count;    ///< the longest way to the ground, in contacts
+    Index member_begin, member_count;  ///< of its manifolds in SolverView::members
+    Index group, in_group;             ///< for its sums: the colour at hand, and how many of it came before
     SweepPlan plan;
     bool in_batch;    ///< solved in the batch at hand
     bool begins_again;
@@ -46,12 +46,13 @@ struct Island {
     scalar size, size_before, beta;  ///< J, of a sweep; conjugate gradients
     scalar sums[sum_count];          ///< size is their sum: it does not depend on lanes
 };
-inline constexpr uint16_t no_island = 65535;
+inline constexpr Index no_island = index_max;
 
 /// Lanes of one block that are solved together: they share no body that can move.
 struct Visit {
-    uint16_t block, lane_bits;
-    uint16_t island;  ///< of all its lanes, where these are the whole block and begin a row of sums; else no_island
+    Index block;
+    uint16_t lane_bits;
+    Index island;  ///< of all its lanes, where these are the whole block and begin a row of sums; else no_island
 };
 
 struct SolverView {
@@ -68,13 +69,13 @@ struct SolverView {
 
     SolverBody* bodies;        ///< [0] stands for all that cannot move and for spare lanes
     SolverBodyHistory* histories;
-    uint16_t* slot_of;         ///< by solver body
-    uint16_t* local_of;        ///< by slot of a body that touches; 0: immovable, or gone bad. Others: see takes_part
-    uint16_t* level_of_body;   ///< by solver body
+    Index* slot_of;         ///< by solver body
+    Index* local_of;        ///< by slot of a body that touches; 0: immovable, or gone bad. Others: see takes_part
+    Index* level_of_body;   ///< by solver body
     uint32_t* colours_of_body; ///< by solver body, within the level at hand
-    uint16_t* island_of;       ///< by solver body
+    Index* island_of;       ///< by solver body
     int body_count;            ///< solver bodies in use, [0] included
-    uint16_t *island_at, *level;  ///< by manifold: its island, or no_island; its distance from the ground, in contacts
+    Index *island_at, *level;  ///< by manifold: its island, or no_island; its distance from the ground, in contacts
     Island* islands;           ///< room for one of each body that can move
     int island_count;
 
@@ -82,9 +83,9 @@ struct SolverView {
     ContactBlock* blocks;      ///< room for manifold capacity / lanes, rounded up
     Visit *visits, *some_visits;  ///< room for manifold capacity + blocks
     const Visit* live;            ///< those whose islands are not settled yet: visits, or some of them
-    uint16_t *members, *sorted;  ///< manifolds: island by island, as positions in the blocks; for sorting
+    Index *members, *sorted;  ///< manifolds: island by island, as positions in the blocks; for sorting
     uint8_t* colour;             ///< by manifold
-    uint16_t* batch_bodies;    ///< solver bodies
+    Index* batch_bodies;    ///< solver bodies
     int visit_count, live_count, block_count, batch_body_count;
     int lane_count, lane_capacity;  ///< of all blocks
     SweepPlan plan;
@@ -117,18 +118,18 @@ inline scalar shares_of_substep(const SolverView& solver) { return static_cast<s
 
 /// Whether the body of a slot is one of the solver's. local_of alone does not tell: its entries for other slots are of earlier steps.
 inline bool takes_part(const SolverView& solver, int slot) {
-    const uint16_t body_i = solver.local_of[slot];
+    const Index body_i = solver.local_of[slot];
     return body_i != 0 && body_i < solver.body_count && solver.slot_of[body_i] == slot;
 }
 
 /// A manifold's body that can move; 0: none can.
-inline uint16_t dynamic_body(const SolverView& solver, int manifold_i) {
-    const uint16_t A = solver.local_of[solver.pairs[manifold_i].body_A];
+inline Index dynamic_body(const SolverView& solver, int manifold_i) {
+    const Index A = solver.local_of[solver.pairs[manifold_i].body_A];
     return A != 0 ? A : solver.local_of[solver.pairs[manifold_i].body_B];
 }
 
 /// The manifold at a position in the blocks.
-inline uint16_t manifold_at(const SolverView& solver, int position) { return solver.blocks[position / lanes].manifold[position % lanes]; }
+inline Index manifold_at(const SolverView& solver, int position) { return solver.blocks[position / lanes].manifold[position % lanes]; }
 
 /// Calls each(body_i) for the bodies of the batch.
 template <class Each>

@@ -16,11 +16,11 @@ struct BodyPath {
     Vector turn;       ///< rad in a whole step
     scalar from, until;
     scalar next;         ///< when it first meets something, or where its path has to be laid on; never: neither
-    uint16_t next_slot;  ///< whom it meets; its own slot: nobody, the path ends
+    Index next_slot;  ///< whom it meets; its own slot: nobody, the path ends
     uint8_t impacts;   ///< followed in this step
     bool fast;         ///< it may get beyond something within a step
     bool falls_free;   ///< nothing touches it on the way: its motion is known exactly at every time
-    uint16_t next_fast, next_stray;  ///< 1 + slot of the next of FastBodies; 0: none
+    Index next_fast, next_stray;  ///< 1 + slot of the next of FastBodies; 0: none
     bool is_listed;          ///< among the fast
     bool is_stray;           ///< it may be outside of the bounds that the step began with
     bool in_contact;         ///< it takes part in the contacts of the step, or waits for the next
@@ -76,19 +76,19 @@ scalar end_of_path(const Vector& turn, scalar from);
 
 /// Lists of the bodies that a step has to look at again and again, through their paths.
 struct FastBodies {
-    uint16_t first_fast, first_stray;  ///< 1 + slot; 0: none. Who was fast stays in its list
+    Index first_fast, first_stray;  ///< 1 + slot; 0: none. Who was fast stays in its list
 
     void add_fast(BodyPath* paths, int slot) {
         if (paths[slot].is_listed) return;
         paths[slot].is_listed = true;
         paths[slot].next_fast = first_fast;
-        first_fast = static_cast<uint16_t>(slot + 1);
+        first_fast = static_cast<Index>(slot + 1);
     }
     void add_stray(BodyPath* paths, int slot) {
         if (paths[slot].is_stray) return;
         paths[slot].is_stray = true;
         paths[slot].next_stray = first_stray;
-        first_stray = static_cast<uint16_t>(slot + 1);
+        first_stray = static_cast<Index>(slot + 1);
     }
 };
 

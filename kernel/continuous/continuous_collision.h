@@ -87,7 +87,7 @@ bool is_kinematic([[maybe_unused]] const Collision& collision, [[maybe_unused]] 
 template <class Collision>
 bool is_solved(const Collision& collision, const ShapePair& shapes) {
     const int A = shapes.A.number, B = shapes.B.number;
-    const uint32_t key = BodyPair{static_cast<uint16_t>(A < B ? A : B), static_cast<uint16_t>(A < B ? B : A), no_record}.key();
+    const PairKey key = BodyPair{static_cast<Index>(A < B ? A : B), static_cast<Index>(A < B ? B : A), no_record}.key();
     int from = 0, to = collision.solved_count;
     // bound: log2(max_manifolds) + 1: to - from is halved each turn
     while (from < to) {
@@ -107,7 +107,7 @@ const BodyPath& path_of(const Collision& collision, int slot, [[maybe_unused]] B
         if (!collision.moving.has(slot)) {
             const FlightState motion = flight_state(collision.bodies, slot);
             end_path(at_rest, motion.r_CM, motion.A, 0);
-            at_rest.next_slot = static_cast<uint16_t>(slot);
+            at_rest.next_slot = static_cast<Index>(slot);
             at_rest.in_contact = is_dynamic(collision.bodies, slot);
             return at_rest;
         }

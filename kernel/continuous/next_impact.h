@@ -67,7 +67,7 @@ void consider(const Collision& collision, int slot, int other, bool lower_counts
             const bool ties = lower_counts && t <= latest && !(t < path.next) && path.next_slot != slot && other < path.next_slot;
             if (!(t < latest || ties)) return;
             path.next = t;
-            path.next_slot = static_cast<uint16_t>(other);
+            path.next_slot = static_cast<Index>(other);
         });
     });
 }
@@ -98,7 +98,7 @@ template <class Collision>
 void find_next(const Collision& collision, int slot) {
     BodyPath& path = collision.paths[slot];
     path.next = path.until < 1 ? path.until : never;
-    path.next_slot = static_cast<uint16_t>(slot);
+    path.next_slot = static_cast<Index>(slot);
     for_others_near(collision, slot, [&](int other) { consider(collision, slot, other, true); });
 }
 

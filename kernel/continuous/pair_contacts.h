@@ -34,12 +34,12 @@ struct PairContacts {
     Vector friction_references[View::is_pointwise ? 1 : room];
     RollingRecord rolling[View::rolls ? room : 1];
     Vector belts[View::has_belts ? room : 1];
-    uint16_t local_of[View::is_pointwise ? 1 : static_cast<unsigned>(PairSubWorld::tiles * lanes)];
-    uint16_t count;
+    Index local_of[View::is_pointwise ? 1 : static_cast<unsigned>(PairSubWorld::tiles * lanes)];
+    Index count;
 
     /// A place for what two shapes of the pair do; the manifold that is the least deep makes room. -1: it is this one.
     /// Counted in `lost` where one has none.
-    int place_for(const Manifold& found, uint16_t& lost) {
+    int place_for(const Manifold& found, Index& lost) {
         if (count < capacity) return count++;
         ingot::count(lost);
         int least = 0;
@@ -49,7 +49,7 @@ struct PairContacts {
         return depth_of(found) > depth_of(records[least].manifold) ? least : -1;
     }
     void put(int place, const Manifold& found, const ShapePair& of) {
-        pairs[place] = {0, 1, static_cast<uint16_t>(place)};
+        pairs[place] = {0, 1, static_cast<Index>(place)};
         records[place] = {};
         records[place].manifold = found;
         notes[place] = {};
@@ -70,7 +70,7 @@ struct PairContacts {
         own.records = records;
         own.manifold_count = count;
         if constexpr (!View::is_pointwise) {
-            for (uint16_t& local : local_of) local = 0;
+            for (Index& local : local_of) local = 0;
             own.friction_references = friction_references;
             own.local_of = local_of;
             own.body_count = own.island_count = 0;

@@ -33,7 +33,7 @@ void note_flights(const Collision& collision, const typename Collision::Contacts
         if (!contacts.notes[place].carried) continue;
         const Manifold& manifold = contacts.records[place].manifold;
         const int A = contacts.shapes[place].A.number, B = contacts.shapes[place].B.number;
-        collision.flights.note({static_cast<uint16_t>(A < B ? A : B), static_cast<uint16_t>(A < B ? B : A),
+        collision.flights.note({static_cast<Index>(A < B ? A : B), static_cast<Index>(A < B ? B : A),
                                 manifold.points[contacts.notes[place].point].P, A < B ? manifold.n : -manifold.n, contacts.notes[place].speed});
     }
 }
@@ -64,7 +64,7 @@ void find_pair_contacts(const Collision& collision, const int (&slots)[2], PairR
             const int place = room.contacts.place_for(found, report.contacts_lost);
             if (place < 0) return;
             room.contacts.put(place, found, {shape_A, shape_B});
-            const BodyPair pair = {static_cast<uint16_t>(shape_A.number), static_cast<uint16_t>(shape_B.number), no_record};
+            const BodyPair pair = {static_cast<Index>(shape_A.number), static_cast<Index>(shape_B.number), no_record};
             mix_materials(surfaces, pair, room.contacts.records[place]);
             room.contacts.notes[place] = note_of(room.two.bodies(), found);
             room.contacts.mix(place, collision.materials, {A.A, B.A});

@@ -53,9 +53,9 @@ struct EventView {
 /// Where events are put, without its capacity.
 struct EventList {
     Event* events;
-    uint16_t* count;
+    Index* count;
     int capacity;
-    uint16_t* lost;
+    Index* lost;
 
     void add(const Event& event) const {
         if (*count < capacity)
@@ -72,8 +72,8 @@ void name_bodies(const EventList& events) {
         Event& event = events.events[event_i];
         event.shape_A = static_cast<uint8_t>(event.A.slot % shapes_of_body);
         event.shape_B = static_cast<uint8_t>(event.B.slot % shapes_of_body);
-        event.A.slot = static_cast<uint16_t>(event.A.slot / shapes_of_body);
-        event.B.slot = static_cast<uint16_t>(event.B.slot / shapes_of_body);
+        event.A.slot = static_cast<Index>(event.A.slot / shapes_of_body);
+        event.B.slot = static_cast<Index>(event.B.slot / shapes_of_body);
     }
 }
 

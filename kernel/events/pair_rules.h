@@ -10,13 +10,13 @@ namespace ingot { inline namespace INGOT_ABI {
 
 /// Two bodies by their slots and generations: a body that comes later into the slot of one of them is another one.
 struct PairOfBodies {
-    uint16_t body_A, body_B;
+    Index body_A, body_B;
     uint32_t generation_A, generation_B;
     bool hit;  ///< they met fast in this step: see emit_hits
 
     /// The order of lists: by the lower slot, then by the higher.
-    uint32_t key() const {
-        return body_A < body_B ? static_cast<uint32_t>(body_A) << 16 | body_B : static_cast<uint32_t>(body_B) << 16 | body_A;
+    PairKey key() const {
+        return body_A < body_B ? key_of(body_A, body_B) : key_of(body_B, body_A);
     }
     bool same_bodies(const PairOfBodies& other) const {
         return body_A == other.body_A && body_B == other.body_B && generation_A == other.generation_A && generation_B == other.generation_B;
@@ -35,7 +35,7 @@ INGOT_INLINE void write_pair(PairOfBodies& to, const PairOfBodies& pair) {
 /// A list of such pairs, sorted by key, without its capacity.
 struct PairOfBodiesList {
     PairOfBodies* pairs;
-    uint16_t* count;
+    Index* count;
     int capacity;
 };
 
@@ -44,7 +44,7 @@ struct SensorView {
     const uint8_t* is_sensor;    ///< by slot
     const uint32_t* generation;  ///< by slot
     PairOfBodiesList overlaps;   ///< of this step; A is the sensor
-    uint16_t* lost;              ///< no room
+    Index* lost;              ///< no room
 
     /// True for a pair with a sensor. `overlap()` says whether the shapes do; it is noted then. Sensors do not note each other.
     template <class Overlap>
@@ -54,7 +54,7 @@ struct SensorView {
         if (A != B && overlap()) note(A ? pair.body_A : pair.body_B, A ? pair.body_B : pair.body_A);
         return true;
     }
-    void note(uint16_t sensor, uint16_t visitor) const {
+    void note(Index sensor, Index visitor) const {
         if (*overlaps.count < overlaps.capacity)
             write_pair(overlaps.pairs[(*overlaps.count)++], {sensor, visitor, generation[sensor], generation[visitor], false});
         else
@@ -75,7 +75,7 @@ struct PassedSensors {
     }
     void note(int shape_A, int shape_B) const {
         const bool first = sensors.is_sensor[shape_A] != 0;
-        const auto sensor = static_cast<uint16_t>(first ? shape_A : shape_B), visitor = static_cast<uint16_t>(first ? shape_B : shape_A);
+        const auto sensor = static_cast<Index>(first ? shape_A : shape_B), visitor = static_cast<Index>(first ? shape_B : shape_A);
         const PairOfBodies passing = {sensor, visitor, sensors.generation[sensor], sensors.generation[visitor], false};
         const PairOfBodiesList& list = sensors.overlaps;
         int place = *list.count;

@@ -31,14 +31,14 @@ void ContactSink::add(const Vector& n, const Vector& lever_A, const Vector& leve
         for (int contact_i = 1; contact_i < contacts.capacity; ++contact_i)
             if (gives_way(bodies, contacts.contacts[contact_i], contacts.contacts[index])) index = contact_i;
         Contact next{};
-        next.body_A = static_cast<uint16_t>(slot_A);
-        next.body_B = static_cast<uint16_t>(slot_B);
+        next.body_A = static_cast<Index>(slot_A);
+        next.body_B = static_cast<Index>(slot_B);
         next.separation = separation;
         if (!gives_way(bodies, contacts.contacts[index], next)) return;
     }
     Contact& contact = contacts.contacts[index];
-    contact.body_A = static_cast<uint16_t>(slot_A);
-    contact.body_B = static_cast<uint16_t>(slot_B);
+    contact.body_A = static_cast<Index>(slot_A);
+    contact.body_B = static_cast<Index>(slot_B);
     contact.n = n;
     contact.lever_A = lever_A;
     contact.lever_B = lever_B;

@@ -27,7 +27,7 @@ struct ContactSink {
     ContactView contacts;
     int slot_A, slot_B;
     scalar e;
-    uint16_t* lost;
+    Index* lost;
     const BodyView* bodies = nullptr;  ///< who cannot move; null: depth alone counts
 
     void add(const Vector& n, const Vector& lever_A, const Vector& lever_B, scalar separation);

@@ -11,7 +11,7 @@ namespace ingot { inline namespace INGOT_ABI {
 /// A and B are body slots, n points from B to A. With k = inv_I_world (r x n) and symmetric inertia, n.(omega x r) = L.k:
 /// a row reads v_CM and L, and writes v_CM and L, and needs neither omega nor a gyroscopic term.
 struct Contact {
-    uint16_t body_A, body_B;
+    Index body_A, body_B;
     bool active;         ///< takes part in the solve at hand
     Vector n;            ///< unit normal, from B to A
     Vector lever_A;      ///< r_AP x n, m; exactly zero for a sphere, whose normal passes through its centre
@@ -31,7 +31,7 @@ struct Contact {
 /// The contacts of a step, without their capacity.
 struct ContactView {
     Contact* contacts;
-    uint16_t* count;
+    Index* count;
     int capacity;
 };
 

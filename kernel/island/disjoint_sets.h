@@ -10,9 +10,9 @@ namespace ingot { inline namespace INGOT_ABI {
 /// Cost:   logarithmic in the mean, for it has no ranks; never recursive.
 /// Source: Tarjan and van Leeuwen, "Worst-case analysis of set union algorithms", 1984: path halving.
 struct DisjointSets {
-    uint16_t* parent;
+    Index* parent;
 
-    void make_set(int number) const { parent[number] = static_cast<uint16_t>(number); }
+    void make_set(int number) const { parent[number] = static_cast<Index>(number); }
 
     /// Halves the path on its way, so that the next way is shorter.
     int root(int number) const {
@@ -24,8 +24,8 @@ struct DisjointSets {
     }
     void join(int a, int b) const {
         const int root_a = root(a), root_b = root(b);
-        if (root_a < root_b) parent[root_b] = static_cast<uint16_t>(root_a);
-        if (root_b < root_a) parent[root_a] = static_cast<uint16_t>(root_b);
+        if (root_a < root_b) parent[root_b] = static_cast<Index>(root_a);
+        if (root_b < root_a) parent[root_a] = static_cast<Index>(root_b);
     }
 };
 

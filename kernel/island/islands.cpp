@@ -5,8 +5,8 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
-void swap(uint16_t& a, uint16_t& b) {
-    const uint16_t before = a;
+void swap(Index& a, Index& b) {
+    const Index before = a;
     a = b;
     b = before;
 }

@@ -19,12 +19,12 @@ struct RestView {
     uint16_t* settling;   ///< by tile, a bit a lane: at rest since the last step
     ActiveTiles active;   ///< tiles with a bit in one of them
     scalar* rest_time;    ///< s, by slot: how long the body has been slow by now, up to Scene::sleep_time
-    uint16_t* parent;     ///< by slot: another body of the island, nearer to its root, which is its own parent. Holds while the island sleeps
-    uint16_t* next_body;  ///< by slot: the next of the island, in a ring
+    Index* parent;     ///< by slot: another body of the island, nearer to its root, which is its own parent. Holds while the island sleeps
+    Index* next_body;  ///< by slot: the next of the island, in a ring
     uint8_t* marks;       ///< by slot, of roots: for the search at hand
-    uint16_t* aside;      ///< by slot, of roots: index + 1 of a record that is put aside; 0: none
+    Index* aside;      ///< by slot, of roots: index + 1 of a record that is put aside; 0: none
     BodyPair* pairs_aside;     ///< by record: the shapes of a pair that is put aside; its `record` is index + 1 of the next of the island, in a ring
-    uint16_t* aside_count;     ///< records put aside
+    Index* aside_count;     ///< records put aside
     int shapes_of_body;
 
     static bool has(const uint16_t* bits, int slot) {
@@ -57,7 +57,7 @@ struct RestView {
     /// The body of the slot is an island of its own.
     void make_alone(int slot) const {
         islands().make_set(slot);
-        next_body[slot] = static_cast<uint16_t>(slot);
+        next_body[slot] = static_cast<Index>(slot);
         aside[slot] = 0;
     }
 

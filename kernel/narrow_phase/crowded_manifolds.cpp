@@ -19,7 +19,7 @@ MovingPoint moving_point_of(const BodyView& bodies, int slot) {
 
 }  // namespace
 
-uint16_t CrowdBodies::rank_of_contact(const BodyPair& pair, const Manifold& manifold, bool carries) const {
+Index CrowdBodies::rank_of_contact(const BodyPair& pair, const Manifold& manifold, bool carries) const {
     const int body_A = body_of(pair.body_A), body_B = body_of(pair.body_B);
     const MovingPoint A = moving_point_of(bodies, body_A), B = moving_point_of(bodies, body_B);
     scalar least = limits::unbounded;
@@ -34,10 +34,10 @@ uint16_t CrowdBodies::rank_of_contact(const BodyPair& pair, const Manifold& mani
     return rank_of(on_fixed && urgency > -limits::crowd_patience, urgency);
 }
 
-bool FullRecords::make_room(const BodyPair& pair, uint16_t rank) const {
+bool FullRecords::make_room(const BodyPair& pair, Index rank) const {
     if (*manifolds_.count == 0) return false;  // all records are of bodies at rest
     BodyPair least = manifolds_.pairs[0];
-    const uint16_t rank_of_least = manifolds_.records[least.record].next_free;
+    const Index rank_of_least = manifolds_.records[least.record].next_free;
     if (rank < rank_of_least || (rank == rank_of_least && pair.key() > least.key())) return false;
     const int place = place_in(found_.pairs, *found_.count, least.key());
     if (place >= 0) found_.pairs[place].record = refused_record;

@@ -17,7 +17,7 @@ struct CrowdBodies {
     int body_of(int shape_slot) const { return shape_slot / shapes_of_body; }
     /// How urgent a contact is: who meets what cannot move, and touches it within the step, comes first; then by how deep it will be at its end.
     /// carries: it has borne something in the step before.
-    uint16_t rank_of_contact(const BodyPair& pair, const Manifold& manifold, bool carries) const;
+    Index rank_of_contact(const BodyPair& pair, const Manifold& manifold, bool carries) const;
 };
 
 inline bool has_free_record(const ManifoldView& manifolds) { return *manifolds.first_free != 0 || *manifolds.records_used < manifolds.capacity; }
@@ -37,7 +37,7 @@ public:
     }
 
     /// Takes the record of the pair that gives way, if there is one that is less urgent. False: the pair stays refused.
-    bool make_room(const BodyPair& pair, uint16_t rank) const;
+    bool make_room(const BodyPair& pair, Index rank) const;
     /// The pair has a record, and its rank in it.
     void take_place(const BodyPair& pair) const { heap().replace_top(pair); }
     /// The list is sorted again.
@@ -46,7 +46,7 @@ public:
 private:
     struct RankOnRecord {
         const ManifoldRecord* records;
-        uint16_t operator()(const BodyPair& pair) const { return records[pair.record].next_free; }
+        Index operator()(const BodyPair& pair) const { return records[pair.record].next_free; }
     };
     FullList<RankOnRecord> heap() const { return {manifolds_.pairs, *manifolds_.count, {manifolds_.records}}; }
 
@@ -71,7 +71,7 @@ void find_refused(const BodyView& shapes, const SurfaceView& surfaces, const Bou
 /// Cost: the manifold of each that was refused, and a place in a heap.
 template <class Shapes, bool renews, class Kept, class FastPairs>
 void keep_urgent_manifolds(const CrowdBodies& crowd, const BodyView& shapes, const BoundsTile* bounds, const PairList& found,
-                           const ManifoldView& manifolds, const Kept& kept, const FastPairs& fast_pairs, uint16_t& refused) {
+                           const ManifoldView& manifolds, const Kept& kept, const FastPairs& fast_pairs, Index& refused) {
     const auto begin = [&](BodyPair& pair, const Manifold& manifold, scalar margin) {
         begin_record<renews>(shapes, crowd.surfaces, pair, manifold, margin, manifolds);
     };
@@ -99,7 +99,7 @@ void keep_urgent_manifolds(const CrowdBodies& crowd, const BodyView& shapes, con
         Manifold manifold;
         scalar margin = 0;
         find(pair, manifold, margin);
-        const uint16_t rank = crowd.rank_of_contact(pair, manifold, false);
+        const Index rank = crowd.rank_of_contact(pair, manifold, false);
         if (!full.make_room(pair, rank)) continue;
         pair.record = take_record(manifolds);
         begin(pair, manifold, margin);

@@ -151,7 +151,7 @@ template <int shapes_of_body>
 void name_bodies(const ManifoldView& manifolds, BodyPair* body_pairs) {
     for (int pair_i = 0; pair_i < *manifolds.count; ++pair_i) {  // bound: max_manifolds
         const BodyPair& pair = manifolds.pairs[pair_i];
-        body_pairs[pair_i] = {static_cast<uint16_t>(pair.body_A / shapes_of_body), static_cast<uint16_t>(pair.body_B / shapes_of_body), pair.record};
+        body_pairs[pair_i] = {static_cast<Index>(pair.body_A / shapes_of_body), static_cast<Index>(pair.body_B / shapes_of_body), pair.record};
     }
 }
 

@@ -157,21 +157,21 @@ bool HiddenPoints::hides(const PlacedShape& T, const Touch& touch, const Vector&
     return T.shape.kind == ShapeKind::half_space && hidden_by_half_space(T, touch, p, flush_);
 }
 
-bool chain_fixed_touches(const FixedShapes& all, uint16_t* last_of_shape, const ManifoldView& manifolds) {
+bool chain_fixed_touches(const FixedShapes& all, Index* last_of_shape, const ManifoldView& manifolds) {
     bool some = false;
     // bound: max_manifolds
     for (int i = 0; i < *manifolds.count; ++i) {
         const FixedTouch touch = all.touch_of(manifolds.pairs[i]);
         if (touch.S < 0) continue;
-        uint16_t& last = last_of_shape[touch.body];
+        Index& last = last_of_shape[touch.body];
         manifolds.records[manifolds.pairs[i].record].next_free = last;
         some = some || last != 0;
-        last = static_cast<uint16_t>(i + 1);
+        last = static_cast<Index>(i + 1);
     }
     return some;
 }
 
-void end_fixed_chains(const FixedShapes& all, const PairList& found, uint16_t* last_of_shape, const ManifoldView& manifolds) {
+void end_fixed_chains(const FixedShapes& all, const PairList& found, Index* last_of_shape, const ManifoldView& manifolds) {
     int kept = 0, found_i = 0;
     // bound: max_manifolds
     for (int i = 0; i < *manifolds.count; ++i) {
@@ -189,7 +189,7 @@ void end_fixed_chains(const FixedShapes& all, const PairList& found, uint16_t* l
         while (found_i < *found.count - 1 && found.pairs[found_i].key() != pair.key()) ++found_i;
         give_back(manifolds, found.pairs[found_i].record);
     }
-    *manifolds.count = static_cast<uint16_t>(kept);
+    *manifolds.count = static_cast<Index>(kept);
 }
 
 void drop_points(unsigned hidden, ManifoldRecord& record) {

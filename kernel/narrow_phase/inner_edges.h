@@ -103,10 +103,10 @@ private:
 };
 
 /// Chains the manifolds of each body with fixed shapes. True where some body has more than one.
-bool chain_fixed_touches(const FixedShapes& all, uint16_t* last_of_shape, const ManifoldView& manifolds);
+bool chain_fixed_touches(const FixedShapes& all, Index* last_of_shape, const ManifoldView& manifolds);
 
 /// Undoes the chains, and ends manifolds that have no points left.
-void end_fixed_chains(const FixedShapes& all, const PairList& found, uint16_t* last_of_shape, const ManifoldView& manifolds);
+void end_fixed_chains(const FixedShapes& all, const PairList& found, Index* last_of_shape, const ManifoldView& manifolds);
 
 /// Takes points out of a manifold; their impulses go with them.
 void drop_points(unsigned hidden, ManifoldRecord& record);
@@ -117,7 +117,7 @@ void drop_points(unsigned hidden, ManifoldRecord& record);
 /// last_of_shape: by shape slot, zero before and after: 1 + the place in the list of the last manifold of that shape with a fixed one.
 /// Cost: two looks at each manifold; of a body on k fixed shapes, k^2 tests of bounds.
 template <class Shapes>
-void drop_hidden_points(const FixedShapes& all, const PairList& found, uint16_t* last_of_shape, const ManifoldView& manifolds) {
+void drop_hidden_points(const FixedShapes& all, const PairList& found, Index* last_of_shape, const ManifoldView& manifolds) {
     const bool some = chain_fixed_touches(all, last_of_shape, manifolds);
     // bound: max_manifolds
     for (int i = 0; some && i < *manifolds.count; ++i) {

@@ -16,10 +16,10 @@ void match_records(const ManifoldView& manifolds, const PairList& found) {
     }
 }
 
-uint16_t take_record(const ManifoldView& manifolds) {
-    uint16_t record = no_record;
+Index take_record(const ManifoldView& manifolds) {
+    Index record = no_record;
     if (*manifolds.first_free != 0) {
-        record = static_cast<uint16_t>(*manifolds.first_free - 1);
+        record = static_cast<Index>(*manifolds.first_free - 1);
         *manifolds.first_free = manifolds.records[record].next_free;
     } else if (*manifolds.records_used < manifolds.capacity) {
         record = (*manifolds.records_used)++;
@@ -31,9 +31,9 @@ uint16_t take_record(const ManifoldView& manifolds) {
     return record;
 }
 
-void give_back(const ManifoldView& manifolds, uint16_t& record) {
+void give_back(const ManifoldView& manifolds, Index& record) {
     manifolds.records[record].next_free = *manifolds.first_free;
-    *manifolds.first_free = static_cast<uint16_t>(record + 1);
+    *manifolds.first_free = static_cast<Index>(record + 1);
     record = no_record;
 }
 
@@ -52,7 +52,7 @@ void invalidate_contacts(const ManifoldView& manifolds, const PairList& found, B
         else
             manifolds.pairs[kept++] = pair;
     }
-    *manifolds.count = static_cast<uint16_t>(kept);
+    *manifolds.count = static_cast<Index>(kept);
     invalidate_bounds(bounds, slot);
 }
 

@@ -18,7 +18,7 @@ struct ManifoldRecord {
     Vector j_friction;                                   ///< N s, world
     scalar j_torsion;                                      ///< N m s
     uint16_t substeps;                                   ///< it has lived, up to 1000; and steady_bit
-    uint16_t next_free;                                  ///< index + 1 of the next free record; 0: none
+    Index next_free;                                  ///< index + 1 of the next free record; 0: none
 };
 
 /// Set in ManifoldRecord::substeps where nothing that touched accelerated in the step before.
@@ -36,11 +36,11 @@ inline scalar load_of(const ManifoldRecord& record) {
 /// The contacts of a world, without their capacity.
 struct ManifoldView {
     BodyPair* pairs;              ///< that touch, sorted by slots; room for as many as records
-    uint16_t* count;
+    Index* count;
     ManifoldRecord* records;      ///< of the pairs, in no order
     ManifoldAnchors* anchors;     ///< by record; null where a scene renews none
-    uint16_t* records_used;       ///< records in use or free again; those beyond never were
-    uint16_t* first_free;         ///< index + 1
+    Index* records_used;       ///< records in use or free again; those beyond never were
+    Index* first_free;         ///< index + 1
     int capacity;
 };
 
@@ -49,9 +49,9 @@ struct ManifoldView {
 void match_records(const ManifoldView& manifolds, const PairList& found);
 
 /// A record for a pair that begins to touch, all zero; no_record when there is none left.
-uint16_t take_record(const ManifoldView& manifolds);
+Index take_record(const ManifoldView& manifolds);
 /// The pair touches no more.
-void give_back(const ManifoldView& manifolds, uint16_t& record);
+void give_back(const ManifoldView& manifolds, Index& record);
 
 /// A body leaves its slot: nothing is kept of its contacts, and whoever takes the slot next is searched for anew.
 void invalidate_contacts(const ManifoldView& manifolds, const PairList& found, BoundsTile* bounds, int slot);

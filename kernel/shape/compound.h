@@ -67,7 +67,7 @@ void drop_pairs_of_one_body(const PairList& found) {
     // bound: max_pairs and the pairs of shapes of one body: pairs_with_own of scene.h
     for (int pair_i = 0; pair_i < *found.count; ++pair_i)
         if (found.pairs[pair_i].body_A / shapes_of_body != found.pairs[pair_i].body_B / shapes_of_body) found.pairs[kept++] = found.pairs[pair_i];
-    *found.count = static_cast<uint16_t>(kept);
+    *found.count = static_cast<Index>(kept);
 }
 
 /// The solid of a shape in its own frame. Hulls are not known here, half spaces have no mass: both are no solid, see mass_properties.h.

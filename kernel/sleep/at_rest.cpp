@@ -59,7 +59,7 @@ void drop_resting_pairs(const SearchView& search, const PairList& pairs) {
         const BodyPair pair = pairs.pairs[pair_i];
         if (search.has(pair.body_A, SearchFlag::searched) || search.has(pair.body_B, SearchFlag::searched)) pairs.pairs[kept++] = pair;
     }
-    *pairs.count = static_cast<uint16_t>(kept);
+    *pairs.count = static_cast<Index>(kept);
 }
 
 void spread_notes(const ManifoldView& manifolds, const BodyPair* awake_pairs, int awake_count, ImpactNote* notes) {

@@ -50,7 +50,7 @@ void put_manifolds_aside(const BodyView& bodies, const RestView& rest, const Man
         }
         told(pair);
         const int root = rest.root(body), first = rest.aside[root];
-        const uint16_t here = static_cast<uint16_t>(pair.record + 1);
+        const Index here = static_cast<Index>(pair.record + 1);
         BodyPair& aside = rest.pairs_aside[pair.record];
         aside = {pair.body_A, pair.body_B, here};
         if (first == 0) {
@@ -61,7 +61,7 @@ void put_manifolds_aside(const BodyView& bodies, const RestView& rest, const Man
         }
         ++*rest.aside_count;
     }
-    *manifolds.count = static_cast<uint16_t>(kept);
+    *manifolds.count = static_cast<Index>(kept);
 }
 
 /// Moves the notes of the pairs that a step has solved to their places among all manifolds. The other manifolds get empty notes.

@@ -20,7 +20,7 @@ void bring_back(const RestView& rest, const ManifoldView& manifolds, int root) {
     for (int at = first; at != 0;) {
         BodyPair& pair = rest.pairs_aside[at - 1];
         const int next = pair.record;
-        manifolds.pairs[(*manifolds.count)++] = {pair.body_A, pair.body_B, static_cast<uint16_t>(at - 1)};
+        manifolds.pairs[(*manifolds.count)++] = {pair.body_A, pair.body_B, static_cast<Index>(at - 1)};
         --*rest.aside_count;
         pair = {};
         at = next == first ? 0 : next;
@@ -89,14 +89,14 @@ void wake_met_islands(const BodyView& bodies, const RestView& rest, const Manifo
     }
 }
 
-void list_awake_pairs(const BodyView& bodies, const RestView& rest, const ManifoldView& manifolds, BodyPair* awake_pairs, uint16_t& count) {
+void list_awake_pairs(const BodyView& bodies, const RestView& rest, const ManifoldView& manifolds, BodyPair* awake_pairs, Index& count) {
     count = 0;
     const auto moves = [&](int slot) { return rest.is_awake(slot) && is_dynamic(bodies, slot); };
     // bound: max_manifolds
     for (int manifold_i = 0; manifold_i < *manifolds.count; ++manifold_i) {
         const BodyPair& pair = manifolds.pairs[manifold_i];
         const int A = rest.body_of(pair.body_A), B = rest.body_of(pair.body_B);
-        if (moves(A) || moves(B)) awake_pairs[count++] = {static_cast<uint16_t>(A), static_cast<uint16_t>(B), pair.record};
+        if (moves(A) || moves(B)) awake_pairs[count++] = {static_cast<Index>(A), static_cast<Index>(B), pair.record};
     }
 }
 

@@ -32,6 +32,6 @@ void wake_all(const BodyView& bodies, const RestView& rest, const ManifoldView& 
 void wake_met_islands(const BodyView& bodies, const RestView& rest, const ManifoldView& manifolds);
 
 /// The pairs that a step has to solve: those with a body that moves, in their order, by the slots of bodies.
-void list_awake_pairs(const BodyView& bodies, const RestView& rest, const ManifoldView& manifolds, BodyPair* awake_pairs, uint16_t& count);
+void list_awake_pairs(const BodyView& bodies, const RestView& rest, const ManifoldView& manifolds, BodyPair* awake_pairs, Index& count);
 
 } }  // namespace ingot

@@ -55,7 +55,7 @@ struct ContactPlaces {
             if constexpr (S::sleeps) {
                 const int record_i = place - storage.manifold_count;
                 const BodyPair& aside = storage.pairs_aside[record_i];
-                if (aside.record != 0) return {aside.body_A, aside.body_B, static_cast<uint16_t>(record_i)};
+                if (aside.record != 0) return {aside.body_A, aside.body_B, static_cast<Index>(record_i)};
             }
             return {0, 0, no_record};
         }
@@ -71,7 +71,7 @@ struct ContactPlaces {
     }
     ContactInfo info_at(int place) const {
         const BodyPair pair = pair_at(place);
-        const auto id_of = [this](int slot) { return BodyId{static_cast<uint16_t>(slot), storage.world_tag, storage.generation[slot]}; };
+        const auto id_of = [this](int slot) { return BodyId{static_cast<Index>(slot), storage.world_tag, storage.generation[slot]}; };
         ContactInfo info;
         info.A = id_of(pair.body_A / S::max_shapes_of_body);
         info.B = id_of(pair.body_B / S::max_shapes_of_body);

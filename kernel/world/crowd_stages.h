@@ -59,7 +59,7 @@ void for_refused(Step<S>& now, const SurfaceView& surfaces, const Fast& fast_pai
         if (found.pairs[pair_i].record == refused_record) meet(found.pairs[pair_i]);
     if (*found.lost == 0) return;
     for_near_pairs(storage.search_view(), storage.tree_of_bounds(), pairs_of_interest<S>(), [&](int A, int B) {
-        const BodyPair pair = {static_cast<uint16_t>(A), static_cast<uint16_t>(B), refused_record};
+        const BodyPair pair = {static_cast<Index>(A), static_cast<Index>(B), refused_record};
         if (place_in(found.pairs, *found.count, pair.key()) >= 0 || !storage.can_meet(A, B) || !bounds_overlap(storage.bounds, A, B)) return;
         if (!rests(storage, pair)) meet(pair);
     });
@@ -188,7 +188,7 @@ template <class S>
 void hold_lost_pair(Step<S>& now, int slot_A, int slot_B) {
     const SurfaceView surfaces = now.storage.surface_view();
     Contact found[TouchPoints::points_max];
-    uint16_t found_count = 0, lost = 0;
+    Index found_count = 0, lost = 0;
     StepReport of_pair;
     ContactSink sink{{found, &found_count, TouchPoints::points_max}, slot_A, slot_B, 0, &lost};
     collide_pair<typename S::shapes>(placed(now.bodies, surfaces, slot_A), placed(now.bodies, surfaces, slot_B), sink, of_pair);

@@ -30,7 +30,7 @@ namespace ingot { inline namespace INGOT_ABI {
 ///     static ingot::World<Crates> world;                // .bss; no constructor runs; memcpy is a snapshot
 ///
 /// A trait that is misspelt, `max_bodys`, is a member of your own that nobody asks for, and a compiler cannot know that it was meant for one:
-/// assert what matters, static_assert(Crates::max_bodies == 10).
+/// assert what matters, static_assert(Crates::max_bodies == 10). Where a range ends at 65535, INGOT_INDEX_BITS=32 lets it go on to 16 million.
 struct Scene {
     static constexpr int  max_bodies   = 1;      ///< 1 .. 65536
     static constexpr bool translates   = false;

@@ -108,7 +108,7 @@ constexpr size_t saved_list_size(int count) {
     ByteCounter counter;
     typename Feature::OfEntry entry{};
     entry.numbers(counter, snapshot_parts<S>());
-    return sizeof(uint16_t) + static_cast<size_t>(count) * counter.count();
+    return sizeof(Index) + static_cast<size_t>(count) * counter.count();
 }
 /// Without lists.
 template <class S>
@@ -118,7 +118,7 @@ constexpr size_t snapshot_size_of(size_t slots_used, size_t living, size_t shape
     world.numbers(counter);
     return snapshot_header_size() + counter.count() + saved_size<OfWorld, S>() + saved_field_size<S>() + slots_used * sizeof(uint32_t) +
            living * saved_body_size<S>() + shapes * saved_size<OfShape, S>() +
-           (stacks<S> ? sizeof(uint16_t) + manifolds * saved_size<OfManifold, S>() : 0) + snapshot_checksum_size;
+           (stacks<S> ? sizeof(Index) + manifolds * saved_size<OfManifold, S>() : 0) + snapshot_checksum_size;
 }
 
 /// Bytes that a snapshot of any world of the scene fits in: that of a full one.
@@ -149,6 +149,7 @@ template <class S>
 constexpr uint64_t scene_signature() {
     Signature signature;
     signature(snapshot_parts<S>());
+    if (INGOT_INDEX_BITS != 16) signature(INGOT_INDEX_BITS);
     int number = 0;
     features::All::over_all([&](auto feature) {
         using F = decltype(feature);
@@ -194,7 +195,7 @@ void write_body(ByteWriter& writer, const Storage<S>& storage, int slot) {
 template <class S>
 void write_manifolds([[maybe_unused]] ByteWriter& writer, [[maybe_unused]] const Storage<S>& storage) {
     if constexpr (stacks<S>) {
-        uint16_t count = static_cast<uint16_t>(saved_manifold_count(storage));
+        Index count = static_cast<Index>(saved_manifold_count(storage));
         writer(count);
         for_manifolds(storage, writer.next(), saved_size<OfManifold, S>(),
                       [&writer, &storage](const BodyPair& pair) { write_numbers<OfManifold>(writer, storage, pair); });
@@ -207,7 +208,7 @@ void write_lists(ByteWriter& writer, const Storage<S>& storage) {
     features::All::over_named<S>([&](auto feature) {
         using F = decltype(feature);
         if constexpr (F::has_entries) {
-            uint16_t count = F::entry_count(storage);
+            Index count = F::entry_count(storage);
             writer(count);
             for (int entry_i = 0; entry_i < count; ++entry_i) {
                 typename F::OfEntry saved{};
@@ -311,11 +312,11 @@ Status read_body(ByteReader& reader, int slot, Storage<S>* to) {
 template <class S>
 Status read_manifolds([[maybe_unused]] ByteReader& reader, [[maybe_unused]] uint32_t slots_used, [[maybe_unused]] Storage<S>* to) {
     if constexpr (stacks<S>) {
-        uint16_t count = 0;
+        Index count = 0;
         reader(count);
         if (count > S::max_manifolds) return Status::bad_snapshot;
         ManifoldContext context{slots_used, 0, 0};
-        for (uint16_t record = 0; record < count; ++record) {  // bound: max_manifolds: more are refused before
+        for (Index record = 0; record < count; ++record) {  // bound: max_manifolds: more are refused before
             if (read_numbers<OfManifold, S>(reader, to, context, record) != Status::ok) return Status::bad_snapshot;
             context.key_before = context.key;
         }
@@ -330,7 +331,7 @@ Status read_lists(ByteReader& reader, uint32_t slots_used, Storage<S>* to) {
     features::All::over_named<S>([&](auto feature) {
         using F = decltype(feature);
         if constexpr (F::has_entries) {
-            uint16_t count = 0;
+            Index count = 0;
             reader(count);
             sound = sound && count <= F::template entry_capacity<S>;
             if (to != nullptr) F::set_entry_count(*to, count);

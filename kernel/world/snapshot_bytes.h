@@ -35,6 +35,12 @@ public:
     constexpr void operator()(uint16_t& number) { stream().integer(number); }
     constexpr void operator()(uint32_t& number) { stream().integer(number); }
     constexpr void operator()(uint64_t& number) { stream().integer(number); }
+    /// Of an Index. What none can be is read as more than any capacity.
+    constexpr void operator()(int32_t& number) {
+        uint32_t bits = static_cast<uint32_t>(number);
+        stream().integer(bits);
+        number = static_cast<int32_t>(bits < 0x7fffffffu ? bits : 0x7fffffffu);
+    }
     constexpr void operator()(scalar& number) { stream().real(number); }
     constexpr void operator()(Vector& v) {
         (*this)(v.x);
@@ -217,7 +223,7 @@ struct SavedRest {
 
 /// What is kept of two bodies that touch, in scenes with manifolds.
 struct SavedManifold {
-    uint16_t body_A, body_B;
+    Index body_A, body_B;
     ManifoldRecord record;
     Vector j_reference;
     ManifoldAnchors anchors;
@@ -258,17 +264,23 @@ struct SavedManifold {
 
 /// A pair in bytes, to be sorted where the snapshot is written.
 struct PairBytes {
-    uint8_t bytes[6];
+    static constexpr int size = sizeof(Index);
+    uint8_t bytes[3 * size];
 
-    uint32_t key() const { return static_cast<uint32_t>(bytes[0]) << 24 | static_cast<uint32_t>(bytes[1]) << 16 | bytes[2] * 256u | bytes[3]; }
-    BodyPair pair() const {
-        return {static_cast<uint16_t>(key() >> 16), static_cast<uint16_t>(key() & 0xffffu), static_cast<uint16_t>(bytes[4] * 256 + bytes[5])};
+    Index number(int number_i) const {
+        uint32_t value = 0;
+        for (int byte_i = 0; byte_i < size; ++byte_i) value = value << 8 | bytes[number_i * size + byte_i];  // bound: 4
+        return static_cast<Index>(value);
     }
+    PairKey key() const { return key_of(number(0), number(1)); }
+    BodyPair pair() const { return {number(0), number(1), number(2)}; }
 };
 constexpr PairBytes bytes_of(const BodyPair& pair) {
-    const auto high = [](uint16_t number) { return static_cast<uint8_t>(number >> 8); };
-    const auto low = [](uint16_t number) { return static_cast<uint8_t>(number & 0xffu); };
-    return {{high(pair.body_A), low(pair.body_A), high(pair.body_B), low(pair.body_B), high(pair.record), low(pair.record)}};
+    PairBytes all{};
+    const Index numbers[3] = {pair.body_A, pair.body_B, pair.record};
+    for (int i = 0; i < 3 * PairBytes::size; ++i)  // bound: 12; the highest byte of a number first
+        all.bytes[i] = static_cast<uint8_t>(numbers[i / PairBytes::size] >> 8 * (PairBytes::size - 1 - i % PairBytes::size) & 0xff);
+    return all;
 }
 
 /// 64 bits. A change within the eight bytes of one round, so of any one byte, always changes it: each round maps both what came

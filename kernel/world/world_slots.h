@@ -103,13 +103,13 @@ protected:
 
     // Slots of shapes are those of bodies, where a body has one shape.
 
-    static uint16_t body_of(int shape_slot) { return static_cast<uint16_t>(shape_slot / S::max_shapes_of_body); }
+    static Index body_of(int shape_slot) { return static_cast<Index>(shape_slot / S::max_shapes_of_body); }
     static int number_of_shape(int shape_slot) { return shape_slot == no_slot ? 0 : shape_slot % S::max_shapes_of_body; }
     BodyId id_of_shape(int shape_slot) const { return shape_slot == no_slot ? BodyId{} : id_of(body_of(shape_slot)); }
 
     bool lives(int slot) const { return storage_.lives(slot); }
 
-    BodyId id_of(int slot) const { return {static_cast<uint16_t>(slot), storage_.world_tag, storage_.generation[slot]}; }
+    BodyId id_of(int slot) const { return {static_cast<Index>(slot), storage_.world_tag, storage_.generation[slot]}; }
 
     Result<int> find(BodyId id) const {
         if (id.world_tag != storage_.world_tag && id.generation != 0) return {Status::foreign_id, 0};

@@ -38,7 +38,7 @@ bool find_heavy_islands(const SolverView& solver, int manifold_capacity) {
 template <class Each>
 void for_pushes(const SolverView& solver, const Each& each) {
     for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i) {  // bound: max_manifolds
-        const uint16_t island_i = solver.island_at[manifold_i];
+        const Index island_i = solver.island_at[manifold_i];
         if (island_i == no_island || !solver.islands[island_i].sweeps_on) continue;
         const BodyPair& pair = solver.pairs[manifold_i];
         const Vector& n = solver.records[pair.record].manifold.n;  // from B to A

@@ -16,7 +16,7 @@ void choose_by_contacts(const SolverView& solver, const Direct& direct) {
     for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i) {  // bound: max_manifolds
         const BodyPair& pair = solver.pairs[manifold_i];
         if (age_of(solver.records[pair.record]) == 0) direct.unsettled[pair.record] = 0;  // a new contact
-        const uint16_t island_i = solver.island_at[manifold_i];
+        const Index island_i = solver.island_at[manifold_i];
         if (island_i == no_island) continue;
         if (are_uneven(solver, solver.local_of[pair.body_A], solver.local_of[pair.body_B]) ||
             direct.unsettled[pair.record] >= limits::unsettled_steps)
@@ -36,7 +36,7 @@ void choose_by_loads(const SolverView& solver, const Direct& direct) {
 template <class Direct>
 void choose_by_levels(const SolverView& solver, const Direct& direct) {
     for (int body_i = 1; body_i < solver.body_count; ++body_i) {  // bound: max_bodies + 1
-        const uint16_t island_i = solver.island_of[body_i], level = solver.level_of_body[body_i];
+        const Index island_i = solver.island_of[body_i], level = solver.level_of_body[body_i];
         if (level != unreached_level && level >= limits::direct_levels && solver.islands[island_i].manifold_count <= direct.manifold_capacity)
             direct.state[island_i] = IslandState::chosen;
     }

@@ -65,10 +65,10 @@ struct DirectManifoldOf : RollingOfManifold<rolls> {
     wide_scalar mu, radius;      ///< m; |torsion| <= mu radius N
     SlideDirection slip[RollingOfManifold<rolls>::pair_count];  ///< that sliding rows were factored with
     wide_scalar torsion_sign;    ///< of the torsion; 0: it carries nothing
-    uint16_t position;      ///< block and lane: see manifold_at
-    uint16_t body[2];       ///< of DirectBody
-    uint16_t first;         ///< manifold of the island, the first that shares a body with this one
-    uint16_t active_begin;  ///< the first of its active rows
+    Index position;      ///< block and lane: see manifold_at
+    Index body[2];       ///< of DirectBody
+    Index first;         ///< manifold of the island, the first that shares a body with this one
+    Index active_begin;  ///< the first of its active rows
     RowBits rows;           ///< bit per row that exists
     RowBits active;         ///< bit per row that is solved for
     RowBits factored;       ///< the same of the matrix that is factored
@@ -86,7 +86,7 @@ struct DirectBody {
     Sym3<wide_scalar> inv_I_world;
     DirectVector r_CM;
     wide_scalar inv_M;
-    uint16_t body_i;  ///< of SolverBody
+    Index body_i;  ///< of SolverBody
 };
 
 /// A row of the matrix of active rows, and of its factor.
@@ -94,8 +94,8 @@ struct DirectActive {
     wide_scalar inv_pivot;  ///< 0: the row depends on those before it, and takes nothing
     wide_scalar x;          ///< right-hand side, then solution
     uint32_t offset;   ///< of the first entry
-    uint16_t begin;    ///< column of the first entry
-    uint16_t row;      ///< of DirectRow
+    Index begin;    ///< column of the first entry
+    Index row;      ///< of DirectRow
 };
 
 /// v_CM and L of a body with forces, before contacts.
@@ -125,7 +125,7 @@ struct DirectViewOf {
 
     FreeMotion* free_motion;  ///< by solver body
     IslandState* state;       ///< by island
-    uint16_t* local;          ///< by solver body: of DirectBody
+    Index* local;          ///< by solver body: of DirectBody
     uint8_t* unsettled;       ///< by record: steps in a row that ended with sweeps at their bound
 
     int manifold_count, body_count, active_count, entry_count;  ///< of the island at hand

@@ -34,14 +34,14 @@ bool list_rows(Direct& island) {
     for (int manifold_i = 0; manifold_i < island.manifold_count; ++manifold_i) {
         ManifoldOf<Direct>& manifold = island.manifolds[manifold_i];
         manifold.factored = manifold.active;
-        manifold.active_begin = static_cast<uint16_t>(count);
+        manifold.active_begin = static_cast<Index>(count);
         const int begin = island.manifolds[manifold.first].active_begin;
         // bound: Direct::row_count: only a member named row is written, of an active row
         for (int row = 0; row < Direct::row_count; ++row) {
             if ((manifold.active >> row & 1u) == 0) continue;
             DirectActive& active = island.active[count];
-            active.row = static_cast<uint16_t>(manifold_i * Direct::row_count + row);
-            active.begin = static_cast<uint16_t>(begin);
+            active.row = static_cast<Index>(manifold_i * Direct::row_count + row);
+            active.begin = static_cast<Index>(begin);
             active.offset = entry_count;
             entry_count += static_cast<uint32_t>(count - begin);
             if (entry_count > static_cast<uint32_t>(island.entry_capacity)) return false;

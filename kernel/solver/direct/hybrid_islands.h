@@ -47,7 +47,7 @@ struct HybridIslands : BlockSolver {
         DirectManifoldOf<rolls> manifold[island] = {};
         DirectBody body[island + 2] = {};
         FreeMotion free_motion[body_capacity] = {};
-        uint16_t local[body_capacity] = {};
+        Index local[body_capacity] = {};
         IslandState state[body_capacity] = {};
         uint8_t unsettled[static_cast<unsigned>(max_manifolds)] = {};
 

@@ -14,7 +14,7 @@ bool has_impact(const SolverView& solver, const Direct& island, scalar h) {
         const ManifoldOf<Direct>& manifold = island.manifolds[manifold_i];
         const DirectRow* const rows = island.rows + manifold_i * Direct::row_count;
         wide_scalar smooth = 0;
-        for (const uint16_t body : manifold.body)
+        for (const Index body : manifold.body)
             if (body != 0) smooth = max(smooth, static_cast<wide_scalar>(2 * h * solver.bodies[island.bodies[body].body_i].dp[3]));
         // bound: 4: block_rows
         for (int row = 0; row < manifold.points; ++row)

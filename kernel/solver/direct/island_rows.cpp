@@ -17,13 +17,13 @@ bool is_steep(const Direct& direct) {
 }
 
 template <class Direct>
-void take_in(const SolverView& solver, const BodyView& bodies, Direct& direct, uint16_t body_i) {
+void take_in(const SolverView& solver, const BodyView& bodies, Direct& direct, Index body_i) {
     if (body_i == 0) return;
     const int known = direct.local[body_i];
     if (known != 0 && known < direct.body_count && direct.bodies[known].body_i == body_i) return;
     const Place at = place_of(solver.slot_of[body_i]);
     const SymmetricMatrix inv_I = lane_of(bodies.translation[at.tile].inv_I_world, at.lane);
-    direct.local[body_i] = static_cast<uint16_t>(direct.body_count);
+    direct.local[body_i] = static_cast<Index>(direct.body_count);
     DirectBody& body = direct.bodies[direct.body_count++];
     body.inv_M = static_cast<wide_scalar>(solver.bodies[body_i].v_CM[3]);
     body.inv_I_world = {static_cast<wide_scalar>(inv_I.xx), static_cast<wide_scalar>(inv_I.yy), static_cast<wide_scalar>(inv_I.zz),
@@ -99,10 +99,10 @@ void load_manifold(const View& solver, Direct& direct, ManifoldOf<Direct>& manif
 /// Puts the body that stands for a kinematic one into a manifold that was loaded as one with what cannot move. It is B from now on: rows are the same
 /// with A and B in each other's place and d turned round. J = 0 and k = -J of the partner: see constraint/kinematic_view.h.
 template <class Direct>
-void load_kinematic(const SolverView& solver, Direct& direct, ManifoldOf<Direct>& manifold, DirectRow* rows, uint16_t body_i, int& end) {
+void load_kinematic(const SolverView& solver, Direct& direct, ManifoldOf<Direct>& manifold, DirectRow* rows, Index body_i, int& end) {
     const bool is_A = manifold.body[0] == 0;
     if (is_A) manifold.body[0] = manifold.body[1];
-    manifold.body[1] = static_cast<uint16_t>(--end);
+    manifold.body[1] = static_cast<Index>(--end);
     DirectBody& body = direct.bodies[end];
     body = {};
     body.body_i = body_i;
@@ -139,11 +139,11 @@ void load_rows(const View& solver, const BodyView& bodies, Direct& direct, int i
         ManifoldOf<Direct>& manifold = direct.manifolds[manifold_i];
         manifold.position = solver.members[island.member_begin + manifold_i];
         const ContactBlock& block = solver.blocks[manifold.position / lanes];
-        uint16_t body_A = block.body_A[manifold.position % lanes], body_B = block.body_B[manifold.position % lanes];
-        [[maybe_unused]] uint16_t kinematic_i = 0;
+        Index body_A = block.body_A[manifold.position % lanes], body_B = block.body_B[manifold.position % lanes];
+        [[maybe_unused]] Index kinematic_i = 0;
         if constexpr (sees_kinematic<View>) {
-            uint16_t* const of_pair[2] = {&body_A, &body_B};
-            for (uint16_t* const body : of_pair) {
+            Index* const of_pair[2] = {&body_A, &body_B};
+            for (Index* const body : of_pair) {
                 if (*body < solver.kinematic.body_begin) continue;
                 kinematic_i = *body;
                 *body = 0;
@@ -159,14 +159,14 @@ void load_rows(const View& solver, const BodyView& bodies, Direct& direct, int i
         if constexpr (sees_kinematic<View>)
             if (kinematic_i != 0) load_kinematic(solver, direct, manifold, direct.rows + manifold_i * Direct::row_count, kinematic_i, end);
 
-        manifold.first = static_cast<uint16_t>(manifold_i);
+        manifold.first = static_cast<Index>(manifold_i);
         for (int before = 0; before < manifold_i; ++before) {  // bound: max_island: manifolds of an island before one
             const ManifoldOf<Direct>& other = direct.manifolds[before];
             bool shared = false;
-            for (const uint16_t mine : manifold.body)
-                for (const uint16_t theirs : other.body) shared = shared || (mine != 0 && mine == theirs);
+            for (const Index mine : manifold.body)
+                for (const Index theirs : other.body) shared = shared || (mine != 0 && mine == theirs);
             if (!shared) continue;
-            manifold.first = static_cast<uint16_t>(before);
+            manifold.first = static_cast<Index>(before);
             break;
         }
     }

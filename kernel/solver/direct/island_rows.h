@@ -20,7 +20,7 @@ template <class View, class Direct, class Each>
 inline void for_kinematic(const View& solver, const Direct& direct, const Each& each) {
     // bound: max_island of HybridIslands: larger islands are swept
     for (int manifold_i = 0; manifold_i < direct.manifold_count; ++manifold_i) {
-        const uint16_t at = direct.manifolds[manifold_i].body[1];
+        const Index at = direct.manifolds[manifold_i].body[1];
         if (at >= direct.body_count) each(direct.manifolds[manifold_i], direct.bodies[at], solver.bodies[direct.bodies[at].body_i]);
     }
 }

@@ -21,7 +21,7 @@ inline void see_kinematic_body(const PointView& solver, const KinematicPoints& k
     point.sign = is_A ? scalar(-1) : scalar(1);
     point.r_partner = solver.bodies[partner].r_CM;
     point.body = kinematic_contact_of(bodies, kinematic.of_slots, h, slot, point.r_partner);
-    point.body.partner = static_cast<uint16_t>(partner);
+    point.body.partner = static_cast<Index>(partner);
 }
 
 /// Calls each(point) for the manifolds of the island at hand that have a kinematic body.

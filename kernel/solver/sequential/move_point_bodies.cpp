@@ -42,7 +42,7 @@ void take_in_point_body(PointBody& body, const BodyView& bodies, const Vector& g
     body.r_CM = lane_of(translation.r_CM, at.lane);
     body.inv_M = inv_M;
     body.displacement = {};
-    body.root = static_cast<uint16_t>(slot);
+    body.root = static_cast<Index>(slot);
 }
 
 /// The begin of a substep: forces change the velocity of a body for h seconds, or it changes by as much again as in the substep before.
@@ -100,10 +100,10 @@ void join_bodies(const PointView& solver) {
         const BodyPair& pair = solver.pairs[manifold_i];
         if (!is_of_an_island(solver, pair.body_A) || !is_of_an_island(solver, pair.body_B)) continue;
         const int A = root_of(solver, pair.body_A), B = root_of(solver, pair.body_B);
-        solver.bodies[A < B ? B : A].root = static_cast<uint16_t>(A < B ? A : B);
+        solver.bodies[A < B ? B : A].root = static_cast<Index>(A < B ? A : B);
     }
     for (int slot = 0; slot < solver.slot_count; ++slot)
-        if (is_of_an_island(solver, slot)) solver.bodies[slot].root = static_cast<uint16_t>(root_of(solver, slot));
+        if (is_of_an_island(solver, slot)) solver.bodies[slot].root = static_cast<Index>(root_of(solver, slot));
 }
 
 int next_island(PointView& solver, int slot) {
@@ -112,10 +112,10 @@ int next_island(PointView& solver, int slot) {
     solver.member_count = solver.body_count = 0;
     const auto has = [&](int of) { return solver.bodies[of].root == slot; };
     for (int of = slot; of < solver.slot_count; ++of)
-        if (has(of)) solver.body_slots[solver.body_count++] = static_cast<uint16_t>(of);
+        if (has(of)) solver.body_slots[solver.body_count++] = static_cast<Index>(of);
     for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i) {
         const BodyPair& pair = solver.pairs[manifold_i];
-        if (has(pair.body_A) || has(pair.body_B)) solver.members[solver.member_count++] = static_cast<uint16_t>(manifold_i);
+        if (has(pair.body_A) || has(pair.body_B)) solver.members[solver.member_count++] = static_cast<Index>(manifold_i);
     }
     return slot;
 }

@@ -32,9 +32,9 @@ struct PointBody {
     PointMotion displacement;  ///< since the step began
     PointMotion begin;         ///< velocity at the begin of the substep
     bool hit;         ///< in the substep: its velocity changed by more than forces explain
-    uint16_t root;    ///< slot of the lowest body of its island; no_root: it is of none
+    Index root;    ///< slot of the lowest body of its island; no_root: it is of none
 };
-inline constexpr uint16_t no_root = 65535;
+inline constexpr Index no_root = index_max;
 
 /// What a manifold gives: A gets it, B the opposite.
 struct PointImpulses {
@@ -63,8 +63,8 @@ struct PointView {
     scalar unit = 1;          ///< m; of lengths and speeds in limits.h: see base/contact_lengths.h
     PointBody* bodies;        ///< by body slot
     PointContact* contacts;   ///< by place in pairs
-    uint16_t* members;        ///< manifolds of the island at hand, in the order of pairs
-    uint16_t* body_slots;     ///< of its bodies
+    Index* members;        ///< manifolds of the island at hand, in the order of pairs
+    Index* body_slots;     ///< of its bodies
     int slot_count;           ///< bodies looked at
     int member_count, body_count;
     int sweeps_of_step = no_budget;  ///< that each island may have

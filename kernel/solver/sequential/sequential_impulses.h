@@ -47,7 +47,7 @@ struct SequentialImpulses {
         PointBody point_bodies[static_cast<unsigned>((max_bodies + lanes - 1) / lanes * lanes)] = {};
         PointContact point_contacts[static_cast<unsigned>(max_manifolds)] = {};
 
-        uint16_t members[static_cast<unsigned>(max_manifolds)] = {}, body_slots[static_cast<unsigned>(max_bodies)] = {};
+        Index members[static_cast<unsigned>(max_manifolds)] = {}, body_slots[static_cast<unsigned>(max_bodies)] = {};
 
         PointView solver_of(const BodyPair* pairs, ManifoldRecord* records, int manifold_count) {
             return {pairs, records, manifold_count, 1, point_bodies, point_contacts, members, body_slots, 0, 0, 0};

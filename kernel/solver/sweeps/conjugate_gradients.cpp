@@ -56,7 +56,7 @@ void begin_sweeps(const SolverView& solver) {
 
 template <class View>
 void extrapolate(const View& solver) {
-    uint16_t island_before = no_island;
+    Index island_before = no_island;
     lane beta{};
     for (int visit_i = 0; visit_i < solver.live_count; ++visit_i) {  // bound: max_manifolds: a run has one visit or more
         const Visit visit = solver.live[visit_i];

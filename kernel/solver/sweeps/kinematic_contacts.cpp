@@ -51,7 +51,7 @@ void see_kinematic_bodies(const View& solver, KinematicContacts& kinematic, cons
     for (int position = 0; position < solver.block_count * lanes; ++position) {
         ContactBlock& block = solver.blocks[position / lanes];
         const int lane_i = position % lanes;
-        const uint16_t manifold_i = block.manifold[lane_i];
+        const Index manifold_i = block.manifold[lane_i];
         if (manifold_i == no_manifold || (block.body_A[lane_i] != 0) == (block.body_B[lane_i] != 0)) continue;
         const bool is_A = block.body_A[lane_i] == 0;
         const BodyPair& pair = solver.pairs[manifold_i];
@@ -60,10 +60,10 @@ void see_kinematic_bodies(const View& solver, KinematicContacts& kinematic, cons
         const int contact_i = kinematic.count++;
         KinematicContact& contact = kinematic.contacts[contact_i];
         contact = kinematic_contact_of(bodies, kinematic.of_slots, h, slot, r_CM_of(bodies, is_A ? pair.body_B : pair.body_A));
-        contact.position = static_cast<uint16_t>(position);
+        contact.position = static_cast<Index>(position);
         contact.partner = is_A ? block.body_B[lane_i] : block.body_A[lane_i];
-        contact.is_A = is_A ? uint16_t(1) : uint16_t(0);
-        const uint16_t body_i = static_cast<uint16_t>(kinematic.body_begin + contact_i);
+        contact.is_A = is_A ? Index(1) : Index(0);
+        const Index body_i = static_cast<Index>(kinematic.body_begin + contact_i);
         (is_A ? block.body_A : block.body_B)[lane_i] = body_i;
         solver.bodies[body_i] = {};
         solver.histories[body_i] = {};

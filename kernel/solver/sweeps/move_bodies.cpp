@@ -53,7 +53,7 @@ void begin_body(const SolverView& solver, int body_i, const MotionAtBegin& motio
 }
 
 /// The solver's own body of a slot; 0 for one that cannot move, or that has gone bad: its motion must not reach those that touch it.
-uint16_t take_in(SolverView& solver, const BodyView& bodies, const Vector& gravity, scalar h, int slot) {
+Index take_in(SolverView& solver, const BodyView& bodies, const Vector& gravity, scalar h, int slot) {
     const Place at = place_of(slot);
     const scalar inv_M = bodies.translation[at.tile].inv_M[at.lane];
     if (!(inv_M > 0)) return 0;
@@ -65,9 +65,9 @@ uint16_t take_in(SolverView& solver, const BodyView& bodies, const Vector& gravi
         return 0;
     }
     const int local = solver.body_count++;
-    solver.slot_of[local] = static_cast<uint16_t>(slot);
+    solver.slot_of[local] = static_cast<Index>(slot);
     begin_body(solver, local, motion);
-    return static_cast<uint16_t>(local);
+    return static_cast<Index>(local);
 }
 
 /// The inertia of a body goes along with its turn of the substep. Returns the turn.

@@ -5,7 +5,7 @@ namespace ingot { inline namespace INGOT_ABI {
 
 void clear_impulse_notes(const SolverView& solver, const StepNotes& notes) {
     for (int position = 0; position < solver.lane_count; ++position) {  // bound: max_manifolds, rounded up to whole blocks
-        const uint16_t manifold_i = manifold_at(solver, position);
+        const Index manifold_i = manifold_at(solver, position);
         if (manifold_i == no_manifold) continue;
         if (notes.impacts != nullptr) notes.impacts[manifold_i].carried = false;
         if (notes.sums != nullptr) notes.sums[solver.pairs[manifold_i].record] = {};

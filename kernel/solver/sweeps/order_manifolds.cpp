@@ -7,26 +7,26 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
-uint16_t local_A(const SolverView& solver, int manifold_i) { return solver.local_of[solver.pairs[manifold_i].body_A]; }
-uint16_t local_B(const SolverView& solver, int manifold_i) { return solver.local_of[solver.pairs[manifold_i].body_B]; }
+Index local_A(const SolverView& solver, int manifold_i) { return solver.local_of[solver.pairs[manifold_i].body_A]; }
+Index local_B(const SolverView& solver, int manifold_i) { return solver.local_of[solver.pairs[manifold_i].body_B]; }
 
 /// Makes the levels of a manifold's bodies differ by at most one; true if that changed one.
 bool relax(const SolverView& solver, int manifold_i) {
-    uint16_t& A = solver.level_of_body[local_A(solver, manifold_i)];
-    uint16_t& B = solver.level_of_body[local_B(solver, manifold_i)];
+    Index& A = solver.level_of_body[local_A(solver, manifold_i)];
+    Index& B = solver.level_of_body[local_B(solver, manifold_i)];
     if (A != unreached_level && A + 1 < B) {
-        B = static_cast<uint16_t>(A + 1);
+        B = static_cast<Index>(A + 1);
         return true;
     }
     if (B != unreached_level && B + 1 < A) {
-        A = static_cast<uint16_t>(B + 1);
+        A = static_cast<Index>(B + 1);
         return true;
     }
     return false;
 }
 
 bool is_in_batch(const SolverView& solver, int manifold_i) {
-    const uint16_t island_i = solver.island_at[manifold_i];
+    const Index island_i = solver.island_at[manifold_i];
     return island_i != no_island && solver.islands[island_i].in_batch;
 }
 
@@ -44,7 +44,7 @@ int sort_by_level(const SolverView& solver) {
         sum += count;
     }
     for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i)
-        if (is_in_batch(solver, manifold_i)) solver.sorted[first[solver.level[manifold_i]]++] = static_cast<uint16_t>(manifold_i);
+        if (is_in_batch(solver, manifold_i)) solver.sorted[first[solver.level[manifold_i]]++] = static_cast<Index>(manifold_i);
     return static_cast<int>(sum);
 }
 
@@ -73,25 +73,25 @@ void begin_block(SolverView& solver, int still_to_come) {
 }
 
 /// A manifold takes a lane. The k-th of an island and a colour is added to the k mod 8-th of the island's sums.
-void take_lane(const SolverView& solver, ContactBlock& block, int lane_i, uint16_t manifold_i, uint16_t group) {
-    const uint16_t island_i = solver.island_at[manifold_i];
+void take_lane(const SolverView& solver, ContactBlock& block, int lane_i, Index manifold_i, Index group) {
+    const Index island_i = solver.island_at[manifold_i];
     Island& island = solver.islands[island_i];
-    const unsigned k = island.group == group ? island.in_group : 0;
+    const unsigned k = island.group == group ? static_cast<unsigned>(island.in_group) : 0;
     island.group = group;
-    island.in_group = static_cast<uint16_t>(k + 1);
+    island.in_group = static_cast<Index>(k + 1);
     block.manifold[lane_i] = manifold_i;
     block.island[lane_i] = island_i;
     block.sum_i[lane_i] = static_cast<uint8_t>(k % Island::sum_count);
 }
 
 /// Adds manifolds [0 .. count), which share no body that can move, to the blocks. Groups are numbered from 1 on.
-void add_visits(SolverView& solver, const uint16_t* manifolds, int count, uint16_t& group) {
+void add_visits(SolverView& solver, const Index* manifolds, int count, Index& group) {
     ++group;
     for (int i = 0; i < count;) {  // bound: max_manifolds: taken is 1 or more, for a block has room for one
         const int block_i = solver.lane_count / lanes, first_lane = solver.lane_count % lanes;
         const int room = lanes - first_lane, taken = count - i < room ? count - i : room;
         const unsigned bits = ((1u << taken) - 1u) << first_lane;
-        solver.visits[solver.visit_count++] = {static_cast<uint16_t>(block_i), static_cast<uint16_t>(bits), no_island};
+        solver.visits[solver.visit_count++] = {static_cast<Index>(block_i), static_cast<uint16_t>(bits), no_island};
         ContactBlock& block = solver.blocks[block_i];
         for (int k = 0; k < taken; ++k) take_lane(solver, block, first_lane + k, manifolds[i + k], group);  // bound: lanes
         solver.lane_count += taken;
@@ -100,15 +100,15 @@ void add_visits(SolverView& solver, const uint16_t* manifolds, int count, uint16
 }
 
 /// Colours the manifolds sorted[begin .. end) of one level and adds them colour by colour.
-void color_level(SolverView& solver, int begin, int end, int batch_count, uint16_t& group) {
-    uint16_t count[colours + 1] = {};
+void color_level(SolverView& solver, int begin, int end, int batch_count, Index& group) {
+    Index count[colours + 1] = {};
     for (int i = begin; i < end; ++i) {  // bound: max_manifolds: part of sorted
         solver.colours_of_body[local_A(solver, solver.sorted[i])] = 0;
         solver.colours_of_body[local_B(solver, solver.sorted[i])] = 0;
     }
     for (int i = begin; i < end; ++i) {
-        const uint16_t manifold_i = solver.sorted[i];
-        const uint16_t A = local_A(solver, manifold_i), B = local_B(solver, manifold_i);
+        const Index manifold_i = solver.sorted[i];
+        const Index A = local_A(solver, manifold_i), B = local_B(solver, manifold_i);
         const int colour = lowest_free((A != 0 ? solver.colours_of_body[A] : 0) | (B != 0 ? solver.colours_of_body[B] : 0));
         if (colour < colours) {
             solver.colours_of_body[A] |= 1u << colour;
@@ -122,9 +122,9 @@ void color_level(SolverView& solver, int begin, int end, int batch_count, uint16
         place[colour] = sum;
         sum += count[colour];
     }
-    uint16_t* const by_colour = solver.members;  // not listed yet
+    Index* const by_colour = solver.members;  // not listed yet
     for (int i = begin; i < end; ++i) {
-        const uint16_t manifold_i = solver.sorted[i];
+        const Index manifold_i = solver.sorted[i];
         by_colour[place[solver.colour[manifold_i]]++] = manifold_i;
     }
     int position = begin;
@@ -169,9 +169,9 @@ void find_levels(const SolverView& solver) {
             changed = relax(solver, pass_i % 2 == 0 ? step_i : solver.manifold_count - 1 - step_i) || changed;
     }
     for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i) {
-        const uint16_t A = solver.level_of_body[local_A(solver, manifold_i)], B = solver.level_of_body[local_B(solver, manifold_i)];
-        const uint16_t level = A < B ? A : B;
-        solver.level[manifold_i] = level == unreached_level ? uint16_t(0) : level;
+        const Index A = solver.level_of_body[local_A(solver, manifold_i)], B = solver.level_of_body[local_B(solver, manifold_i)];
+        const Index level = A < B ? A : B;
+        solver.level[manifold_i] = level == unreached_level ? Index(0) : level;
     }
 }
 
@@ -179,10 +179,10 @@ void order_manifolds(SolverView& solver) {
     const int batch_count = sort_by_level(solver);
     solver.visit_count = 0;
     solver.lane_count = 0;
-    uint16_t group = 0;
+    Index group = 0;
     int begin = 0;
     while (begin < batch_count) {  // bound: max_manifolds: begin becomes end, which is after it
-        const uint16_t level = solver.level[solver.sorted[begin]];
+        const Index level = solver.level[solver.sorted[begin]];
         int end = begin + 1;
         while (end < batch_count && solver.level[solver.sorted[end]] == level) ++end;  // bound: max_manifolds: ++end
         color_level(solver, begin, end, batch_count, group);
@@ -197,19 +197,19 @@ void order_manifolds(SolverView& solver) {
 }
 
 void list_members(const SolverView& solver) {
-    uint16_t sum = 0;
+    Index sum = 0;
     for (int island_i = 0; island_i < solver.island_count; ++island_i) {  // bound: max_bodies
         Island& island = solver.islands[island_i];
         if (!island.in_batch) continue;
         island.member_begin = sum;
         island.member_count = 0;
-        sum = static_cast<uint16_t>(sum + island.manifold_count);
+        sum = static_cast<Index>(sum + island.manifold_count);
     }
     for (int position = 0; position < solver.lane_count; ++position) {  // bound: max_manifolds, rounded up to whole blocks
-        const uint16_t island_i = solver.blocks[position / lanes].island[position % lanes];
+        const Index island_i = solver.blocks[position / lanes].island[position % lanes];
         if (island_i == no_island) continue;
         Island& island = solver.islands[island_i];
-        solver.members[island.member_begin + island.member_count++] = static_cast<uint16_t>(position);
+        solver.members[island.member_begin + island.member_count++] = static_cast<Index>(position);
     }
 }
 

@@ -5,7 +5,7 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-inline constexpr uint16_t unreached_level = 65535;  ///< of a body from which no contacts lead to the ground
+inline constexpr Index unreached_level = index_max;  ///< of a body from which no contacts lead to the ground
 
 /// The levels of all bodies: their distance from a body that cannot move, in contacts. The level of a manifold is the lower one of its two bodies'; 0
 /// where no way leads to the ground.

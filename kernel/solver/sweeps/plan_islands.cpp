@@ -16,30 +16,30 @@ void join_bodies(SolverView& solver) {
     const DisjointSets sets{solver.island_of};
     for (int body_i = 0; body_i < solver.body_count; ++body_i) sets.make_set(body_i);  // bound: max_bodies + 1
     for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i) {  // bound: max_manifolds
-        const uint16_t A = solver.local_of[solver.pairs[manifold_i].body_A], B = solver.local_of[solver.pairs[manifold_i].body_B];
+        const Index A = solver.local_of[solver.pairs[manifold_i].body_A], B = solver.local_of[solver.pairs[manifold_i].body_B];
         if (A != 0 && B != 0) sets.join(A, B);
     }
-    for (int body_i = 1; body_i < solver.body_count; ++body_i) solver.island_of[body_i] = static_cast<uint16_t>(sets.root(body_i));
+    for (int body_i = 1; body_i < solver.body_count; ++body_i) solver.island_of[body_i] = static_cast<Index>(sets.root(body_i));
     solver.island_count = 0;
     for (int body_i = 1; body_i < solver.body_count; ++body_i) {  // a root is the lowest of its island, so it has its number already
-        const uint16_t root = solver.island_of[body_i];
+        const Index root = solver.island_of[body_i];
         if (root == body_i) solver.islands[solver.island_count] = {};
-        solver.island_of[body_i] = root == body_i ? static_cast<uint16_t>(solver.island_count++) : solver.island_of[root];
+        solver.island_of[body_i] = root == body_i ? static_cast<Index>(solver.island_count++) : solver.island_of[root];
     }
     solver.island_of[0] = no_island;
 }
 
 void count_manifolds(const SolverView& solver) {
     for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i) {
-        const uint16_t island_i = solver.island_at[manifold_i] = solver.island_of[dynamic_body(solver, manifold_i)];
+        const Index island_i = solver.island_at[manifold_i] = solver.island_of[dynamic_body(solver, manifold_i)];
         if (island_i == no_island) continue;  // between two bodies that cannot move: one has gone bad
         Island& island = solver.islands[island_i];
         const ManifoldRecord& record = solver.records[solver.pairs[manifold_i].record];
-        const uint16_t level = solver.level[manifold_i];
+        const Index level = solver.level[manifold_i];
         ++island.manifold_count;
         if (age_of(record) < 4 * limits::substeps) ++island.new_count;
         if (was_steady(record)) ++island.steady_count;
-        if (level >= island.level_count) island.level_count = static_cast<uint16_t>(level + 1);
+        if (level >= island.level_count) island.level_count = static_cast<Index>(level + 1);
     }
 }
 
@@ -94,7 +94,7 @@ bool begin_batch(SolverView& solver, SweepPlan plan, const BodyView& bodies, con
     solver.some_hit = solver.some_turn = false;
     solver.batch_body_count = 0;
     for (int body_i = 1; body_i < solver.body_count; ++body_i)
-        if (solver.islands[solver.island_of[body_i]].in_batch) solver.batch_bodies[solver.batch_body_count++] = static_cast<uint16_t>(body_i);
+        if (solver.islands[solver.island_of[body_i]].in_batch) solver.batch_bodies[solver.batch_body_count++] = static_cast<Index>(body_i);
     if (again) take_in_again(solver, bodies, gravity);
     order_manifolds(solver);
     return true;

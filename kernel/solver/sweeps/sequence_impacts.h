@@ -11,7 +11,7 @@ namespace ingot { inline namespace INGOT_ABI {
 inline constexpr uint32_t leaning_body = 1u << 31;
 /// Lanes of which a body leans so. Solver body 0, which stands for all that cannot move, has marks of others' contacts.
 inline mask leaning_lanes(const SolverView& solver, const ContactBlock& block) {
-    const auto leans = [&](uint16_t body_i) { return body_i != 0 && (solver.colours_of_body[body_i] & leaning_body) != 0; };
+    const auto leans = [&](Index body_i) { return body_i != 0 && (solver.colours_of_body[body_i] & leaning_body) != 0; };
     uint16_t leaning = 0;
     for (int lane_i = 0; lane_i < lanes; ++lane_i)
         if (leans(block.body_A[lane_i]) || leans(block.body_B[lane_i])) leaning = static_cast<uint16_t>(leaning | 1u << lane_i);

@@ -10,7 +10,7 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
-bool is_on(const SolverView& solver, uint16_t island_i) { return island_i != no_island && solver.islands[island_i].sweeps_on; }
+bool is_on(const SolverView& solver, Index island_i) { return island_i != no_island && solver.islands[island_i].sweeps_on; }
 
 /// Adds the visit to the live ones, without the lanes of islands that are not swept.
 void add_live(SolverView& solver, Visit visit) {

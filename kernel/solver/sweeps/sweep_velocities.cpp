@@ -74,7 +74,7 @@ void add_lanes(const SolverView& solver, const Visit& visit, const ContactBlock&
 
 /// The same for a run of visits to one island, as vectors. Returns the visit after the run.
 int add_run(const SolverView& solver, int begin) {
-    const uint16_t island_i = solver.live[begin].island;
+    const Index island_i = solver.live[begin].island;
     Island& island = solver.islands[island_i];
     lane residual = load(island.residuals);
     int visit_i = begin;
@@ -99,7 +99,7 @@ void for_live_islands(const SolverView& solver, const Each& each) {
 
 template <class View>
 void sweep_velocities(const View& solver, int sweep_i, bool up) {
-    uint16_t island_before = no_island;
+    Index island_before = no_island;
     lane active_threshold{};
     for (int visit_i = 0; visit_i < solver.live_count; ++visit_i) {  // bound: max_manifolds: a run has one visit or more
         const Visit visit = solver.live[up ? visit_i : solver.live_count - 1 - visit_i];

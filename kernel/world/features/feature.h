@@ -32,14 +32,14 @@ struct SavedWorld {
 /// What a manifold is seen beside as it is read.
 struct ManifoldContext {
     uint32_t slots_used;  ///< of bodies
-    uint32_t key_before;  ///< of the manifold before; 0: of none
-    uint32_t key;         ///< of this one, once its bodies are read
+    PairKey key_before;  ///< of the manifold before; 0: of none
+    PairKey key;         ///< of this one, once its bodies are read
 };
 
 /// And an entry of a list.
 struct EntryContext {
     uint32_t shape_slots;  ///< in use
-    uint32_t key_before;   ///< of the pair before; 0: of none
+    PairKey key_before;   ///< of the pair before; 0: of none
 };
 
 namespace features {
@@ -79,11 +79,11 @@ struct Feature {
     template <class S>
     static constexpr int entry_capacity = 0;
     template <class S>
-    static uint16_t entry_count(const Storage<S>&) {
+    static Index entry_count(const Storage<S>&) {
         return 0;
     }
     template <class S>
-    static void set_entry_count(Storage<S>&, uint16_t) {}
+    static void set_entry_count(Storage<S>&, Index) {}
 
     /// Hands each trait of the scene that is the feature's to `each`: they make up the signature.
     template <class S, class Each>

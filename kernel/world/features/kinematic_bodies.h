@@ -44,7 +44,7 @@ struct KinematicBodies : Feature {
     static constexpr bool check() {
         static_assert(!S::kinematic_bodies || has_shapes<S>,
                       "kinematic bodies carry and push others: set max_manifolds or max_contacts, or kinematic_bodies = false");
-        static_assert(!S::kinematic_bodies || !stacks<S> || S::max_bodies + S::max_manifolds <= 65534,
+        static_assert(!S::kinematic_bodies || !stacks<S> || S::max_bodies + S::max_manifolds <= index_max - 1,
                       "with kinematic_bodies a scene holds up to 65534 bodies and manifolds together: lower max_bodies or max_manifolds");
         return true;
     }

@@ -44,7 +44,7 @@ struct BroadPhasePart<S, false> : S::broad_phase::template Memory<shape_capacity
 /// Where shapes may hide each other's edges: see inner_edges.h. Zero but within that stage.
 template <class S, bool present>
 struct InnerEdgePart {
-    uint16_t last_of_shape[static_cast<unsigned>(shape_capacity<S>)] = {};
+    Index last_of_shape[static_cast<unsigned>(shape_capacity<S>)] = {};
 };
 template <class S>
 struct InnerEdgePart<S, false> {};
@@ -92,11 +92,11 @@ struct BlockOrderPart : ManifoldListPart<S> {
 
     Island islands[body_capacity < manifold_capacity ? body_capacity : manifold_capacity] = {};
     uint32_t colours_of_body[solver_body_capacity<S>] = {};
-    uint16_t level_of_body[body_capacity] = {}, slot_of[body_capacity] = {}, island_of[body_capacity] = {}, batch_bodies[body_capacity] = {};
-    uint16_t local_of[static_cast<unsigned>(tile_capacity<S> * lanes)] = {};
-    uint16_t members[manifold_capacity] = {}, sorted[manifold_capacity] = {};
+    Index level_of_body[body_capacity] = {}, slot_of[body_capacity] = {}, island_of[body_capacity] = {}, batch_bodies[body_capacity] = {};
+    Index local_of[static_cast<unsigned>(tile_capacity<S> * lanes)] = {};
+    Index members[manifold_capacity] = {}, sorted[manifold_capacity] = {};
     uint8_t colour[manifold_capacity] = {};
-    uint16_t island_at[manifold_capacity] = {}, level[manifold_capacity] = {};
+    Index island_at[manifold_capacity] = {}, level[manifold_capacity] = {};
     Visit visits[visit_capacity] = {}, some_visits[visit_capacity] = {};
 
     auto solver_of(const BodyPair* pairs_of_bodies, ManifoldRecord* records_of_pairs, int count) {
@@ -131,8 +131,8 @@ struct BlockOrderPart<S, false> : ManifoldListPart<S> {};
 
 template <class S, bool present>
 struct ManifoldPart : BlockOrderPart<S, !S::solver::is_pointwise>, InnerEdgePart<S, hides_internal_edges<S>> {
-    uint16_t found_count = 0, pairs_lost = 0;
-    uint16_t manifold_count = 0, records_used = 0, first_free_record = 0;
+    Index found_count = 0, pairs_lost = 0;
+    Index manifold_count = 0, records_used = 0, first_free_record = 0;
 
     PairList pair_list() { return {this->found_pairs, pair_capacity<S>, &found_count, &pairs_lost}; }
     ManifoldView manifold_view() {
@@ -155,7 +155,7 @@ struct Impacts : Feature {
     template <class S, bool present>
     struct Memory {
         Contact contacts[static_cast<unsigned>(S::max_contacts)] = {};
-        uint16_t contact_count = 0;
+        Index contact_count = 0;
     };
     template <class S>
     struct Memory<S, false> {};
@@ -166,7 +166,7 @@ struct Impacts : Feature {
     }
     template <class S>
     static constexpr bool check() {
-        static_assert(S::max_contacts >= 0 && S::max_contacts <= 65535, "a scene holds 0 to 65535 contacts: set max_contacts");
+        static_assert(S::max_contacts >= 0 && S::max_contacts <= index_max, "a scene holds 0 to 65535 contacts: set max_contacts");
         static_assert(!collides<S> || S::translates, "bodies that collide move: set translates = true, or max_contacts = 0");
         static_assert(!(collides<S> && stacks<S>),
                       "a scene has impacts without friction, max_contacts, or contacts with friction, max_manifolds: set one of them");
@@ -206,10 +206,10 @@ struct Manifolds : Feature {
     }
     template <class S>
     static constexpr bool check() {
-        static_assert(S::max_manifolds >= 0 && S::max_manifolds <= 65534, "a scene holds 0 to 65534 manifolds: set max_manifolds");
-        static_assert(!stacks<S> || (S::max_pairs >= 0 && S::max_pairs <= 65535 && 2 * S::max_manifolds <= 65535 + S::max_pairs),
+        static_assert(S::max_manifolds >= 0 && S::max_manifolds <= index_max - 1, "a scene holds 0 to 65534 manifolds: set max_manifolds");
+        static_assert(!stacks<S> || (S::max_pairs >= 0 && S::max_pairs <= index_max && 2 * S::max_manifolds <= index_max + S::max_pairs),
                       "a scene holds up to 65535 pairs, twice max_manifolds unless it says otherwise: set max_pairs");
-        static_assert(!stacks<S> || S::max_bodies <= 65535, "bodies with contacts are up to 65535: set max_bodies");
+        static_assert(!stacks<S> || S::max_bodies <= index_max, "bodies with contacts are up to 65535: set max_bodies");
         static_assert(!stacks<S> || !S::rotation::as_printed, "Listing 1 has no contacts with friction: name another rotation, or max_contacts");
         static_assert(stacks<S> || S::length_unit == 1, "length_unit is for contacts with friction: set max_manifolds, or length_unit = 1");
         static_assert(!stacks<S> || S::translates, "bodies that touch move: set translates = true, or max_manifolds = 0");
@@ -244,13 +244,13 @@ struct Manifolds : Feature {
                 if (storage.anchors[pair.record].margin > 0) saved.anchors = storage.anchors[pair.record];
         }
         template <class S>
-        void put(Storage<S>& storage, uint16_t record) const {
+        void put(Storage<S>& storage, Index record) const {
             storage.pairs[record] = {saved.body_A, saved.body_B, record};
             storage.records[record] = saved.record;
             storage.records[record].manifold.halvings = static_cast<uint16_t>(storage.surface_view().halvings(saved.body_A, saved.body_B));
             if constexpr (!solves_pointwise<S>) storage.friction_references[record] = saved.j_reference;
             if constexpr (S::recycles_manifolds) storage.anchors[record] = saved.anchors;
-            storage.records_used = storage.manifold_count = static_cast<uint16_t>(record + 1);
+            storage.records_used = storage.manifold_count = static_cast<Index>(record + 1);
         }
         template <class S>
         bool is_valid(ManifoldContext& context) const {
@@ -282,7 +282,7 @@ struct Unsettled : Feature {
             steps = storage.unsettled[pair.record];
         }
         template <class S>
-        void put(Storage<S>& storage, uint16_t record) const {
+        void put(Storage<S>& storage, Index record) const {
             storage.unsettled[record] = steps;
         }
         template <class S>

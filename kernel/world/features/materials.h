@@ -104,7 +104,7 @@ struct RollingResistance : Feature {
             j = storage.rolling_records[pair.record].j;
         }
         template <class S>
-        void put(Storage<S>& storage, uint16_t record) const {
+        void put(Storage<S>& storage, Index record) const {
             storage.rolling_records[record].j = j;
         }
         template <class S>

@@ -41,7 +41,7 @@ struct Rotation : Feature {
     }
     template <class S>
     static constexpr bool check() {
-        static_assert(S::max_bodies >= 1 && S::max_bodies <= 65536, "a scene holds 1 to 65536 bodies: set max_bodies");
+        static_assert(S::max_bodies >= 1 && S::max_bodies <= index_max + 1, "a scene holds 1 to 65536 bodies: set max_bodies");
         return true;
     }
 };

@@ -61,7 +61,7 @@ struct ReadsContacts : Feature {
             sum = storage.impulse_sums[pair.record];
         }
         template <class S>
-        void put(Storage<S>& storage, uint16_t record) const {
+        void put(Storage<S>& storage, Index record) const {
             storage.impulse_sums[record] = sum;
         }
         template <class S>

@@ -9,7 +9,7 @@ namespace ingot { inline namespace INGOT_ABI { namespace features {
 
 /// Two bodies of a list, by their shapes.
 struct SavedPair : NoNumbers {
-    uint16_t body_A, body_B;
+    Index body_A, body_B;
     uint32_t generation_A, generation_B;
     uint8_t hit;
 
@@ -32,7 +32,7 @@ struct SavedPair : NoNumbers {
     /// Pairs stand in the order of their keys. A body of them may have left: its generation is that of one that lived.
     template <class S>
     bool is_valid(EntryContext& context) const {
-        const uint32_t key = pair().key();
+        const PairKey key = pair().key();
         const bool lived = (generation_A & generation_B & 1u) != 0, in_order = body_A != body_B && key > context.key_before;
         context.key_before = key;
         return lived && in_order && body_A < context.shape_slots && body_B < context.shape_slots && hit <= 1;
@@ -48,7 +48,7 @@ struct Sensors : Feature {
     struct Memory {
         uint8_t is_sensor[static_cast<unsigned>(shape_capacity<S>)] = {};
         PairOfBodies overlaps[static_cast<unsigned>(S::max_overlaps)] = {};
-        uint16_t overlap_count = 0;
+        Index overlap_count = 0;
 
         PairOfBodiesList overlap_list() { return {overlaps, &overlap_count, S::max_overlaps}; }
         /// With an empty list of overlaps, for a step to fill.
@@ -72,7 +72,7 @@ struct Sensors : Feature {
     }
     template <class S>
     static constexpr bool check() {
-        static_assert(S::max_overlaps >= 0 && S::max_overlaps <= 65535, "a scene notes 0 to 65535 overlaps with sensors: set max_overlaps");
+        static_assert(S::max_overlaps >= 0 && S::max_overlaps <= index_max, "a scene notes 0 to 65535 overlaps with sensors: set max_overlaps");
         static_assert(!has_sensors<S> || stacks<S>, "sensors are for scenes of contacts with friction: set max_manifolds, or max_overlaps = 0");
         return true;
     }
@@ -124,11 +124,11 @@ struct Sensors : Feature {
     template <class S>
     static constexpr int entry_capacity = S::max_overlaps;
     template <class S>
-    static uint16_t entry_count(const Storage<S>& storage) {
+    static Index entry_count(const Storage<S>& storage) {
         return storage.overlap_count;
     }
     template <class S>
-    static void set_entry_count(Storage<S>& storage, uint16_t count) {
+    static void set_entry_count(Storage<S>& storage, Index count) {
         storage.overlap_count = count;
     }
 };
@@ -141,7 +141,7 @@ struct Events : Feature {
     template <class S, bool present>
     struct SensorMemory {
         PairOfBodies overlaps_before[static_cast<unsigned>(S::max_overlaps)] = {};
-        uint16_t overlap_count_before = 0;
+        Index overlap_count_before = 0;
 
         PairOfBodiesList overlap_list_before() { return {overlaps_before, &overlap_count_before, S::max_overlaps}; }
     };
@@ -151,7 +151,7 @@ struct Events : Feature {
     template <class S, bool present>
     struct FlightMemory {
         FlightImpact flight_impacts[static_cast<unsigned>(limits::flight_impacts_max)] = {};
-        uint16_t flight_impact_count = 0;
+        Index flight_impact_count = 0;
 
         FlightImpactList flights(StepReport& report) {
             return {flight_impacts, &flight_impact_count, limits::flight_impacts_max, &report.events_lost};
@@ -165,7 +165,7 @@ struct Events : Feature {
     static constexpr int most_touching = S::max_manifolds + (S::continuous ? limits::flight_impacts_max : 0);
     /// As far as 16 bits count them.
     template <class S>
-    static constexpr int touching_capacity_of = most_touching<S> < 65535 ? most_touching<S> : 65535;
+    static constexpr int touching_capacity_of = most_touching<S> < index_max ? most_touching<S> : index_max;
 
     template <class S, bool present>
     struct Memory : SensorMemory<S, has_sensors<S>>, FlightMemory<S, S::continuous> {
@@ -173,7 +173,7 @@ struct Events : Feature {
         Event events[static_cast<unsigned>(S::max_events)] = {};
         ImpactNote notes[static_cast<unsigned>(S::max_manifolds)] = {};
         PairOfBodies touching[touching_capacity] = {}, touching_before[touching_capacity] = {};
-        uint16_t event_count = 0, touching_count = 0, touching_count_before = 0;
+        Index event_count = 0, touching_count = 0, touching_count_before = 0;
 
         ImpactNote* impact_notes() { return notes; }
         PairOfBodiesList touching_list() { return {touching, &touching_count, touching_capacity_of<S>}; }
@@ -196,7 +196,7 @@ struct Events : Feature {
     }
     template <class S>
     static constexpr bool check() {
-        static_assert(S::max_events >= 0 && S::max_events <= 65535, "a scene tells 0 to 65535 events in a step: set max_events");
+        static_assert(S::max_events >= 0 && S::max_events <= index_max, "a scene tells 0 to 65535 events in a step: set max_events");
         static_assert(!has_events<S> || stacks<S>, "events are of contacts with friction: set max_manifolds, or max_events = 0");
         static_assert(S::hit_speed >= 0 && S::hit_speed <= limits::speed_runaway, "hits are told from a speed of 0 or more on: set hit_speed");
         return true;
@@ -217,11 +217,11 @@ struct Events : Feature {
     template <class S>
     static constexpr int entry_capacity = touching_capacity_of<S>;
     template <class S>
-    static uint16_t entry_count(const Storage<S>& storage) {
+    static Index entry_count(const Storage<S>& storage) {
         return storage.touching_count;
     }
     template <class S>
-    static void set_entry_count(Storage<S>& storage, uint16_t count) {
+    static void set_entry_count(Storage<S>& storage, Index count) {
         storage.touching_count = count;
     }
 };
@@ -276,11 +276,11 @@ struct ToldEvents : Feature {
     template <class S>
     static constexpr int entry_capacity = S::max_events;
     template <class S>
-    static uint16_t entry_count(const Storage<S>& storage) {
+    static Index entry_count(const Storage<S>& storage) {
         return storage.event_count;
     }
     template <class S>
-    static void set_entry_count(Storage<S>& storage, uint16_t count) {
+    static void set_entry_count(Storage<S>& storage, Index count) {
         storage.event_count = count;
     }
 };

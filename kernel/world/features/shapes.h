@@ -130,10 +130,10 @@ struct Compounds : Feature {
         static_assert(S::max_shapes_of_body >= 1 && S::max_shapes_of_body <= 255, "a body has 1 to 255 shapes: set max_shapes_of_body");
         static_assert(!has_compounds<S> || stacks<S>,
                       "several shapes of a body are for contacts with friction: set max_manifolds, or max_shapes_of_body = 1");
-        static_assert(!has_compounds<S> || (S::max_bodies <= 65535 && S::max_shapes_of_body <= 65535 / S::max_bodies),
+        static_assert(!has_compounds<S> || (S::max_bodies <= index_max && S::max_shapes_of_body <= index_max / S::max_bodies),
                       "a scene holds up to 65535 shapes, max_shapes_of_body for each body: lower it, or max_bodies");
         static_assert(
-            !has_compounds<S> || pairs_with_own<S> <= 65535,
+            !has_compounds<S> || pairs_with_own<S> <= index_max,
             "a scene holds up to 65535 pairs of shapes, those within each body among them: lower max_pairs, max_bodies or max_shapes_of_body");
         return true;
     }

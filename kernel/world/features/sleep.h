@@ -50,7 +50,7 @@ struct ListWithout {
     int from = 0, kept = 0;
 
     /// True when the pair was in the list. Needs: keys that rise from call to call.
-    bool take(uint32_t key) {
+    bool take(PairKey key) {
         // bound: max_manifolds, in all calls
         while (from < *list.count && list.pairs[from].key() < key) copy_item(list.pairs[kept++], list.pairs[from++]);
         const bool found = from < *list.count && list.pairs[from].key() == key;
@@ -59,7 +59,7 @@ struct ListWithout {
     }
     void close() {
         while (from < *list.count) copy_item(list.pairs[kept++], list.pairs[from++]);  // bound: max_manifolds
-        *list.count = static_cast<uint16_t>(kept);
+        *list.count = static_cast<Index>(kept);
     }
 };
 
@@ -98,7 +98,7 @@ void for_manifolds(const Storage<S>& storage, [[maybe_unused]] uint8_t* room, [[
         for (int pair_i = 0; pair_i < storage.manifold_count; ++pair_i) sorted[listed++] = bytes_of(storage.pairs[pair_i]);  // bound: max_manifolds
         for (int record_i = 0; record_i < storage.records_used; ++record_i) {  // bound: max_manifolds
             const BodyPair& aside = storage.pairs_aside[record_i];
-            if (aside.record != 0) sorted[listed++] = bytes_of({aside.body_A, aside.body_B, static_cast<uint16_t>(record_i)});
+            if (aside.record != 0) sorted[listed++] = bytes_of({aside.body_A, aside.body_B, static_cast<Index>(record_i)});
         }
         sort_by_key(sorted, count);
         for (int pair_i = 0; pair_i < count; ++pair_i) each(sorted[pair_i].pair());  // bound: max_manifolds
@@ -163,7 +163,7 @@ struct TouchAside : Feature {
             touches = storage.touches_aside[pair.record];
         }
         template <class S>
-        void put(Storage<S>& storage, uint16_t record) const {
+        void put(Storage<S>& storage, Index record) const {
             storage.touches_aside[record] = touches;
         }
         template <class S>
@@ -187,10 +187,10 @@ struct Sleep : Feature {
         uint32_t active_tiles[static_cast<unsigned>(tile_words)] = {}, active_words[static_cast<unsigned>(word_words)] = {};
         scalar rest_time[static_cast<unsigned>(S::max_bodies)] = {};
         uint16_t awake[tiles] = {}, settling[tiles] = {};
-        uint16_t parent[tiles * lanes] = {}, next_body[tiles * lanes] = {}, aside[tiles * lanes] = {};
+        Index parent[tiles * lanes] = {}, next_body[tiles * lanes] = {}, aside[tiles * lanes] = {};
         BodyPair awake_pairs[static_cast<unsigned>(S::max_manifolds)] = {};  ///< between two steps: room to sort in
         BodyPair pairs_aside[static_cast<unsigned>(S::max_manifolds)] = {};
-        uint16_t awake_pair_count = 0, aside_count = 0;
+        Index awake_pair_count = 0, aside_count = 0;
         uint8_t marks[tiles * lanes] = {};
         uint8_t search_flags[shape_slots] = {};
         uint8_t bounds_are_made = 0;  ///< 0: no step was taken since the world began or was loaded
