@@ -89,7 +89,8 @@ struct SolverView {
     int visit_count, live_count, block_count, batch_body_count;
     int lane_count, lane_capacity;  ///< of all blocks
     SweepPlan plan;
-    int substeps, substeps_left;  ///< of the step; with the one at hand
+    int substeps;              ///< of the step
+    int substeps_left = 1;     ///< with the one at hand
     bool some_hit;             ///< a body was hit in the substep before
     bool some_turn;            ///< a body turned so far in the substep before that its inertia is another: see refresh_blocks
     bool some_bounce;          ///< a manifold has restitution

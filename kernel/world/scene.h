@@ -46,8 +46,8 @@ struct Scene {
     static constexpr int  max_manifolds = 0;     ///< pairs of bodies that touch in one step, 0 .. 65534, of every other solver
     static constexpr int  max_pairs    = 0;      ///< pairs of bodies whose bounds overlap in one step; 0: twice max_manifolds
     /// Visits of the solver to contacts in a step, all together; 0: as many as it takes. An island that has had its share counts in
-    /// sweeps_unfinished, and is solved as far as it came: see base/work_budget.h. Direct solves, pushes out of overlaps and fast bodies have
-    /// bounds of their own, in limits.h. Bodies of max_contacts, of whose last step nothing is kept, may sink while it is scarce
+    /// sweeps_unfinished, and is solved as far as it came, which may give energy: see base/work_budget.h. Direct solves, pushes out of overlaps
+    /// and fast bodies have bounds of their own, in limits.h. Bodies of max_contacts, of whose last step nothing is kept, may sink while it is scarce
     static constexpr int  work_budget  = 0;
     static constexpr bool filters      = false;  ///< bodies have a BodyFilter that says whom they meet
     static constexpr int  max_overlaps = 0;      ///< pairs of a sensor and a body in it, in one step, 0 .. 65535

@@ -90,7 +90,7 @@ bool begin_batch(SolverView& solver, SweepPlan plan, const BodyView& bodies, con
     }
     if (!some) return false;
     solver.plan = plan;
-    solver.substeps = is_steady(plan) ? limits::steady_substeps : limits::substeps;
+    solver.substeps = solver.substeps_left = is_steady(plan) ? limits::steady_substeps : limits::substeps;
     solver.some_hit = solver.some_turn = false;
     solver.batch_body_count = 0;
     for (int body_i = 1; body_i < solver.body_count; ++body_i)

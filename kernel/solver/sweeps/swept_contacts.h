@@ -89,7 +89,6 @@ protected:
 private:
     void prepare(const ContactStep& step) {
         prepare_blocks(view, step.bodies);
-        view.substeps_left = view.substeps;
         if constexpr (notes_impulses) clear_impulse_notes(view, step.notes);
         if constexpr (bounces)
             if (find_impact_chains(view)) list_members(view);
