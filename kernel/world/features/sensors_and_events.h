@@ -35,7 +35,8 @@ struct SavedPair : NoNumbers {
         const PairKey key = pair().key();
         const bool lived = (generation_A & generation_B & 1u) != 0, in_order = body_A != body_B && key > context.key_before;
         context.key_before = key;
-        return lived && in_order && body_A < context.shape_slots && body_B < context.shape_slots && hit <= 1;
+        const auto is_in_use = [&context](Index slot) { return static_cast<uint32_t>(slot) < context.shape_slots; };
+        return lived && in_order && is_in_use(body_A) && is_in_use(body_B) && hit <= 1;
     }
 };
 
@@ -266,7 +267,8 @@ struct ToldEvents : Feature {
         template <class S>
         bool is_valid(const EntryContext& context) const {
             const uint32_t slots = context.shape_slots / S::max_shapes_of_body;
-            if (kind > static_cast<uint8_t>(EventKind::leave) || event.A.slot >= slots || event.B.slot >= slots) return false;
+            if (static_cast<uint32_t>(event.A.slot) >= slots || static_cast<uint32_t>(event.B.slot) >= slots) return false;
+            if (kind > static_cast<uint8_t>(EventKind::leave)) return false;
             if (event.shape_A >= S::max_shapes_of_body || event.shape_B >= S::max_shapes_of_body) return false;
             if ((event.A.generation & event.B.generation & 1u) == 0) return false;
             return is_finite(event.P) && is_finite(event.n) && is_finite(event.speed);
