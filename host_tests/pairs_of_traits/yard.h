@@ -150,6 +150,8 @@ public:
     void take(Number number) {
         take(&number, sizeof number);
     }
+    /// The same for every width of indices.
+    void take_index(ingot::Index index) { take(static_cast<uint16_t>(index)); }
     void take(const Vector& v) {
         take(v.x);
         take(v.y);
@@ -164,12 +166,12 @@ private:
 template <class S>
 void take_world(Digest& digest, const ingot::World<S>& world, const ingot::StepReport& report) {
     digest.take(world.state_hash());
-    digest.take(report.contacts);
+    digest.take_index(report.contacts);
     if constexpr (S::max_contacts > 0)
         for (int i = 0; i < world.contact_count(); ++i) {
             const ingot::ContactInfo contact = world.contact(i).value;
-            digest.take(contact.A.slot);
-            digest.take(contact.B.slot);
+            digest.take_index(contact.A.slot);
+            digest.take_index(contact.B.slot);
             digest.take(contact.n);
             digest.take(contact.j);
         }
@@ -184,14 +186,14 @@ void take_world(Digest& digest, const ingot::World<S>& world, const ingot::StepR
     if constexpr (S::max_overlaps > 0)
         for (int i = 0; i < world.overlap_count(); ++i) {
             const ingot::OverlapInfo overlap = world.overlap(i).value;
-            digest.take(overlap.visitor.slot);
+            digest.take_index(overlap.visitor.slot);
             digest.take(overlap.visitor_shape);
         }
     if constexpr (S::max_events > 0)
         for (const ingot::Event& event : world.events()) {
             digest.take(static_cast<uint8_t>(event.kind));
-            digest.take(event.A.slot);
-            digest.take(event.B.slot);
+            digest.take_index(event.A.slot);
+            digest.take_index(event.B.slot);
             if (event.kind == ingot::EventKind::begin || event.kind == ingot::EventKind::hit) digest.take(event.speed);
         }
     if constexpr (S::sleeps) digest.take(world.asleep_count());
