@@ -49,6 +49,7 @@ struct Plan {
     int bodies, rate;
     bool on_tiles;
     double seconds = 20;
+    double restitution = 0;
 };
 
 /// Bodies stand apart in layers and fall.
@@ -168,6 +169,7 @@ private:
         highest_ = std::max(highest_, z);
         def.state.r_CM = {static_cast<scalar>(at(i % side)), static_cast<scalar>(at(i / side % side)), static_cast<scalar>(z)};
         def.friction = static_cast<scalar>(random_.real(0.2, 1));
+        def.restitution = static_cast<scalar>(plan_.restitution);
         add(def);
     }
 

@@ -80,6 +80,31 @@ TEST(WorkBudget, is_kept_by_sweeps) {
 }
 TEST(WorkBudget, is_kept_by_sequential_impulses) { expect_kept_by_crowds<Scarce<ingot::SequentialImpulses, 6>>(3); }
 
+/// Impacts that cause impacts, and bounces that are lowered, pay from the same share.
+template <class S>
+void expect_kept_by_bounces(unsigned seed) {
+    int waves = 0, cut_short = 0;
+    for (int case_i = 0; case_i < ingot_reference::draws(20) && !::testing::Test::HasFailure(); ++case_i) {
+        Plan plan = plan_of(seed, case_i);
+        plan.restitution = RandomInput(plan.seed).real(0.2, 1);
+        Crowd<S> crowd(plan);
+        for (int step_i = 0; step_i < crowd.steps() && !::testing::Test::HasFailure(); ++step_i) {
+            const StepReport report = crowd.step();
+            EXPECT_EQ(report.bodies_frozen, 0);
+            EXPECT_LE(report.sweeps * manifolds_of(crowd.world()), S::work_budget) << "step " << step_i << ", seed " << plan.seed;
+            waves += report.impact_waves;
+            cut_short += report.impacts_deferred > 0 || report.sweeps_unfinished > 0;
+        }
+    }
+    EXPECT_GT(waves, 0) << "impacts that cause none show nothing";
+    EXPECT_GT(cut_short, 0);
+}
+TEST(WorkBudget, is_kept_by_bounces) {
+    expect_kept_by_bounces<Scarce<ingot::BlockSweeps, 6>>(12);
+    expect_kept_by_bounces<Scarce<ingot::BlockSweeps, 30>>(13);
+    expect_kept_by_bounces<Scarce<ingot::HybridIslands<>, 6>>(14);
+}
+
 /// The same bits as without, step by step.
 template <class Without, class With>
 void expect_same_with_plenty(unsigned seed) {

@@ -43,8 +43,8 @@ struct SweepOutcome {
 /// Gauss-Seidel over pairs of bodies, begun at j = 0, until no row is off by more than its tolerance. The contacts of a pair are
 /// settled together, by sweeps that nonlinear conjugate gradients join (Silcowitz-Hansen, Niebe and Erleben 2010): a tall box on
 /// its corners takes a tenth of the sweeps it takes without. Bodies that no contact connects do not change each other's bits.
-/// Bound: limits::contact_sweeps_max sweeps over the pairs, and over the contacts of each; and the visits
-/// that are left. Left: VisitsLeft, or AnyVisits.
+/// Bound: limits::contact_sweeps_max sweeps over the pairs, and over the contacts of each; and the visits that are left. Left: VisitsLeft, or
+/// AnyVisits.
 template <class Left>
 SweepOutcome solve_active_contacts(const ContactView& contacts, const BodyView& bodies, Left& left);
 
