@@ -22,7 +22,7 @@ template <int bodies>
 struct Pit : ingot::Scene {
     static constexpr int max_bodies = bodies + 5;
     static constexpr bool translates = true, bounces = false;
-    static constexpr int max_manifolds = 4 * bodies, max_pairs = 16 * bodies;
+    static constexpr int max_manifolds = 5 * bodies, max_pairs = 24 * bodies;
     using broad_phase = ingot::SortedTree;
     using shapes = ingot::Shapes<ingot::Sphere, ingot::HalfSpace>;
 };
