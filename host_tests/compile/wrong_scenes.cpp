@@ -246,6 +246,21 @@ struct Wrong : ingot::Scene {
 #ifdef BUDGET_WITHOUT_CONTACTS
     static constexpr int work_budget = 100;
 #endif
+#ifdef EFFORT_WITHOUT_FRICTION
+    static constexpr ingot::Effort effort = ingot::low_effort;
+#endif
+#ifdef EFFORT_OF_THREE_SUBSTEPS
+    static constexpr bool translates = true;
+    static constexpr int max_manifolds = 20;
+    static constexpr ingot::Effort effort = {3, 3};
+    using shapes = ingot::Shapes<ingot::Box>;
+#endif
+#ifdef EFFORT_WITHOUT_SWEEPS
+    static constexpr bool translates = true;
+    static constexpr int max_manifolds = 20;
+    static constexpr ingot::Effort effort = {4, 0};
+    using shapes = ingot::Shapes<ingot::Box>;
+#endif
 #ifdef BUDGET_TOO_SMALL
     static constexpr bool translates = true;
     static constexpr int max_manifolds = 20, work_budget = 119;

@@ -133,18 +133,14 @@ inline constexpr scalar energy_turn_max = scalar(0.25); ///< rad, of one of them
 inline constexpr scalar energy_rounding = 16 * epsilon;
 
 // Sweeps (solver/sweeps/).
-inline constexpr int substeps = 4;  ///< of a step; each is solved and displaced by itself
-inline constexpr int sweeps = 3;    ///< over all contacts in a substep
-/// In a heap of balls: where more than three quarters of the normals go through both centres. Balls hold up no tilt, so nothing leans while
-/// loads find their way. A stack of boxes would shift twice as far.
-inline constexpr int sweeps_of_balls = 2;
-inline constexpr int sweeps_of_new = 12;  ///< while more than a quarter of the contacts are younger than four steps
+inline constexpr int substeps = 4;  ///< of a step, unless the scene says other: see Effort; each is solved and displaced by itself
+inline constexpr int sweeps = 3;    ///< over all contacts in a substep, unless the scene says other
 /// Manifolds: an island with no more of them is small.
 inline constexpr int small_island = 64;
 inline constexpr int sweeps_of_small = 64;                      ///< of a substep, at most
 inline constexpr scalar settled_speed_of_small = scalar(2e-7);  ///< m/s; settled_speed of a small island
 /// m/s; a sweep that corrects no speed by more than this is the last of its substep. Contacts at rest then cost one sweep. The error that it
-/// leaves adds up to less than 0.1 mm in a minute. It stands for an acceleration: a longer substep has a larger limit, in proportion.
+/// leaves adds up to less than 0.1 mm in a minute. It stands for an acceleration, in a quarter of a step: other substeps have other limits, in proportion.
 inline constexpr scalar settled_speed = scalar(1.5e-6);
 /// m/s; speeds round, so the limit of a sweep is raised by 4 epsilon of the fastest body's speed. Bodies faster than this count as no faster:
 /// in float 4 epsilon of it are half of sleep_speed, and bodies at rest elsewhere in the same island must stay at rest.
@@ -156,7 +152,6 @@ inline constexpr scalar active_share = scalar(0.5);
 inline constexpr scalar steady_acceleration = scalar(1e-4);
 inline constexpr int steady_levels = 12;  ///< a small island is steady only while no chain of contacts up from the ground is longer
 inline constexpr int steady_substeps = 2;
-inline constexpr int steady_sweeps = sweeps * substeps / steady_substeps;  ///< at most, in each
 inline constexpr scalar settled_turn = 2 * epsilon;                        ///< rad; a correction that turns by less rounds to nothing
 inline constexpr int level_passes_max = 32;                                ///< over the contacts, to find the distance of bodies from the ground
 /// m/s; sweeps that end at their bound with a larger residual may give energy, where something is faster than the second. An island that gains more

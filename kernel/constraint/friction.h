@@ -112,7 +112,7 @@ struct Friction {
         const lane before_1 = load(friction.j[0]), before_2 = load(friction.j[1]);
         const lane reference_1 = load(friction.reference[0]), reference_2 = load(friction.reference[1]);
         const mask slides = before_1 * before_1 + before_2 * before_2 >= splat<lane>(limits::sliding_share_sq) * limit * limit;
-        const mask young = either(slides, steps < splat<lane>(limits::substeps));
+        const mask young = either(slides, steps < splat<lane>(static_cast<scalar>(at.solver.effort.substeps)));
         const Smoothed along_1 = smoothed(before_1, reference_1, young), along_2 = smoothed(before_2, reference_2, young);
         lane j_1 = along_1.j, j_2 = along_2.j;
         clamp_to_cone(j_1, j_2, limit);

@@ -2,7 +2,7 @@
 // Everything the many-body solver works on, without its capacities.
 #pragma once
 
-#include "../base/limits.h"
+#include "../base/effort.h"
 #include "../base/work_budget.h"
 #include "../narrow_phase/manifold_record.h"
 #include "../base/contact_lengths.h"
@@ -14,9 +14,9 @@ namespace ingot { inline namespace INGOT_ABI {
 /// that follows.
 enum class SweepPlan : uint8_t {
     small_steady,  ///< limits::steady_substeps; few contacts, swept upwards until they are settled
-    small,         ///< limits::substeps
+    small,         ///< Effort::substeps
     large_steady,  ///< limits::steady_substeps; a few sweeps, up and down the levels in turn
-    large,         ///< limits::substeps
+    large,         ///< Effort::substeps
     solved,        ///< nothing is left to do
 };
 inline constexpr int sweep_plans = 4;
@@ -65,6 +65,7 @@ struct SolverView {
     Vector* friction_references;  ///< by record: N s, world; the slow mean of j_friction
     int manifold_count;
     scalar unit = 1;           ///< m; of lengths and speeds in limits.h: see base/contact_lengths.h
+    Effort effort = {};
     int sweeps_of_step = no_budget;  ///< that each island may have
 
     SolverBody* bodies;        ///< [0] stands for all that cannot move and for spare lanes
@@ -114,8 +115,8 @@ INGOT_INLINE bool has_one_row([[maybe_unused]] const View& solver, const Contact
     return View::points_max == 1 || block.rows == 1;
 }
 
-/// Impulses are kept as those of one of limits::substeps substeps. A longer substep has this many times as much.
-inline scalar shares_of_substep(const SolverView& solver) { return static_cast<scalar>(limits::substeps / solver.substeps); }
+/// Impulses are kept as those of one of Effort::substeps substeps. A longer substep has this many times as much.
+inline scalar shares_of_substep(const SolverView& solver) { return static_cast<scalar>(solver.effort.substeps / solver.substeps); }
 
 /// Whether the body of a slot is one of the solver's. local_of alone does not tell: its entries for other slots are of earlier steps.
 inline bool takes_part(const SolverView& solver, int slot) {

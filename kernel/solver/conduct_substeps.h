@@ -37,7 +37,7 @@ void conduct_substeps(Solver& solver, const ContactStep& step, StepReport& repor
     while (solver.next_batch(step)) {  // bound: max_bodies: every batch has an island that was in none before, or one that begins again, once
         const int substeps = solver.substeps();
         const scalar h = step.h / static_cast<scalar>(substeps);
-        for (int substep_i = 0; substep_i < substeps; ++substep_i) {  // bound: limits::substeps
+        for (int substep_i = 0; substep_i < substeps; ++substep_i) {  // bound: Effort::substeps_max
             solver.refresh(step.bodies);
             solver.predict(h, step.notes, report);
             solver.kick(h);

@@ -99,7 +99,7 @@ private:
         info.n = record.manifold.n;
         info.point_count = record.manifold.count;
         info.separation = record.manifold.points[0].separation;
-        constexpr scalar substeps = limits::substeps;
+        constexpr scalar substeps = S::effort.substeps;
         info.j_friction = record.j_friction * substeps;
         if constexpr (S::reads_contacts) info.j_friction = storage.impulse_sums[record_i].friction;
         for (int point_i = 0; point_i < info.point_count; ++point_i) {  // bound: 4: Manifold::points_max

@@ -49,6 +49,7 @@ struct Scene {
     /// sweeps_unfinished, and is solved as far as it came, which may give energy: see base/work_budget.h. Direct solves, pushes out of overlaps
     /// and fast bodies have bounds of their own, in limits.h. Bodies of max_contacts, of whose last step nothing is kept, may sink while it is scarce
     static constexpr int  work_budget  = 0;
+    static constexpr Effort effort     = {};     ///< substeps and sweeps for contacts with friction: low_effort, high_effort, or numbers of your own
     static constexpr bool filters      = false;  ///< bodies have a BodyFilter that says whom they meet
     static constexpr int  max_overlaps = 0;      ///< pairs of a sensor and a body in it, in one step, 0 .. 65535
     static constexpr int  max_events   = 0;      ///< of contacts and sensors in one step, 0 .. 65535: see events/contact_events.h

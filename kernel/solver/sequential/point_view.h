@@ -5,6 +5,7 @@
 // other at a point. Both are worked out in the visit, from r_CM and inv_I_world, and are the same for velocities and for displacements.
 #pragma once
 
+#include "../../base/effort.h"
 #include "../../base/if.h"
 #include "../../base/work_budget.h"
 #include "../../body/body_tiles.h"
@@ -68,6 +69,7 @@ struct PointView {
     int slot_count;           ///< bodies looked at
     int member_count, body_count;
     int sweeps_of_step = no_budget;  ///< that each island may have
+    Effort effort = {};
 };
 
 /// Whether the body of a slot is one that a manifold of the step moves.

@@ -76,8 +76,8 @@ struct SequentialContacts {
     bool next_batch(const ContactStep& step) {
         slot_ = next_island(view, slot_);
         if (slot_ >= view.slot_count) return false;
-        substeps_ = begins_steady(view) ? limits::steady_substeps : limits::substeps;
-        begin_contacts(view, static_cast<scalar>(limits::substeps / substeps_), step.h / static_cast<scalar>(substeps_));
+        substeps_ = spares_substeps(view.effort) && begins_steady(view) ? limits::steady_substeps : view.effort.substeps;
+        begin_contacts(view, static_cast<scalar>(view.effort.substeps / substeps_), step.h / static_cast<scalar>(substeps_));
         substeps_left_ = substeps_;
         given_again_ = false;
         steady_ = is_first_ = true;
@@ -114,7 +114,7 @@ struct SequentialContacts {
     void solve_positions(const ContactStep&, scalar h) { sweep_point_positions(view, h); }
 
     void end_batch(const ContactStep& step, StepReport& report) {
-        end_contacts(view, static_cast<scalar>(substeps_) / limits::substeps, steady_);
+        end_contacts(view, static_cast<scalar>(substeps_) / static_cast<scalar>(view.effort.substeps), steady_);
         const scalar least = limits::unsettled_speed * view.unit + rounding_;
         note_sweeps(report, swept_.sweeps, swept_.residual, max(least, fall_speed_of(step, substeps_)));
     }

@@ -169,7 +169,7 @@ void write_contact_motion(const SolverView& solver, const BodyView& bodies, cons
             rotation.bad = static_cast<uint16_t>(rotation.bad | bit);
             continue;
         }
-        const Vector a = (v - dp * (1 / h)) * (2 / h), L_mean = vector_of(history.L_sum) * (scalar(1) / limits::substeps);
+        const Vector a = (v - dp * (1 / h)) * (2 / h), L_mean = vector_of(history.L_sum) * (1 / static_cast<scalar>(solver.effort.substeps));
         set_lane(translation.v_CM, at.lane, v);
         set_lane(translation.F_T, at.lane, (a - gravity) * (1 / body.v_CM[3]));
         set_lane(rotation.L, at.lane, L);
@@ -185,7 +185,7 @@ void turn_by_corrections(const SolverView& solver, const BodyView& bodies, scala
         const Place at = place_of(solver.slot_of[body_i]);
         const SymmetricMatrix inv_I_world = lane_of(bodies.translation[at.tile].inv_I_world, at.lane);
         const bool turns = body.dth[3] > 0;
-        const Vector drift = turns ? vector_of(history.turn) : inv_I_world * vector_of(history.L_sum) * (h / limits::substeps);
+        const Vector drift = turns ? vector_of(history.turn) : inv_I_world * vector_of(history.L_sum) * (h / static_cast<scalar>(solver.effort.substeps));
         const Vector push = vector_of(body.dth) - drift;
         const bool is_pushed = length_sq(push) > limits::settled_turn * limits::settled_turn;
         RotationTile& rotation = bodies.rotation[at.tile];

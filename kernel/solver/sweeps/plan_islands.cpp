@@ -37,35 +37,32 @@ void count_manifolds(const SolverView& solver) {
         const ManifoldRecord& record = solver.records[solver.pairs[manifold_i].record];
         const Index level = solver.level[manifold_i];
         ++island.manifold_count;
-        if (age_of(record) < 4 * limits::substeps) ++island.new_count;
+        if (age_of(record) < new_until(solver.effort)) ++island.new_count;
         if (was_steady(record)) ++island.steady_count;
         if (level >= island.level_count) island.level_count = static_cast<Index>(level + 1);
     }
 }
 
-SweepPlan plan_of(const Island& island) {
-    const bool steady = island.steady_count == island.manifold_count;
+SweepPlan plan_of(const Island& island, const Effort& effort) {
+    const bool steady = island.steady_count == island.manifold_count && spares_substeps(effort);
     if (island.manifold_count > limits::small_island) return steady ? SweepPlan::large_steady : SweepPlan::large;
     return steady && island.level_count <= limits::steady_levels ? SweepPlan::small_steady : SweepPlan::small;
 }
 
-int sweeps_max_of(const Island& island) {
+int sweeps_max_of(const Island& island, const Effort& effort) {
     const bool is_heap_of_balls = 4 * island.central_count > 3 * island.manifold_count;
     switch (island.plan) {
-        case SweepPlan::large_steady: return limits::steady_sweeps;
+        case SweepPlan::large_steady: return steady_sweeps(effort);
         case SweepPlan::large:
-            if (!island.begins_again && 4 * island.new_count > island.manifold_count) return limits::sweeps_of_new;
-            return is_heap_of_balls ? limits::sweeps_of_balls : limits::sweeps;
+            if (!island.begins_again && 4 * island.new_count > island.manifold_count) return sweeps_of_new(effort);
+            return is_heap_of_balls ? sweeps_of_balls(effort) : effort.sweeps;
         default: return limits::sweeps_of_small;
     }
 }
 
-scalar settled_speed_of(SweepPlan plan) {
-    switch (plan) {
-        case SweepPlan::large_steady: return limits::settled_speed * limits::substeps / limits::steady_substeps;
-        case SweepPlan::large: return limits::settled_speed;
-        default: return limits::settled_speed_of_small;
-    }
+scalar settled_speed_of(SweepPlan plan, int substeps) {
+    if (!is_large(plan)) return limits::settled_speed_of_small;
+    return limits::settled_speed * limits::substeps / static_cast<scalar>(substeps);
 }
 
 }  // namespace
@@ -73,8 +70,10 @@ scalar settled_speed_of(SweepPlan plan) {
 void plan_islands(SolverView& solver) {
     join_bodies(solver);
     count_manifolds(solver);
-    // bound: max_bodies
-    for (int island_i = 0; island_i < solver.island_count; ++island_i) solver.islands[island_i].plan = plan_of(solver.islands[island_i]);
+    for (int island_i = 0; island_i < solver.island_count; ++island_i) {  // bound: max_bodies
+        Island& island = solver.islands[island_i];
+        island.plan = plan_of(island, solver.effort);
+    }
 }
 
 bool begin_batch(SolverView& solver, SweepPlan plan, const BodyView& bodies, const Vector& gravity) {
@@ -90,7 +89,7 @@ bool begin_batch(SolverView& solver, SweepPlan plan, const BodyView& bodies, con
     }
     if (!some) return false;
     solver.plan = plan;
-    solver.substeps = solver.substeps_left = is_steady(plan) ? limits::steady_substeps : limits::substeps;
+    solver.substeps = solver.substeps_left = is_steady(plan) ? limits::steady_substeps : solver.effort.substeps;
     solver.some_hit = solver.some_turn = false;
     solver.batch_body_count = 0;
     for (int body_i = 1; body_i < solver.body_count; ++body_i)
@@ -105,20 +104,20 @@ scalar rounding_of_speeds(const Island& island, scalar unit) { return 4 * epsilo
 namespace {
 
 /// Sweeps that a steady island needs where it begins again.
-int kept_of(const Island& island) { return is_steady(island.plan) ? limits::substeps : 0; }
+int kept_of(const SolverView& solver, const Island& island) { return is_steady(island.plan) ? solver.effort.substeps : 0; }
 
 int within(int share, int most) { return share < most ? share : most; }
 
 }  // namespace
 
 int spare_sweeps(const SolverView& solver, const Island& island) {
-    return solver.sweeps_of_step - island.sweeps - kept_of(island) - solver.substeps_left;
+    return solver.sweeps_of_step - island.sweeps - kept_of(solver, island) - solver.substeps_left;
 }
 
 bool sweep_again(const SolverView& solver, Island& island) {
     const int spare = spare_sweeps(solver, island) + 1;  // the one of this substep has been
     if (spare < 1) return false;
-    island.sweeps_max = within(share_of_substep(spare, 0, solver.substeps_left), sweeps_max_of(island));
+    island.sweeps_max = within(share_of_substep(spare, 0, solver.substeps_left), sweeps_max_of(island, solver.effort));
     island.sweeps_on = true;
     island.size_before = island.residual = 0;
     return true;
@@ -129,8 +128,8 @@ void plan_sweeps(const SolverView& solver) {
         Island& island = solver.islands[island_i];
         if (!island.in_batch) continue;
         const int left = solver.sweeps_of_step - island.sweeps;
-        island.sweeps_max = within(share_of_substep(left, kept_of(island), solver.substeps_left), sweeps_max_of(island));
-        island.settled = settled_speed_of(island.plan) * solver.unit + rounding_of_speeds(island, solver.unit);
+        island.sweeps_max = within(share_of_substep(left, kept_of(solver, island), solver.substeps_left), sweeps_max_of(island, solver.effort));
+        island.settled = settled_speed_of(island.plan, solver.substeps) * solver.unit + rounding_of_speeds(island, solver.unit);
         island.sweeps_on = true;
         island.at_bound = false;
         island.size_before = 0;

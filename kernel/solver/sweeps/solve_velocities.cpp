@@ -80,7 +80,7 @@ void solve_velocities(View& solver) {
     select_live(solver);
     begin_sweeps(solver);
     for (int sweep_i = 1; solver.live_count > 0; ++sweep_i) {  // bound: plan.sweeps_max: no island is live after its sweeps_max
-        sweep_velocities(solver, sweep_i, !is_large(solver.plan) || sweep_i % 2 != 0);
+        sweep_velocities(solver, sweep_i, !is_large(solver.plan) || goes_up(solver.effort, sweep_i, solver.substeps_left));
         measure_sweep(solver);
         const Settled settled = settle_islands(solver, sweep_i);
         if (settled.all) {

@@ -141,6 +141,7 @@ struct ManifoldPart : BlockOrderPart<S, !S::solver::is_pointwise>, InnerEdgePart
     auto solver() {
         auto view = this->solver_of(this->by_bodies(this->pairs), this->records, manifold_count);
         view.unit = S::length_unit;
+        view.effort = S::effort;
         return view;
     }
 };
