@@ -56,7 +56,7 @@ public:
         if constexpr (Rotation::as_printed)
             ingot::integrate_A_listing1(view(), h);
         else
-            (void)Rotation::integrate_A(view(), h, {steps_, steps_ == 0});
+            (void)Rotation::integrate_A(view(), h, {steps_});
         ++steps_;
     }
     ingot::BodyState state() { return ingot::read_state(view(), 0); }
