@@ -10,12 +10,12 @@
 
 namespace report {
 
-enum class Solid { ball, box, half_space };
+enum class Solid { ball, capsule, box, half_space };
 
 /// A body as the scene places it. Vectors are world; A holds the columns c0, c1, c2.
 struct SceneBody {
     Solid solid;
-    double size[3];  ///< m: radius, 0, 0; half extents; or, of a half space, the outward normal
+    double size[3];  ///< m: radius, 0, 0; radius, half length along c2, 0; half extents; or, of a half space, the outward normal
     double offset;   ///< m: a half space holds all points with normal . r <= offset
     bool immovable;
     double M, I[3];  ///< kg, kg m^2, principal

@@ -18,64 +18,7 @@ Matrix3d matrix(const double (&A)[9]) { return Eigen::Map<const Matrix3d>(A); }
 /// The larger; infinity once something was not a number.
 double worse(double a, double b) { return std::isnan(b) ? std::numeric_limits<double>::infinity() : std::max(a, b); }
 
-double radius_of(const SceneBody& body) {
-    return body.solid == Solid::ball  ? body.size[0]
-           : body.solid == Solid::box ? vector(body.size).norm()
-                                      : std::numeric_limits<double>::infinity();
-}
-
-/// How far a body reaches from its centre along n, a unit vector.
-double reach(const SceneBody& body, const BodyPose& pose, const Vector3d& n) {
-    if (body.solid == Solid::ball) return body.size[0];
-    return (matrix(pose.A).transpose() * n).cwiseAbs().dot(vector(body.size));
-}
-
-double overlap_with_half_space(const SceneBody& a, const BodyPose& pose_a, const SceneBody& ground) {
-    const Vector3d n = vector(ground.size);
-    return ground.offset - (n.dot(vector(pose_a.r)) - reach(a, pose_a, n));
-}
-
 }  // namespace
-
-double overlap_of(const SceneBody& a, const BodyPose& pose_a, const SceneBody& b, const BodyPose& pose_b) {
-    if (b.solid == Solid::half_space) return overlap_with_half_space(a, pose_a, b);
-    if (a.solid == Solid::half_space) return overlap_with_half_space(b, pose_b, a);
-    const Vector3d apart = vector(pose_a.r) - vector(pose_b.r);
-    double least = radius_of(a) + radius_of(b) - apart.norm();
-    const auto try_faces = [&](const SceneBody& body, const BodyPose& pose) {
-        if (body.solid != Solid::box) return;
-        for (int axis = 0; axis < 3; ++axis) {
-            const Vector3d n = matrix(pose.A).col(axis);
-            least = std::min(least, reach(a, pose_a, n) + reach(b, pose_b, n) - std::abs(n.dot(apart)));
-        }
-    };
-    try_faces(a, pose_a);
-    try_faces(b, pose_b);
-    return least;
-}
-
-Overlaps overlaps_of(const ContactCase& scene, const std::vector<BodyPose>& poses) {
-    Overlaps all;
-    const auto add = [&](std::size_t a, std::size_t b) {
-        const double overlap = overlap_of(scene.bodies[a], poses[a], scene.bodies[b], poses[b]);
-        if (!(overlap > 0)) return;
-        all.sum += overlap;
-        all.deepest = std::max(all.deepest, overlap);
-        ++all.count;
-    };
-    std::vector<std::size_t> along_x, grounds;
-    for (std::size_t i = 0; i < poses.size(); ++i)
-        (scene.bodies[i].solid == Solid::half_space ? grounds : along_x).push_back(i);
-    const auto low = [&](std::size_t i) { return poses[i].r[0] - radius_of(scene.bodies[i]); };
-    std::sort(along_x.begin(), along_x.end(), [&](std::size_t i, std::size_t j) { return low(i) < low(j); });
-    for (std::size_t i = 0; i < along_x.size(); ++i) {
-        const std::size_t a = along_x[i];
-        for (const std::size_t ground : grounds) add(a, ground);
-        const double high = poses[a].r[0] + radius_of(scene.bodies[a]);
-        for (std::size_t j = i + 1; j < along_x.size() && low(along_x[j]) < high; ++j) add(a, along_x[j]);
-    }
-    return all;
-}
 
 ContactTally::ContactTally(const ContactCase& scene, const std::vector<BodyPose>& start, double seconds)
     : scene_(scene),

@@ -16,7 +16,7 @@ struct Metric {
     const char* unit;
 };
 
-/// How deep a pair of bodies is inside each other, m, along the faces and centres that keep them apart; not positive: apart.
+/// How deep a pair of bodies is inside each other, m: the shortest way that parts them; not positive: apart.
 double overlap_of(const SceneBody& a, const BodyPose& pose_a, const SceneBody& b, const BodyPose& pose_b);
 
 /// Overlaps of all pairs at one moment.

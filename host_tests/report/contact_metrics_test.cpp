@@ -54,6 +54,15 @@ double metric(const ContactTally& tally, const std::string& name) {
 const SceneBody ground = body_of(Solid::half_space, 0, 0, 1), ball = body_of(Solid::ball, 0.5, 0, 0),
                 cube = body_of(Solid::box, 0.5, 0.5, 0.5);
 
+/// Turned about y by 45 degrees: an edge below, along y.
+BodyPose on_edge(double x, double y, double z) {
+    BodyPose pose = pose_of(x, y, z);
+    pose.A[0] = pose.A[8] = std::cos(pi / 4);
+    pose.A[2] = -std::sin(pi / 4);
+    pose.A[6] = std::sin(pi / 4);
+    return pose;
+}
+
 TEST(Overlap, of_balls_boxes_and_ground) {
     EXPECT_NEAR(overlap_of(ball, pose_of(0, 0, 0), ball, pose_of(0, 0.6, 0.7)), 1 - std::sqrt(0.85), 1e-15);
     EXPECT_NEAR(overlap_of(ball, pose_of(0, 0, 0.375), ground, {}), 0.125, 1e-15);
@@ -62,11 +71,43 @@ TEST(Overlap, of_balls_boxes_and_ground) {
 }
 
 TEST(Overlap, of_a_cube_on_its_edge) {
-    BodyPose turned = pose_of(0, 0, std::sqrt(0.5) - 0.01);
-    turned.A[0] = turned.A[8] = std::cos(pi / 4);
-    turned.A[2] = -std::sin(pi / 4);
-    turned.A[6] = std::sin(pi / 4);
-    EXPECT_NEAR(overlap_of(cube, turned, ground, {}), 0.01, 1e-15);
+    EXPECT_NEAR(overlap_of(cube, on_edge(0, 0, std::sqrt(0.5) - 0.01), ground, {}), 0.01, 1e-15);
+}
+
+/// Turned about x by 45 degrees: an edge above, along x.
+BodyPose edge_along_x(double x, double y, double z) {
+    BodyPose pose = pose_of(x, y, z);
+    pose.A[4] = pose.A[8] = std::cos(pi / 4);
+    pose.A[5] = std::sin(pi / 4);
+    pose.A[7] = -std::sin(pi / 4);
+    return pose;
+}
+
+TEST(Overlap, of_edges_that_cross_is_along_their_common_normal) {
+    const double reach = 2 * std::sqrt(0.5);
+    EXPECT_NEAR(overlap_of(cube, on_edge(0, 0, reach - 0.01), cube, edge_along_x(0, 0, 0)), 0.01, 1e-15);
+    EXPECT_NEAR(overlap_of(cube, on_edge(0, 0, reach + 0.01), cube, edge_along_x(0, 0, 0)), -0.01, 1e-15) << "no face parts them";
+}
+
+TEST(Overlap, of_a_ball_and_an_edge_is_towards_the_edge) {
+    const double near = 0.5 + 0.45 * std::sqrt(0.5);
+    EXPECT_NEAR(overlap_of(ball, pose_of(near, near, 0), cube, pose_of(0, 0, 0)), 0.05, 1e-15);
+    EXPECT_NEAR(overlap_of(cube, pose_of(0, 0, 0), ball, pose_of(0.25, 0, 0)), 0.75, 1e-15) << "its centre is inside: by a face";
+}
+
+TEST(Overlap, of_capsules) {
+    const SceneBody capsule = body_of(Solid::capsule, 0.25, 1, 0);
+    BodyPose lying = pose_of(0, 0.375, 0.5);  // along x
+    lying.A[0] = lying.A[8] = 0;
+    lying.A[2] = -1;
+    lying.A[6] = 1;
+    EXPECT_NEAR(overlap_of(capsule, pose_of(0, 0, 1.125), ground, {}), 0.125, 1e-15);
+    EXPECT_NEAR(overlap_of(capsule, pose_of(0, 0, 0), capsule, pose_of(0, 0, 2.375)), 0.125, 1e-14) << "end to end";
+    EXPECT_NEAR(overlap_of(capsule, pose_of(0, 0, 0), capsule, lying), 0.125, 1e-14) << "crossed";
+    EXPECT_NEAR(overlap_of(capsule, pose_of(0.625, 0, 0.75), ball, pose_of(0, 0, 0)), 0.125, 1e-14) << "beside its middle";
+    EXPECT_NEAR(overlap_of(cube, pose_of(0, 0, 0), capsule, pose_of(0.625, 0, 0.25)), 0.125, 1e-14) << "along a face";
+    EXPECT_NEAR(overlap_of(cube, pose_of(0, 0, 0), capsule, pose_of(0.25, 0, 0)), 0.5, 1e-14) << "its axis is inside";
+    EXPECT_LE(overlap_of(cube, pose_of(0, 0, 0), capsule, pose_of(0.7, 0.7, 0)), 0) << "beside an edge";
 }
 
 TEST(Overlaps, look_at_every_pair_and_count_those_that_overlap) {
