@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A contact scene without types of the kernel, and what runs it: a build of the kernel, Bullet or ODE.
+// A contact scene without types of the kernel, and what runs it: a build of the kernel or another engine.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// In the place of peers.cpp where INGOT_PEERS is OFF.
+// In the place of suite_contact_peers.cpp where no other engine is given.
 #include <cstdio>
 
 #include "suites.h"
@@ -7,7 +7,8 @@
 namespace report {
 
 void run_peers(const Settings& settings, const std::vector<Variant>&, Rows&) {
-    if (!settings.suites.empty()) std::fprintf(stderr, "this build has no peers: configure with -DINGOT_PEERS=ON\n");
+    if (!settings.suites.empty())
+        std::fprintf(stderr, "this build has no peers: configure with -DINGOT_PEERS=ON\n");
 }
 
 }  // namespace report

@@ -193,8 +193,7 @@ void add_cost(const Settings& settings, const std::string& engine, bool shapes, 
 
 }  // namespace
 
-void run_peers(const Settings& settings, const std::vector<Variant>& variants, Rows& rows) {
-    Progress progress(7 + static_cast<int>(variants.size() + variants.front().contacts.size()));
+void fly_peers(const Settings& settings, const std::vector<Variant>& variants, Progress& progress, Rows& rows) {
     dInitODE2(0);
     add_flights<BulletWorld>(settings, "bullet", progress, rows);
     add_flights<OdeWorld>(settings, "ode", progress, rows);
@@ -207,7 +206,6 @@ void run_peers(const Settings& settings, const std::vector<Variant>& variants, R
         rows.add({"peers", "bodies_4096", "default", variant.scalar, variant.lanes, "host", 1.0 / 60, "ns_per_body_step",
                   variant.throughput(4096, settings.quick), "ns"});
     }
-    run_contact_peers(settings, variants, progress, rows);
     dCloseODE();
 }
 

@@ -10,7 +10,7 @@ namespace report {
 
 std::vector<int> contact_rates(const std::string& name, bool quick, bool beside_peers) {
     if (quick && !beside_peers && (name == "pyramid_210" || name == "tower_20")) return {30, 60, 120};
-    if (quick || name == "pile_4096") return {60};
+    if (quick || name == "pile_4096" || name.rfind("pile_boxes", 0) == 0 || name.rfind("pile_mixed", 0) == 0) return {60};
     if (name.rfind("bounce", 0) == 0) return {30, 60, 240, 1000};
     return {30, 60, 120, 240};
 }

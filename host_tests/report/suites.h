@@ -23,9 +23,11 @@ void run_contact(const Settings& settings, const std::vector<Variant>& variants,
 void run_simbenchmark(const Settings& settings, const std::vector<Variant>& variants, Rows& rows);
 /// Instructions, flash and RAM on emulated cores, from the tables that the cross builds keep and check.
 void run_mcu(Rows& rows);
-/// Bullet and ODE in the same run; nothing in a build without them.
+/// Other engines in the same run; nothing in a build without any.
 void run_peers(const Settings& settings, const std::vector<Variant>& variants, Rows& rows);
 
+/// Free bodies through Bullet and ODE, and the cost of a body beside the kernel's; nothing in a build without them. Part of run_peers.
+void fly_peers(const Settings& settings, const std::vector<Variant>& variants, Progress& progress, Rows& rows);
 /// The contact scenes through the peers and the kernel side by side; part of run_peers.
 void run_contact_peers(const Settings& settings, const std::vector<Variant>& variants, Progress& progress, Rows& rows);
 

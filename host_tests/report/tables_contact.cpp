@@ -145,8 +145,15 @@ std::vector<Table> contact_tables(const Rows& rows) {
         table_of(
             rows, "Piles",
             "Balls dropped into a box, and 125 boxes of mixed sizes dropped 4 m into a pit; 10 s at 60 Hz. Overlaps are of "
-            "the last 5 s, the mean over pairs that overlap. Speed: the largest of any body at the end.",
-            {{"512 balls", "pile_512"}, {"4096 balls", "pile_4096"}, {"125 boxes", "pit_125"}},
+            "the last 5 s, the mean over pairs that overlap. Speed: the largest of any body at the end. Beside peers also boxes of random "
+            "sizes and attitudes, and mixed piles: balls, capsules and boxes in turns.",
+            {{"512 balls", "pile_512"},
+             {"4096 balls", "pile_4096"},
+             {"125 boxes", "pit_125"},
+             {"512 boxes", "pile_boxes_512"},
+             {"2048 boxes", "pile_boxes_2048"},
+             {"512 mixed", "pile_mixed_512"},
+             {"2048 mixed", "pile_mixed_2048"}},
             {mean,
              deepest,
              {"escaped", "escaped"},
