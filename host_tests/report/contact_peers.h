@@ -17,7 +17,7 @@ struct PeerEngine {
     std::function<std::unique_ptr<ContactRun>(const ContactCase&)> begin;
 };
 
-/// Bullet and ODE (INGOT_PEERS), Box3D (INGOT_BOX3D): in this order, those the report is built with.
+/// Bullet and ODE (INGOT_PEERS), Box3D (INGOT_BOX3D), Jolt (INGOT_JOLT): in this order, those the report is built with.
 std::vector<PeerEngine> contact_peers();
 
 /// Piles that only peers and the kernel in float run side by side, for a build of so many lanes; empty where there is none.

@@ -8,7 +8,7 @@ namespace report {
 
 void run_peers(const Settings& settings, const std::vector<Variant>&, Rows&) {
     if (!settings.suites.empty())
-        std::fprintf(stderr, "this build has no peers: configure with -DINGOT_PEERS=ON or -DINGOT_BOX3D=DIR\n");
+        std::fprintf(stderr, "this build has no peers: configure with -DINGOT_PEERS=ON, -DINGOT_BOX3D=DIR or -DINGOT_JOLT=DIR\n");
 }
 
 }  // namespace report

@@ -19,7 +19,7 @@ const std::vector<Look>& looks() {
         {"default", "float", "ingot, float", "#e63946"}, {"default", "double", "ingot, double", "#8c1d27"},
         {"bullet", "float", "Bullet, float", "#2684c9"}, {"bullet", "double", "Bullet, double", "#0b2f66"},
         {"ode", "float", "ODE, float", "#1b9e77"},       {"ode", "double", "ODE, double", "#1b9e77"},
-        {"box3d", "float", "Box3D, float", "#7b4fb3"}};
+        {"box3d", "float", "Box3D, float", "#7b4fb3"},   {"jolt", "float", "Jolt, float", "#d98e04"}};
     return all;
 }
 
@@ -107,7 +107,8 @@ Sheet growth(const Rows& rows) {
              {Build{"default", "float", "ingot, 1 lane", "#f2a1a8", 1},
               Build{"default", "float", "ingot, 4 lanes", "#e63946", 4},
               Build{"default", "float", "ingot, 8 lanes", "#8c1d27", 8}, Build{"bullet", "float", "Bullet", "#2684c9", 1},
-              Build{"ode", "double", "ODE", "#1b9e77", 1}, Build{"box3d", "float", "Box3D", "#7b4fb3", 1}}) {
+              Build{"ode", "double", "ODE", "#1b9e77", 1}, Build{"box3d", "float", "Box3D", "#7b4fb3", 1},
+              Build{"jolt", "float", "Jolt", "#d98e04", 1}}) {
             const std::vector<Scene> scenes =
                 piles ? std::vector<Scene>{{"pile_512", 512}, {"pile_4096", 4096}}
                       : std::vector<Scene>{{"pyramid_55", 55}, {"pyramid_210", 210}, {"pyramid_465", 465}};

@@ -20,7 +20,7 @@ const std::vector<Engine>& engines() {
     static const std::vector<Engine> all = {{"ingot, float", "default", "float"}, {"ingot, double", "default", "double"},
                                             {"Bullet, float", "bullet", "float"}, {"Bullet, double", "bullet", "double"},
                                             {"ODE, float", "ode", "float"},       {"ODE, double", "ode", "double"},
-                                            {"Box3D, float", "box3d", "float"}};
+                                            {"Box3D, float", "box3d", "float"},   {"Jolt, float", "jolt", "float"}};
     return all;
 }
 
