@@ -174,6 +174,23 @@ TEST(ContactTables, take_times_from_the_race_with_the_peers) {
     EXPECT_EQ(cell_of(contact_tables(rows)[1], 1, "µs per step"), "25.0");
 }
 
+TEST(SharesTable, has_columns_for_the_engines_that_ran_and_lines_for_the_scenes_they_ran) {
+    Rows rows;
+    EXPECT_FALSE(shares_table(rows).has_figures());
+    add_tower(rows, "peers", "default", 4, 60, 0.004);
+    EXPECT_FALSE(shares_table(rows).has_figures()) << "nobody was beside";
+    add_tower(rows, "peers", "box3d", 1, 60, 106);
+    add_tower(rows, "peers", "bullet", 1, 2.5, 40);
+    rows.add({"peers", "tower_20", "default", "float", 4, "host", 1.0 / 60, "time_ratio_to_box3d", 0.5, "1"});
+    rows.add({"peers", "tower_20", "default", "float", 4, "host", 1.0 / 60, "time_ratio_to_bullet", 0.25, "1"});
+    const Table table = shares_table(rows);
+    ASSERT_EQ(table.cells.size(), 2u);
+    EXPECT_EQ(table.cells[0], (std::vector<std::string>{"scene", "4 lanes by Box3D", "4 lanes by Bullet", "8 lanes by Box3D", "8 lanes by Bullet",
+                                                        "what is wrong", "ingot", "Box3D", "Bullet"}));
+    EXPECT_EQ(table.cells[1], (std::vector<std::string>{"tower of 20 cubes", "0.50", "0.25", "", "", "stood, s / top sinks, mm", "60 / 0.0312",
+                                                        "60 / 0.0312", "2.5 / fell"}));
+}
+
 TEST(ContactClaims, count_what_was_lost_and_what_differs_between_lanes) {
     Rows rows;
     for (const int lanes : {1, 4})
