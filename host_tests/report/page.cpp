@@ -109,8 +109,8 @@ std::vector<Section> all_sections(const Rows& rows) {
           "drift, "
           "creep and gain energy. Each is run by every build of the kernel, and in a build with peers by other engines "
           "(default settings, no sleeping), which take turns with it, step by step, so that ratios hold on a busy machine.",
-          "**Errors** are those of whole runs, every step of which is looked at (a quick run follows the peers for 3 to 10 s "
-          "only). **Times** are CPU time of the step call alone in the "
+          "**Errors** are those of whole runs, every step of which is looked at (a quick run follows the peers, and the "
+          "kernel in float beside them, for 3 to 10 s only). **Times** are CPU time of the step call alone in the "
           "later "
           "half of a run; of each step the least over three runs (one in a quick run), of the steps the median."},
          {},

@@ -64,9 +64,8 @@ std::string errors_of(const Rows& rows, const Shown& shown, const std::string& m
 
 Table shares_table(const Rows& rows) {
     Table table{"Time as a share of other engines' times",
-                "60 Hz, float. A share is of one race, in which all take turns step by step: 0.5 is half the time. Piles: the lowest lie, the "
-                "highest still fall where the run is a quick one. Errors are those of the same run and the same seconds. A tower that fell "
-                "is one of scattered cubes: its time says nothing.",
+                "60 Hz; ingot in float. All take turns, step by step: 0.5 is half the time of the other engine. Errors are of the same "
+                "seconds; in the 3 s of a quick run piles do not come to rest. Times of an engine whose tower fell are those of scattered cubes.",
                 {{"scene"}}};
     std::vector<Engine> present;
     for (const Engine& peer : peers())
