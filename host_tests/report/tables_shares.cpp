@@ -53,11 +53,22 @@ std::string text_of(double value) {
     return value != 0 && std::abs(value) < 0.01 ? error_text(value) : number_text(value, std::abs(value) < 999.5 ? "%.3g" : "%.0f");
 }
 
+/// A stack that came down before its run was over.
+bool fell(const Rows& rows, const std::string& scene, const std::string& method) {
+    return figure(rows, scene, method, 0, "stood") < figure(rows, scene, method, 0, "seconds") - frame / 2;
+}
+
+/// What an engine does with a stack that has fallen is another scene: no share.
+std::string share_of(const Rows& rows, const std::string& scene, int lanes, const std::string& peer) {
+    const double share = figure(rows, scene, "default", lanes, "time_ratio_to_" + peer);
+    return !std::isnan(share) && (fell(rows, scene, peer) || fell(rows, scene, "default")) ? "fell" : number_text(share, "%.2f");
+}
+
 std::string errors_of(const Rows& rows, const Shown& shown, const std::string& method) {
     const double first = figure(rows, shown.scene, method, 0, shown.first), second = figure(rows, shown.scene, method, 0, shown.second);
     if (std::isnan(first)) return "";
-    const bool fell = shown.first == "stood" && first < figure(rows, shown.scene, method, 0, "seconds") - frame / 2;
-    return text_of(first) + " / " + (fell ? "fell" : text_of(second));
+    const bool lies = shown.second == "sink" && fell(rows, shown.scene, method);
+    return text_of(first) + " / " + (lies ? "fell" : text_of(second));
 }
 
 }  // namespace
@@ -65,7 +76,7 @@ std::string errors_of(const Rows& rows, const Shown& shown, const std::string& m
 Table shares_table(const Rows& rows) {
     Table table{"Time as a share of other engines' times",
                 "60 Hz; ingot in float. All take turns, step by step: 0.5 is half the time of the other engine. Errors are of the same "
-                "seconds; in the 3 s of a quick run piles do not come to rest. Times of an engine whose tower fell are those of scattered cubes.",
+                "seconds; in the 3 s of a quick run piles do not come to rest. Fell: a cube of the other engine's stack left its place by 0.5 m.",
                 {{"scene"}}};
     std::vector<Engine> present;
     for (const Engine& peer : peers())
@@ -79,8 +90,7 @@ Table shares_table(const Rows& rows) {
     for (const Shown& shown : scenes_shown()) {
         std::vector<std::string> line = {shown.title};
         for (const int lanes : {4, 8})
-            for (const Engine& peer : present)
-                line.push_back(number_text(figure(rows, shown.scene, "default", lanes, "time_ratio_to_" + peer.method), "%.2f"));
+            for (const Engine& peer : present) line.push_back(share_of(rows, shown.scene, lanes, peer.method));
         line.insert(line.end(), {shown.errors, errors_of(rows, shown, "default")});
         for (const Engine& peer : present) line.push_back(errors_of(rows, shown, peer.method));
         if (!present.empty() && !line.back().empty()) table.cells.push_back(line);
