@@ -108,14 +108,21 @@ private:
     int refused_ = 0;
 };
 
-/// `manifolds`: pairs that touch, for which the world has room.
-template <class Placed, class Shapes_, int manifolds, bool renews = true>
-ContactCase contact_case(const char* name) {
+/// Its bodies, and nothing that runs it.
+template <class Placed>
+ContactCase contact_case_of(const char* name) {
     ContactCase one;
     one.name = name;
     copy(Placed::gravity, one.gravity);
     one.seconds = static_cast<double>(Placed::seconds);
     for (int body_i = 0; body_i < Placed::body_count; ++body_i) one.bodies.push_back(plain(Placed::body(body_i)));
+    return one;
+}
+
+/// `manifolds`: pairs that touch, for which the world has room.
+template <class Placed, class Shapes_, int manifolds, bool renews = true>
+ContactCase contact_case(const char* name) {
+    ContactCase one = contact_case_of<Placed>(name);
     one.begin = [] { return std::make_unique<KernelRun<Placed, SceneFor<Placed, Shapes_, manifolds, renews>>>(); };
     return one;
 }

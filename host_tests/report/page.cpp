@@ -115,6 +115,12 @@ std::vector<Section> all_sections(const Rows& rows) {
           "half of a run; of each step the least over three runs (one in a quick run), of the steps the median."},
          {},
          contact_tables(rows)},
+        {"effort",
+         "Effort",
+         {"A scene names how many substeps and sweeps contacts have: `static constexpr Effort effort = low_effort;`, or numbers of its own. Errors are "
+          "those of whole runs, times those of the later half, as above."},
+         {},
+         {effort_table(rows)}},
         {"simbenchmark",
          "SimBenchmark",
          {"Four published tests of rigid-body engines, at steps of 1 to 10 ms: balls that roll on a box that is pushed, balls that bounce, and 216 "

@@ -64,6 +64,7 @@ Table simbenchmark_table(const Rows& rows);
 std::vector<Table> contact_tables(const Rows& rows);  ///< one for each kind of scene
 Table scenes_table(const Rows& rows);
 Table peers_table(const Rows& rows);
+Table effort_table(const Rows& rows);  ///< of contacts, by Scene::effort
 Table shares_table(const Rows& rows);  ///< the kernel's times as shares of those of other engines, and errors beside them
 Table names_table();
 

@@ -232,6 +232,7 @@ std::vector<Plot> draw_plots(const Rows& rows, const std::string& dir) {
              drift(rows, "orthogonality", "float"), throughput(rows), work_precision(rows, "float", Cost::instructions),
              peers(rows)};
     for (Sheet& sheet : contact_sheets(rows)) sheets.push_back(std::move(sheet));
+    sheets.push_back(effort_sheet(rows));
     for (Sheet& sheet : sheets) {
         std::vector<Line> filled;
         for (Line& line : sheet.lines)

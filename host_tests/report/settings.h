@@ -14,7 +14,7 @@ struct Settings {
 };
 
 inline const std::vector<std::string>& known_suites() {
-    static const std::vector<std::string> names = {"rotation", "driven", "drift", "throughput", "contact", "simbenchmark", "mcu", "peers"};
+    static const std::vector<std::string> names = {"rotation", "driven", "drift", "throughput", "contact", "effort", "simbenchmark", "mcu", "peers"};
     return names;
 }
 

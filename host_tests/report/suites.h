@@ -19,6 +19,8 @@ void run_drift(const Settings& settings, const std::vector<Variant>& variants, R
 void run_throughput(const Settings& settings, const std::vector<Variant>& variants, Rows& rows);
 /// Stacks, piles, slopes and bounces: how wrong they are, and what a step costs.
 void run_contact(const Settings& settings, const std::vector<Variant>& variants, Rows& rows);
+/// Stacks and piles at several efforts, beside Box3D where the report is built with it.
+void run_effort(const Settings& settings, Rows& rows);
 /// SimBenchmark's tests: error and CPU time at steps from 1 to 10 ms.
 void run_simbenchmark(const Settings& settings, const std::vector<Variant>& variants, Rows& rows);
 /// Instructions, flash and RAM on emulated cores, from the tables that the cross builds keep and check.
