@@ -129,8 +129,9 @@ double way_off() {
         const auto id = world.add(brick);
         EXPECT_TRUE(id.ok());
         for (int step_i = 0; step_i < 120; ++step_i) (void)ingot::step(world, scalar(h));
-        const ingot_reference::BrickOnIncline exact(static_cast<long double>(g), static_cast<long double>(mu), std::sin(static_cast<long double>(alpha)),
-                                                    std::cos(static_cast<long double>(alpha)), static_cast<long double>(v_0));
+        using Real = long double;
+        const ingot_reference::BrickOnIncline exact(static_cast<Real>(g), static_cast<Real>(mu), std::sin(static_cast<Real>(alpha)),
+                                                    std::cos(static_cast<Real>(alpha)), static_cast<Real>(v_0));
         sum += std::abs(static_cast<double>(world.state(id.value).value.r_CM.x) - static_cast<double>(exact.at(2).s)) / bricks;
     }
     printf("    %d substeps: %.3g mm\n", substeps, 1e3 * sum);

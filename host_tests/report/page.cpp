@@ -117,8 +117,8 @@ std::vector<Section> all_sections(const Rows& rows) {
          contact_tables(rows)},
         {"effort",
          "Effort",
-         {"A scene names how many substeps and sweeps contacts have: `static constexpr Effort effort = low_effort;`, or numbers of its own. Errors are "
-          "those of whole runs, times those of the later half, as above."},
+         {"A scene names how many substeps and sweeps contacts have: `static constexpr Effort effort = low_effort;`, or numbers of its own. "
+          "Errors are those of whole runs, times those of the later half, as above."},
          {},
          {effort_table(rows)}},
         {"simbenchmark",

@@ -64,12 +64,13 @@ Sheet effort_sheet(const Rows& rows) {
     sheet.x_label = "µs of a step, 4 lanes";
     sheet.y_label = "error, mm";
     sheet.how_to_read =
-        "Each point is an effort: {2, 3}, {4, 3}, {8, 3}, {8, 6} substeps and sweeps, along the line. Left is cheaper, lower is more accurate. A line "
-        "that goes to the left and down has come to rest with more effort.";
+        "Each point is an effort: {2, 3}, {4, 3}, {8, 3}, {8, 6} substeps and sweeps, along the line. Left is cheaper, lower is more "
+        "accurate. A line that goes to the left and down has come to rest with more effort.";
     sheet.more = "set format x '%g'";
     for (const Shown& shown : scenes_shown())
         for (const EffortLevel& level : effort_levels)
-            Sheet::add_point(sheet.line(shown.title, shown.color), figure(rows, shown, level, "us_per_step"), figure(rows, shown, level, shown.error));
+            Sheet::add_point(sheet.line(shown.title, shown.color), figure(rows, shown, level, "us_per_step"),
+                             figure(rows, shown, level, shown.error));
     return sheet;
 }
 

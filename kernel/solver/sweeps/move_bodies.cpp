@@ -185,7 +185,8 @@ void turn_by_corrections(const SolverView& solver, const BodyView& bodies, scala
         const Place at = place_of(solver.slot_of[body_i]);
         const SymmetricMatrix inv_I_world = lane_of(bodies.translation[at.tile].inv_I_world, at.lane);
         const bool turns = body.dth[3] > 0;
-        const Vector drift = turns ? vector_of(history.turn) : inv_I_world * vector_of(history.L_sum) * (h / static_cast<scalar>(solver.effort.substeps));
+        const scalar substep = h / static_cast<scalar>(solver.effort.substeps);
+        const Vector drift = turns ? vector_of(history.turn) : inv_I_world * vector_of(history.L_sum) * substep;
         const Vector push = vector_of(body.dth) - drift;
         const bool is_pushed = length_sq(push) > limits::settled_turn * limits::settled_turn;
         RotationTile& rotation = bodies.rotation[at.tile];

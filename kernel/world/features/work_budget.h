@@ -23,7 +23,7 @@ struct WorkBudget : Feature {
         constexpr int of_manifold = limits::steady_substeps + S::effort.substeps, of_contact = 4;
         static_assert(S::work_budget == 0 || has_shapes<S>, "work_budget is of contacts: set max_manifolds or max_contacts, or work_budget = 0");
         static_assert(S::work_budget == 0 || (S::work_budget >= of_manifold * S::max_manifolds && S::work_budget < no_budget),
-                      "work_budget is 6 visits or more for each of max_manifolds, or effort.substeps + 2: raise it, or lower max_manifolds");
+                      "work_budget is effort.substeps and 2 visits or more for each of max_manifolds: raise it, or lower max_manifolds");
         static_assert(S::work_budget == 0 || S::work_budget >= of_contact * S::max_contacts,
                       "work_budget is 4 visits or more for each of max_contacts: raise it, or lower max_contacts");
         return true;
