@@ -21,9 +21,9 @@ const std::vector<Shown>& scenes_shown() {
         {"wall of 55 cubes: shift, mm", "pyramid_55", "shift", "#f2a1a8"},
         {"wall of 210 cubes: shift, mm", "pyramid_210", "shift", "#e63946"},
         {"wall of 465 cubes: shift, mm", "pyramid_465", "shift", "#8c1d27"},
-        {"512 balls: mean overlap, mm", "pile_512", "mean_overlap", "#2684c9"},
-        {"512 random boxes: mean overlap, mm", "pile_boxes_512", "mean_overlap", "#1b9e77"},
-        {"512 balls, capsules, boxes: mean overlap, mm", "pile_mixed_512", "mean_overlap", "#7b4fb3"},
+        {"512 balls: overlap, mm", "pile_512", "mean_overlap", "#2684c9"},
+        {"512 random boxes: overlap, mm", "pile_boxes_512", "mean_overlap", "#1b9e77"},
+        {"512 mixed: overlap, mm", "pile_mixed_512", "mean_overlap", "#7b4fb3"},
         {"tower of 20 cubes: top sinks, mm", "tower_20", "sink", "#d98e04"}};
     return all;
 }
@@ -39,7 +39,7 @@ double figure(const Rows& rows, const Shown& shown, const EffortLevel& level, co
 Table effort_table(const Rows& rows) {
     Table table{"Time and error by effort",
                 "60 Hz, float, 4 lanes. µs of a step in the later half of the run, a share of Box3D's time where the report is built with it, and "
-                "the error. What is swept more comes to rest sooner, and rest costs little: more effort may take less time.",
+                "the error, of overlaps the mean. What is swept more comes to rest sooner, and rest costs little: more effort may take less time.",
                 {{"scene"}}};
     for (const EffortLevel& level : effort_levels) table.cells[0].push_back(level.name);
     for (const Shown& shown : scenes_shown()) {

@@ -20,7 +20,8 @@ struct Effort {
     static constexpr int substeps_max = 16, sweeps_max = 16;
 };
 
-/// As fast as can be, with errors below those of engines for games; and for scenes that are filmed.
+/// The least that leaves walls of 465 cubes and random piles with smaller errors than the best engine for games has; and for scenes that have to be
+/// right to a tenth of a millimetre.
 inline constexpr Effort low_effort = {2, 3}, high_effort = {8, 6};
 
 /// While more than a quarter of the contacts are younger than four steps.
