@@ -21,7 +21,7 @@ struct Effort {
 };
 
 /// The least that leaves walls of 465 cubes and random piles with smaller errors than the best engine for games has; and for scenes that have to be
-/// right to a tenth of a millimetre.
+/// right to parts of a millimetre.
 inline constexpr Effort low_effort = {2, 3}, high_effort = {8, 6};
 
 /// While more than a quarter of the contacts are younger than four steps.
