@@ -2,6 +2,7 @@
 // Whatever effort a scene names, the laws of contact are the same; more of it is nearer to the exact motion.
 #include <cmath>
 #include <cstdio>
+#include <vector>
 
 #include "laws/thrown_bodies.h"
 #include "reference/ball_and_brick.h"
@@ -73,6 +74,53 @@ TYPED_TEST(Efforts, bring_dice_to_rest) {
     if (effort.substeps * effort.sweeps >= ingot::limits::substeps * ingot::limits::sweeps) {
         EXPECT_GE(16 * asleep, 15 * trays);
     }
+}
+
+/// Walls of 45 bricks that shake, 40 m apart and in turn in the slots; one of them may be left out.
+template <class S>
+std::vector<ingot::BodyState> states_of_wall(bool first, bool second, int which, double h, uint32_t seed) {
+    RandomInput random(seed);
+    Thrown<S> walls(9.81, {random.real(0, 0.5), 0.5});
+    walls.wall({0, 1, 0}, 0);
+    std::vector<ingot::BodyId> of_wall;
+    for (int layer = 0; layer < 9; ++layer)
+        for (int i = 0; i < 2 * (9 - layer); ++i) {
+            const int wall = i % 2;
+            const Vector3d aside = any_vector(0.02, random).cwiseProduct(Vector3d(1, 0, 1)), v = any_vector(0.3, random);
+            const double spin = random.real(-0.5, 0.5);
+            if (wall == 0 ? !first : !second) continue;
+            BodyDef def = ingot_reference::definition(20, Vector3d::Constant(20 * 0.16 / 6));
+            def.shape = ingot::Box{{scalar(0.2), scalar(0.2), scalar(0.2)}};
+            def.friction = scalar(0.5);
+            def.state.r_CM = ingot_reference::to_vector((Vector3d(0.44 * (i / 2 + 0.5 * layer) + 40 * wall, 0.2 + 0.4 * layer, 0) + aside).eval());
+            def.state.v_CM = ingot_reference::to_vector(v);
+            def.state.L = {0, scalar(spin), 0};
+            const auto added = walls.world->add(def);
+            EXPECT_TRUE(added.ok());
+            if (wall == which) of_wall.push_back(added.value);
+        }
+    int least = 1 << 16;
+    for (double t = 0; t < 1.5; t += h) least = std::min(least, int{ingot::step(*walls.world, scalar(h)).contacts});
+    EXPECT_GT(least, ingot::limits::small_island * (first + second)) << "too few to be swept as many are";
+    std::vector<ingot::BodyState> states;
+    for (const ingot::BodyId id : of_wall) states.push_back(walls.world->state(id).value);
+    return states;
+}
+
+/// Substeps, sweeps and which way they go are each island's own: a wall moves alone as beside another.
+TYPED_TEST(Efforts, are_the_same_in_company) {
+    for (int case_i = 0; case_i < ingot_reference::draws(4); ++case_i)
+        for (const int which : {0, 1}) {
+            const double h = 1.0 / rates[case_i % 4];
+            const auto seed = static_cast<uint32_t>(700 + 50 * case_i);
+            const auto alone = states_of_wall<TypeParam>(which == 0, which == 1, which, h, seed);
+            const auto together = states_of_wall<TypeParam>(true, true, which, h, seed);
+            ASSERT_EQ(alone.size(), together.size());
+            for (std::size_t i = 0; i < alone.size(); ++i) {
+                EXPECT_EQ(to_eigen(alone[i].r_CM), to_eigen(together[i].r_CM)) << "case " << case_i << " body " << i;
+                EXPECT_EQ(to_eigen(alone[i].L), to_eigen(together[i].L)) << "case " << case_i << " body " << i;
+            }
+        }
 }
 
 /// Impulses are told of the whole step, however many substeps it has.

@@ -25,7 +25,7 @@ using ingot_reference::to_eigen;
 
 template <class Solver, bool fast, int substeps = ingot::limits::substeps, int sweeps = ingot::limits::sweeps>
 struct Room : ingot::Scene {
-    static constexpr int max_bodies = 48;
+    static constexpr int max_bodies = 96;
     static constexpr bool translates = true, sleeps = true, continuous = fast;
     static constexpr int max_manifolds = 600;
     static constexpr ingot::Effort effort = {substeps, sweeps};
