@@ -269,6 +269,7 @@ TEST(ContactRows, are_visited_within_a_budget) {
         const bool enough = few.count == taken;
         const ingot::SweepOutcome ended = ingot::solve_active_contacts(scarce.view(), scarce.tiles.view(), few);
         EXPECT_GE(few.count, 0);
+        for (const Contact& c : scarce.contacts) EXPECT_GE(c.j, 0) << "what is cut short pushes too";
         cut_short += !ended.finished;
         if (!enough && wanted.finished) {
             EXPECT_FALSE(ended.finished);

@@ -118,6 +118,7 @@ bool visit(Contact& c, scalar slack, const BodyView& bodies) {
     if (j == c.j) return false;
     if (!apply_impulse(c, j - c.j, bodies)) {
         c.active = false;
+        if (!(c.j > 0)) c.j = 0;  // gone on too far, and the body is past taking it back
         return false;
     }
     INGOT_ASSERT(j >= 0);
@@ -139,8 +140,11 @@ template <class Left>
 int settle_manifold(Contact* first, int count, scalar slack, const BodyView& bodies, Left& left, int kept) {
     // bound: 4: contacts of one pair, Manifold::points_max a pair
     for (int contact_i = 0; contact_i < count; ++contact_i) first[contact_i].direction = 0;
-    scalar size_before = 0;
+    scalar size_before = 0, beta = 0;
     for (int sweep_i = 1; sweep_i <= limits::contact_sweeps_max && (sweep_i == 1 ? left.take(count) : left.take_spare(count, kept)); ++sweep_i) {
+        // Only where a visit follows: what goes too far may pull. One contact is exact after one visit.
+        for (int contact_i = 0; contact_i < count && sweep_i > 1 && count > 1; ++contact_i)
+            if (first[contact_i].active) extrapolate(first[contact_i], beta, bodies);
         if (sweep_i > limits::contact_sweeps_max / 4) slack = limits::contact_slack;
         bool settled = true;
         scalar size = 0;  // of the sweep, in units of energy
@@ -150,11 +154,8 @@ int settle_manifold(Contact* first, int count, scalar slack, const BodyView& bod
             size += first[contact_i].change * first[contact_i].change / first[contact_i].inv_K;
         }
         if (settled) return sweep_i;
-        const scalar beta = size_before > 0 && size <= size_before ? size / size_before : 0;  // 0 too when squares underflow
+        beta = size_before > 0 && size <= size_before ? size / size_before : 0;  // 0 too when squares underflow
         size_before = size;
-        if (count == 1) continue;  // one contact is exact after one visit
-        for (int contact_i = 0; contact_i < count; ++contact_i)
-            if (first[contact_i].active) extrapolate(first[contact_i], beta, bodies);
     }
     return limits::contact_sweeps_max + 1;
 }
