@@ -20,9 +20,10 @@ struct Effort {
     static constexpr int substeps_max = 16, sweeps_max = 16;
 };
 
-/// The least that leaves walls of 465 cubes and random piles with smaller errors than the best engine for games has; and for scenes that have to be
-/// right to parts of a millimetre.
-inline constexpr Effort low_effort = {2, 3}, high_effort = {8, 6};
+/// The least with which walls of 465 cubes and random piles are less wrong than in the best engine for games.
+inline constexpr Effort low_effort = {2, 3};
+/// For scenes that have to be right to parts of a millimetre.
+inline constexpr Effort high_effort = {8, 6};
 
 /// While more than a quarter of the contacts are younger than four steps.
 constexpr int sweeps_of_new(const Effort& effort) { return 4 * effort.sweeps; }
