@@ -33,11 +33,7 @@ TYPED_TEST(Efforts, give_no_energy) {
         const double e = case_i % 4 == 0 ? 1 : random.real(0, 1), mu = case_i % 2 == 0 ? 0 : random.real(0, 1), h = 1.0 / rates[case_i % 5];
         Thrown<TypeParam> thrown(0, {e, mu});
         close_room(thrown, 2);
-        for (int i = 0; i < 40; ++i) {
-            const Vector3d place = {(i % 3 - 1) * 0.9, -1.5 + 0.7 * (i / 9), (i / 3 % 3 - 1) * 0.9};
-            const Vector3d v = any_vector(3, random), omega = any_vector(9, random);
-            thrown.body(any_shape(i, 0.2, random), place, v, omega, random);
-        }
+        throw_forty(thrown, random);
         const double gain = largest_gain(thrown, h, rates[case_i % 5] > 500 ? 0.5 : 3);
         EXPECT_LE(gain, gain_of_step<TypeParam>) << "case " << case_i << " e " << e << " mu " << mu << " h " << h;
         worst = std::max(worst, gain);
@@ -55,12 +51,7 @@ TYPED_TEST(Efforts, bring_dice_to_rest) {
         RandomInput random(static_cast<uint32_t>(300 + seed));
         const double h = 1.0 / rates[seed % 4], fall = 9.81 * h / effort.substeps;
         Thrown<TypeParam> dice(9.81, {random.real(0, 0.5), random.real(0.3, 0.9)});
-        dice.wall({0, 1, 0}, 0);
-        for (const Vector& n : {Vector{1, 0, 0}, {-1, 0, 0}, {0, 0, 1}, {0, 0, -1}}) dice.wall(n, 1.2);
-        for (int i = 0; i < 42; ++i) {
-            const Vector3d place = {(i % 3 - 1) * 0.6, 0.5 + 0.6 * (i / 9), (i / 3 % 3 - 1) * 0.6}, aside = any_vector(0.05, random);
-            dice.body(ingot::Box{{scalar(0.2), scalar(0.2), scalar(0.2)}}, place + aside, Vector3d::Zero(), Vector3d::Zero(), random);
-        }
+        drop_dice(dice, 42, random);
         for (double t = 0; t < 15 && dice.world->awake_count() > 0; t += h) (void)ingot::step(*dice.world, scalar(h));
         asleep += dice.world->awake_count() == 0 ? 1 : 0;
         double fastest = 0, deepest = 0;

@@ -43,11 +43,7 @@ TYPED_TEST(Energy, of_many_in_a_room_does_not_grow) {
         const double e = case_i % 4 == 0 ? 1 : random.real(0, 1), mu = case_i % 2 == 0 ? 0 : random.real(0, 1);
         Thrown<TypeParam> thrown(0, {e, mu});
         close_room(thrown, 2);
-        for (int i = 0; i < 40; ++i) {
-            const Vector3d place = {(i % 3 - 1) * 0.9, -1.5 + 0.7 * (i / 9), (i / 3 % 3 - 1) * 0.9};
-            const Vector3d v = any_vector(3, random), omega = any_vector(9, random);
-            thrown.body(any_shape(i, 0.2, random), place, v, omega, random);
-        }
+        throw_forty(thrown, random);
         const double gain = largest_gain(thrown, 1.0 / 60, 5);
         EXPECT_LE(gain, gain_of_step<TypeParam>) << "case " << case_i << " e " << e << " mu " << mu;
         worst = std::max(worst, gain);
@@ -67,12 +63,7 @@ Settling settle(double e) {
     for (int seed = 0; seed < seeds; ++seed) {
         RandomInput random(static_cast<uint32_t>(100 + seed));
         Thrown<Tray> dice(9.81, {e, 0.5});
-        dice.wall({0, 1, 0}, 0);
-        for (const Vector& n : {Vector{1, 0, 0}, {-1, 0, 0}, {0, 0, 1}, {0, 0, -1}}) dice.wall(n, 1.2);
-        for (int i = 0; i < 40; ++i) {
-            const Vector3d place = {(i % 3 - 1) * 0.6, 0.5 + 0.6 * (i / 9), (i / 3 % 3 - 1) * 0.6}, aside = any_vector(0.05, random);
-            dice.body(ingot::Box{{scalar(0.2), scalar(0.2), scalar(0.2)}}, place + aside, Vector3d::Zero(), Vector3d::Zero(), random);
-        }
+        drop_dice(dice, 40, random);
         int step_i = 0;
         while (step_i++ < 15 * 60 && dice.world->awake_count() > 0) mean.impact_waves += ingot::step(*dice.world, scalar(1) / 60).impact_waves;
         mean.seconds += step_i / 60.0 / seeds;

@@ -134,6 +134,27 @@ void close_room(Thrown<S>& thrown, double half) {
     for (const Vector& n : {Vector{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}) thrown.wall(n, half);
 }
 
+/// Forty of them, in the lower part of a room of half size 2, each on its way.
+template <class S>
+void throw_forty(Thrown<S>& thrown, RandomInput& random) {
+    for (int i = 0; i < 40; ++i) {
+        const Vector3d place = {(i % 3 - 1) * 0.9, -1.5 + 0.7 * (i / 9), (i / 3 % 3 - 1) * 0.9};
+        const Vector3d v = any_vector(3, random), omega = any_vector(9, random);
+        thrown.body(any_shape(i, 0.2, random), place, v, omega, random);
+    }
+}
+
+/// A tray with so many dice above it, nine in a layer, about to fall.
+template <class S>
+void drop_dice(Thrown<S>& dice, int count, RandomInput& random) {
+    dice.wall({0, 1, 0}, 0);
+    for (const Vector& n : {Vector{1, 0, 0}, {-1, 0, 0}, {0, 0, 1}, {0, 0, -1}}) dice.wall(n, 1.2);
+    for (int i = 0; i < count; ++i) {
+        const Vector3d place = {(i % 3 - 1) * 0.6, 0.5 + 0.6 * (i / 9), (i / 3 % 3 - 1) * 0.6}, aside = any_vector(0.05, random);
+        dice.body(ingot::Box{{scalar(0.2), scalar(0.2), scalar(0.2)}}, place + aside, Vector3d::Zero(), Vector3d::Zero(), random);
+    }
+}
+
 /// The largest gain of a step, of the energy at the begin.
 template <class S>
 double largest_gain(Thrown<S>& thrown, double h, double seconds) {

@@ -12,9 +12,6 @@ namespace {
 using Vector3d = Eigen::Vector3d;
 using Matrix3d = Eigen::Matrix3d;
 
-Vector3d vector(const double (&v)[3]) { return {v[0], v[1], v[2]}; }
-Matrix3d matrix(const double (&A)[9]) { return Eigen::Map<const Matrix3d>(A); }
-
 /// The larger; infinity once something was not a number.
 double worse(double a, double b) { return std::isnan(b) ? std::numeric_limits<double>::infinity() : std::max(a, b); }
 

@@ -10,6 +10,9 @@
 
 namespace report {
 
+inline Eigen::Vector3d vector(const double (&v)[3]) { return {v[0], v[1], v[2]}; }
+inline Eigen::Matrix3d matrix(const double (&A)[9]) { return Eigen::Map<const Eigen::Matrix3d>(A); }
+
 struct Metric {
     const char* name;
     double value;

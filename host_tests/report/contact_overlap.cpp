@@ -13,9 +13,6 @@ namespace {
 using Vector3d = Eigen::Vector3d;
 using Matrix3d = Eigen::Matrix3d;
 
-Vector3d vector(const double (&v)[3]) { return {v[0], v[1], v[2]}; }
-Matrix3d matrix(const double (&A)[9]) { return Eigen::Map<const Matrix3d>(A); }
-
 /// Of the ball about the centre that holds the body.
 double radius_of(const SceneBody& body) {
     switch (body.solid) {

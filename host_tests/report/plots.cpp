@@ -7,6 +7,7 @@
 #include "gnuplot.h"
 #include "method_info.h"
 #include "plots_contact.h"
+#include "plots_effort.h"
 
 namespace report {
 

@@ -10,7 +10,5 @@ namespace report {
 
 /// Error against time over rates, cost against bodies, and the way to the exact solution.
 std::vector<Sheet> contact_sheets(const Rows& rows);
-/// Error against time by effort, a line a scene.
-Sheet effort_sheet(const Rows& rows);
 
 }  // namespace report

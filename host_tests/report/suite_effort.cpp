@@ -14,13 +14,11 @@ namespace {
 
 constexpr int rate = 60;
 
-Row row_of(const ContactCase& scene, const std::string& method, int lanes) {
-    return {"effort", scene.name, method, "float", lanes, "host", 1.0 / rate, "", 0, ""};
+Row row_of(const ContactCase& scene, const EffortLevel& level, const std::string& metric, double value, const std::string& unit) {
+    return {"effort", scene.name, method_of(level), "float", 4, "host", 1.0 / rate, metric, value, unit};
 }
 
-std::string method_of(const EffortLevel& level) { return std::to_string(level.substeps) + "x" + std::to_string(level.sweeps); }
-
-/// All levels take turns, and the engine that is nearest with them.
+/// All levels take turns, and Box3D with them where the report is built with it.
 void race(const EffortCase& at, const std::vector<PeerEngine>& peers, const Settings& settings, Rows& rows) {
     std::vector<BeginRun> begins(at.begins.begin(), at.begins.end());
     for (const PeerEngine& peer : peers) begins.push_back([&] { return peer.begin(at.scene); });
@@ -28,11 +26,7 @@ void race(const EffortCase& at, const std::vector<PeerEngine>& peers, const Sett
     for (std::size_t i = 0; i < at.begins.size(); ++i) {
         if (std::isnan(us[i])) continue;
         const auto add = [&](const std::string& metric, double value, const char* unit) {
-            Row row = row_of(at.scene, method_of(effort_levels[i]), 4);
-            row.metric = metric;
-            row.value = value;
-            row.unit = unit;
-            rows.add(row);
+            rows.add(row_of(at.scene, effort_levels[i], metric, value, unit));
         };
         add("us_per_step", us[i], "us");
         for (std::size_t peer_i = 0; peer_i < peers.size(); ++peer_i)
@@ -52,13 +46,8 @@ void run_effort(const Settings& settings, Rows& rows) {
         if (settings.quick && !at.in_quick_runs) continue;
         const double seconds = settings.quick ? std::min(at.scene.seconds, 3.0) : at.scene.seconds;
         for (std::size_t i = 0; i < at.begins.size(); ++i)
-            for (const Metric& metric : followed(at.scene, at.begins[i], rate, seconds)) {
-                Row row = row_of(at.scene, method_of(effort_levels[i]), 4);
-                row.metric = metric.name;
-                row.value = metric.value;
-                row.unit = metric.unit;
-                rows.add(row);
-            }
+            for (const Metric& metric : followed(at.scene, at.begins[i], rate, seconds))
+                rows.add(row_of(at.scene, effort_levels[i], metric.name, metric.value, metric.unit));
         race(at, peers, settings, rows);
     }
 }

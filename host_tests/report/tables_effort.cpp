@@ -4,7 +4,7 @@
 
 #include "effort_cases.h"
 #include "page.h"
-#include "plots_contact.h"
+#include "plots_effort.h"
 
 namespace report {
 
@@ -27,8 +27,6 @@ const std::vector<Shown>& scenes_shown() {
         {"tower of 20 cubes: top sinks, mm", "tower_20", "sink", "#d98e04"}};
     return all;
 }
-
-std::string method_of(const EffortLevel& level) { return std::to_string(level.substeps) + "x" + std::to_string(level.sweeps); }
 
 double figure(const Rows& rows, const Shown& shown, const EffortLevel& level, const char* metric) {
     return rows.value("effort", shown.scene, method_of(level), "float", 0, frame, metric, missing);
