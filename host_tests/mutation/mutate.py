@@ -105,7 +105,9 @@ def collect(node, syntax, parent=None, fixed=False):
         elif kind == "IntegerLiteral" and text.isdigit():
             syntax.add(span, str(int(text) + 1), "({0} ? %d : %s)" % (int(text) + 1, text))
         elif kind == "FloatingLiteral":
-            other = "1.0" if float(text.rstrip("fFlL")) == 0 else "2 * " + text
+            number = text.rstrip("fFlL")
+            value = float.fromhex(number) if number.lower().startswith("0x") else float(number)
+            other = "1.0" if value == 0 else "2 * " + text
             syntax.add(span, other, "({0} ? %s : %s)" % (other, text))
         elif kind == "IfStmt" and not node.get("isConstexpr") and not node.get("hasInit") and not node.get("hasVar") and inner and inner[0].get("span"):
             condition = inner[0]["span"]
