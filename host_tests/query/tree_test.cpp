@@ -54,9 +54,9 @@ using Many = Two<4000, 1, false, false, ingot::SortedTree>;
 using ManyAsleep = Two<1500, 3, true, false, ingot::SortedTree>;
 
 TEST(QueriesOfManyByTree, are_the_same_whatever_is_done_to_bodies) {
-    expect_same_life<Many>(101, {60, 0.05, 1.5}, 12, 3600, draws(120));
-    expect_same_life<Many>(102, {300, 0.01, 100}, 4, 1000, draws(120));
-    expect_same_life<ManyAsleep>(103, {60, 0.05, 1.5}, 20, 1200, draws(60));
+    expect_same_life<Many>(101, {60, 0.05, 1.5}, draws(12), 3600, draws(120));
+    expect_same_life<Many>(102, {300, 0.01, 100}, draws(4), 1000, draws(120));
+    expect_same_life<ManyAsleep>(103, {60, 0.05, 1.5}, draws(20), 1200, draws(60));
 }
 
 /// Ground that is tilted by so little that its normal has a 1 in it, and the length 1: a kilometre away it is higher than where it is level.
