@@ -14,16 +14,32 @@ namespace ingot { inline namespace INGOT_ABI {
 ///
 ///     k = I^-1 J                                       (Hecker 1997, Eqs. 17 and 20: L changes by J, and omega = I^-1 L)
 ///
+/// T: lane in the blocks of the sweeps, wide_scalar in the direct solver, scalar in the sequential one.
 /// A body that hangs on others by joints will answer with the inverse inertia of its figure as felt at it, and with parts that couple linear
 /// and angular; then sums of compliance ask it for those as well.
-struct FreeBody {
-    Vec3<lane> r_CM;
-    Sym3<lane> inv_I_world;  ///< kg^-1 m^-2
-    lane inv_M;              ///< kg^-1; 0: cannot move, and all of it is 0
-    mask moves;
+template <class T>
+struct FreeBodyOf {
+    Vec3<T> r_CM;         ///< m
+    T inv_M;              ///< kg^-1; 0: cannot move
+    Sym3<T> inv_I_world;  ///< kg^-1 m^-2
 
-    /// rad/s that a unit impulse with this J gives.
-    INGOT_INLINE Vec3<lane> spin_of(const Vec3<lane>& J) const { return inv_I_world * J; }
+    /// J: kg m^2/s that a unit impulse along d at P gives.
+    INGOT_INLINE Vec3<T> lever_of(const Vec3<T>& P, const Vec3<T>& d) const { return cross(P - r_CM, d); }
+    /// Of the body that gets the opposite impulse.
+    INGOT_INLINE Vec3<T> opposite_lever_of(const Vec3<T>& P, const Vec3<T>& d) const { return cross(d, P - r_CM); }
+    /// k: rad/s that an impulse with this J gives.
+    INGOT_INLINE Vec3<T> spin_of(const Vec3<T>& J) const { return inv_I_world * J; }
+    /// m/s that an impulse gives the centre of mass.
+    INGOT_INLINE Vec3<T> velocity_of(const Vec3<T>& impulse) const { return impulse * inv_M; }
+    /// The part of a row's compliance that turning has: J . k.
+    INGOT_INLINE T turning_compliance(const Vec3<T>& J) const { return dot(J, spin_of(J)); }
+    /// Of rows that only turn, the sum over three directions across each other.
+    INGOT_INLINE T turning_compliances() const { return inv_I_world.xx + inv_I_world.yy + inv_I_world.zz; }
+};
+
+/// The bodies of `lanes` constraints; what cannot move is all 0.
+struct FreeBody : FreeBodyOf<lane> {
+    mask moves;
 };
 
 /// Of the two bodies of a constraint.
@@ -34,8 +50,8 @@ struct ResponseOf {
 
     /// A row along d at P; no lever on what cannot move, or where there is no point.
     INGOT_SHARED void prepare_levers(Levers& levers, const Vec3<lane>& P, const Vec3<lane>& d, mask there) const {
-        prepare_lever(levers.J_A, levers.k_A, A, cross(P - A.r_CM, d), there);
-        prepare_lever(levers.J_B, levers.k_B, B, cross(d, P - B.r_CM), there);
+        prepare_lever(levers.J_A, levers.k_A, A, A.lever_of(P, d), there);
+        prepare_lever(levers.J_B, levers.k_B, B, B.opposite_lever_of(P, d), there);
     }
     /// A row that only turns about an axis: k of A and B. B gets the opposite.
     INGOT_INLINE Vec3<lane> spin_of_A(const Vec3<lane>& axis) const { return select(A.moves, A.spin_of(axis), Vec3<lane>{}); }
@@ -68,10 +84,7 @@ struct CollectedBodies {
     }
     FreeBody loaded() const {
         const lane inverse_mass = load(inv_M);
-        return {load(r_CM),
-                {load(inv_I_world[0]), load(inv_I_world[1]), load(inv_I_world[2]), load(inv_I_world[3]), load(inv_I_world[4]), load(inv_I_world[5])},
-                inverse_mass,
-                inverse_mass > lane{}};
+        return {{load(r_CM), inverse_mass, load(inv_I_world)}, inverse_mass > lane{}};
     }
 };
 

@@ -8,6 +8,7 @@
 
 #include "../../constraint/contact.h"
 #include "../../constraint/kinematic_view.h"
+#include "../../constraint/response.h"
 #include "../../math/wide.h"
 
 #pragma GCC diagnostic push
@@ -81,11 +82,8 @@ struct DirectManifoldOf : RollingOfManifold<rolls> {
 };
 
 /// Motion: v_CM and L, or dp and dth. [0] is what cannot move.
-struct DirectBody {
+struct DirectBody : FreeBodyOf<wide_scalar> {
     DirectVector linear, angular;
-    Sym3<wide_scalar> inv_I_world;
-    DirectVector r_CM;
-    wide_scalar inv_M;
     Index body_i;  ///< of SolverBody
 };
 

@@ -66,7 +66,7 @@ void hold_energy(const View& solver, const Direct& island) {
         const DirectBody& body = island.bodies[body_i];
         const SolverBody& now = solver.bodies[body.body_i];
         const DirectVector v = free_v(island, body), L = free_L(island, body), d_v = in_double(now.v_CM) - v, d_L = in_double(now.L) - L;
-        const DirectVector turn = body.inv_I_world * d_L;
+        const DirectVector turn = body.spin_of(d_L);
         along += dot(d_v, v) / body.inv_M + dot(turn, L);
         across += 0.5 * (length_sq(d_v) / body.inv_M + dot(turn, d_L));
     }

@@ -10,7 +10,7 @@ namespace {
 
 /// m/s; of the centre of mass, and of a spin with as much energy.
 wide_scalar speed_of(const DirectBody& body, const DirectVector& v, const DirectVector& L) {
-    return square_root(length_sq(v)) + square_root(max(dot(L, body.inv_I_world * L) * body.inv_M, 0));
+    return square_root(length_sq(v)) + square_root(max(body.turning_compliance(L) * body.inv_M, 0));
 }
 
 template <class Direct>

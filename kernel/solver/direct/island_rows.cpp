@@ -39,8 +39,8 @@ void load_row(const Direct& direct, const ManifoldOf<Direct>& manifold, DirectRo
     row.d = d;
     row.J[0] = J_A;
     row.J[1] = J_B;
-    row.k[0] = A.inv_I_world * J_A;
-    row.k[1] = B.inv_I_world * J_B;
+    row.k[0] = A.spin_of(J_A);
+    row.k[1] = B.spin_of(J_B);
     row.K = length_sq(d) * (A.inv_M + B.inv_M) + dot(row.k[0], J_A) + dot(row.k[1], J_B);
 }
 
@@ -56,8 +56,8 @@ void load_seen_row(Direct& direct, ManifoldOf<Direct>& manifold, DirectRow* rows
     DirectRow& row = rows[seen.number];
     if (seen.number < friction_row) {
         const DirectVector P = in_double(record.manifold.points[seen.number].P);
-        load_row(direct, manifold, row, d, moves[0] ? cross(P - direct.bodies[manifold.body[0]].r_CM, d) : none,
-                 moves[1] ? cross(d, P - direct.bodies[manifold.body[1]].r_CM) : none);
+        load_row(direct, manifold, row, d, moves[0] ? direct.bodies[manifold.body[0]].lever_of(P, d) : none,
+                 moves[1] ? direct.bodies[manifold.body[1]].opposite_lever_of(P, d) : none);
     } else if (seen.levers != nullptr) {
         load_row(direct, manifold, row, d, lane_in_double(seen.levers->J_A, lane_i), lane_in_double(seen.levers->J_B, lane_i));
     } else {

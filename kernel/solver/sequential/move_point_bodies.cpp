@@ -16,8 +16,8 @@ void add_motion(PointMotion& to, const PointMotion& rate, scalar h) {
 }
 
 /// Of a body whose velocity, or the change of it in a second, is `linear`, with its angular momentum or torque.
-INGOT_SHARED PointMotion motion_of(const Vector& linear, const SymmetricMatrix& inv_I_world, const Vector& moment) {
-    return {linear, inv_I_world * moment, moment};
+INGOT_SHARED PointMotion motion_of(const PointBody& body, const Vector& linear, const Vector& moment) {
+    return {linear, body.spin_of(moment), moment};
 }
 
 /// False for NaN. An L that is not finite has no omega that is.
@@ -34,8 +34,8 @@ void take_in_point_body(PointBody& body, const BodyView& bodies, const Vector& g
     const scalar inv_M = translation.inv_M[at.lane];
     if (body.inv_M > 0 || !(inv_M > 0)) return;
     body.inv_I_world = lane_of(translation.inv_I_world, at.lane);
-    body.forces = motion_of(lane_of(translation.F_T, at.lane) * inv_M + gravity, body.inv_I_world, lane_of(rotation.tau_T, at.lane));
-    body.velocity = motion_of(lane_of(translation.v_CM, at.lane), body.inv_I_world, lane_of(rotation.L, at.lane));
+    body.forces = motion_of(body, lane_of(translation.F_T, at.lane) * inv_M + gravity, lane_of(rotation.tau_T, at.lane));
+    body.velocity = motion_of(body, lane_of(translation.v_CM, at.lane), lane_of(rotation.L, at.lane));
     body.begin = body.velocity;
     add_motion(body.begin, body.forces, h);  // at the end of the step, without contacts
     if (!is_valid(body.begin)) return mark_lane_bad(bodies.rotation[at.tile].bad, at.lane);

@@ -8,32 +8,31 @@ namespace {
 void push_body(PointBody& body, MotionOfBody kind, const Vector& P, const Vector& impulse, const Vector& moment) {
     if (!(body.inv_M > 0)) return;
     PointMotion& motion = body.*kind;
-    const Vector change = cross(P - body.r_CM, impulse) + moment;
-    motion.linear += impulse * body.inv_M;
-    motion.angular += body.inv_I_world * change;
+    const Vector change = body.lever_of(P, impulse) + moment;
+    motion.linear += body.velocity_of(impulse);
+    motion.angular += body.spin_of(change);
     motion.moment += change;
 }
 
-/// J . inv_I_world J.
-INGOT_SHARED scalar compliance_about_axis(const PointBody& body, const Vector& J) { return dot(J, body.inv_I_world * J); }
+/// Written once: a visit asks for it in several places.
+INGOT_SHARED scalar turning_compliance_of(const PointBody& body, const Vector& J) { return body.turning_compliance(J); }
 
 scalar compliance_of(const PointBody& body, const Vector& P, const Vector& n) {
     if (!(body.inv_M > 0)) return 0;
-    return body.inv_M + compliance_about_axis(body, cross(P - body.r_CM, n));
+    return body.inv_M + turning_compliance_of(body, body.lever_of(P, n));
 }
 
 /// The trace of the compliance at P less its part along n.
 scalar compliance_across_of(const PointBody& body, const Vector& P, const Vector& n) {
     if (!(body.inv_M > 0)) return 0;
-    const SymmetricMatrix& inv_I = body.inv_I_world;
     const Vector r = P - body.r_CM;
-    const scalar trace = 3 * body.inv_M + (inv_I.xx + inv_I.yy + inv_I.zz) * length_sq(r) - compliance_about_axis(body, r);
+    const scalar trace = 3 * body.inv_M + body.turning_compliances() * length_sq(r) - turning_compliance_of(body, r);
     return trace - compliance_of(body, P, n);
 }
 
 scalar compliance_about_of(const PointBody& body, const Vector& n) {
     if (!(body.inv_M > 0)) return 0;
-    return compliance_about_axis(body, n);
+    return turning_compliance_of(body, n);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "../../base/work_budget.h"
 #include "../../body/body_tiles.h"
 #include "../../constraint/kinematic_view.h"
+#include "../../constraint/response.h"
 #include "../../constraint/surface_materials.h"
 #include "../../narrow_phase/manifold_record.h"
 #include "../../base/contact_lengths.h"
@@ -24,10 +25,7 @@ struct PointMotion {
 };
 
 /// World axes. A body with inv_M = 0 cannot move, has gone bad, or touches nothing: of its other members only hit and root are valid.
-struct PointBody {
-    Vector r_CM;      ///< m
-    scalar inv_M;     ///< kg^-1
-    SymmetricMatrix inv_I_world;
+struct PointBody : FreeBodyOf<scalar> {
     PointMotion forces;        ///< per second, of velocity: gravity, and what the user adds
     PointMotion velocity;
     PointMotion displacement;  ///< since the step began

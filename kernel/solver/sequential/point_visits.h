@@ -193,9 +193,7 @@ INGOT_SHARED void scale_impulses(ManifoldRecord& record, scalar share) {
 /// Compliance of turning across n, as compliance_across: less than the sum of both, no less than 3/4 of the greater.
 template <class View>
 void begin_rolling(const VisitOf<View>& visit, scalar share) {
-    const auto trace_of = [](const PointBody& body) {
-        return body.inv_M > 0 ? body.inv_I_world.xx + body.inv_I_world.yy + body.inv_I_world.zz : scalar(0);
-    };
+    const auto trace_of = [](const PointBody& body) { return body.inv_M > 0 ? body.turning_compliances() : scalar(0); };
     const PointBody &A = visit.pair.A, &B = visit.pair.B;
     const scalar about = compliance_about(visit.pair, visit.n());
     RollingRecord& record = visit.rolling_record();
