@@ -89,6 +89,15 @@ struct Asking : Touching {
     static constexpr bool sleeps = true;
     using broad_phase = QueryTree;
 };
+struct Hinged : Scene {
+    static constexpr int max_bodies = 8, max_joints = 8;
+    static constexpr bool translates = true;
+    using joints = Joints<BallJoint, HingeJoint, SliderJoint, UniversalJoint, FixedJoint>;
+};
+struct Ragdolls : Telling {
+    static constexpr int max_joints = 8;
+    using joints = Joints<BallJoint, HingeJoint>;
+};
 struct Light : Telling {
     static constexpr bool bounces = false, sleeps = true;
     using solver = SequentialImpulses;
@@ -114,6 +123,13 @@ CALL(step_hybrid_islands)(World<Sleeping>& world, scalar h) { return step(world,
 CALL(step_belts)(World<Conveyors>& world, scalar h) { return step(world, h); }
 CALL(step_query_tree)(World<Asking>& world, scalar h) { return step(world, h); }
 CALL(step_compounds)(World<ManyShapes>& world, scalar h) { return step(world, h); }
+CALL(step_joints)(World<Hinged>& world, scalar h) { return step(world, h); }
+CALL(step_joints_in_contact)(World<Ragdolls>& world, scalar h) { return step(world, h); }
+CALL(add_joint)(World<Ragdolls>& world, const JointDef& def) { return world.add_joint(def); }
+CALL(remove_joint)(World<Ragdolls>& world, JointId id) { return world.remove(id); }
+CALL(is_alive_joint)(const World<Ragdolls>& world, JointId id) { return world.is_alive(id); }
+CALL(joint_count)(const World<Ragdolls>& world) { return world.joint_count(); }
+CALL(joint_gap)(const World<Ragdolls>& world, JointId id) { return world.joint_gap(id); }
 CALL(step_continuous)(World<Following>& world, scalar h) { return step(world, h); }
 CALL(step_continuous_hybrid_islands)(World<FollowingDirectly>& world, scalar h) { return step(world, h); }
 

@@ -12,18 +12,20 @@ set(broad_phase_may base math body shape)
 set(narrow_phase_may base math body shape broad_phase)
 set(query_may base math body shape broad_phase narrow_phase)
 set(impulse_may base math body shape)
-set(constraint_may base math body shape broad_phase narrow_phase)
+set(joint_may base math body)
+set(figure_may base math body joint)
+set(constraint_may base math body shape broad_phase narrow_phase joint figure)
 set(island_may base math body broad_phase narrow_phase)
 set(sleep_may base math body shape broad_phase narrow_phase constraint island)
 set(solver_may base math body constraint)
-set(solver_sweeps_may base math body narrow_phase constraint island solver)
+set(solver_sweeps_may base math body narrow_phase joint figure constraint island solver)
 set(solver_direct_may ${solver_sweeps_may} solver/sweeps)
 set(solver_sequential_may base math body narrow_phase constraint solver)
 set(events_may base math body broad_phase narrow_phase constraint)
 set(continuous_may base math body shape motion broad_phase narrow_phase constraint island solver solver/sweeps)
-set(world_features_may base math body shape motion broad_phase narrow_phase impulse constraint island sleep solver/sweeps solver/direct
+set(world_features_may base math body shape motion broad_phase narrow_phase impulse joint figure constraint island sleep solver/sweeps solver/direct
   solver/sequential events continuous world)
-set(world_may world/features base math body shape motion broad_phase narrow_phase query impulse constraint island sleep solver solver/sweeps solver/direct solver/sequential
+set(world_may world/features base math body shape motion broad_phase narrow_phase query impulse joint figure constraint island sleep solver solver/sweeps solver/direct solver/sequential
   events continuous)
 set(freestanding "stdint\\.h|stddef\\.h|float\\.h|limits\\.h")
 
@@ -36,7 +38,9 @@ set(narrow_phase_shares manifold manifold_points box_axes contact_geometry conta
   manifold_anchors find_manifolds normal_cone)
 set(query_shares candidates shapes_of_tree query_filter ray_on_shapes cast_ray)
 set(impulse_shares contact collide_shapes contact_rows impulse)
-set(constraint_shares belts block_bodies block_rows block_solve contact contact_block flight friction impact_note kinematic_motion_at kinematic_view laws
+set(joint_shares joints joint_record joint_lists)
+set(figure_shares spatial figure_row figure_view ground tree_passes build_figures factor_figures keep_figures move_figures)
+set(constraint_shares belts without_joints jointed_response jointed_view prepare_responses block_bodies block_rows block_solve contact contact_block flight friction impact_note kinematic_motion_at kinematic_view laws
   material_view normals response rolling
   row_flight row_pair rows solver_body solver_view surface_materials torsion visit)
 set(island_shares active_tiles awake_tiles disjoint_sets rest_view)
@@ -45,7 +49,7 @@ set(events_shares contact_events pair_rules)
 set(continuous_shares body_path fast_pairs time_of_impact pair_sub_world pair_contacts continuous_collision next_impact
   free_paths resolve_impact)
 # swept_contacts has the stages of a substep, for block_sweeps and hybrid_islands to conduct; plan_islands begins a batch.
-set(solver_sweeps_shares block_sweeps swept_contacts conjugate_gradients diverged_islands gaining_islands kinematic_contacts move_bodies note_impulses order_manifolds
+set(solver_sweeps_shares block_sweeps swept_contacts jointed_contacts jointed_visits conjugate_gradients diverged_islands gaining_islands kinematic_contacts move_bodies note_impulses order_manifolds
   passive_bounces plan_islands predict_contacts sequence_impacts solve_velocities sweep_positions sweep_velocities warm_start)
 # solve_sequentially conducts the stages of its substeps, and sequential_impulses names it to scenes.
 set(solver_sequential_shares kinematic_points point_view point_visit point_visits point_rows sequential_contacts move_point_bodies sweep_points solve_sequentially)

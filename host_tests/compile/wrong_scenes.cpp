@@ -286,6 +286,48 @@ struct Wrong : ingot::Scene {
 #ifdef GRAVITY_SHARES_WITHOUT_TRANSLATION
     static constexpr bool gravity_shares = true;
 #endif
+#ifdef TOO_MANY_JOINTS
+    static constexpr bool translates = true;
+    static constexpr int max_joints = 40000;
+    using joints = ingot::Joints<ingot::BallJoint>;
+#endif
+#ifdef JOINTS_WITHOUT_TRANSLATION
+    static constexpr int max_joints = 1;
+    using joints = ingot::Joints<ingot::BallJoint>;
+#endif
+#ifdef JOINTS_OF_NO_KIND
+    static constexpr bool translates = true;
+    static constexpr int max_joints = 1;
+#endif
+#ifdef KINDS_WITHOUT_JOINTS
+    using joints = ingot::Joints<ingot::BallJoint>;
+#endif
+#ifdef JOINTS_SOLVED_OTHERWISE
+    static constexpr bool translates = true;
+    static constexpr int max_joints = 1, max_manifolds = 4;
+    using joints = ingot::Joints<ingot::BallJoint>;
+    using shapes = ingot::Shapes<ingot::Box>;
+    using solver = ingot::SequentialImpulses;
+#endif
+#ifdef JOINTS_WITHOUT_FRICTION
+    static constexpr bool translates = true;
+    static constexpr int max_joints = 1, max_contacts = 4;
+    using joints = ingot::Joints<ingot::BallJoint>;
+    using shapes = ingot::Shapes<ingot::Box>;
+    using solver = ingot::FrictionlessImpacts;
+#endif
+#ifdef JOINTS_OF_LISTING_1
+    static constexpr bool translates = true;
+    static constexpr int max_joints = 1;
+    using joints = ingot::Joints<ingot::BallJoint>;
+    using rotation = ingot::Listing1Euler;
+#endif
+#ifdef JOINTS_OF_FAST_BODIES
+    static constexpr bool translates = true, continuous = true;
+    static constexpr int max_joints = 1, max_manifolds = 4;
+    using joints = ingot::Joints<ingot::BallJoint>;
+    using shapes = ingot::Shapes<ingot::Box>;
+#endif
 #ifdef ISLAND_WITHOUT_ROOM
     static constexpr bool translates = true;
     static constexpr int max_manifolds = 4;
@@ -344,6 +386,9 @@ int main() {
 #endif
 #ifdef PLATFORM_WITHOUT_KINEMATIC_BODIES
     (void)world.set_velocity(id, {});
+#endif
+#ifdef JOINT_WITHOUT_JOINTS
+    (void)world.add_joint({});
 #endif
 #ifdef WORD_WITHOUT_USER_DATA
     (void)world.set_user_data(id, 1);

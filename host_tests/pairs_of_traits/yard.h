@@ -90,6 +90,33 @@ void move_kinematic(ingot::World<S>& world, const Ids& ids, int step_i) {
     if (step_i == 20) expect(world.set_velocity(ids.cubes[0], {}, {0, 0, 2}));
 }
 
+/// The bouncer hangs from the world, the plank from the bouncer, and two cubes are a door and its post.
+template <class S>
+void join(ingot::World<S>& world, const Ids& ids) {
+    ingot::JointDef hang;
+    hang.body_B = ids.bouncer;
+    hang.joint = ingot::BallJoint{};
+    hang.P = {3, 2, 3};
+    expect(world.add_joint(hang).status);
+    ingot::JointDef link = hang;
+    link.body_A = ids.bouncer;
+    link.body_B = ids.plank;
+    link.P = {2, 1, scalar(2.5)};
+    expect(world.add_joint(link).status);
+    ingot::JointDef door;
+    door.body_A = ids.cubes[1];
+    door.body_B = ids.cubes[2];
+    door.joint = ingot::HingeJoint{};
+    door.P = {scalar(0.5), 0, 2};
+    door.axis = {0, 1, 0};
+    expect(world.add_joint(door).status);
+}
+/// And the bouncer falls: the first joint is gone.
+template <class S>
+void part(ingot::World<S>& world) {
+    expect(world.remove(ingot::JointId{0, 0, 1}));
+}
+
 template <class S>
 void add_hulls(ingot::World<S>& world) {
     for (int i = 0; i < 2; ++i) {

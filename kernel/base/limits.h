@@ -207,6 +207,21 @@ inline constexpr double direct_grain = 0x1p-52;
 inline constexpr double direct_settled_speed = 1e-9;   ///< m/s, that a solve may leave; sweeps leave a thousand times as much
 inline constexpr double direct_settled_length = 1e-9;  ///< m, that a solve of positions may leave
 
+// Figures: bodies with joints (figure/).
+/// Of the least moment of inertia of a body: where h times the impulse of a joint times its arm is more, tension turns the body back in a substep.
+inline constexpr scalar stiff_tension = scalar(0.5);
+/// rad, by which the spins of a figure change a turn of the substep, at most: then its joints follow turns to second order.
+inline constexpr scalar resolved_turn = scalar(0.02);
+/// How often the substeps of a figure are halved, at most, and from what tension on: (omega h)^2 of the turning back, in a substep that is whole.
+inline constexpr int doublings_max = 3;
+inline constexpr scalar tension_of_doublings[doublings_max] = {scalar(0.5), 2, 8};
+inline constexpr scalar turn_of_doublings[doublings_max] = {scalar(0.25), scalar(0.5), 1};  ///< rad, of a body in a whole substep
+/// Of the compliance that two bodies would have without joints: where these leave a contact less, it is rounding, and nothing is solved there.
+inline constexpr scalar held_compliance = 64 * epsilon;
+inline constexpr scalar target_gain = scalar(1.5);       ///< of the energy of a figure, by its targets of a substep: they are left out beyond
+inline constexpr int pushes_max = 9;                     ///< of the bodies of a figure, to where its joints want them, in a substep
+inline constexpr scalar joint_gap = scalar(2e-5);        ///< m, rad; a joint that is further off after a push is pushed again
+
 // Sleep (sleep/).
 /// m/s; a body is slow when no point of it is faster. At rest the solver leaves a thousandth of it, and a pile fidgets with a tenth of it.
 /// A body that falls asleep loses less energy than a drop from 0.1 micrometres gives.

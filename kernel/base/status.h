@@ -31,6 +31,7 @@ enum class [[nodiscard]] Status : uint8_t {
     bad_snapshot,       ///< not a snapshot, not whole, damaged, or of a state that no world has
     other_version,      ///< a snapshot of another version of the kernel
     other_scene,        ///< a snapshot of a world of another scalar or scene
+    bad_joint,          ///< a body with itself, axes that are not at right angles, limits the wrong way round
 };
 
 /// A status in words, for people to read: its name, and what it says above. In flash where it is called.
@@ -60,6 +61,7 @@ constexpr const char* name(Status status) {
         case Status::bad_snapshot: return "bad_snapshot: not a snapshot, not whole, damaged, or of a state that no world has";
         case Status::other_version: return "other_version: a snapshot of another version of the kernel";
         case Status::other_scene: return "other_scene: a snapshot of a world of another scalar or scene";
+        case Status::bad_joint: return "bad_joint: a body with itself, axes that are not at right angles, limits the wrong way round";
     }
     return "no status";
 }

@@ -27,8 +27,8 @@ namespace ingot { inline namespace INGOT_ABI {
 /// Each verb is that of every part, one after the other.
 template <class... Parts>
 struct Compose {
-    template <class View>
-    static INGOT_INLINE void prepare([[maybe_unused]] const View& solver, [[maybe_unused]] int block_i, [[maybe_unused]] LaneContacts& contacts) {
+    template <class View, class Contacts>
+    static INGOT_INLINE void prepare([[maybe_unused]] const View& solver, [[maybe_unused]] int block_i, [[maybe_unused]] Contacts& contacts) {
         (Parts::prepare(solver, block_i, contacts), ...);
     }
     template <class View, class Kept>
@@ -41,13 +41,14 @@ struct Compose {
                                       [[maybe_unused]] int record_i, [[maybe_unused]] scalar part) {
         (Parts::remember(solver, block_i, lane_i, record_i, part), ...);
     }
-    template <class Visit>
-    static INGOT_INLINE void warm_start([[maybe_unused]] Visit& at, [[maybe_unused]] BodyPairLanes& pair, [[maybe_unused]] scalar h) {
+    template <class Visit, class Pair>
+    static INGOT_INLINE void warm_start([[maybe_unused]] Visit& at, [[maybe_unused]] Pair& pair, [[maybe_unused]] scalar h) {
         (Parts::warm_start(at, pair, h), ...);
     }
-    template <class Visit>
-    static INGOT_INLINE void solve([[maybe_unused]] Visit& at, [[maybe_unused]] BodyPairLanes& pair, [[maybe_unused]] Change& change) {
-        (Parts::solve(at, pair, change), ...);
+    /// Each part sees what the one before has done.
+    template <class Visit, class Pair>
+    static INGOT_INLINE void solve([[maybe_unused]] Visit& at, [[maybe_unused]] Pair& pair, [[maybe_unused]] Change& change) {
+        ((Parts::solve(at, pair, change), settle(pair)), ...);
     }
     template <class View, class Each>
     static INGOT_INLINE void for_rows([[maybe_unused]] const View& solver, [[maybe_unused]] int block_i, [[maybe_unused]] const Each& each) {

@@ -76,9 +76,9 @@ struct Friction {
         const auto& response = contacts.response;
         response.prepare_levers(friction.levers[0], contacts.middle, contacts.t_1, there);
         response.prepare_levers(friction.levers[1], contacts.middle, contacts.t_2, there);
-        const lane K_11 = response.compliance(friction.levers[0], friction.levers[0], response.inv_M);
-        const lane K_22 = response.compliance(friction.levers[1], friction.levers[1], response.inv_M);
-        const lane K_12 = response.compliance(friction.levers[0], friction.levers[1], lane{});
+        const lane K_11 = response.compliance(friction.levers[0], contacts.t_1, friction.levers[0], contacts.t_1, response.inv_M);
+        const lane K_22 = response.compliance(friction.levers[1], contacts.t_2, friction.levers[1], contacts.t_2, response.inv_M);
+        const lane K_12 = response.compliance(friction.levers[0], contacts.t_1, friction.levers[1], contacts.t_2, lane{});
         prepare_pair(friction, K_11, K_12, K_22, there);
     }
 
@@ -104,8 +104,8 @@ struct Friction {
         solver.friction_references[record_i] = (t_1 * block.friction.reference[0][lane_i] + t_2 * block.friction.reference[1][lane_i]) * part;
     }
 
-    template <class Visit>
-    static INGOT_INLINE void warm_start(Visit& at, BodyPairLanes& pair, scalar) {
+    template <class Visit, class Pair>
+    static INGOT_INLINE void warm_start(Visit& at, Pair& pair, scalar) {
         auto& block = at.block;
         FrictionRows& friction = block.friction;
         const lane limit = load(block.mu) * at.load_of_normals, steps = load(block.substeps);
@@ -128,8 +128,8 @@ struct Friction {
         add_angular(pair, friction.levers[1], j_2);
     }
 
-    template <class Visit>
-    static INGOT_INLINE void solve(Visit& at, BodyPairLanes& pair, Change& change) {
+    template <class Visit, class Pair>
+    static INGOT_INLINE void solve(Visit& at, Pair& pair, Change& change) {
         FrictionRows& friction = at.block.friction;
         const Vec3<lane> t_1 = load(at.block.t_1), t_2 = load(at.block.t_2), slip = pair.linear_A - pair.linear_B;
         lane u_1 = row_speed(friction.levers[0], dot(t_1, slip), pair), u_2 = row_speed(friction.levers[1], dot(t_2, slip), pair);

@@ -23,12 +23,12 @@ template <bool rolls, bool has_belts>
 using MaterialViewOf = If<rolls || has_belts, MaterialView<rolls, has_belts>, SolverView>;
 /// The view for stages to which belts are nothing: fewer of them are compiled.
 template <class View>
-INGOT_INLINE const If<View::has_belts && !View::rolls, SolverView, View>& without_belts(const View& solver) {
+INGOT_INLINE const If<View::has_belts && !View::rolls && !View::articulates, SolverView, View>& without_belts(const View& solver) {
     return solver;
 }
 /// The same for those to which materials are nothing.
 template <class View>
-INGOT_INLINE const If<View::points_max == 1, BallView, SolverView>& of_points(const View& solver) {
+INGOT_INLINE const If<View::points_max == 1, BallView, If<View::articulates, View, SolverView>>& of_points(const View& solver) {
     return solver;
 }
 using RollingView = MaterialView<true, false>;

@@ -81,8 +81,8 @@ struct Normals {
     }
 
     /// Gives the impulses again: to bodies that were hit no more than gravity explains, to points that bounce nothing.
-    template <class Visit>
-    static INGOT_INLINE void warm_start(Visit& at, BodyPairLanes& pair, scalar h) {
+    template <class Visit, class Pair>
+    static INGOT_INLINE void warm_start(Visit& at, Pair& pair, scalar h) {
         const Row4 j = impulses_kept<Visit::rows>(at.solver, at.block, pair, h);
         for (int row = 0; row < Visit::rows; ++row) {  // bound: 4: block_rows
             NormalRow& to = at.block.row[row];
@@ -97,8 +97,8 @@ struct Normals {
         at.load_of_normals = sum;
     }
 
-    template <class Visit>
-    static INGOT_INLINE void solve(Visit& at, BodyPairLanes& pair, Change& change) {
+    template <class Visit, class Pair>
+    static INGOT_INLINE void solve(Visit& at, Pair& pair, Change& change) {
         constexpr int rows = Visit::rows;
         auto& block = at.block;
         const lane approach = dot(at.n, pair.linear_A - pair.linear_B);
@@ -200,7 +200,8 @@ private:
         for (int row = 0; row < rows; ++row)
             for (int c = row; c < rows; ++c)
                 K(row, c) = select(both(there[row], there[c]),
-                                   contacts.response.compliance(block.row[row].levers, block.row[c].levers, contacts.response.inv_M),
+                                   contacts.response.compliance(block.row[row].levers, contacts.n, block.row[c].levers, contacts.n,
+                                                                 contacts.response.inv_M),
                                    row == c ? one : lane{});
         lane count{};
         for (int row = 0; row < rows; ++row) count = count + contacts.used[row];

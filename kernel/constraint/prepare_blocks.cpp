@@ -2,6 +2,8 @@
 #include "prepare_blocks.h"
 
 #include "contact.h"
+#include "jointed_response.h"
+#include "prepare_responses.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -55,8 +57,9 @@ void collect(const SolverView& solver, const BodyView& bodies, ContactBlock& blo
     }
 }
 
-INGOT_INLINE LaneContacts vectors_of(const Collected& in, int rows, lane margin) {
-    LaneContacts contacts;
+template <class Contacts>
+INGOT_INLINE Contacts vectors_of(const Collected& in, int rows, lane margin) {
+    Contacts contacts;
     contacts.response.A = in.A.loaded();
     contacts.response.B = in.B.loaded();
     contacts.response.inv_M = contacts.response.A.inv_M + contacts.response.B.inv_M;
@@ -77,11 +80,11 @@ void count_central(const SolverView& solver, const ContactBlock& block, mask cen
 }
 
 /// What the rows of a block are made of, from the tiles of its bodies as they are now.
-template <class View>
-LaneContacts collected(const View& solver, const BodyView& bodies, ContactBlock& block) {
+template <class Contacts, class View>
+Contacts collected(const View& solver, const BodyView& bodies, ContactBlock& block) {
     Collected in{};
     collect(solver, bodies, block, in);
-    return vectors_of(in, View::points_max == 1 ? 1 : block.rows, scale_of(solver, block) * splat<lane>(limits::contact_margin));
+    return vectors_of<Contacts>(in, View::points_max == 1 ? 1 : block.rows, scale_of(solver, block) * splat<lane>(limits::contact_margin));
 }
 
 void name_bodies(const SolverView& solver, ContactBlock& block, int lane_i) {
@@ -90,10 +93,25 @@ void name_bodies(const SolverView& solver, ContactBlock& block, int lane_i) {
     block.body_B[lane_i] = manifold_i == no_manifold ? Index(0) : solver.local_of[solver.pairs[manifold_i].body_B];
 }
 
-template <class View>
-void prepare_block(const View& solver, const BodyView& bodies, int block_i) {
+/// Calls prepare(contacts) with what the bodies of a block answer: by themselves, or with their figures.
+template <class View, class Prepare>
+void with_contacts(const View& solver, const BodyView& bodies, int block_i, const Prepare& prepare) {
+    if constexpr (View::articulates)
+        if (is_jointed(solver.jointed, block_i)) {
+            prepare_responses(solver, bodies, block_i);
+            auto contacts = collected<JointedLaneContacts>(solver, bodies, solver.blocks[block_i]);
+            contacts.response.block = &solver.jointed.blocks[block_i - solver.jointed.first_block];
+            const mask held = contacts.response.held_fast(contacts.P[0], contacts.n);
+            for (int row = 0; row < solver.blocks[block_i].rows; ++row) contacts.used[row] = select(held, lane{}, contacts.used[row]);  // bound: 4
+            return prepare(contacts);
+        }
+    auto contacts = collected<LaneContacts>(solver, bodies, solver.blocks[block_i]);
+    prepare(contacts);
+}
+
+template <class View, class Contacts>
+void prepare_block(const View& solver, int block_i, Contacts& contacts) {
     ContactBlock& block = solver.blocks[block_i];
-    LaneContacts contacts = collected(solver, bodies, block);
     store(block.inv_M_A, contacts.response.A.inv_M);
     store(block.inv_M_B, contacts.response.B.inv_M);
     store(block.n, contacts.n);
@@ -103,7 +121,6 @@ void prepare_block(const View& solver, const BodyView& bodies, int block_i) {
     ContactConstraint<View>::Given::prepare(solver, block_i, contacts);
     for (int lane_i = 0; lane_i < lanes; ++lane_i) {
         const KeptOfLane kept = kept_of(solver, block.manifold[lane_i]);
-        name_bodies(solver, block, lane_i);
         block.substeps[lane_i] = static_cast<scalar>(age_of(kept.record));
         ContactConstraint<View>::Given::recall(solver, block_i, lane_i, kept);
     }
@@ -128,8 +145,7 @@ void refresh_block(const View& solver, const BodyView& bodies, int block_i, uint
     for (int i = 0; i < 10; ++i) cached[i] = load(block.cached_inverse[i]);
     lane separation[block_rows];
     for (int row = 0; row < block_rows; ++row) separation[row] = load(block.row[row].separation);
-    LaneContacts contacts = collected(solver, bodies, block);
-    ContactConstraint<View>::Given::prepare(solver, block_i, contacts);
+    with_contacts(solver, bodies, block_i, [&](auto& contacts) { ContactConstraint<View>::Given::prepare(solver, block_i, contacts); });
     const mask turns = mask_from_bits(turning);
     for (int i = 0; i < 10; ++i) store(block.cached_inverse[i], select(turns, load(block.cached_inverse[i]), cached[i]));
     for (int row = 0; row < block_rows; ++row) store(block.row[row].separation, separation[row]);
@@ -140,13 +156,20 @@ void refresh_block(const View& solver, const BodyView& bodies, int block_i, uint
 template <class View>
 void prepare_blocks(const View& solver, const BodyView& bodies) {
     // bound: max_manifolds, rounded up to whole blocks
-    for (int block_i = 0; block_i < solver.block_count; ++block_i) prepare_block(solver, bodies, block_i);
+    for (int block_i = 0; block_i < solver.block_count; ++block_i) {
+        for (int lane_i = 0; lane_i < lanes; ++lane_i) name_bodies(solver, solver.blocks[block_i], lane_i);
+        with_contacts(solver, bodies, block_i, [&](auto& contacts) { prepare_block(solver, block_i, contacts); });
+    }
 }
 
 template <class View>
 void refresh_blocks(const View& solver, const BodyView& bodies) {
+    if constexpr (View::articulates)
+        for (int block_i = solver.jointed.first_block; block_i < solver.block_count; ++block_i)
+            refresh_block(solver, bodies, block_i, all_lanes);
     if (!solver.some_turn) return;
-    for (int block_i = 0; block_i < solver.block_count; ++block_i) {
+    const int free_blocks = first_jointed_block(solver);
+    for (int block_i = 0; block_i < free_blocks; ++block_i) {  // bound: max_manifolds
         if (const uint16_t turning = turning_lanes(solver, solver.blocks[block_i]); turning != 0) refresh_block(solver, bodies, block_i, turning);
     }
 }
@@ -170,6 +193,12 @@ void remember_impulses(const View& solver) {
 }
 
 // The linker takes the one that the scene calls. Belts have no impulses of their own.
+template void prepare_blocks(const JointedView&, const BodyView&);
+template void prepare_blocks(const JointedMaterialView&, const BodyView&);
+template void refresh_blocks(const JointedView&, const BodyView&);
+template void refresh_blocks(const JointedMaterialView&, const BodyView&);
+template void remember_impulses(const JointedView&);
+template void remember_impulses(const JointedMaterialView&);
 template void prepare_blocks(const SolverView&, const BodyView&);
 template void prepare_blocks(const BallView&, const BodyView&);
 template void prepare_blocks(const RollingView&, const BodyView&);

@@ -57,9 +57,17 @@ struct ResponseOf {
     INGOT_INLINE Vec3<lane> spin_of_A(const Vec3<lane>& axis) const { return select(A.moves, A.spin_of(axis), Vec3<lane>{}); }
     INGOT_INLINE Vec3<lane> spin_of_B(const Vec3<lane>& axis) const { return select(B.moves, B.spin_of(-axis), Vec3<lane>{}); }
 
-    /// The speed along the one row that a unit impulse along the other gives. linear: inv_M times the cosine between them.
-    static INGOT_INLINE lane compliance(const Levers& row, const Levers& other, lane linear) {
+    /// The speed along the one row that a unit impulse along the other gives. linear: inv_M times the cosine between their directions, which bodies
+    /// with joints ask for themselves: see jointed_response.h.
+    static INGOT_INLINE lane compliance(const Levers& row, const Vec3<lane>&, const Levers& other, const Vec3<lane>&, lane linear) {
         return linear + dot(load(row.k_A), load(other.J_A)) + dot(load(row.k_B), load(other.J_B));
+    }
+    /// The same of rows that only turn; k of the one. A row with itself, and two rows.
+    static INGOT_INLINE lane turn_compliance(const Vec3<lane>& k_A, const Vec3<lane>& k_B, const Vec3<lane>&, const Vec3<lane>& other) {
+        return dot(k_A, other) - dot(k_B, other);
+    }
+    static INGOT_INLINE lane turn_coupling(const Vec3<lane>& k_A, const Vec3<lane>& k_B, const Vec3<lane>& axis, const Vec3<lane>& other) {
+        return turn_compliance(k_A, k_B, axis, other);
     }
 
 private:

@@ -40,7 +40,9 @@ struct Rolling {
             store(rolling.k_B[axis], k_B);
             k[axis] = k_A - k_B;
         }
-        const lane K_11 = dot(k[0], t[0]), K_22 = dot(k[1], t[1]), K_12 = dot(k[0], t[1]);
+        const Vec3<lane> none{};
+        const lane K_11 = contacts.response.turn_compliance(k[0], none, t[0], t[0]), K_22 = contacts.response.turn_compliance(k[1], none, t[1], t[1]);
+        const lane K_12 = contacts.response.turn_coupling(k[0], none, t[0], t[1]);
         const lane K_max = prepare_pair(rolling, K_11, K_12, K_22, K_11 > lane{});
         store(rolling.size, sqrt(contacts.response.inv_M / K_max));
     }
@@ -62,8 +64,8 @@ struct Rolling {
             (lane_of(block.t_1, lane_i) * rolling.j[0][lane_i] + lane_of(block.t_2, lane_i) * rolling.j[1][lane_i]) * part;
     }
 
-    template <class Visit>
-    static INGOT_INLINE void warm_start(Visit& at, BodyPairLanes& pair, scalar) {
+    template <class Visit, class Pair>
+    static INGOT_INLINE void warm_start(Visit& at, Pair& pair, scalar) {
         RollingRows& rolling = at.solver.rolling[at.block_i];
         lane j[2] = {load(rolling.j[0]), load(rolling.j[1])};
         clamp_to_cone(j[0], j[1], load(rolling.lever) * at.load_of_normals);
@@ -74,8 +76,8 @@ struct Rolling {
         }
     }
 
-    template <class Visit>
-    static INGOT_INLINE void solve(Visit& at, BodyPairLanes& pair, Change& change) {
+    template <class Visit, class Pair>
+    static INGOT_INLINE void solve(Visit& at, Pair& pair, Change& change) {
         RollingRows& rolling = at.solver.rolling[at.block_i];
         const lane u_1 = dot(pair.angular_A, load(rolling.k_A[0])) + dot(pair.angular_B, load(rolling.k_B[0]));
         const lane u_2 = dot(pair.angular_A, load(rolling.k_A[1])) + dot(pair.angular_B, load(rolling.k_B[1]));

@@ -47,6 +47,9 @@ INGOT_INLINE lane row_displacement(const Levers& row, lane linear_displacement, 
     return linear_displacement + dot(pair.angular_A, load(row.J_A)) + dot(pair.angular_B, load(row.J_B));
 }
 
+/// A pair has what it gets at once; one with joints, when a part of a contact is through: see jointed_response.h.
+INGOT_INLINE void settle(BodyPairLanes&) {}
+
 INGOT_INLINE void add_linear(BodyPairLanes& pair, const Vec3<lane>& impulse, lane inv_M_A, lane inv_M_B) {
     pair.linear_A += impulse * inv_M_A;
     pair.linear_B -= impulse * inv_M_B;

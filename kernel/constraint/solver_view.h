@@ -17,9 +17,14 @@ enum class SweepPlan : uint8_t {
     small,         ///< Effort::substeps
     large_steady,  ///< limits::steady_substeps; a few sweeps, up and down the levels in turn
     large,         ///< Effort::substeps
+    jointed,       ///< the same, of an island with joints; and twice and four times as many, where they are under tension
+    jointed_twice,
+    jointed_four_times,
+    jointed_eight_times,
     solved,        ///< nothing is left to do
 };
-inline constexpr int sweep_plans = 4;
+inline constexpr int sweep_plans = 4;          ///< where no body has joints
+inline constexpr int sweep_plans_of_jointed = sweep_plans + 1 + limits::doublings_max;
 
 /// Bodies that touch, directly or through others that can move: what one of them does depends on these alone. All that the solver decides,
 /// it decides for an island.
@@ -58,6 +63,7 @@ struct Visit {
 struct SolverView {
     static constexpr bool is_pointwise = false;
     static constexpr bool rolls = false, has_belts = false;  ///< see material_view.h
+    static constexpr bool articulates = false;               ///< see jointed_view.h
     static constexpr int points_max = block_rows;            ///< of a manifold
 
     const BodyPair* pairs;     ///< that touch, sorted by slots
@@ -116,7 +122,9 @@ INGOT_INLINE bool has_one_row([[maybe_unused]] const View& solver, const Contact
 }
 
 /// Impulses are kept as those of one of Effort::substeps substeps. A longer substep has this many times as much.
-inline scalar shares_of_substep(const SolverView& solver) { return static_cast<scalar>(solver.effort.substeps / solver.substeps); }
+inline scalar shares_of_substep(const SolverView& solver) {
+    return static_cast<scalar>(solver.effort.substeps) / static_cast<scalar>(solver.substeps);
+}
 
 /// Whether the body of a slot is one of the solver's. local_of alone does not tell: its entries for other slots are of earlier steps.
 inline bool takes_part(const SolverView& solver, int slot) {

@@ -33,7 +33,7 @@ struct Torsion {
         TorsionRow& torsion = solver.blocks[block_i].torsion;
         const lane one = splat<lane>(1);
         const Vec3<lane> k_A = contacts.response.spin_of_A(contacts.n), k_B = contacts.response.spin_of_B(contacts.n);
-        const lane K = dot(k_A, contacts.n) - dot(k_B, contacts.n);
+        const lane K = contacts.response.turn_compliance(k_A, k_B, contacts.n, contacts.n);
         const mask turns = both(contacts.used[0] > lane{}, K > lane{});
         store(torsion.k_A, k_A);
         store(torsion.k_B, k_B);
@@ -52,8 +52,8 @@ struct Torsion {
         solver.records[record_i].j_torsion = solver.blocks[block_i].torsion.j[lane_i] * part;
     }
 
-    template <class Visit>
-    static INGOT_INLINE void warm_start(Visit& at, BodyPairLanes& pair, scalar) {
+    template <class Visit, class Pair>
+    static INGOT_INLINE void warm_start(Visit& at, Pair& pair, scalar) {
         if constexpr (Visit::rows > 1) {
             TorsionRow& torsion = at.block.torsion;
             const lane j = clamp(load(torsion.j), load(at.block.mu) * at.load_of_normals * load(torsion.radius));
@@ -63,8 +63,8 @@ struct Torsion {
         }
     }
 
-    template <class Visit>
-    static INGOT_INLINE void solve(Visit& at, BodyPairLanes& pair, Change& change) {
+    template <class Visit, class Pair>
+    static INGOT_INLINE void solve(Visit& at, Pair& pair, Change& change) {
         if constexpr (Visit::rows > 1) {  // one point has no lever to resist a torsion with
             TorsionRow& torsion = at.block.torsion;
             const lane spin = dot(pair.angular_A, load(torsion.k_A)) + dot(pair.angular_B, load(torsion.k_B));

@@ -11,8 +11,9 @@
 namespace ingot { inline namespace INGOT_ABI {
 
 /// The manifolds of a block, and what their bodies answer.
-struct LaneContacts {
-    Response response;
+template <class ResponseOfBodies>
+struct LaneContactsOf {
+    ResponseOfBodies response;
     Vec3<lane> n, t_1, t_2;
     Vec3<lane> P[block_rows];
     lane used[block_rows];  ///< 1 where a manifold has that point, else 0
@@ -21,6 +22,8 @@ struct LaneContacts {
     lane radius;            ///< m, how far the points are from it
     mask central;           ///< one point, whose normal goes through the centres of both bodies that move
 };
+
+using LaneContacts = LaneContactsOf<Response>;
 
 /// A visit to the rows of a block. row_count: of its normals, 1 or block_rows; all_lanes: every lane is active.
 template <int row_count, bool all_lanes, class View>

@@ -108,11 +108,11 @@ bool solve_pair_for(const Collision& collision, const int (&slots)[2], PairRoom<
     hide_kinematic(collision, slots, room.two);
     integrate_L(two, h);
     integrate_v(two, h, gravity);
-    write_contact_motion(solver, two, gravity, h);
+    write_contact_motion(solver, NoJointedBodies{}, two, gravity, h);
     forget_energies(two);
     (void)Traits::Rotation::integrate_A(two, h, FlightClock{0, 1, h / 2});
     integrate_r(two, h, gravity);
-    turn_by_corrections(solver, two, h);
+    turn_by_corrections(solver, NoJointedBodies{}, two, h);
     room.two.return_forces();
     return room.contacts.carries();
 }

@@ -68,6 +68,19 @@ private:
     EnergyTile energy_ = {};
 };
 
+/// Calls stage(view) for each tile with a body that can move and is not among those `left_alone`, by tile, a bit a lane: these keep their bits.
+template <class Stage>
+void over_others(const BodyView& bodies, int tile_i, unsigned left_alone, const Stage& stage) {
+    const unsigned moving = bits(load(bodies.translation[tile_i].inv_M) > lane{});
+    if ((moving & ~left_alone) == 0) return;
+    if ((moving & left_alone) == 0) return stage(tiles_of(bodies, tile_i, 1));
+    const KeptTile kept(bodies, tile_i);
+    for (int lane_i = 0; lane_i < lanes; ++lane_i)
+        if ((left_alone >> lane_i & 1u) != 0) set_lane(bodies.rotation[tile_i].L, lane_i, Vector{});  // what it would do is not reported
+    stage(tiles_of(bodies, tile_i, 1));
+    kept.give_back(bodies, tile_i, left_alone);
+}
+
 /// Calls stage(view) until it has seen every tile with an awake body once. Bodies that sleep keep their bits.
 template <class Stage>
 void over_awake_bodies(const BodyView& bodies, const RestView& rest, const Stage& stage) {

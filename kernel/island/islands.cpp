@@ -41,6 +41,8 @@ void join_islands(const BodyView& bodies, const RestView& rest, const ManifoldVi
     join_pairs(bodies, rest, manifolds);
 }
 
+void join_bodies_of(const RestView& rest, int slot_A, int slot_B) { join(rest, slot_A, slot_B); }
+
 void join_all_islands(const BodyView& bodies, const RestView& rest, const ManifoldView& manifolds) {
     // bound: max_bodies, rounded up to whole tiles
     for (int slot = 0; slot < bodies.tile_count * lanes; ++slot) rest.make_alone(slot);

@@ -14,6 +14,9 @@ namespace ingot { inline namespace INGOT_ABI {
 /// Source: Tarjan and van Leeuwen 1984, path halving; without ranks, so logarithmic at worst in the mean, and never recursive.
 void join_islands(const BodyView& bodies, const RestView& rest, const ManifoldView& manifolds);
 
+/// Two bodies that hang together by something else than a manifold: after join_islands.
+void join_bodies_of(const RestView& rest, int slot_A, int slot_B);
+
 /// The same for all bodies, whether they are active or not: after a snapshot.
 void join_all_islands(const BodyView& bodies, const RestView& rest, const ManifoldView& manifolds);
 

@@ -5,6 +5,7 @@
 #include "../broad_phase/query_tree.h"
 #include "../shape/compound.h"
 #include "../impulse/frictionless_impacts.h"
+#include "../joint/joints.h"
 #include "../solver/direct/hybrid_islands.h"
 #include "../motion/forced_flight.h"
 #include "../motion/exact_elliptic.h"
@@ -42,6 +43,7 @@ struct Scene {
     static constexpr bool kinematic_bodies = false; ///< bodies may move as they are told, whatever is in their way: BodyDef::kinematic
     static constexpr bool user_data    = false;  ///< a word of each body is the user's: World::set_user_data
     static constexpr bool reads_contacts = false; ///< World::contact tells all impulses of a step, and where impacts of max_contacts are
+    static constexpr int  max_joints   = 0;      ///< joints between bodies, or a body and the world, 0 .. 32767
     static constexpr int  max_contacts = 0;      ///< points of contact in one step, 0 .. 65535, of FrictionlessImpacts
     static constexpr int  max_manifolds = 0;     ///< pairs of bodies that touch in one step, 0 .. 65534, of every other solver
     static constexpr int  max_pairs    = 0;      ///< pairs of bodies whose bounds overlap in one step; 0: twice max_manifolds
@@ -74,6 +76,7 @@ struct Scene {
     /// stacks and piles. FrictionlessImpacts is the article's collision: what flies and bounces, in max_contacts.
     using solver = BlockSweeps;
     using shapes   = Shapes<>;
+    using joints   = Joints<>;                   ///< or the kinds there are: Joints<BallJoint, HingeJoint>, see joint/joints.h
     static constexpr NoHulls hulls = {};         ///< or `static constexpr ConvexHull hulls[]`, in flash: the forms of its Hull shapes, in body frames
     static constexpr int max_shapes_of_body = 1; ///< 1 .. 255; more: World::add takes several shapes for one body, see shape/compound.h
     using rotation = MoserVeselov;               ///< or another method of motion/
@@ -111,6 +114,9 @@ inline constexpr bool solves_directly = S::solver::is_direct;
 
 template <class S>
 inline constexpr bool has_shapes = collides<S> || stacks<S>;
+
+template <class S>
+inline constexpr bool has_joints = S::max_joints > 0;
 
 /// The hulls a scene names.
 template <class S>
@@ -198,6 +204,6 @@ inline constexpr bool has_field = is_field<typename S::force_field>;
 /// Scenes whose steps are made of kicks by the field and free flights. Contacts, and Listing 1, take the field as a force that is
 /// constant over the step.
 template <class S>
-inline constexpr bool flies_in_field = has_field<S> && !has_shapes<S> && !S::rotation::as_printed;
+inline constexpr bool flies_in_field = has_field<S> && !has_shapes<S> && !has_joints<S> && !S::rotation::as_printed;
 
 } }  // namespace ingot

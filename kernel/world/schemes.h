@@ -22,6 +22,23 @@ INGOT_INLINE void over_moving(Step<S>& now, const Stage& stage) {
         stage(now.bodies);
 }
 
+/// The same without those that figures have moved.
+template <class S, class Stage>
+INGOT_INLINE void over_flying(Step<S>& now, const Stage& stage) {
+    if constexpr (!has_joints<S>) {
+        over_moving(now, stage);
+    } else if constexpr (S::sleeps) {
+        const RestView rest = now.storage.rest_view();
+        rest.active.for_each([&](int tile_i) {
+            if (rest.awake[tile_i] == 0) return;
+            over_others(now.bodies, tile_i, now.storage.jointed_lanes[tile_i] | sleepers_of(now.bodies, rest, tile_i), stage);
+        });
+    } else {
+        // bound: max_bodies / lanes, rounded up
+        for (int tile_i = 0; tile_i < now.bodies.tile_count; ++tile_i) over_others(now.bodies, tile_i, now.storage.jointed_lanes[tile_i], stage);
+    }
+}
+
 /// The sums of the bodies of a view, in scenes with compensated_sums.
 template <class S>
 INGOT_INLINE SumView sums_of(Step<S>& now, const BodyView& some) {
@@ -33,7 +50,7 @@ INGOT_INLINE SumView sums_of(Step<S>& now, const BodyView& some) {
 /// Forces change the motion: L (Eq. 16) and v_CM (Eq. 14).
 template <class S>
 INGOT_INLINE void kick(Step<S>& now) {
-    over_moving(now, [&now](const BodyView& some) {
+    over_flying(now, [&now](const BodyView& some) {
         if constexpr (S::compensated_sums) {
             integrate_L_in_sums(some, sums_of(now, some), now.h);
             if constexpr (S::translates) integrate_v_in_sums(some, sums_of(now, some), now.h, now.storage.gravity);
@@ -49,7 +66,7 @@ template <class S>
 INGOT_INLINE void drift(Step<S>& now) {
     move_kinematic_bodies(now);
     const FlightClock clock{now.storage.steps, now.storage.energy_unit(now.h), now.h / 2};
-    over_moving(now, [&now, &clock](const BodyView& some) {
+    over_flying(now, [&now, &clock](const BodyView& some) {
         count(now.report.spins_clamped, S::rotation::integrate_A(some, now.h, clock));
         if constexpr (S::translates && S::compensated_sums)
             integrate_r_in_sums(some, sums_of(now, some), now.h, now.storage.gravity);
@@ -76,6 +93,18 @@ struct AsPrinted {
 struct FreeFlight {
     template <class S>
     static void advance(Step<S>& now) {
+        kick(now);
+        drift(now);
+    }
+};
+
+/// Bodies that touch nothing, some of them joined.
+struct JointedFlight {
+    template <class S>
+    static void advance(Step<S>& now) {
+        FigureView figures = now.storage.figures(now.h);
+        build_figures(figures);
+        swing_figures(figures, S::effort.substeps);
         kick(now);
         drift(now);
     }
@@ -112,9 +141,9 @@ struct ConstrainedMotion {
         over_moving(now, [](const BodyView& some) { refresh_inv_I_world(some); });  // Eq. 20
         solve_contacts(now);
         kick(now);
-        write_contact_motion(now.solver, now.bodies, storage.gravity, now.h);
+        write_contact_motion(now.solver, jointed_of(now.solver), now.bodies, storage.gravity, now.h);
         drift(now);
-        turn_by_corrections(now.solver, now.bodies, now.h);
+        turn_by_corrections(now.solver, jointed_of(now.solver), now.bodies, now.h);
     }
 
 private:
@@ -142,6 +171,8 @@ constexpr auto scheme_of_scene() {
         return ConstrainedMotion{};
     else if constexpr (collides<S>)
         return ImpulsiveMotion{};
+    else if constexpr (has_joints<S>)
+        return JointedFlight{};
     else
         return FreeFlight{};
 }

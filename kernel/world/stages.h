@@ -188,6 +188,7 @@ void wake_islands([[maybe_unused]] Step<S>& now) {
         const ManifoldView manifolds = storage.manifold_view();
         const int in_step = *manifolds.count;
         join_islands(now.bodies, rest, manifolds);
+        if constexpr (has_joints<S>) features::JointedBodies::join_islands(storage, false);
         wake_met_islands(now.bodies, rest, manifolds);
         wake_in_the_way(now);
         sort_in_woken(storage, in_step);
@@ -270,7 +271,7 @@ auto passed_sensors([[maybe_unused]] Step<S>& now) {
     if constexpr (has_sensors<S>) {
         auto& storage = now.storage;
         const SensorView so_far = storage.sensor_view_so_far(storage.generation_of_shapes(storage.generation), now.report);
-        return PassedSensors<decltype(storage.filter_view())>{storage.filter_view(), so_far};
+        return PassedSensors<decltype(storage.meeting_view())>{storage.meeting_view(), so_far};
     } else {
         return NoPassedSensors{};
     }
@@ -334,7 +335,6 @@ void tell_events([[maybe_unused]] Step<S>& now) {
         find_touching(manifolds, S::length_unit, storage.notes, storage.generation_of_shapes(storage.generation), before, touching);
         auto flights = list_flights(now, touching);
         const ContactsOfStep<decltype(flights)> contacts = {manifolds, storage.notes, flights};
-
         emit_missing(before, touching, EventKind::end, tag, events);
         if constexpr (has_sensors<S>) emit_missing(storage.overlap_list_before(), storage.overlap_list(), EventKind::leave, tag, events);
         emit_begins(contacts, before, touching, tag, events);

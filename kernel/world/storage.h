@@ -29,13 +29,22 @@ struct Storage : features::All::Memory<S> {
     /// A view for reading; whoever holds it does not write.
     BodyView bodies() const { return const_cast<Storage*>(this)->bodies(); }
 
+    FigureView figures(scalar h) {
+        FigureView view = this->figure_view(bodies());
+        if constexpr (S::sleeps) view.awake = this->awake;
+        view.gravity = this->gravity;
+        view.h = h;
+        return view;
+    }
+    /// Who may meet whom, sensors apart: by filters, and by joints.
+    auto meeting_view() const { return this->with_joints(this->filter_view()); }
     /// Which pairs may touch.
     auto pair_rules(StepReport& report) {
-        using Rules = PairRules<decltype(this->filter_view()), decltype(this->sensor_view(generation, report))>;
+        using Rules = PairRules<decltype(meeting_view()), decltype(this->sensor_view(generation, report))>;
         if constexpr (S::sleeps)
-            return RulesOfRest<Rules>{{this->filter_view(), this->sensor_view(this->generation_of_shapes(generation), report)}, this->rest_view()};
+            return RulesOfRest<Rules>{{meeting_view(), this->sensor_view(this->generation_of_shapes(generation), report)}, this->rest_view()};
         else
-            return Rules{this->filter_view(), this->sensor_view(this->generation_of_shapes(generation), report)};
+            return Rules{meeting_view(), this->sensor_view(this->generation_of_shapes(generation), report)};
     }
     SurfaceView surface_view() const { return {this->surfaces, slots_used * S::max_shapes_of_body, S::length_unit}; }
 
@@ -98,7 +107,8 @@ struct Storage : features::All::Memory<S> {
     }
     /// What the contact solver works on; where surfaces have materials beside friction, with those of the pairs that touch now.
     auto contact_solver() {
-        if constexpr (S::kinematic_bodies) {
+        if constexpr (has_joints<S>) return jointed_contact_solver();
+        else if constexpr (S::kinematic_bodies) {
             auto plain = plain_contact_solver();
             If<solves_pointwise<S>, KinematicPointViewOf<decltype(plain)>, KinematicViewOf<decltype(plain)>> view{};
             static_cast<decltype(plain)&>(view) = plain;
@@ -108,11 +118,22 @@ struct Storage : features::All::Memory<S> {
             return plain_contact_solver();
         }
     }
+    /// The same where bodies have joints.
+    auto jointed_contact_solver() {
+        auto plain = plain_contact_solver();
+        using Plain = decltype(plain);
+        If<S::kinematic_bodies, KinematicViewOf<JointedViewOf<Plain>>, JointedViewOf<Plain>> view{};
+        static_cast<Plain&>(view) = plain;
+        view.jointed = this->jointed_bodies(figures(0));
+        if constexpr (S::kinematic_bodies) this->show_kinematic(view, this->kinematic);
+        return view;
+    }
     /// The same, which sees kinematic bodies as immovable ones.
     auto plain_contact_solver() {
         if constexpr (has_materials<S> || (solves_pointwise<S> && S::bounces)) {
             auto plain = this->solver();
-            typename S::solver::template View<S::rolling_resistance, S::surface_velocities, S::bounces> view{};
+            constexpr bool both = has_joints<S> && has_materials<S>;  // see StillBeltPart
+            typename S::solver::template View<S::rolling_resistance || both, S::surface_velocities || both, S::bounces> view{};
             static_cast<decltype(plain)&>(view) = plain;
             this->mix_rolling(this->manifold_view());
             this->turn_belts(shapes(), this->manifold_view());
@@ -128,7 +149,7 @@ struct Storage : features::All::Memory<S> {
     bool can_meet(int shape_A, int shape_B) const {
         if constexpr (has_sensors<S>)
             if (this->is_sensor[shape_A] != 0 || this->is_sensor[shape_B] != 0) return false;
-        return this->filter_view().let_meet(shape_A, shape_B);
+        return meeting_view().let_meet(shape_A, shape_B);
     }
     ContactView contact_view() { return {this->contacts, &this->contact_count, S::max_contacts}; }
 };

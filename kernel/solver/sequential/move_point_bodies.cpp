@@ -150,7 +150,7 @@ INGOT_INLINE Vector rate_beyond_mean(const Vector& v, const Vector& displacement
 
 }  // namespace
 
-void write_contact_motion(const PointView& solver, const BodyView& bodies, const Vector& gravity, scalar h) {
+void write_contact_motion(const PointView& solver, const NoJointedBodies&, const BodyView& bodies, const Vector& gravity, scalar h) {
     for (int slot = 0; slot < solver.slot_count; ++slot) {
         const PointBody& body = solver.bodies[slot];
         if (!(body.inv_M > 0)) continue;

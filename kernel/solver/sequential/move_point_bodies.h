@@ -2,6 +2,7 @@
 // Bodies on their way into the sequential solver, through its substeps, and out of it.
 #pragma once
 
+#include "../../constraint/without_joints.h"
 #include "point_view.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -34,9 +35,9 @@ SubstepOfPoints drift_bodies(const PointView& solver, scalar h);
 
 /// Writes velocities and angular momenta to the bodies. F_T and tau_T get the forces with which integrate_r and integrate_A displace the bodies as
 /// the solver has. The turn by which overlaps were taken back is part of the moment of displacement, and so of the mean angular momentum.
-void write_contact_motion(const PointView& solver, const BodyView& bodies, const Vector& gravity, scalar h);
+void write_contact_motion(const PointView& solver, const NoJointedBodies&, const BodyView& bodies, const Vector& gravity, scalar h);
 
 /// There is nothing left to turn: see write_contact_motion.
-inline void turn_by_corrections(const PointView&, const BodyView&, scalar) {}
+inline void turn_by_corrections(const PointView&, const NoJointedBodies&, const BodyView&, scalar) {}
 
 } }  // namespace ingot

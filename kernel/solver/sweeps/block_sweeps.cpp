@@ -2,13 +2,16 @@
 #include "block_sweeps.h"
 
 #include "kinematic_contacts.h"
+#include "jointed_contacts.h"
 #include "swept_contacts.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
 template <bool notes_impulses, bool bounces, class View>
 void solve_by_sweeps(View& view, const ContactStep& step, StepReport& report) {
-    using Swept = SweptContacts<PlainViewOf<View>, notes_impulses, bounces>;
+    using Plain = PlainViewOf<View>;
+    using Contacts = SweptContacts<Plain, notes_impulses, bounces>;
+    using Swept = If<Plain::articulates, SeesJoints<Contacts, Plain>, Contacts>;
     If<sees_kinematic<View>, SeesKinematic<Swept, View>, Swept> contacts(view);
     conduct_substeps(contacts, step, report);
 }
@@ -20,11 +23,15 @@ void solve_by_sweeps(View& view, const ContactStep& step, StepReport& report) {
     template void solve_by_sweeps<true, false>(View&, const ContactStep&, StepReport&);  \
     template void solve_by_sweeps<true, true>(View&, const ContactStep&, StepReport&)
 INGOT_VIEW(SolverView);
+INGOT_VIEW(JointedView);
+INGOT_VIEW(JointedMaterialView);
 INGOT_VIEW(BallView);
 INGOT_VIEW(RollingView);
 INGOT_VIEW(BeltView);
 INGOT_VIEW(RollingBeltView);
 INGOT_VIEW(KinematicViewOf<SolverView>);
+INGOT_VIEW(KinematicViewOf<JointedView>);
+INGOT_VIEW(KinematicViewOf<JointedMaterialView>);
 INGOT_VIEW(KinematicViewOf<BallView>);
 INGOT_VIEW(KinematicViewOf<RollingView>);
 INGOT_VIEW(KinematicViewOf<BeltView>);

@@ -3,6 +3,7 @@
 
 #include "../../constraint/block_bodies.h"
 #include "../../constraint/contact.h"
+#include "../../constraint/jointed_view.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -80,6 +81,8 @@ void extrapolate(const View& solver) {
 }
 
 // The linker takes the one that the scene calls. Belts have no impulses of their own.
+template void extrapolate(const JointedView&);
+template void extrapolate(const JointedMaterialView&);
 template void extrapolate(const SolverView&);
 template void extrapolate(const BallView&);
 template void extrapolate(const RollingView&);

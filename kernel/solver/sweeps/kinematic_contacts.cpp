@@ -3,6 +3,7 @@
 
 #include "../../body/auxiliary.h"
 #include "../../constraint/contact.h"
+#include "../../constraint/jointed_view.h"
 #include "../../constraint/kinematic_motion_at.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -138,6 +139,12 @@ void drift_kinematic_bodies(const SolverView& solver, KinematicContacts& kinemat
     }
 }
 
+template void yield_islands(const JointedView&, const KinematicContacts&);
+template void yield_islands(const JointedMaterialView&, const KinematicContacts&);
+template void see_kinematic_levers(const JointedView&, const KinematicContacts&);
+template void see_kinematic_bodies(const JointedView&, KinematicContacts&, const BodyView&, scalar);
+template void see_kinematic_levers(const JointedMaterialView&, const KinematicContacts&);
+template void see_kinematic_bodies(const JointedMaterialView&, KinematicContacts&, const BodyView&, scalar);
 // The linker takes the one that the scene calls.
 template void yield_islands(const SolverView&, const KinematicContacts&);
 template void yield_islands(const BallView&, const KinematicContacts&);

@@ -98,6 +98,27 @@ void take_in_bodies(SolverView& solver, const BodyView& bodies, const Vector& gr
     }
 }
 
+void take_in_figures(SolverView&, NoJointedBodies&, const BodyView&, const Vector&, scalar) {}
+void take_in_figures(SolverView& solver, JointedBodies& jointed, const BodyView& bodies, const Vector& gravity, scalar h) {
+    const FigureView& figures = jointed.figures;
+    for (int node_i = 0; node_i < figures.node_count; ++node_i) {  // bound: max_bodies
+        const Index slot = figures.nodes[node_i].slot;
+        solver.local_of[slot] = take_in(solver, bodies, gravity, h, slot);
+    }
+    jointed.body_count = solver.body_count;
+    for (int body_i = 0; body_i < solver.body_count; ++body_i) {
+        jointed.node_of[body_i] = no_node;
+        jointed.leader_of[body_i] = static_cast<Index>(body_i);
+    }
+    for (int node_i = 0; node_i < figures.node_count; ++node_i) {
+        const FigureNode& node = figures.nodes[node_i];
+        const Index body_i = solver.local_of[node.slot], leader = solver.local_of[figures.nodes[figures.figures[node.figure].first_node].slot];
+        if (body_i == 0) continue;  // it has gone bad
+        jointed.node_of[body_i] = static_cast<Index>(node_i);
+        if (leader != 0) jointed.leader_of[body_i] = leader;
+    }
+}
+
 void take_in_again(const SolverView& solver, const BodyView& bodies, const Vector& gravity) {
     for_bodies(solver, [&](int body_i) {
         if (solver.bodies[body_i].dth[3] > 0) begin_inertia(bodies, place_of(solver.slot_of[body_i]));
@@ -156,8 +177,17 @@ void drift_bodies(SolverView& solver, const BodyView& bodies, scalar h) {
     });
 }
 
-void write_contact_motion(const SolverView& solver, const BodyView& bodies, const Vector& gravity, scalar h) {
+namespace {
+
+bool moves_in_figure(const NoJointedBodies&, int) { return false; }
+bool moves_in_figure(const JointedBodies& jointed, int body_i) { return jointed.has_joints(static_cast<Index>(body_i)); }
+
+}  // namespace
+
+template <class Joints>
+void write_contact_motion(const SolverView& solver, const Joints& jointed, const BodyView& bodies, const Vector& gravity, scalar h) {
     for (int body_i = 1; body_i < solver.body_count; ++body_i) {  // bound: max_bodies + 1
+        if (moves_in_figure(jointed, body_i)) continue;
         const SolverBody& body = solver.bodies[body_i];
         const SolverBodyHistory& history = solver.histories[body_i];
         const Place at = place_of(solver.slot_of[body_i]);
@@ -178,8 +208,10 @@ void write_contact_motion(const SolverView& solver, const BodyView& bodies, cons
     }
 }
 
-void turn_by_corrections(const SolverView& solver, const BodyView& bodies, scalar h) {
+template <class Joints>
+void turn_by_corrections(const SolverView& solver, const Joints& jointed, const BodyView& bodies, scalar h) {
     for (int body_i = 1; body_i < solver.body_count; ++body_i) {
+        if (moves_in_figure(jointed, body_i)) continue;
         const SolverBody& body = solver.bodies[body_i];
         const SolverBodyHistory& history = solver.histories[body_i];
         const Place at = place_of(solver.slot_of[body_i]);
@@ -200,5 +232,11 @@ void turn_by_corrections(const SolverView& solver, const BodyView& bodies, scala
         if (is_finite(A_next)) set_lane(rotation.A, at.lane, A_next);
     }
 }
+
+// The linker takes the one that the scene calls.
+template void write_contact_motion(const SolverView&, const NoJointedBodies&, const BodyView&, const Vector&, scalar);
+template void write_contact_motion(const SolverView&, const JointedBodies&, const BodyView&, const Vector&, scalar);
+template void turn_by_corrections(const SolverView&, const NoJointedBodies&, const BodyView&, scalar);
+template void turn_by_corrections(const SolverView&, const JointedBodies&, const BodyView&, scalar);
 
 } }  // namespace ingot

@@ -2,13 +2,17 @@
 // Bodies on their way through the solver: in, through the substeps, and out again.
 #pragma once
 
-#include "../../constraint/solver_view.h"
+#include "../../constraint/jointed_view.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
 /// Fills the solver's bodies with those that touch and can move. A body that forces drive out of the range within the step of h seconds is marked bad
 /// and left out: for the others it is immovable already, as it will be from the next step on.
 void take_in_bodies(SolverView& solver, const BodyView& bodies, const Vector& gravity, scalar h);
+
+/// The same for bodies of figures, whether they touch anything or not. Names the figure of each.
+void take_in_figures(SolverView& solver, NoJointedBodies& jointed, const BodyView& bodies, const Vector& gravity, scalar h);
+void take_in_figures(SolverView& solver, JointedBodies& jointed, const BodyView& bodies, const Vector& gravity, scalar h);
 
 /// The bodies of the batch as they were at the begin of the step.
 void take_in_again(const SolverView& solver, const BodyView& bodies, const Vector& gravity);
@@ -23,10 +27,13 @@ void drift_bodies(SolverView& solver, const BodyView& bodies, scalar h);
 /// Gives the bodies that touch the motion that was found: v_CM and L of the end of the step, and in F_T and tau_T the constant force and torque that
 /// lead to the same displacement. So integrate_r and the rotation displace them as they do in free flight.
 /// Comes after integrate_v and integrate_L.
-void write_contact_motion(const SolverView& solver, const BodyView& bodies, const Vector& gravity, scalar h);
+/// Not of bodies of figures: see keep_figures.
+template <class Joints>
+void write_contact_motion(const SolverView& solver, const Joints& jointed, const BodyView& bodies, const Vector& gravity, scalar h);
 
 /// The small turns by which overlaps were taken back; and of bodies that turn, those by which they have the energy that their contacts left them.
 /// Comes after the rotation.
-void turn_by_corrections(const SolverView& solver, const BodyView& bodies, scalar h);
+template <class Joints>
+void turn_by_corrections(const SolverView& solver, const Joints& jointed, const BodyView& bodies, scalar h);
 
 } }  // namespace ingot

@@ -3,6 +3,7 @@
 
 #include "../../constraint/block_bodies.h"
 #include "../../constraint/contact.h"
+#include "../../constraint/jointed_view.h"
 #include "../../constraint/row_flight.h"
 #include "plan_islands.h"
 #include "sequence_impacts.h"
@@ -168,6 +169,8 @@ bool lower_impact(const View& solver, int block_i, int lane_i, scalar now, scala
     template void take_back_bounces(const View&, scalar); \
     template bool lower_impact(const View&, int, int, scalar, scalar)
 INGOT_VIEW(SolverView);
+INGOT_VIEW(JointedView);
+INGOT_VIEW(JointedMaterialView);
 INGOT_VIEW(BallView);
 INGOT_VIEW(RollingView);
 INGOT_VIEW(BeltView);

@@ -2,6 +2,7 @@
 #include "plan_islands.h"
 
 #include "../../base/limits.h"
+#include "../../figure/build_figures.h"
 #include "../../island/disjoint_sets.h"
 #include "../../math/sqrt.h"
 #include "move_bodies.h"
@@ -11,14 +12,21 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
+void join_figures(const DisjointSets&, const SolverView&, const NoJointedBodies&) {}
+void join_figures(const DisjointSets& sets, const SolverView& solver, const JointedBodies& jointed) {
+    for (int body_i = 1; body_i < solver.body_count; ++body_i) sets.join(body_i, jointed.leader_of[body_i]);  // bound: max_bodies
+}
+
 /// Numbers the islands in the order of their first bodies.
-void join_bodies(SolverView& solver) {
+template <class Joints>
+void join_bodies(SolverView& solver, const Joints& jointed) {
     const DisjointSets sets{solver.island_of};
     for (int body_i = 0; body_i < solver.body_count; ++body_i) sets.make_set(body_i);  // bound: max_bodies + 1
     for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i) {  // bound: max_manifolds
         const Index A = solver.local_of[solver.pairs[manifold_i].body_A], B = solver.local_of[solver.pairs[manifold_i].body_B];
         if (A != 0 && B != 0) sets.join(A, B);
     }
+    join_figures(sets, solver, jointed);
     for (int body_i = 1; body_i < solver.body_count; ++body_i) solver.island_of[body_i] = static_cast<Index>(sets.root(body_i));
     solver.island_count = 0;
     for (int body_i = 1; body_i < solver.body_count; ++body_i) {  // a root is the lowest of its island, so it has its number already
@@ -54,6 +62,10 @@ int sweeps_max_of(const Island& island, const Effort& effort) {
     switch (island.plan) {
         case SweepPlan::large_steady: return steady_sweeps(effort);
         case SweepPlan::large:
+        case SweepPlan::jointed:
+        case SweepPlan::jointed_twice:
+        case SweepPlan::jointed_four_times:
+        case SweepPlan::jointed_eight_times:
             if (!island.begins_again && 4 * island.new_count > island.manifold_count) return sweeps_of_new(effort);
             return is_heap_of_balls ? sweeps_of_balls(effort) : effort.sweeps;
         default: return limits::sweeps_of_small;
@@ -65,18 +77,57 @@ scalar settled_speed_of(SweepPlan plan, int substeps) {
     return limits::settled_speed * limits::substeps / static_cast<scalar>(substeps);
 }
 
+void plan_jointed(const SolverView&, NoJointedBodies&) {}
+void plan_jointed(const SolverView& solver, JointedBodies& jointed) {
+    for (int island_i = 0; island_i < solver.island_count; ++island_i) jointed.doublings_of[island_i] = 0;
+    spread_doublings(solver, jointed);
+    for (int island_i = 0; island_i < solver.island_count; ++island_i) {
+        const uint8_t doublings = jointed.doublings_of[island_i];
+        if (doublings > 0) solver.islands[island_i].plan = static_cast<SweepPlan>(static_cast<uint8_t>(SweepPlan::jointed) + doublings - 1);
+    }
+}
+
+int substeps_of(SweepPlan plan, const Effort& effort) {
+    if (is_steady(plan)) return limits::steady_substeps;
+    return is_of_joints(plan) ? effort.substeps << doublings_of(plan) : effort.substeps;
+}
+
+void begin_figures(NoJointedBodies&, SweepPlan) {}
+void begin_figures(JointedBodies& jointed, SweepPlan plan) {
+    jointed.figures.group_count = 0;
+    jointed.figures.elapsed = 0;
+    if (is_of_joints(plan)) group_figures(jointed.figures, doublings_of(plan));
+}
+
 }  // namespace
 
-void plan_islands(SolverView& solver) {
-    join_bodies(solver);
+void spread_doublings(const SolverView& solver, const JointedBodies& jointed) {
+    const auto for_figures = [&](const auto& each) {
+        for (int figure_i = 0; figure_i < jointed.figures.figure_count; ++figure_i) {  // bound: max_joints
+            Figure& figure = jointed.figures.figures[figure_i];
+            const Index island_i = solver.island_of[solver.local_of[jointed.figures.nodes[figure.first_node].slot]];
+            if (island_i != no_island) each(figure, jointed.doublings_of[island_i]);
+        }
+    };
+    for_figures([](const Figure& figure, uint8_t& doublings) {
+        if (figure.doublings >= doublings) doublings = static_cast<uint8_t>(figure.doublings + 1);
+    });
+    for_figures([](Figure& figure, uint8_t doublings) { figure.doublings = static_cast<uint8_t>(doublings - 1); });
+}
+
+template <class Joints>
+void plan_islands(SolverView& solver, Joints& jointed) {
+    join_bodies(solver, jointed);
     count_manifolds(solver);
     for (int island_i = 0; island_i < solver.island_count; ++island_i) {  // bound: max_bodies
         Island& island = solver.islands[island_i];
         island.plan = plan_of(island, solver.effort);
     }
+    plan_jointed(solver, jointed);
 }
 
-bool begin_batch(SolverView& solver, SweepPlan plan, const BodyView& bodies, const Vector& gravity) {
+template <class Joints>
+bool begin_batch(SolverView& solver, Joints& jointed, SweepPlan plan, const BodyView& bodies, const Vector& gravity) {
     bool some = false, again = false;
     for (int island_i = 0; island_i < solver.island_count; ++island_i) {
         Island& island = solver.islands[island_i];
@@ -89,15 +140,22 @@ bool begin_batch(SolverView& solver, SweepPlan plan, const BodyView& bodies, con
     }
     if (!some) return false;
     solver.plan = plan;
-    solver.substeps = solver.substeps_left = is_steady(plan) ? limits::steady_substeps : solver.effort.substeps;
+    solver.substeps = solver.substeps_left = substeps_of(plan, solver.effort);
     solver.some_hit = solver.some_turn = false;
     solver.batch_body_count = 0;
     for (int body_i = 1; body_i < solver.body_count; ++body_i)
         if (solver.islands[solver.island_of[body_i]].in_batch) solver.batch_bodies[solver.batch_body_count++] = static_cast<Index>(body_i);
     if (again) take_in_again(solver, bodies, gravity);
-    order_manifolds(solver);
+    order_manifolds(solver, jointed);
+    begin_figures(jointed, plan);
     return true;
 }
+
+// The linker takes the one that the scene calls.
+template void plan_islands(SolverView&, NoJointedBodies&);
+template void plan_islands(SolverView&, JointedBodies&);
+template bool begin_batch(SolverView&, NoJointedBodies&, SweepPlan, const BodyView&, const Vector&);
+template bool begin_batch(SolverView&, JointedBodies&, SweepPlan, const BodyView&, const Vector&);
 
 scalar rounding_of_speeds(const Island& island, scalar unit) { return 4 * epsilon * min(sqrt(island.fastest_sq), limits::rounding_speed_max * unit); }
 
@@ -147,18 +205,37 @@ scalar finished_speed_of(const SolverView& solver, const Island& island, scalar 
     return max(least, is_large(island.plan) ? fall_speed : limits::unsettled_share * fall_speed);
 }
 
+SweepPlan plan_of_joints(const Island&, int, const NoJointedBodies&) { return SweepPlan::solved; }
+SweepPlan plan_of_joints(const Island& island, int island_i, const JointedBodies& jointed) {
+    const int doublings = jointed.doublings_of[island_i] - 1;
+    if (!is_of_joints(island.plan) || doublings <= doublings_of(island.plan)) return SweepPlan::solved;
+    return static_cast<SweepPlan>(static_cast<int>(SweepPlan::jointed) + doublings);
+}
+/// How an island begins again, if it has to.
+template <class Joints>
+SweepPlan plan_after(const Island& island, int island_i, const Joints& jointed) {
+    if (!is_steady(island.plan)) return plan_of_joints(island, island_i, jointed);
+    if (island.steady) return SweepPlan::solved;
+    return island.plan == SweepPlan::small_steady ? SweepPlan::small : SweepPlan::large;
+}
+
 }  // namespace
 
-void end_batch(const SolverView& solver, scalar fall_speed, StepReport& report) {
+template <class Joints>
+void end_batch(const SolverView& solver, const Joints& jointed, scalar fall_speed, StepReport& report) {
     for (int island_i = 0; island_i < solver.island_count; ++island_i) {
         Island& island = solver.islands[island_i];
         if (!island.in_batch) continue;
-        const bool again = is_steady(island.plan) && !island.steady;
+        const SweepPlan next = plan_after(island, island_i, jointed);
+        const bool again = next != SweepPlan::solved;
         const scalar finished = finished_speed_of(solver, island, fall_speed);
-        island.plan = !again ? SweepPlan::solved : island.plan == SweepPlan::small_steady ? SweepPlan::small : SweepPlan::large;
+        island.plan = next;
         island.begins_again = again;
         if (!again) note_sweeps(report, island.sweeps, island.residual, finished);
     }
 }
+
+template void end_batch(const SolverView&, const NoJointedBodies&, scalar, StepReport&);
+template void end_batch(const SolverView&, const JointedBodies&, scalar, StepReport&);
 
 } }  // namespace ingot

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "../../base/report.h"
-#include "../../constraint/solver_view.h"
+#include "../../constraint/jointed_view.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -15,14 +15,21 @@ namespace ingot { inline namespace INGOT_ABI {
 /// and down in turn, which carries the weight of a pile to the ground and back. An island is steady when nothing in it accelerated in the step
 /// before, and nothing has begun to touch since. A tall tower never counts as steady: it sways unless it has all substeps, and sweeps cannot tell.
 /// Needs: find_levels.
-void plan_islands(SolverView& solver);
+template <class Joints>
+void plan_islands(SolverView& solver, Joints& jointed);
+
+/// An island has the substeps of the figure that asks for most of them: it raises JointedBodies::doublings_of, and then its figures.
+void spread_doublings(const SolverView& solver, const JointedBodies& jointed);
 
 /// Begins the batch of all islands with a plan: bodies, order, and what its substeps need. False if there are none.
-bool begin_batch(SolverView& solver, SweepPlan plan, const BodyView& bodies, const Vector& gravity);
+template <class Joints>
+bool begin_batch(SolverView& solver, Joints& jointed, SweepPlan plan, const BodyView& bodies, const Vector& gravity);
 
 /// After the last substep of a batch. Islands that turned out not to be steady begin again with the plan that follows.
 /// The report tells the most sweeps that an island took, the largest residual, and how many islands were not settled. fall_speed: see fall_speed_of.
-void end_batch(const SolverView& solver, scalar fall_speed, StepReport& report);
+/// Islands with joints begin again where their figures ask for more substeps.
+template <class Joints>
+void end_batch(const SolverView& solver, const Joints& jointed, scalar fall_speed, StepReport& report);
 
 /// Of a substep: how many sweeps an island may have, and to what speed.
 void plan_sweeps(const SolverView& solver);
@@ -37,6 +44,9 @@ bool sweep_again(const SolverView& solver, Island& island);
 scalar rounding_of_speeds(const Island& island, scalar unit);
 
 inline bool is_steady(SweepPlan plan) { return plan == SweepPlan::small_steady || plan == SweepPlan::large_steady; }
-inline bool is_large(SweepPlan plan) { return plan == SweepPlan::large_steady || plan == SweepPlan::large; }
+inline bool is_of_joints(SweepPlan plan) { return plan >= SweepPlan::jointed && plan <= SweepPlan::jointed_eight_times; }
+/// How often the substeps of such a plan are halved.
+inline int doublings_of(SweepPlan plan) { return static_cast<int>(plan) - static_cast<int>(SweepPlan::jointed); }
+inline bool is_large(SweepPlan plan) { return plan == SweepPlan::large_steady || plan == SweepPlan::large || is_of_joints(plan); }
 
 } }  // namespace ingot

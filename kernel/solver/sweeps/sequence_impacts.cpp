@@ -5,6 +5,7 @@
 #include "../../math/sqrt.h"
 #include "../../constraint/block_bodies.h"
 #include "../../constraint/contact.h"
+#include "../../constraint/jointed_view.h"
 #include "../../constraint/row_flight.h"
 #include "note_impulses.h"
 #include "passive_bounces.h"
@@ -276,6 +277,8 @@ void sequence_impacts(const View& solver, scalar h, const StepNotes& notes, Step
     template void sequence_impacts<false>(const View&, scalar, const StepNotes&, StepReport&); \
     template void sequence_impacts<true>(const View&, scalar, const StepNotes&, StepReport&)
 INGOT_VIEW(SolverView);
+INGOT_VIEW(JointedView);
+INGOT_VIEW(JointedMaterialView);
 INGOT_VIEW(BallView);
 INGOT_VIEW(RollingView);
 INGOT_VIEW(BeltView);

@@ -3,6 +3,7 @@
 
 #include "../../base/limits.h"
 #include "conjugate_gradients.h"
+#include "jointed_visits.h"
 #include "plan_islands.h"
 #include "sweep_velocities.h"
 
@@ -79,20 +80,25 @@ template <class View>
 void solve_velocities(View& solver) {
     select_live(solver);
     begin_sweeps(solver);
+    if constexpr (View::articulates) pass_contact_impulses(solver);
     for (int sweep_i = 1; solver.live_count > 0; ++sweep_i) {  // bound: plan.sweeps_max: no island is live after its sweeps_max
         sweep_velocities(solver, sweep_i, !is_large(solver.plan) || goes_up(solver.effort, sweep_i, solver.substeps_left));
         measure_sweep(solver);
         const Settled settled = settle_islands(solver, sweep_i);
         if (settled.all) {
             solver.live_count = 0;
-            return;
+            break;
         }
         if (settled.some) drop_settled(solver);
         extrapolate(without_belts(solver));
+        if constexpr (View::articulates) pass_contact_impulses(solver);
     }
+    if constexpr (View::articulates) end_jointed_sweeps(solver, solver.jointed);
 }
 
 // The linker takes the one that the scene calls.
+template void solve_velocities(JointedView&);
+template void solve_velocities(JointedMaterialView&);
 template void solve_velocities(SolverView&);
 template void solve_velocities(BallView&);
 template void solve_velocities(RollingView&);

@@ -3,6 +3,7 @@
 
 #include "../../base/limits.h"
 #include "../../constraint/block_bodies.h"
+#include "jointed_visits.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -31,6 +32,32 @@ INGOT_INLINE bool visit_positions(const SolverView& solver, ContactBlock& block,
     return any(both(due.lands, active));
 }
 
+/// The same of a visit whose bodies have joints.
+template <int rows, class View>
+INGOT_INLINE bool visit_jointed_positions(const View& solver, int block_i, ContactBlock& block, uint16_t lane_bits, scalar h, bool again) {
+    bring_displacements(solver, solver.jointed, block, lane_bits);
+    const mask active = lanes_of(lane_bits);
+    const Vec3<lane> n = load(block.n);
+    JointedPairLanes pair(gather_bodies(solver, block, &SolverBody::dp, &SolverBody::dth),
+                          solver.jointed.blocks[block_i - solver.jointed.first_block]);
+    Pushes due = Normals::pushes_due<rows>(block, n, pair, h, solver.unit);
+    if (again) due.off = both(both(due.off, due.lands), is_used(block, 1));
+    due.off = both(due.off, active);
+    if (!any(due.off)) return false;
+    const Row4 q = Normals::push<rows>(block, due, limits::approach_slack * h * solver.unit, active);
+    lane sum{};
+    for (int row = 0; row < rows; ++row) {  // bound: 4: block_rows
+        const lane push = select(due.off, q.at[row], lane{});
+        turn_by_push(pair, block.row[row].levers, push);
+        sum = sum + push;
+    }
+    add_linear(pair, n * sum, lane{}, lane{});
+    settle_push(pair);
+    scatter_bodies(solver, block, lane_bits, pair, &SolverBody::dp, &SolverBody::dth);
+    give_wrenches(solver.jointed, block, lane_bits, given_to(pair));
+    return any(both(due.lands, active));
+}
+
 /// A visit whose normals have no levers: displacements do all of it.
 INGOT_INLINE void visit_central_positions(const SolverView& solver, ContactBlock& block, uint16_t lane_bits, scalar h) {
     const Vec3<lane> n = load(block.n);
@@ -53,6 +80,15 @@ void sweep_positions(const View& solver, const Visit* visits, int visit_count, s
     for (int visit_i = 0; visit_i < visit_count; ++visit_i) {  // bound: max_manifolds
         const Visit visit = visits[visit_i];
         ContactBlock& block = solver.blocks[visit.block];
+        if constexpr (View::articulates)
+            if (is_jointed(solver.jointed, visit.block)) {
+                bool lands = true;
+                for (int push_i = 0; push_i < limits::landing_pushes && lands; ++push_i)
+                    lands = has_one_row(solver, block)
+                                ? visit_jointed_positions<1>(solver, visit.block, block, visit.lane_bits, h, push_i > 0)
+                                : visit_jointed_positions<View::points_max>(solver, visit.block, block, visit.lane_bits, h, push_i > 0);
+                continue;
+            }
         if (block.central) {
             visit_central_positions(solver, block, visit.lane_bits, h);
             continue;
@@ -68,6 +104,8 @@ void sweep_positions(const View& solver, const Visit* visits, int visit_count, s
 }
 
 // The linker takes the one that the scene calls.
+template void sweep_positions(const JointedView&, const Visit*, int, scalar);
+template void sweep_positions(const JointedMaterialView&, const Visit*, int, scalar);
 template void sweep_positions(const SolverView&, const Visit*, int, scalar);
 template void sweep_positions(const BallView&, const Visit*, int, scalar);
 

@@ -4,6 +4,7 @@
 #include "../../base/limits.h"
 #include "../../constraint/block_bodies.h"
 #include "../../constraint/contact.h"
+#include "jointed_visits.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -51,6 +52,26 @@ INGOT_INLINE void visit_velocities(const View& solver, int block_i, ContactBlock
     else
         solve_rows<rows, true>(solver, block_i, pair, visited, active, sweep, active_threshold);
     scatter_bodies(solver, block, lane_bits, pair, &SolverBody::v_CM, &SolverBody::L);
+}
+
+/// The same of a visit whose bodies have joints: all of it, in every sweep, for what any contact of a figure does changes its other bodies.
+template <int rows, class View>
+INGOT_INLINE void visit_jointed(const View& solver, int block_i, ContactBlock& block, uint16_t lane_bits, int sweep_i, lane active_threshold) {
+    bring_velocities(solver, solver.jointed, block, lane_bits);
+    const mask visited = lanes_of(lane_bits);
+    RowVisit<rows, false, View> at(solver, block_i, visited);
+    JointedPairLanes pair(gather_bodies(solver, block, &SolverBody::v_CM, &SolverBody::L),
+                          solver.jointed.blocks[block_i - solver.jointed.first_block]);
+    Change change{};
+    ContactConstraint<View>::Solved::solve(at, pair, change);
+    const mask moves = change.fastest > active_threshold;
+    const lane sweep = splat<lane>(static_cast<scalar>(sweep_i));
+    pair.last[1] = select(both(moves, at.inv_M_A > lane{}), sweep, pair.last[1]);
+    pair.last[3] = select(both(moves, at.inv_M_B > lane{}), sweep, pair.last[3]);
+    store_if<false>(block.change, visited, change.size);
+    store_if<false>(block.fastest, visited, change.fastest);
+    scatter_bodies(solver, block, lane_bits, pair, &SolverBody::v_CM, &SolverBody::L);
+    give_wrenches(solver.jointed, block, lane_bits, given_to(pair));
 }
 
 /// m/s; a body that a visit changes by more is visited by the next sweep too.
@@ -106,6 +127,14 @@ void sweep_velocities(const View& solver, int sweep_i, bool up) {
         ContactBlock& block = solver.blocks[visit.block];
         if (visit.island == no_island || visit.island != island_before) active_threshold = active_threshold_of(solver, visit, block);
         island_before = visit.island;
+        if constexpr (View::articulates)
+            if (is_jointed(solver.jointed, visit.block)) {
+                if (has_one_row(solver, block))
+                    visit_jointed<1>(solver, visit.block, block, visit.lane_bits, sweep_i, active_threshold);
+                else
+                    visit_jointed<View::points_max>(solver, visit.block, block, visit.lane_bits, sweep_i, active_threshold);
+                continue;
+            }
         if (has_one_row(solver, block))
             visit_velocities<1>(solver, visit.block, block, visit.lane_bits, sweep_i, active_threshold);
         else
@@ -114,6 +143,8 @@ void sweep_velocities(const View& solver, int sweep_i, bool up) {
 }
 
 // The linker takes the one that the scene calls.
+template void sweep_velocities(const JointedView&, int, bool);
+template void sweep_velocities(const JointedMaterialView&, int, bool);
 template void sweep_velocities(const SolverView&, int, bool);
 template void sweep_velocities(const BallView&, int, bool);
 template void sweep_velocities(const RollingView&, int, bool);

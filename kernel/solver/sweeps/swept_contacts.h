@@ -5,6 +5,7 @@
 #include "../../constraint/prepare_blocks.h"
 #include "diverged_islands.h"
 #include "gaining_islands.h"
+#include "jointed_visits.h"
 #include "move_bodies.h"
 #include "note_impulses.h"
 #include "order_manifolds.h"
@@ -26,13 +27,16 @@ struct SweptContacts {
 
     void begin(const ContactStep& step, StepReport&) {
         take_in_bodies(view, step.bodies, step.gravity, step.h);
-        find_levels(view);
-        plan_islands(view);
+        auto&& jointed = jointed_of(view);
+        take_in_figures(view, jointed, step.bodies, step.gravity, step.h);
+        find_levels(view, jointed);
+        plan_islands(view, jointed);
         plan_i_ = 0;
     }
     bool next_batch(const ContactStep& step) {
-        while (plan_i_ < sweep_plans)  // bound: sweep_plans
-            if (begin_batch(view, static_cast<SweepPlan>(plan_i_++), step.bodies, step.gravity)) {
+        auto&& jointed = jointed_of(view);
+        while (plan_i_ < (View::articulates ? sweep_plans_of_jointed : sweep_plans))  // bound: sweep_plans_of_jointed
+            if (begin_batch(view, jointed, static_cast<SweepPlan>(plan_i_++), step.bodies, step.gravity)) {
                 prepare(step);
                 return true;
             }
@@ -67,7 +71,7 @@ struct SweptContacts {
     void solve_positions(const ContactStep&, scalar h) { sweep_positions(of_points(view), view.visits, view.visit_count, h); }
 
     void end_batch(const ContactStep& step, StepReport& report) {
-        ingot::end_batch(view, fall_speed_of(step, view.substeps), report);
+        ingot::end_batch(view, jointed_of(view), fall_speed_of(step, view.substeps), report);
         remember_impulses(without_belts(view));
     }
 
@@ -76,6 +80,7 @@ protected:
 
     /// Solves again where sweeps that did not settle give energy, and where bounces do: each time these are lower.
     void solve_passively(const BodyView& bodies, scalar h) {
+        if constexpr (View::articulates) excuse_jointed(view);
         // Belts do give energy.
         if constexpr (!View::has_belts)
             for (int round = 0; round < limits::gaining_rounds && find_gaining_islands(view, bodies, h); ++round) ingot::solve_velocities(view);
@@ -88,6 +93,7 @@ protected:
 
 private:
     void prepare(const ContactStep& step) {
+        if constexpr (View::articulates) factor_jointed(view);
         prepare_blocks(view, step.bodies);
         if constexpr (notes_impulses) clear_impulse_notes(view, step.notes);
         if constexpr (bounces)

@@ -3,6 +3,7 @@
 
 #include "../../constraint/block_bodies.h"
 #include "../../constraint/contact.h"
+#include "../../constraint/jointed_response.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -12,6 +13,13 @@ template <int rows, bool whole, class View>
 INGOT_INLINE void warm_start_visit(const View& solver, const Visit& visit, scalar h) {
     RowVisit<rows, whole, View> at(solver, visit.block, lanes_of(visit.lane_bits));
     BodyPairLanes pair = gather_bodies(solver, at.block, &SolverBody::v_CM, &SolverBody::L);
+    if constexpr (View::articulates)
+        if (is_jointed(solver.jointed, visit.block)) {  // figures get theirs all at once: see pass_contact_impulses
+            JointedPairLanes jointed(pair, solver.jointed.blocks[visit.block - solver.jointed.first_block]);
+            ContactConstraint<View>::Given::warm_start(at, jointed, h);
+            settle_free(jointed, at.inv_M_A, at.inv_M_B);
+            return scatter_bodies(solver, at.block, visit.lane_bits, jointed, &SolverBody::v_CM, &SolverBody::L);
+        }
     ContactConstraint<View>::Given::warm_start(at, pair, h);
     scatter_bodies(solver, at.block, visit.lane_bits, pair, &SolverBody::v_CM, &SolverBody::L);
 }
@@ -31,6 +39,8 @@ void warm_start(const View& solver, scalar h) {
 }
 
 // The linker takes the one that the scene calls. Belts have no impulses of their own.
+template void warm_start(const JointedView&, scalar);
+template void warm_start(const JointedMaterialView&, scalar);
 template void warm_start(const SolverView&, scalar);
 template void warm_start(const BallView&, scalar);
 template void warm_start(const RollingView&, scalar);

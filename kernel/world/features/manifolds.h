@@ -33,8 +33,9 @@ struct AnchorPart<S, false> {
     ManifoldAnchors* manifold_anchors() { return nullptr; }
 };
 
+/// Manifolds of bodies with joints have blocks of their own: one more for what each kind leaves of its last.
 template <class S>
-inline constexpr unsigned block_capacity_of = (static_cast<unsigned>(S::max_manifolds) + lanes - 1) / lanes;
+inline constexpr unsigned block_capacity_of = (static_cast<unsigned>(S::max_manifolds) + lanes - 1) / lanes + (has_joints<S> && lanes > 1 ? 1 : 0);
 
 template <class S, bool sleeps>
 struct BroadPhasePart : S::broad_phase::template AwakeMemory<shape_capacity<S>, pair_capacity<S>> {};
@@ -100,7 +101,7 @@ struct BlockOrderPart : ManifoldListPart<S> {
     Visit visits[visit_capacity] = {}, some_visits[visit_capacity] = {};
 
     auto solver_of(const BodyPair* pairs_of_bodies, ManifoldRecord* records_of_pairs, int count) {
-        If<sweeps_balls_alone<S>, BallView, SolverView> view{};
+        If<sweeps_balls_alone<S> && !has_joints<S>, BallView, SolverView> view{};
         view.pairs = pairs_of_bodies;
         view.records = records_of_pairs;
         view.friction_references = this->friction_references;

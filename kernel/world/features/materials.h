@@ -30,13 +30,47 @@ struct BeltRowPart<S, false> {
     static void show_belt_rows(View&) {}
 };
 
+/// Of scenes with joints: what solves them is compiled for both materials together. A scene that names one of them has the other at rest.
+template <class S, bool present>
+struct StillBeltPart {
+    BeltRows still_belt_rows[block_capacity_of<S>] = {};
+    Vector still_belt_velocities[static_cast<unsigned>(S::max_manifolds)] = {};
+
+    template <class View>
+    void show_still_belts(View& view) {
+        view.belts = still_belt_rows;
+        view.belt_velocities = still_belt_velocities;
+    }
+};
+template <class S>
+struct StillBeltPart<S, false> {
+    template <class View>
+    static void show_still_belts(View&) {}
+};
+template <class S, bool present>
+struct FreeRollingPart {
+    RollingRows free_rolling_rows[block_capacity_of<S>] = {};
+    RollingRecord free_rolling_records[static_cast<unsigned>(S::max_manifolds)] = {};
+
+    template <class View>
+    void show_free_rolling(View& view) {
+        view.rolling = free_rolling_rows;
+        view.rolling_records = free_rolling_records;
+    }
+};
+template <class S>
+struct FreeRollingPart<S, false> {
+    template <class View>
+    static void show_free_rolling(View&) {}
+};
+
 struct RollingResistance : Feature {
     static constexpr uint32_t part = 8192;
     template <class S>
     static constexpr bool named = S::rolling_resistance;
 
     template <class S, bool present>
-    struct Memory {
+    struct Memory : StillBeltPart<S, has_joints<S> && !S::surface_velocities> {
         scalar rolling_levers[static_cast<unsigned>(shape_capacity<S>)] = {};  ///< m, by shape slot
         RollingRecord rolling_records[static_cast<unsigned>(S::max_manifolds)] = {};
         RollingRowsOf<S> rolling_rows[row_capacity_of<S>] = {};
@@ -47,6 +81,7 @@ struct RollingResistance : Feature {
         void show_rolling(View& view) {
             view.rolling = rolling_rows;
             view.rolling_records = rolling_records;
+            this->show_still_belts(view);
         }
     };
     template <class S>
@@ -120,7 +155,7 @@ struct Belts : Feature {
     static constexpr bool named = S::surface_velocities;
 
     template <class S, bool present>
-    struct Memory : BeltRowPart<S, !solves_pointwise<S>> {
+    struct Memory : BeltRowPart<S, !solves_pointwise<S>>, FreeRollingPart<S, has_joints<S> && !S::rolling_resistance> {
         Vector surface_velocities[static_cast<unsigned>(shape_capacity<S>)] = {};  ///< m/s, in the shape's axes, by shape slot
         Vector belt_velocities[static_cast<unsigned>(S::max_manifolds)] = {};      ///< m/s, world, by record
 
@@ -132,6 +167,7 @@ struct Belts : Feature {
         void show_belts(View& view) {
             view.belt_velocities = belt_velocities;
             this->show_belt_rows(view);
+            this->show_free_rolling(view);
         }
     };
     template <class S>

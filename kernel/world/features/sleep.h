@@ -8,6 +8,7 @@
 #include "../../sleep/at_rest.h"
 #include "../../sleep/fall_asleep.h"
 #include "../../sleep/wake.h"
+#include "joints.h"
 #include "manifolds.h"
 #include "sensors_and_events.h"
 
@@ -238,6 +239,7 @@ struct Sleep : Feature {
     template <class S>
     static void finish_load(Storage<S>& storage) {
         join_all_islands(storage.bodies(), storage.rest_view(), storage.manifold_view());
+        if constexpr (has_joints<S>) JointedBodies::join_islands(storage, true);
         put_aside(storage);
     }
 

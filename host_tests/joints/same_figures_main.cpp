@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Prints the states of random figures, some of one form, some not, swinging and in a heap: the same with any number of lanes.
+#include <cinttypes>
+#include <cstdio>
+#include <memory>
+
+#include "figures.h"
+
+namespace {
+
+using namespace figures;
+
+struct Pit : ingot::Scene {
+    static constexpr int max_bodies = 110, max_joints = 110, max_manifolds = 500, max_pairs = 2000;
+    static constexpr bool translates = true;
+    using joints = AllJoints;
+    using shapes = ingot::Shapes<ingot::Capsule, ingot::HalfSpace>;
+    using broad_phase = ingot::SortedTree;
+};
+
+}  // namespace
+
+int main() {
+    const auto world = std::make_unique<ingot::World<Pit>>();
+    (void)world->set_gravity({0, 0, scalar(-9.81)});
+    ingot::BodyDef ground;
+    ground.immovable = true;
+    ground.shape = ingot::HalfSpace{{0, 0, 1}, 0};
+    ground.friction = scalar(0.6);
+    (void)world->add(ground);
+    RandomInput random(11);
+    Built built;
+    for (int i = 0; i < 5; ++i)
+        add_ragdoll(*world, {scalar(0.3) * static_cast<scalar>(i % 2), 0, scalar(0.3) + static_cast<scalar>(i)},
+                    ingot_reference::to_matrix(random.rotation()), built);
+    for (int i = 0; i < 5; ++i) add_figure(*world, random, {2 + 2 * i, 0.4, 100, 3, i % 2 == 0}, {0, 20.0 * i + 20, 60}, built);
+    for (int step_i = 0; step_i < 120; ++step_i) {
+        (void)ingot::step(*world, scalar(1) / 60);
+        std::printf("%d %016" PRIx64 "\n", step_i, world->state_hash());
+    }
+    return built.sound ? 0 : 1;
+}

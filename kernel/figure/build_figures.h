@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "figure_view.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// Makes trees of all joints of bodies that can move.
+///
+/// A figure is tied to what cannot move by its first joint, by slot, that leads there; its body is the root. A figure that floats has its heaviest
+/// body for a root. From there depth first, joints in the order of their slots.
+/// Cost: a few dozen instructions a joint.
+void build_figures(FigureView& view);
+
+/// The next batch: figures that ask for so many doublings of the substeps. Those of one form that follow each other go side by side, as many as there
+/// are lanes; the others alone. Their bodies are loaded.
+void group_figures(FigureView& view, int doublings);
+
+} }  // namespace ingot

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "cursor.h"
+
+#include "tree_passes.h"
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpsabi"  // see lanes.h
+
+namespace ingot { inline namespace INGOT_ABI {
+
+namespace {
+
+/// Hands what is new to the parent.
+template <unsigned width>
+void climb(const FigureRows<width>& rows, const OneLane<width>& at, const Spatial6Rows<1>* responses, int row_i) {
+    FigureRow<width>& row = rows[row_i];
+    const FigureNode& node = rows.node(row_i, at.lane_i);
+    FigureRow<width>& parent = rows[node.parent];
+    const Spatial<scalar> sent = impulse_to_send(at, row, node.kind);
+    const Spatial<scalar> due = impulse_from(sent - read(at, row.sent), read(at, row.d));
+    write(at, row.sent, sent);
+    write(at, parent.impulse, read(at, parent.impulse) + due);
+    write(at, parent.change, read(at, parent.change) + read(at, rows.response(responses, node.parent)) * due);
+}
+
+template <unsigned width>
+void descend(const FigureRows<width>& rows, const OneLane<width>& at, int row_i) {
+    FigureRow<width>& row = rows[row_i];
+    const FigureNode& node = rows.node(row_i, at.lane_i);
+    const Spatial<scalar> of_parent = twist_at(read(at, rows[node.parent].change), read(at, row.d));
+    write(at, row.change, change_of_child(at, row, node.kind, of_parent));
+}
+
+template <unsigned width>
+void move_cursor(const FigureRows<width>& rows, const OneLane<width>& at, const Spatial6Rows<1>* responses, int from, int to) {
+    int below = to;
+    while (from != to) {  // bound: 2 max_bodies: the higher of the two goes to its parent, which comes before it
+        if (from > to) {
+            climb(rows, at, responses, from);
+            from = rows.node(from).parent;
+        } else {
+            const Index parent = rows.node(to).parent;
+            rows.node(parent, at.lane_i).towards = static_cast<Index>(to);
+            to = parent;
+        }
+    }
+    while (to != below) {  // bound: max_bodies: downwards
+        to = rows.node(to, at.lane_i).towards;
+        descend(rows, at, to);
+    }
+}
+
+}  // namespace
+
+void bring_cursor(const FigureView& view, const Spatial6Rows<1>* responses, Index node_i) {
+    Figure& figure = view.figures[view.nodes[node_i].figure];
+    const auto row_of_node = static_cast<Index>(node_i - figure.first_node);
+    if (figure.cursor != row_of_node && figure.cursor != no_node)
+        at_node(view, node_i, [&](const auto& rows, const auto& at, int row_i) { move_cursor(rows, at, responses, figure.cursor, row_i); });
+    figure.cursor = row_of_node;
+}
+
+Spatial<scalar> change_at_cursor(const FigureView& view, Index node_i) {
+    return at_node(view, node_i, [](const auto& rows, const auto& at, int row_i) {
+        return twist_at(read(at, rows[row_i].change), read(at, rows[row_i].c));
+    });
+}
+
+void give_at_cursor(const FigureView& view, const Spatial6Rows<1>* responses, Index node_i, const Vector& F, const Vector& T) {
+    at_node(view, node_i, [&](const auto& rows, const auto& at, int row_i) {
+        auto& row = rows[row_i];
+        const Spatial<scalar> f = {T + cross(read(at, row.c), F), F};
+        write(at, row.impulse, read(at, row.impulse) + f);
+        write(at, row.change, read(at, row.change) + read(at, rows.response(responses, row_i)) * f);
+    });
+}
+
+void take_cursors_away(const FigureView& view, const Spatial6Rows<1>* responses) {
+    for_groups(view, [responses](const auto& rows) {
+        bool some = false;
+        for (int lane_i = 0; lane_i < rows.lane_count; ++lane_i) {  // bound: lanes
+            Figure& figure = rows.figure(lane_i);
+            if (figure.cursor == no_node) continue;
+            move_cursor(rows, {lane_i}, responses, figure.cursor, 0);
+            figure.cursor = no_node;
+            some = true;
+        }
+        if (some) pass_down(rows);
+    });
+}
+
+} }  // namespace ingot
+
+#pragma GCC diagnostic pop

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include "factor_figures.h"
+
+#include "../base/limits.h"
+#include "ground.h"
+#include "tree_passes.h"
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpsabi"  // see lanes.h
+
+namespace ingot { inline namespace INGOT_ABI {
+
+namespace {
+
+template <unsigned width, class T = typename AllLanes<width>::T>
+void place_joint(const FigureRows<width>& rows, int row_i) {
+    FigureRow<width>& row = rows[row_i];
+    const FigureNode& node = rows.node(row_i);
+    const Mat3<T> A = read(rows.all, row.A);
+    if (node.kind == JointKind::none) return write(rows.all, row.c, Vec3<T>{});
+    const Vec3<T> own = A * rows.own_anchor(row_i);
+    const Mat3<T> A_parent = node.parent == no_node ? ground_of(rows).A : read(rows.all, rows[node.parent].A);
+    write(rows.all, row.c, -own);
+    write(rows.all, row.arm_of_parent, A_parent * rows.anchor_of_parent(row_i));
+    write(rows.all, row.axis, A * rows.gathered(row_i, [&](const FigureNode& of) { return rows.own_frame(of).axis; }));
+    write(rows.all, row.axis_of_parent, A_parent * rows.gathered(row_i, [&](const FigureNode& of) { return rows.frame_of_parent(of).axis; }));
+    if (node.parent == no_node) return;
+    const FigureRow<width>& parent = rows[node.parent];
+    write(rows.all, row.d, (read(rows.all, row.r) - read(rows.all, parent.r)) + own + read(rows.all, parent.c));
+}
+
+/// The inertia of a body about q.
+template <unsigned width, class T = typename AllLanes<width>::T>
+void begin_inertia(const FigureRows<width>& rows, FigureRow<width>& row) {
+    const T M = rows.all.get(row.M), zero{};
+    const Vec3<T> c = read(rows.all, row.c), mc = c * M;
+    const T mcc = dot(c, mc);
+    const Sym3<T> I = rotated_diagonal(read(rows.all, row.A), read(rows.all, row.I_body));
+    const Sym3<T> about_q = plus_square(I + Sym3<T>{mcc, mcc, mcc, zero, zero, zero}, c, -M);
+    write(rows.all, row.inertia, Spatial6<T>{about_q, tilde(mc), {M, M, M, zero, zero, zero}});
+}
+
+/// Adds what tension does at an arm; j: what the joint gave to the body.
+template <unsigned width, class T = typename AllLanes<width>::T>
+void stiffen(const FigureRows<width>& rows, FigureRow<width>& row, const Vec3<T>& j, const Vec3<T>& arm, scalar h) {
+    const Vec3<T> I = read(rows.all, row.I_body);
+    const T least = min(I.x, min(I.y, I.z)), tension = dot(j, arm) * splat<T>(h), zero{};
+    const auto is_stiff = tension > least * splat<T>(limits::stiff_tension);
+    if (!any(is_stiff)) return;
+    const T half = select(is_stiff, tension * splat<T>(scalar(0.5)), zero);
+    const Sym3<T> A = read(rows.all, row.inertia.A) + Sym3<T>{half, half, half, zero, zero, zero};
+    write(rows.all, row.inertia.A, plus_square(A, arm, -half / select(is_stiff, length_sq(arm), splat<T>(1))));
+    for (int lane_i = 0; lane_i < static_cast<int>(width); ++lane_i)  // bound: lanes
+        if ((bits(is_stiff) >> lane_i & 1u) != 0) rows.figure(lane_i).resolved = false;
+}
+
+template <unsigned width, class T = typename AllLanes<width>::T>
+void factor_row(const FigureRows<width>& rows, int row_i) {
+    FigureRow<width>& row = rows[row_i];
+    const FigureNode& node = rows.node(row_i);
+    Spatial6<T> M = read(rows.all, row.inertia), left;
+    if (turns_freely(node.kind)) {
+        M.A = inverse_of(M.A);
+        const Mat3<T> B = M.B;
+        M.B = {M.A * B.c0, M.A * B.c1, M.A * B.c2};
+        M.C = M.C - Sym3<T>{dot(B.c0, M.B.c0), dot(B.c1, M.B.c1), dot(B.c2, M.B.c2), dot(B.c0, M.B.c1), dot(B.c0, M.B.c2), dot(B.c1, M.B.c2)};
+        left = Spatial6<T>{Sym3<T>{}, Mat3<T>{}, M.C};
+        if (node.kind == JointKind::none) M.C = inverse_of(M.C);
+    } else {
+        Spatial<T> s[3];
+        const int free = free_directions(rows.all, row, node.kind, s);
+        for (int i = 0; i < free; ++i) {  // bound: 3
+            const Spatial<T> pulled = M * s[i];
+            const T inv_D = splat<T>(1) / dot(s[i], pulled);
+            write(rows.all, row.pulled[i], pulled);
+            rows.all.put(row.inv_D[i], inv_D);
+            M = plus_square(M, pulled, -inv_D);
+        }
+        left = M;
+    }
+    write(rows.all, row.inertia, M);
+    if (node.parent == no_node) return;
+    FigureRow<width>& parent = rows[node.parent];
+    write(rows.all, parent.inertia, read(rows.all, parent.inertia) + inertia_from(left, read(rows.all, row.d)));
+}
+
+template <unsigned width>
+void factor_rows(const FigureRows<width>& rows, scalar h) {
+    for (int row_i = 0; row_i < rows.count(); ++row_i) begin_inertia(rows, rows[row_i]);  // bound: max_bodies
+    for (int row_i = 0; row_i < rows.count(); ++row_i) {
+        const FigureNode& node = rows.node(row_i);
+        if (node.kind == JointKind::none) continue;
+        FigureRow<width>& row = rows[row_i];
+        const auto j = read(rows.all, row.j);
+        stiffen(rows, row, j, -read(rows.all, row.c), h);
+        if (node.parent != no_node) stiffen(rows, rows[node.parent], -j, read(rows.all, row.arm_of_parent), h);
+    }
+    for (int row_i = rows.count() - 1; row_i >= 0; --row_i) factor_row(rows, row_i);  // bound: max_bodies
+}
+
+}  // namespace
+
+void place_joints(const FigureView& view) {
+    for_groups(view, [](const auto& rows) {
+        for (int row_i = 0; row_i < rows.count(); ++row_i) place_joint(rows, row_i);  // bound: max_bodies
+    });
+}
+
+void factor_figures(const FigureView& view, scalar h) {
+    for_groups(view, [h](const auto& rows) { factor_rows(rows, h); });
+}
+
+} }  // namespace ingot
+
+#pragma GCC diagnostic pop

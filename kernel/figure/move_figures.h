@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// A substep of figures that touch nothing, stage by stage; contacts work between pass_impulses and end_solve.
+#pragma once
+
+#include "figure_view.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// What the joints lack: how far each would be off its place at the end of the substep, if nothing acted, over h with the sign turned. Bodies go
+/// by h v and turn as they do in free flight, to second order; so for the joint the step is SHAKE, which keeps energy. Where spins change much in
+/// a substep, or tension is stiff, that is no help, and turns are taken to first order, which loses some: Figure::resolved says which.
+/// Needs: place_joints, velocities after the forces. h: s, of the substep.
+void begin_solve(const FigureView& view, scalar h);
+
+/// No impulse is on any body, and the cursors are nowhere.
+void begin_passing(const FigureView& view);
+/// An impulse F through the centre of mass and a moment T on one body.
+void add_impulse(const FigureView& view, Index node, const Vector& F, const Vector& T);
+/// From the impulses on each body to the change of every twist.
+void pass_impulses(const FigureView& view);
+
+/// Velocities are those of the solve. h: s, of the substep.
+void end_solve(const FigureView& view, scalar h);
+
+/// Bodies go on by a substep of h seconds. acceleration: m/s^2, of what floats and moves smoothly, as a whole: such a figure goes by the mean of its
+/// velocities before and after the substep.
+void drift_figures(const FigureView& view, scalar h);
+
+/// Puts bodies where their joints want them, by displacements that no velocity sees. again: only those that are off by more than limits::joint_gap.
+/// Bound: limits::pushes_max.
+void push_figures(const FigureView& view, bool again);
+
+/// Contacts displace figures in between, see cursor.h: from nothing to a displacement of every body.
+void begin_displacing(const FigureView& view);
+void end_displacing(const FigureView& view);
+
+} }  // namespace ingot

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include "respond_figures.h"
+
+#include "tree_passes.h"
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpsabi"  // see lanes.h
+
+namespace ingot { inline namespace INGOT_ABI {
+
+namespace {
+
+/// The response of a body whose joint turns freely; Q: how its joint gives way to a force, at q.
+template <class At, class T = typename At::T>
+Spatial6<T> response_of_ball(const At& at, const FigureRow<At::width>& row, const Sym3<T>& Q) {
+    const Mat3<T> G = read(at, row.inertia.B), G_Q = G * Q;
+    const Mat3<T> minus = {-G_Q.c0, -G_Q.c1, -G_Q.c2};
+    return {read(at, row.inertia.A) + rotated(G, Q), minus, Q};
+}
+
+/// The same of a joint with some free directions; Q: how its parent gives way, at q.
+template <class At, class T = typename At::T>
+Spatial6<T> response_of_axes(const At& at, const FigureRow<At::width>& row, JointKind kind, Spatial6<T> Q) {
+    Spatial<T> s[3];
+    const int free = free_directions(at, row, kind, s);
+    for (int i = free - 1; i >= 0; --i) {  // bound: 3
+        const T inv_D = at.get(row.inv_D[i]);
+        const Spatial<T> pulled = read(at, row.pulled[i]), given = Q * pulled * inv_D;
+        Q = plus_symmetric(Q, s[i], given * splat<T>(-1));
+        Q = plus_square(Q, s[i], dot(pulled, given) * inv_D + inv_D);
+    }
+    return Q;
+}
+
+template <unsigned width>
+void respond_rows(const FigureRows<width>& rows, Spatial6Rows<1>* responses) {
+    using T = typename AllLanes<width>::T;
+    for (int row_i = 0; row_i < rows.count(); ++row_i) {  // bound: max_bodies
+        const FigureRow<width>& row = rows[row_i];
+        const FigureNode& node = rows.node(row_i);
+        Spatial6<T> Q{};
+        if (node.kind == JointKind::none) Q.C = read(rows.all, row.inertia.C);
+        if (node.parent != no_node) Q = compliance_at(read(rows.all, rows.response(responses, node.parent)), read(rows.all, row.d));
+        write(rows.all, rows.response(responses, row_i),
+              turns_freely(node.kind) ? response_of_ball(rows.all, row, Q.C) : response_of_axes(rows.all, row, node.kind, Q));
+    }
+}
+
+}  // namespace
+
+void respond_figures(const FigureView& view, Spatial6Rows<1>* responses) {
+    for_groups(view, [responses](const auto& rows) { respond_rows(rows, responses); });
+}
+
+Spatial6<scalar> response_of_centre(const FigureView& view, const Spatial6Rows<1>* responses, Index node_i) {
+    return at_node(view, node_i, [&](const auto& rows, const auto& at, int row_i) {
+        return compliance_at(read(at, rows.response(responses, row_i)), read(at, rows[row_i].c));
+    });
+}
+
+SymmetricMatrix inertia_of_node(const FigureView& view, Index node_i) {
+    return at_node(view, node_i, [&](const auto& rows, const auto& at, int row_i) {
+        return rotated_diagonal(read(at, rows[row_i].A), read(at, rows[row_i].I_body));
+    });
+}
+
+namespace {
+
+/// The twist of A for an impulse on B: up to the body that both hang on, and down.
+template <unsigned width>
+Spatial<scalar> twist_across(const FigureRows<width>& rows, const OneLane<width>& at, const Spatial6Rows<1>* responses, int row_A, int row_B,
+                             const Vector& F, const Vector& T) {
+    int node = row_B;
+    Spatial<scalar> P = {T + cross(read(at, rows[row_B].c), F), F};
+    const auto holds_A = [&](int row_i) {
+        int of_A = row_A;
+        while (of_A > row_i) of_A = rows.node(of_A).parent;  // bound: max_bodies: a parent comes before its children
+        return of_A == row_i;
+    };
+    while (!holds_A(node)) {  // bound: max_bodies
+        P = impulse_from(impulse_through(at, rows[node], rows.node(node).kind, P, Vector{}), read(at, rows[node].d));
+        node = rows.node(node).parent;
+    }
+    Spatial<scalar> u = read(at, rows.response(responses, node)) * P;
+    // bound: max_bodies
+    for (int of_A = row_A; of_A != node; of_A = rows.node(of_A).parent) rows.node(rows.node(of_A).parent).towards = static_cast<Index>(of_A);
+    while (node != row_A) {  // bound: max_bodies
+        node = rows.node(node).towards;
+        const FigureRow<width>& row = rows[node];
+        u = twist_through(at, row, rows.node(node).kind, twist_at(u, read(at, row.d)), Spatial<scalar>{}, Vector{});
+    }
+    return twist_at(u, read(at, rows[row_A].c));
+}
+
+}  // namespace
+
+Across response_across(const FigureView& view, const Spatial6Rows<1>* responses, Index node_A, Index node_B) {
+    const int row_B = node_B - view.figures[view.nodes[node_B].figure].first_node;
+    return at_node(view, node_A, [&](const auto& rows, const auto& at, int row_A) {
+        const Vector axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+        Spatial<scalar> of_force[3], of_moment[3];
+        for (int i = 0; i < 3; ++i) {
+            of_force[i] = twist_across(rows, at, responses, row_A, row_B, axes[i], {});
+            of_moment[i] = twist_across(rows, at, responses, row_A, row_B, {}, axes[i]);
+        }
+        return Across{{of_force[0].v, of_force[1].v, of_force[2].v},
+                      {of_moment[0].v, of_moment[1].v, of_moment[2].v},
+                      {of_force[0].w, of_force[1].w, of_force[2].w},
+                      {of_moment[0].w, of_moment[1].w, of_moment[2].w}};
+    });
+}
+
+} }  // namespace ingot
+
+#pragma GCC diagnostic pop

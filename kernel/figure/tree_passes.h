@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+// Impulses go up a tree, and changes of twists come down: what a whole figure answers to impulses on its bodies, exact, with a visit a body each way.
+//
+//     child b on parent a:  u_b = X u_a + bias + S dq       X u_a: twist_at(u_a, d);  S: free directions, dq: rates along them
+//     M u_b = P_b + what the joint gives,  S . (M u_b - P_b) = drive
+//
+// so, a free direction s after the other, with the inertia M of b and of all that hangs on it:
+//
+//     pulled = M s;  D = s . pulled;  t = (s . P + drive) / D;  P' = P - pulled t;  M' = M - pulled pulled^T / D        (up)
+//     sent to a: P' - M' bias;  inertia seen from a: X^T M' X
+//     dq = t - pulled . u / D;  u += s dq                                                                              (down, in the other order)
+//
+// A ball joint has its three turns eliminated at once: A w + B v = P.w + drive.
+// Sources: Featherstone 2008, chapter 7 (articulated-body inertia); in impulses Mirtich 1996. In maximal coordinates, with the gap as bias, Baraff,
+// "Linear-time dynamics using Lagrange multipliers", SIGGRAPH 1996.
+#pragma once
+
+#include "figure_view.h"
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpsabi"  // see lanes.h
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// Free directions of a joint that is no ball, twists of the child against its parent. Returns how many.
+template <class At, class T = typename At::T>
+INGOT_INLINE int free_directions(const At& at, const FigureRow<At::width>& row, JointKind kind, Spatial<T> (&s)[3]) {
+    const Vec3<T> none{};
+    switch (kind) {
+        case JointKind::hinge: s[0] = Spatial<T>{read(at, row.axis), none}; return 1;
+        case JointKind::slider: s[0] = Spatial<T>{none, read(at, row.axis_of_parent)}; return 1;
+        case JointKind::universal:
+            s[0] = Spatial<T>{read(at, row.axis_of_parent), none};
+            s[1] = Spatial<T>{read(at, row.axis), none};
+            return 2;
+        default: return 0;
+    }
+}
+
+/// True of bodies whose turns are eliminated at once: at a ball joint, and roots of what floats.
+inline bool turns_freely(JointKind kind) { return kind == JointKind::ball || kind == JointKind::none; }
+
+/// What goes on to the parent of an impulse on a child, and of drives, both taken at q of the child.
+template <class At, class T = typename At::T>
+INGOT_INLINE Spatial<T> impulse_through(const At& at, const FigureRow<At::width>& row, JointKind kind, Spatial<T> P, const Vec3<T>& drive) {
+    if (kind == JointKind::ball) return {-drive, P.v - transpose_times(read(at, row.inertia.B), P.w + drive)};
+    const T along[3] = {drive.x, drive.y, drive.z};
+    Spatial<T> s[3];
+    const int free = free_directions(at, row, kind, s);
+    for (int i = 0; i < free; ++i)  // bound: 3
+        P = P - read(at, row.pulled[i]) * ((dot(s[i], P) + along[i]) * at.get(row.inv_D[i]));
+    return P;
+}
+/// What a child sends to its parent.
+template <class At, class T = typename At::T>
+INGOT_INLINE Spatial<T> impulse_to_send(const At& at, const FigureRow<At::width>& row, JointKind kind) {
+    const Spatial<T> through = impulse_through(at, row, kind, read(at, row.impulse), read(at, row.drive)), bias = read(at, row.bias);
+    if (kind == JointKind::ball) return {through.w, through.v - read(at, row.inertia.C) * bias.v};
+    return through - read(at, row.inertia) * bias;
+}
+
+/// The twist of a child whose joint would leave it u: with what P, on it and what hangs on it, and drives make of its free directions.
+template <class At, class T = typename At::T>
+INGOT_INLINE Spatial<T> twist_through(const At& at, const FigureRow<At::width>& row, JointKind kind, Spatial<T> u, Spatial<T> P,
+                                      const Vec3<T>& drive) {
+    if (kind == JointKind::ball) return {read(at, row.inertia.A) * (P.w + drive) - read(at, row.inertia.B) * u.v, u.v};
+    const T along[3] = {drive.x, drive.y, drive.z};
+    Spatial<T> s[3];
+    T t[3];
+    const int free = free_directions(at, row, kind, s);
+    for (int i = 0; i < free; ++i) {  // bound: 3
+        t[i] = (dot(s[i], P) + along[i]) * at.get(row.inv_D[i]);
+        P = P - read(at, row.pulled[i]) * t[i];
+    }
+    for (int i = free - 1; i >= 0; --i) u = u + s[i] * (t[i] - dot(read(at, row.pulled[i]), u) * at.get(row.inv_D[i]));  // bound: 3
+    return u;
+}
+/// The change of a child's twist; of_parent: that of its parent, at the child's q.
+template <class At, class T = typename At::T>
+INGOT_INLINE Spatial<T> change_of_child(const At& at, const FigureRow<At::width>& row, JointKind kind, const Spatial<T>& of_parent) {
+    return twist_through(at, row, kind, of_parent + read(at, row.bias), read(at, row.impulse), read(at, row.drive));
+}
+
+/// Of the root of what floats: nothing holds it.
+template <class At, class T = typename At::T>
+INGOT_INLINE Spatial<T> twist_of_floating(const At& at, const FigureRow<At::width>& row) {
+    const Spatial<T> P = read(at, row.impulse);
+    const Spatial6<T> M = read(at, row.inertia);
+    Spatial<T> u;
+    u.v = M.C * (P.v - transpose_times(M.B, P.w));
+    u.w = M.A * P.w - M.B * u.v;
+    return u;
+}
+
+/// The whole way up: `impulse` of each body comes in, that of it and what hangs on it goes out.
+template <unsigned width>
+void pass_up(const FigureRows<width>& rows) {
+    for (int row_i = rows.count() - 1; row_i >= 0; --row_i) {  // bound: max_bodies
+        const FigureNode& node = rows.node(row_i);
+        if (node.kind == JointKind::none) continue;
+        FigureRow<width>& row = rows[row_i];
+        const auto sent = impulse_to_send(rows.all, row, node.kind);
+        write(rows.all, row.sent, sent);
+        if (node.parent == no_node) continue;
+        FigureRow<width>& parent = rows[node.parent];
+        write(rows.all, parent.impulse, read(rows.all, parent.impulse) + impulse_from(sent, read(rows.all, row.d)));
+    }
+}
+
+/// The whole way down.
+template <unsigned width>
+void pass_down(const FigureRows<width>& rows) {
+    for (int row_i = 0; row_i < rows.count(); ++row_i) {  // bound: max_bodies
+        const FigureNode& node = rows.node(row_i);
+        FigureRow<width>& row = rows[row_i];
+        if (node.kind == JointKind::none) {
+            write(rows.all, row.change, twist_of_floating(rows.all, row));
+            continue;
+        }
+        Spatial<typename AllLanes<width>::T> of_parent{};
+        if (node.parent != no_node) of_parent = twist_at(read(rows.all, rows[node.parent].change), read(rows.all, row.d));
+        write(rows.all, row.change, change_of_child(rows.all, row, node.kind, of_parent));
+    }
+}
+
+} }  // namespace ingot
+
+#pragma GCC diagnostic pop

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "check_joint.h"
+
+#include "../base/limits.h"
+#include "../body/check_body.h"
+#include "../math/sqrt.h"
+#include "../math/rotation.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+namespace {
+
+bool has_axis(JointKind kind) { return kind == JointKind::hinge || kind == JointKind::slider || kind == JointKind::universal; }
+
+Status check_direction(const Vector& n) {
+    if (!is_finite(n)) return Status::not_finite;
+    return abs(length_sq(n) - 1) <= limits::unit_length ? Status::ok : Status::bad_direction;
+}
+
+Vector unit(const Vector& a) { return a * (1 / sqrt(length_sq(a))); }
+
+/// At right angles to a unit vector, whichever way: from the axis of the world that is least along it.
+Vector across(const Vector& n) {
+    const Vector a = {abs(n.x), abs(n.y), abs(n.z)};
+    const Vector least = a.x <= a.y && a.x <= a.z ? Vector{1, 0, 0} : a.y <= a.z ? Vector{0, 1, 0} : Vector{0, 0, 1};
+    return unit(cross(n, least));
+}
+
+JointFrame frame_on(const BodyView& bodies, Index slot, const Vector& P, const Vector& axis, const Vector& side) {
+    if (slot == no_body) return {P + Vector{}, axis + Vector{}, side + Vector{}};
+    const Place at = place_of(slot);
+    const Matrix A = lane_of(bodies.rotation[at.tile].A, at.lane);
+    return {transpose_times(A, P - r_CM_of(bodies, slot)) + Vector{}, transpose_times(A, axis) + Vector{}, transpose_times(A, side) + Vector{}};
+}
+
+bool is_valid(const JointFrame& frame) {
+    constexpr scalar off = 64 * epsilon;
+    const Vector a = frame.anchor;
+    if (!is_finite(a) || !is_finite(frame.axis) || !is_finite(frame.side)) return false;
+    if (abs(a.x) > 2 * limits::position_max || abs(a.y) > 2 * limits::position_max || abs(a.z) > 2 * limits::position_max) return false;
+    return abs(length_sq(frame.axis) - 1) <= off && abs(length_sq(frame.side) - 1) <= off && abs(dot(frame.axis, frame.side)) <= off;
+}
+
+}  // namespace
+
+Status check_joint(const JointDef& def) {
+    Status status = check_vector(def.P, limits::position_max);
+    if (status == Status::ok && has_axis(def.joint.kind)) status = check_direction(def.axis);
+    if (status != Status::ok || def.joint.kind != JointKind::universal) return status;
+    status = check_direction(def.axis_B);
+    if (status == Status::ok && !(abs(dot(def.axis, def.axis_B)) <= limits::orthogonality)) status = Status::bad_joint;
+    return status;
+}
+
+JointRecord record_of(const JointDef& def, const BodyView& bodies, Index slot_A, Index slot_B) {
+    const Vector axis = has_axis(def.joint.kind) ? unit(def.axis) : Vector{0, 0, 1};
+    JointRecord record{};
+    record.kind = def.joint.kind;
+    record.body_A = slot_A;
+    record.body_B = slot_B;
+    record.resolved = 1;
+    record.bodies_meet = def.bodies_meet ? 1 : 0;
+    if (def.joint.kind == JointKind::universal) {
+        const Vector axis_B = unit(def.axis_B - axis * dot(axis, def.axis_B));
+        record.frame_A = frame_on(bodies, slot_A, def.P, axis, axis_B);
+        record.frame_B = frame_on(bodies, slot_B, def.P, axis_B, axis);
+    } else {
+        const Vector side = across(axis);
+        record.frame_A = frame_on(bodies, slot_A, def.P, axis, side);
+        record.frame_B = frame_on(bodies, slot_B, def.P, axis, side);
+    }
+    return record;
+}
+
+scalar gap_of(const JointRecord& joint, const BodyView& bodies) {
+    const auto in_world = [&](Index slot, const JointFrame& frame, Vector& axis) {
+        axis = frame.axis;
+        if (slot == no_body) return frame.anchor;
+        const Matrix A = lane_of(bodies.rotation[place_of(slot).tile].A, place_of(slot).lane);
+        axis = A * frame.axis;
+        return r_CM_of(bodies, slot) + A * frame.anchor;
+    };
+    Vector axis{}, axis_B{};
+    Vector gap = in_world(joint.body_B, joint.frame_B, axis_B) - in_world(joint.body_A, joint.frame_A, axis);
+    if (joint.kind == JointKind::slider) gap = gap - axis * dot(axis, gap);
+    return sqrt(length_sq(gap));
+}
+
+bool is_valid(const JointRecord& joint, int slots) {
+    const auto is_body = [slots](Index slot) { return slot == no_body || slot < slots; };
+    if (joint.kind == JointKind::none || joint.kind > JointKind::fixed || !is_body(joint.body_A) || !is_body(joint.body_B)) return false;
+    if (joint.body_A == joint.body_B || !is_finite(joint.j) || !is_valid(joint.frame_A) || !is_valid(joint.frame_B)) return false;
+    return joint.resolved <= 1 && joint.bodies_meet <= 1 && joint.doublings <= limits::doublings_max;
+}
+
+} }  // namespace ingot

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// Figures through a batch and its substeps: joints and the contacts of their bodies are solved as one.
+#pragma once
+
+#include "../../figure/build_figures.h"
+#include "../../figure/cursor.h"
+#include "../../figure/factor_figures.h"
+#include "../../figure/keep_figures.h"
+#include "../../figure/move_figures.h"
+#include "../../figure/respond_figures.h"
+#include "jointed_visits.h"
+#include "swept_contacts.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// A solver as conduct_substeps asks for it, whose bodies may have joints. Contacts: SweptContacts.
+template <class Contacts, class View>
+struct SeesJoints : Contacts {
+    explicit SeesJoints(View& of) : Contacts(of), jointed(of.jointed) {}
+
+    void begin(const ContactStep& step, StepReport& report) {
+        build_figures(jointed.figures);
+        Contacts::begin(step, report);
+    }
+    bool next_batch(const ContactStep& step) {
+        jointed.figures.h = step.h;
+        return Contacts::next_batch(step);
+    }
+    void refresh(const BodyView& bodies) {
+        // What next_batch has prepared is right for the first substep.
+        if (!jointed.is_fresh) {
+            factor_jointed(this->view);
+            Contacts::refresh(bodies);
+        }
+        jointed.is_fresh = false;
+    }
+    void solve_velocities(const ContactStep& step, scalar h, StepReport& report) {
+        read_velocities(this->view, jointed);
+        begin_solve(jointed.figures, h);
+        Contacts::solve_velocities(step, h, report);
+        end_solve(jointed.figures, h);
+    }
+    void drift(const BodyView& bodies, scalar h) {
+        Contacts::drift(bodies, h);
+        drift_figures(jointed.figures, h);
+        jointed.figures.elapsed += h;
+        push_figures(jointed.figures, false);
+        write_displacements(this->view, jointed, bodies);
+    }
+    void solve_positions(const ContactStep& step, scalar h) {
+        begin_displacing(jointed.figures);
+        Contacts::solve_positions(step, h);
+        take_cursors_away(jointed.figures, jointed.responses);
+        end_displacing(jointed.figures);
+        push_figures(jointed.figures, true);
+        write_displacements(this->view, jointed, step.bodies);
+    }
+    void end_batch(const ContactStep& step, StepReport& report) {
+        if (is_of_joints(this->view.plan)) {
+            ask_for_doublings(jointed.figures, step.h / static_cast<scalar>(this->view.effort.substeps), doublings_of(this->view.plan));
+            forget_doublings();
+            spread_doublings(this->view, jointed);
+            keep_figures(jointed.figures, doublings_of(this->view.plan));
+        }
+        Contacts::end_batch(step, report);
+    }
+
+private:
+    JointedBodies& jointed;
+
+    /// Of the islands of the batch: those of the others stand.
+    void forget_doublings() {
+        for (int island_i = 0; island_i < this->view.island_count; ++island_i)  // bound: max_bodies
+            if (this->view.islands[island_i].in_batch) jointed.doublings_of[island_i] = 0;
+    }
+};
+
+} }  // namespace ingot

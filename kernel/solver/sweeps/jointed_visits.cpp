@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#include "jointed_visits.h"
+
+#include "../../figure/cursor.h"
+#include "../../figure/factor_figures.h"
+#include "../../figure/respond_figures.h"
+#include "../../figure/move_figures.h"
+#include "../../figure/tree_passes.h"
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpsabi"  // see lanes.h
+
+namespace ingot { inline namespace INGOT_ABI {
+
+namespace {
+
+void put_three(scalar (&to)[4], const Vector& value) {
+    to[0] = value.x;
+    to[1] = value.y;
+    to[2] = value.z;
+}
+
+/// Calls each(body_i, node) for the bodies of a visit that have joints, A first.
+template <class Each>
+void for_jointed(const JointedBodies& jointed, const ContactBlock& block, uint16_t lane_bits, const Each& each) {
+    for (int lane_i = 0; lane_i < lanes; ++lane_i) {
+        if ((lane_bits >> lane_i & 1u) == 0 || block.manifold[lane_i] == no_manifold) continue;
+        const Index both_bodies[] = {block.body_A[lane_i], block.body_B[lane_i]};
+        for (const Index body_i : both_bodies)
+            if (body_i != 0 && jointed.has_joints(body_i)) each(body_i, jointed.node_of[body_i]);
+    }
+}
+
+void write_velocity(const JointedBodies& jointed, SolverBody& body, Index node) {
+    at_node(jointed.figures, node, [&](const auto& rows, const auto& at, int row_i) {
+        const auto& row = rows[row_i];
+        const Spatial<scalar> u = twist_at(read(at, row.change), read(at, row.c));
+        const Matrix A = read(at, row.A);
+        put_three(body.v_CM, read(at, row.v) + u.v);
+        put_three(body.L, read(at, row.L) + A * scaled(read(at, row.I_body), transpose_times(A, u.w)));
+    });
+}
+
+void write_displacement(const JointedBodies& jointed, const BodyView& bodies, SolverBody& body, Index node) {
+    const Vector begin = r_CM_of(bodies, jointed.figures.nodes[node].slot);
+    at_node(jointed.figures, node, [&](const auto& rows, const auto& at, int row_i) {
+        const auto& row = rows[row_i];
+        const Spatial<scalar> u = twist_at(read(at, row.change), read(at, row.c));
+        put_three(body.dp, (read(at, row.r) - begin) + u.v);
+        put_three(body.dth, read(at, row.turned) + u.w);
+    });
+}
+
+/// Calls each(body_i, node) for all bodies of figures of the batch.
+template <class Each>
+void for_figure_bodies(const SolverView& solver, const JointedBodies& jointed, const Each& each) {
+    for_bodies(solver, [&](int body_i) {
+        if (jointed.has_joints(static_cast<Index>(body_i))) each(body_i, jointed.node_of[body_i]);
+    });
+}
+
+}  // namespace
+
+void factor_jointed(const SolverView& solver, JointedBodies& jointed) {
+    place_joints(jointed.figures);
+    factor_figures(jointed.figures, jointed.figures.h / static_cast<scalar>(solver.substeps));
+    respond_figures(jointed.figures, jointed.responses);
+    jointed.is_fresh = true;
+}
+
+void bring_velocities(const SolverView& solver, const JointedBodies& jointed, const ContactBlock& block, uint16_t lane_bits) {
+    for_jointed(jointed, block, lane_bits, [&](Index body_i, Index node) {
+        bring_cursor(jointed.figures, jointed.responses, node);
+        write_velocity(jointed, solver.bodies[body_i], node);
+    });
+}
+
+void bring_displacements(const SolverView& solver, const JointedBodies& jointed, const ContactBlock& block, uint16_t lane_bits) {
+    for_jointed(jointed, block, lane_bits, [&](Index body_i, Index node) {
+        bring_cursor(jointed.figures, jointed.responses, node);
+        write_displacement(jointed, jointed.figures.bodies, solver.bodies[body_i], node);
+    });
+}
+
+void give_wrenches(const JointedBodies& jointed, const ContactBlock& block, uint16_t lane_bits, const GivenWrenches& given) {
+    for (int lane_i = 0; lane_i < lanes; ++lane_i) {
+        if ((lane_bits >> lane_i & 1u) == 0) continue;
+        const auto give = [&](Index body_i, const Vector& F, const Vector& T) {
+            if (body_i == 0 || !jointed.has_joints(body_i)) return;
+            bring_cursor(jointed.figures, jointed.responses, jointed.node_of[body_i]);
+            give_at_cursor(jointed.figures, jointed.responses, jointed.node_of[body_i], F, T);
+        };
+        give(block.body_A[lane_i], lane_of(given.F_A, lane_i), lane_of(given.T_A, lane_i));
+        give(block.body_B[lane_i], lane_of(given.F_B, lane_i), lane_of(given.T_B, lane_i));
+    }
+}
+
+void write_displacements(const SolverView& solver, const JointedBodies& jointed, const BodyView& bodies) {
+    for_figure_bodies(solver, jointed, [&](int body_i, Index node) {
+        at_node(jointed.figures, node, [&](const auto& rows, const auto& at, int row_i) {
+            const auto& row = rows[row_i];
+            SolverBody& body = solver.bodies[body_i];
+            const Place place = place_of(solver.slot_of[body_i]);
+            const Vector I = read(at, row.I_body);
+            put_three(body.dp, read(at, row.r) - lane_of(bodies.translation[place.tile].r_CM, place.lane));
+            put_three(body.dth, read(at, row.turned));
+            body.dth[3] = max(body.dth[3], scalar(1));  // where the step begins again, so does the inertia
+            set_lane(bodies.translation[place.tile].inv_I_world, place.lane,
+                     rotated_diagonal(read(at, row.A), Vector{1 / I.x, 1 / I.y, 1 / I.z}));
+        });
+    });
+}
+
+void read_velocities(const SolverView& solver, const JointedBodies& jointed) {
+    for_figure_bodies(solver, jointed, [&](int body_i, Index node) {
+        at_node(jointed.figures, node, [&](const auto& rows, const auto& at, int row_i) {
+            write(at, rows[row_i].v, three_of(solver.bodies[body_i].v_CM));
+            write(at, rows[row_i].L, three_of(solver.bodies[body_i].L));
+        });
+    });
+}
+
+void end_jointed_sweeps(const SolverView& solver, const JointedBodies& jointed) {
+    take_cursors_away(jointed.figures, jointed.responses);
+    for_figure_bodies(solver, jointed, [&](int body_i, Index node) { write_velocity(jointed, solver.bodies[body_i], node); });
+}
+
+template <class View>
+void pass_contact_impulses(const View& solver) {
+    const JointedBodies& jointed = solver.jointed;
+    begin_passing(jointed.figures);
+    for (int block_i = jointed.first_block; block_i < solver.block_count; ++block_i) {  // bound: max_manifolds
+        const ContactBlock& block = solver.blocks[block_i];
+        JointedPairLanes pair(BodyPairLanes{}, jointed.blocks[block_i - jointed.first_block]);
+        ContactConstraint<View>::Given::for_rows(solver, block_i, [&](const SeenRow& row) {
+            const lane j = load(row.j);
+            if (row.levers == nullptr) {
+                add_torsion(pair, load(row.d), j, lane{}, lane{});
+            } else {
+                add_linear(pair, load(row.d) * j, lane{}, lane{});
+                add_angular(pair, *row.levers, j);
+            }
+        });
+        note_due(pair);
+        const GivenWrenches given = given_to(pair);
+        for (int lane_i = 0; lane_i < lanes; ++lane_i) {
+            if (block.manifold[lane_i] == no_manifold) continue;
+            const auto give = [&](Index body_i, const Vector& F, const Vector& T) {
+                if (body_i != 0 && jointed.has_joints(body_i)) add_impulse(jointed.figures, jointed.node_of[body_i], F, T);
+            };
+            give(block.body_A[lane_i], lane_of(given.F_A, lane_i), lane_of(given.T_A, lane_i));
+            give(block.body_B[lane_i], lane_of(given.F_B, lane_i), lane_of(given.T_B, lane_i));
+        }
+    }
+    pass_impulses(jointed.figures);
+}
+
+// The linker takes the one that the scene calls.
+template void pass_contact_impulses(const JointedView&);
+template void pass_contact_impulses(const JointedMaterialView&);
+
+} }  // namespace ingot
+
+#pragma GCC diagnostic pop

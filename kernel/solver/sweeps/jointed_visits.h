@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// Visits to manifolds whose bodies have joints: the bodies are brought up to date before, and what they got goes to their figures after.
+#pragma once
+
+#include "../../constraint/block_bodies.h"
+#include "../../constraint/contact.h"
+#include "../../constraint/jointed_response.h"
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpsabi"  // see lanes.h
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// Figures of the batch as they are now: joints, inertia, responses.
+void factor_jointed(const SolverView& solver, JointedBodies& jointed);
+template <class View>
+INGOT_INLINE void factor_jointed(View& solver) {
+    factor_jointed(solver, solver.jointed);
+}
+
+/// The impulses of all contacts of the batch, as they stand, pass through the figures. Needs: begin_solve.
+template <class View>
+void pass_contact_impulses(const View& solver);
+
+/// What sweeps at their bound may do wrong is known of islands without joints alone: those with some are not swept again.
+template <class View>
+void excuse_jointed(View& solver) {
+    for (int island_i = 0; island_i < solver.island_count; ++island_i)  // bound: max_bodies
+        if (solver.jointed.doublings_of[island_i] != 0) solver.islands[island_i].at_bound = false;
+}
+
+/// All bodies of figures have the velocities of the solve: in SolverView::bodies too.
+void end_jointed_sweeps(const SolverView& solver, const JointedBodies& jointed);
+
+/// v_CM and L of the bodies of a visit are those that all impulses so far give them.
+void bring_velocities(const SolverView& solver, const JointedBodies& jointed, const ContactBlock& block, uint16_t lane_bits);
+/// And dp and dth, of pushes.
+void bring_displacements(const SolverView& solver, const JointedBodies& jointed, const ContactBlock& block, uint16_t lane_bits);
+
+/// What the bodies of a visit got, by lane.
+struct GivenWrenches {
+    scalar F_A[3][lanes], T_A[3][lanes], F_B[3][lanes], T_B[3][lanes];
+};
+void give_wrenches(const JointedBodies& jointed, const ContactBlock& block, uint16_t lane_bits, const GivenWrenches& given);
+
+INGOT_INLINE GivenWrenches given_to(const JointedPairLanes& pair) {
+    GivenWrenches given;
+    store(given.F_A, pair.sum_A.F);
+    store(given.T_A, pair.sum_A.T);
+    store(given.F_B, pair.sum_B.F);
+    store(given.T_B, pair.sum_B.T);
+    return given;
+}
+
+/// Bodies of figures are where their figures are: dp and dth, and the inertia that contacts see.
+void write_displacements(const SolverView& solver, const JointedBodies& jointed, const BodyView& bodies);
+
+/// Velocities of the begin of a solve come into the figures.
+void read_velocities(const SolverView& solver, const JointedBodies& jointed);
+
+} }  // namespace ingot
+
+#pragma GCC diagnostic pop

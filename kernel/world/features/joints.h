@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+// Joints, and the figures that they make of bodies.
+#pragma once
+
+#include "../../figure/swing_figures.h"
+#include "../../joint/check_joint.h"
+#include "../../constraint/jointed_view.h"
+#include "../../island/islands.h"
+#include "manifolds.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+namespace features {
+
+/// What figures and contacts share.
+template <class S, bool present>
+struct JointedContactPart {
+    static constexpr unsigned local_capacity = static_cast<unsigned>(S::max_bodies) + 1;
+
+    JointedBlock jointed_blocks[block_capacity_of<S>] = {};
+    Spatial6Rows<1> responses[static_cast<unsigned>(S::max_bodies)] = {};
+    Index node_of_local[local_capacity] = {}, leader_of_local[local_capacity] = {};
+    Index parted[static_cast<unsigned>(S::max_manifolds)] = {};
+    uint8_t doublings_of_island[local_capacity] = {};
+
+    JointedBodies jointed_bodies(const FigureView& figures) {
+        JointedBodies jointed{};
+        jointed.figures = figures;
+        jointed.responses = responses;
+        jointed.node_of = node_of_local;
+        jointed.leader_of = leader_of_local;
+        jointed.doublings_of = doublings_of_island;
+        jointed.blocks = jointed_blocks;
+        jointed.parted = parted;
+        return jointed;
+    }
+};
+template <class S>
+struct JointedContactPart<S, false> {};
+
+struct JointedBodies : Feature {
+    static constexpr uint32_t part = 1u << 30;
+    template <class S>
+    static constexpr bool named = has_joints<S>;
+
+    template <class S, bool present>
+    struct Memory : JointedContactPart<S, stacks<S>> {
+        static constexpr unsigned joint_capacity = static_cast<unsigned>(S::max_joints);
+        static constexpr unsigned body_capacity = static_cast<unsigned>(S::max_bodies);
+        static constexpr unsigned node_capacity = body_capacity < 2 * joint_capacity ? body_capacity : 2 * joint_capacity;
+
+        alignas(tile_alignment) FigureRow<1> figure_rows[node_capacity] = {};
+        JointRecord joints[joint_capacity] = {};
+        uint32_t joint_generation[joint_capacity] = {};  ///< odd while a joint lives in the slot
+        FigureNode figure_nodes[node_capacity] = {};
+        Figure trees[joint_capacity] = {};
+        FigureGroup figure_groups[joint_capacity] = {};
+        Index node_of[body_capacity] = {}, end_at[body_capacity] = {};
+        Index first_end[body_capacity] = {}, next_end[2 * joint_capacity] = {};
+        uint16_t jointed_lanes[tile_capacity<S>] = {};
+        int32_t joint_slots_used = 0;
+
+        JointLists joint_lists() { return {joints, first_end, next_end}; }
+        FigureView figure_view(const BodyView& bodies) {
+            FigureView view{};
+            view.bodies = bodies;
+            view.jointed = jointed_lanes;
+            view.lists = joint_lists();
+            view.nodes = figure_nodes;
+            view.figures = trees;
+            view.groups = figure_groups;
+            view.rows = figure_rows;
+            view.node_of = node_of;
+            view.end_at = end_at;
+            view.joint_slots = joint_slots_used;
+            return view;
+        }
+        template <class Filters>
+        JointFilters<Filters, S::max_shapes_of_body> with_joints(const Filters& filters) const {
+            return {filters, const_cast<Memory*>(this)->joint_lists()};
+        }
+        bool joint_lives(int joint_i) const { return (joint_generation[joint_i] & 1u) != 0; }
+    };
+    template <class S>
+    struct Memory<S, false> {
+        template <class Filters>
+        static Filters with_joints(const Filters& filters) {
+            return filters;
+        }
+    };
+
+    template <class S, class Each>
+    static constexpr void traits(Each& each) {
+        each(S::max_joints);
+        // bound: the kinds of joints
+        for (int kind = 1; kind <= static_cast<int>(JointKind::fixed); ++kind) each(S::joints::has(static_cast<JointKind>(kind)));
+    }
+    template <class S>
+    static constexpr bool check() {
+        static_assert(S::max_joints >= 0 && S::max_joints <= (index_max - 1) / 2, "a scene holds 0 to 32767 joints: set max_joints");
+        static_assert(!has_joints<S> || S::translates, "bodies with joints move: set translates = true, or max_joints = 0");
+        static_assert(!has_joints<S> || has_some_joint<S>(), "a scene with max_joints says which kinds it has: set joints");
+        static_assert(!has_joints<S> || !stacks<S> || (!solves_pointwise<S> && !solves_directly<S>),
+                      "joints of bodies that touch are solved by BlockSweeps: name it, or max_joints = 0");
+        static_assert(!has_joints<S> || !collides<S>, "joints go with contacts with friction: set max_manifolds for max_contacts, or max_joints = 0");
+        static_assert(!has_joints<S> || !S::rotation::as_printed, "Listing 1 has no joints: name another rotation, or max_joints = 0");
+        static_assert(!has_joints<S> || !S::continuous, "fast bodies are followed one by one: set continuous = false, or max_joints = 0");
+        static_assert(has_joints<S> || !has_some_joint<S>(), "a scene with joints says how many there may be: set max_joints");
+        return true;
+    }
+    template <class S>
+    static constexpr bool has_some_joint() {
+        bool some = false;
+        for (int kind = 1; kind <= static_cast<int>(JointKind::fixed); ++kind) some = some || S::joints::has(static_cast<JointKind>(kind));
+        return some;
+    }
+    template <class S>
+    static void take_out(Storage<S>& storage, int joint_i) {
+        storage.joint_lists().unlink(joint_i);
+        storage.joints[joint_i] = {};
+        ++storage.joint_generation[joint_i];
+    }
+    /// Bodies that are joined sleep and wake as one.
+    template <class S>
+    static void join_islands(Storage<S>& storage, bool all) {
+        const BodyView bodies = storage.bodies();
+        const RestView rest = storage.rest_view();
+        for (int joint_i = 0; joint_i < storage.joint_slots_used; ++joint_i) {  // bound: max_joints
+            const JointRecord& joint = storage.joints[joint_i];
+            if (joint.kind == JointKind::none || joint.body_A == no_body || joint.body_B == no_body) continue;
+            if (!is_dynamic(bodies, joint.body_A) || !is_dynamic(bodies, joint.body_B)) continue;
+            if (all || rest.is_awake(joint.body_A) || rest.is_awake(joint.body_B)) join_bodies_of(rest, joint.body_A, joint.body_B);
+        }
+    }
+    /// A body takes its joints along.
+    template <class S>
+    static void before_removal(Storage<S>& storage, int slot) {
+        for (int joint_i = 0; joint_i < storage.joint_slots_used; ++joint_i) {  // bound: max_joints
+            const JointRecord& joint = storage.joints[joint_i];
+            if (joint.kind != JointKind::none && (joint.body_A == slot || joint.body_B == slot)) take_out(storage, joint_i);
+        }
+    }
+
+    /// Of every slot that holds or held a joint.
+    struct OfEntry : NoNumbers {
+        uint32_t generation;
+        uint8_t kind;
+        JointRecord joint;
+
+        template <class Each>
+        constexpr void numbers(Each& each, uint32_t) {
+            each("joint.generation", generation);
+            each("joint.kind", kind);
+            each("joint.body_A", joint.body_A);
+            each("joint.body_B", joint.body_B);
+            JointFrame* const frames[] = {&joint.frame_A, &joint.frame_B};
+            for (JointFrame* const frame : frames) {
+                each("joint.anchor", frame->anchor);
+                each("joint.axis", frame->axis);
+                each("joint.side", frame->side);
+            }
+            each("joint.j", joint.j);
+            each("joint.resolved", joint.resolved);
+            each("joint.doublings", joint.doublings);
+            each("joint.bodies_meet", joint.bodies_meet);
+        }
+        template <class S>
+        void take(const Storage<S>& storage, int joint_i) {
+            generation = storage.joint_generation[joint_i];
+            joint = storage.joints[joint_i];
+            kind = static_cast<uint8_t>(joint.kind);
+        }
+        template <class S>
+        void put(Storage<S>& storage, int joint_i) const {
+            storage.joint_generation[joint_i] = generation;
+            storage.joints[joint_i] = joint;
+            storage.joints[joint_i].kind = static_cast<JointKind>(kind);
+            if (kind != 0) storage.joint_lists().link(joint_i);
+        }
+        template <class S>
+        bool is_valid(const EntryContext& context) const {
+            JointRecord read = joint;
+            read.kind = static_cast<JointKind>(kind);
+            if ((generation & 1u) == 0) return kind == 0;
+            return S::joints::has(read.kind) && ingot::is_valid(read, static_cast<int>(context.shape_slots) / S::max_shapes_of_body);
+        }
+    };
+    static constexpr bool has_entries = true;
+    template <class S>
+    static constexpr int entry_capacity = S::max_joints;
+    template <class S>
+    static Index entry_count(const Storage<S>& storage) {
+        return static_cast<Index>(storage.joint_slots_used);
+    }
+    template <class S>
+    static void set_entry_count(Storage<S>& storage, Index count) {
+        storage.joint_slots_used = count;
+    }
+};
+
+}  // namespace features
+
+} }  // namespace ingot
