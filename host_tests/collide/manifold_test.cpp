@@ -2,6 +2,7 @@
 // The choice of four points, and shapes on the half space.
 #include <gtest/gtest.h>
 #include <ingot/narrow_phase/manifold_points.h>
+#include <ingot/narrow_phase/manifold_record.h>
 
 #include <set>
 
@@ -27,6 +28,39 @@ double area_of(const std::vector<Eigen::Vector2d>& points) {
     };
     most = std::max({twice(0, 1, 2, 3), twice(0, 2, 1, 3), twice(0, 1, 3, 2)});
     return most / 2;
+}
+
+/// Up to four different features.
+std::set<std::uint32_t> features_of(RandomInput& random) {
+    std::set<std::uint32_t> features;
+    const auto count = static_cast<std::size_t>(random.integer(0, Manifold::points_max));
+    while (features.size() < count) features.insert(static_cast<std::uint32_t>(random.integer(1, 6)));
+    return features;
+}
+
+/// Points are known by their features, in whatever order the next manifold has them; what is new begins from nothing.
+TEST(Manifold, impulses_go_with_the_features) {
+    RandomInput random(77);
+    for (int draw_i = 0; draw_i < 2000; ++draw_i) {
+        const std::set<std::uint32_t> of_before = features_of(random), of_next = features_of(random);
+        ingot::ManifoldRecord record{};
+        for (const std::uint32_t feature : of_before) {
+            const int point_i = record.manifold.count++;
+            record.manifold.points[point_i].feature = feature;
+            record.j[point_i] = static_cast<scalar>(10 * feature);
+            record.j_before[point_i] = static_cast<scalar>(feature);
+        }
+        Manifold next{};
+        // the other way round
+        for (auto feature = of_next.rbegin(); feature != of_next.rend(); ++feature) next.points[next.count++].feature = *feature;
+        ingot::carry_impulses(record, next);
+        for (int point_i = 0; point_i < next.count; ++point_i) {
+            const std::uint32_t feature = next.points[point_i].feature;
+            const bool lives_on = of_before.count(feature) > 0;
+            ASSERT_EQ(record.j[point_i], lives_on ? static_cast<scalar>(10 * feature) : scalar(0));
+            ASSERT_EQ(record.j_before[point_i], lives_on ? static_cast<scalar>(feature) : scalar(0));
+        }
+    }
 }
 
 /// The deepest is kept, and the area is never less than half of the best that four of the points make with it.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <utility>
 
 #include "contact/play.h"
@@ -173,6 +174,57 @@ TEST(CarriedLoads, columns_of_4_and_of_2_stand) {
             expect_stands(course, allowed(n, n, 1, rate, 2, true));
         }
     }
+}
+
+/// Along each axis of the world, up it and down it: a column is one wherever its ground is.
+TEST(CarriedLoads, columns_stand_whichever_way_is_down) {
+    for (int axis = 0; axis < 6; ++axis) {
+        Eigen::Matrix3d turn;
+        for (int i = 0; i < 3; ++i) turn.col((i + axis) % 3) = Eigen::Vector3d::Unit(i);
+        if (axis >= 3) turn.col(1) *= -1, turn.col(2) *= -1;
+        Bodies bodies = {flat_ground(mu)};
+        add_column(bodies, 10, 4, 1, 0.5);
+        for (PlacedBody& body : bodies) {
+            body.def.state.r_CM = ingot_reference::to_vector(turn * ingot_reference::to_eigen(body.def.state.r_CM));
+            body.turn(ingot_reference::to_matrix(turn));
+        }
+        Loads<HybridIslands<>> scene(bodies, ingot_reference::to_vector(turn * Eigen::Vector3d(0, 0, -g)));
+        ASSERT_TRUE(scene.sound());
+        for (int step_i = 0; step_i < 60; ++step_i)
+            EXPECT_NE(scene.step(OnEarth::h).direct & ingot::DirectBits::solved, 0) << "axis " << axis << " step " << step_i;
+        const Allowed most = allowed(10, 10, 1, 60, 1, true);
+        for (int body_i = 0; body_i < scene.body_count(); ++body_i) EXPECT_LE(scene.moved(body_i).norm(), most.sink + most.shift) << axis;
+    }
+}
+
+/// 2^10 times as heavy or as light, a column does the same to the bit, and is solved directly in the same steps.
+TEST(CarriedLoads, do_the_same_at_any_mass) {
+    Random random(4);
+    int solved = 0;
+    for (int run_i = 0; run_i < 8; ++run_i) {
+        const int n = run_i < 2 ? 30 : among(random, 2, 30);
+        const double q = run_i < 4 ? 1 : between(random, 1, 1.5), half = scale_between(random, 0.1, 1);
+        const auto play = [&](double lightest) {
+            Bodies bodies = {flat_ground(mu)};
+            add_column(bodies, n, q, lightest, half);
+            for (PlacedBody& body : bodies)  // leaning by a thousandth
+                body.def.state.r_CM.x += body.def.state.r_CM.z / 1024;
+            return std::make_unique<Loads<HybridIslands<>>>(bodies, OnEarth::gravity);
+        };
+        const auto once = play(1), heavy = play(1024), light = play(1.0 / 1024);
+        for (int step_i = 0; step_i < 60; ++step_i) {
+            const StepReport report = once->step(OnEarth::h), of_heavy = heavy->step(OnEarth::h), of_light = light->step(OnEarth::h);
+            ASSERT_EQ(report.direct, of_heavy.direct) << n << " x " << q << " step " << step_i;
+            ASSERT_EQ(report.direct, of_light.direct) << n << " x " << q << " step " << step_i;
+            solved += (report.direct & ingot::DirectBits::solved) != 0;
+        }
+        for (int body_i = 0; body_i < once->body_count(); ++body_i) {
+            ASSERT_EQ(once->r(body_i), heavy->r(body_i)) << n << " x " << q;
+            ASSERT_EQ(once->r(body_i), light->r(body_i)) << n << " x " << q;
+        }
+    }
+    EXPECT_GT(solved, 0);
+    figure("steps solved directly", solved);
 }
 
 /// What no solver carries says so before it has sunk in, and is thrown about by none: a fall from the top of the column to its foot and as deep into
