@@ -141,9 +141,10 @@ void take_in(ingot::SolverView& solver, const ContactProblem& problem) {
 
 /// The islands of a pile that was taken in, and their sweeps, in which whatever changes makes active. A pile is one island, and new.
 void plan(ingot::SolverView& solver, const ingot::BodyView& bodies) {
-    ingot::find_levels(solver);
-    ingot::plan_islands(solver);
-    ASSERT_TRUE(ingot::begin_batch(solver, ingot::SweepPlan::small, bodies, {}));
+    ingot::NoJointedBodies none;
+    ingot::find_levels(solver, none);
+    ingot::plan_islands(solver, none);
+    ASSERT_TRUE(ingot::begin_batch(solver, none, ingot::SweepPlan::small, bodies, {}));
     ingot::prepare_blocks(solver, bodies);
     ingot::predict_contacts(solver, static_cast<scalar>(h));
     ingot::predict_bounces(solver, static_cast<scalar>(h));

@@ -69,7 +69,7 @@ TEST(PointBodies, leave_the_motion_that_was_found) {
         two.body(i).velocity.linear = to_vector(v[i]), two.body(i).velocity.moment = to_vector(L[i]);
         two.body(i).displacement.linear = to_vector(dp[i]), two.body(i).displacement.moment = to_vector(turned[i]);
     }
-    ingot::write_contact_motion(two.view, two.tiles.view(), gravity, h);
+    ingot::write_contact_motion(two.view, ingot::NoJointedBodies{}, two.tiles.view(), gravity, h);
     const double step = static_cast<double>(h);
     for (int i = 0; i < 2; ++i) {
         const int lane_i = Touching::slots[i] % ingot::lanes;
@@ -97,7 +97,7 @@ TEST(PointBodies, that_are_no_numbers_are_marked_and_left_as_they_were) {
                              : part == 2 ? body.displacement.linear
                                          : body.displacement.moment;
                 (axis == 0 ? of.x : axis == 1 ? of.y : of.z) = bad;
-                ingot::write_contact_motion(two.view, two.tiles.view(), gravity, h);
+                ingot::write_contact_motion(two.view, ingot::NoJointedBodies{}, two.tiles.view(), gravity, h);
                 EXPECT_TRUE(two.is_bad(0)) << part << " " << axis;
                 EXPECT_FALSE(two.is_bad(1)) << "nobody else is";
                 EXPECT_EQ(to_eigen(two.tiles.state(0).v_CM), to_eigen(before.v_CM));

@@ -65,7 +65,7 @@ struct Solved {
 /// The forces that it leaves make integrate_v and integrate_r end with the velocity and at the place that the solver found.
 TEST(SolverBodies, leave_the_motion_that_was_found) {
     Solved solved;
-    ingot::write_contact_motion(solved.view(), solved.tiles.view(), gravity, h);
+    ingot::write_contact_motion(solved.view(), ingot::NoJointedBodies{}, solved.tiles.view(), gravity, h);
     for (int i = 1; i < 3; ++i) {
         const int slot = Solved::slots[i], lane_i = slot % ingot::lanes;
         const ingot::BodyState state = solved.tiles.state(slot);
@@ -89,7 +89,7 @@ TEST(SolverBodies, that_are_no_numbers_are_marked_and_left_as_they_were) {
             const ingot::BodyState before = solved.tiles.state(1);
             ingot::SolverBody& body = solved.bodies[1];
             (part == 0 ? body.v_CM : part == 1 ? body.L : part == 2 ? body.dp : body.dth)[part % 3] = bad;
-            ingot::write_contact_motion(solved.view(), solved.tiles.view(), gravity, h);
+            ingot::write_contact_motion(solved.view(), ingot::NoJointedBodies{}, solved.tiles.view(), gravity, h);
             EXPECT_NE(solved.tiles.rotation(1).bad & 1u << (1 % ingot::lanes), 0u) << part;
             EXPECT_EQ(to_eigen(solved.tiles.state(1).v_CM), to_eigen(before.v_CM));
             EXPECT_EQ(to_eigen(solved.tiles.state(1).L), to_eigen(before.L));
@@ -110,7 +110,7 @@ TEST(SolverBodies, turn_by_what_dth_has_beyond_the_drift) {
                               A = to_eigen(solved.tiles.state(1).A);
         const Vector3d dth = push + inv_I * solved.L_sum[1] * static_cast<double>(h) / ingot::limits::substeps;
         for (int k = 0; k < 3; ++k) solved.bodies[1].dth[k] = static_cast<scalar>(dth(k));
-        ingot::turn_by_corrections(solved.view(), solved.tiles.view(), h);
+        ingot::turn_by_corrections(solved.view(), ingot::NoJointedBodies{}, solved.tiles.view(), h);
         const Eigen::Matrix3d expected = Eigen::AngleAxisd(2 * std::atan(push.norm() / 2), push.normalized()).toRotationMatrix() * A;
         EXPECT_LE((to_eigen(solved.tiles.state(1).A) - expected).norm(), 64 * eps) << i;
     }
@@ -120,7 +120,7 @@ TEST(SolverBodies, turn_by_what_dth_has_beyond_the_drift) {
         const Eigen::Matrix3d A = to_eigen(solved.tiles.state(1).A);
         solved.bodies[1].dth[0] = bad ? scalar(1) : std::numeric_limits<scalar>::max();
         if (bad) solved.tiles.rotation(1).bad = static_cast<std::uint16_t>(1u << (1 % ingot::lanes));
-        ingot::turn_by_corrections(solved.view(), solved.tiles.view(), h);
+        ingot::turn_by_corrections(solved.view(), ingot::NoJointedBodies{}, solved.tiles.view(), h);
         EXPECT_EQ(to_eigen(solved.tiles.state(1).A), A);
     }
 }

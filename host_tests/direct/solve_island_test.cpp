@@ -150,11 +150,12 @@ struct RandomIsland {
         direct = storage.direct_view();
         const ingot::BodyView bodies = storage.bodies();
         ingot::take_in_bodies(solver, bodies, {}, static_cast<scalar>(h));
-        ingot::find_levels(solver);
-        ingot::plan_islands(solver);
+        ingot::NoJointedBodies none;
+        ingot::find_levels(solver, none);
+        ingot::plan_islands(solver, none);
         // All contacts are new, and so few that all islands are of one plan.
         for (int island_i = 0; island_i < solver.island_count; ++island_i) EXPECT_EQ(solver.islands[island_i].plan, ingot::SweepPlan::small);
-        EXPECT_TRUE(ingot::begin_batch(solver, ingot::SweepPlan::small, bodies, {}));
+        EXPECT_TRUE(ingot::begin_batch(solver, none, ingot::SweepPlan::small, bodies, {}));
         EXPECT_EQ(solver.substeps, ingot::limits::substeps);
         ingot::prepare_blocks(solver, bodies);
         ingot::predict_contacts(solver, static_cast<scalar>(h));
