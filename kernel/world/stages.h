@@ -188,7 +188,7 @@ void wake_islands([[maybe_unused]] Step<S>& now) {
         const ManifoldView manifolds = storage.manifold_view();
         const int in_step = *manifolds.count;
         join_islands(now.bodies, rest, manifolds);
-        if constexpr (has_joints<S>) features::JointedBodies::join_islands(storage, false);
+        if constexpr (has_joints<S>) features::Figures::join_islands(storage, false);
         wake_met_islands(now.bodies, rest, manifolds);
         wake_in_the_way(now);
         sort_in_woken(storage, in_step);

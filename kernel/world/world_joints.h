@@ -54,7 +54,7 @@ public:
         const Result<int> joint = find(id);
         if (!joint.ok()) return joint.status;
         wake_sides(joint.value);
-        features::JointedBodies::take_out(storage_, joint.value);
+        features::Figures::take_out(storage_, joint.value);
         return Status::ok;
     }
     bool is_alive(JointId id) const { return find(id).ok(); }

@@ -38,7 +38,7 @@ struct JointedContactPart {
 template <class S>
 struct JointedContactPart<S, false> {};
 
-struct JointedBodies : Feature {
+struct Figures : Feature {
     static constexpr uint32_t part = 1u << 30;
     template <class S>
     static constexpr bool named = has_joints<S>;

@@ -239,7 +239,7 @@ struct Sleep : Feature {
     template <class S>
     static void finish_load(Storage<S>& storage) {
         join_all_islands(storage.bodies(), storage.rest_view(), storage.manifold_view());
-        if constexpr (has_joints<S>) JointedBodies::join_islands(storage, true);
+        if constexpr (has_joints<S>) Figures::join_islands(storage, true);
         put_aside(storage);
     }
 
