@@ -50,9 +50,9 @@ set(continuous_shares body_path fast_pairs time_of_impact pair_sub_world pair_co
   free_paths resolve_impact)
 # swept_contacts has the stages of a substep, for block_sweeps and hybrid_islands to conduct; plan_islands begins a batch.
 set(solver_sweeps_shares block_sweeps swept_contacts jointed_contacts jointed_visits conjugate_gradients diverged_islands gaining_islands kinematic_contacts move_bodies note_impulses order_manifolds
-  passive_bounces plan_islands predict_contacts sequence_impacts solve_velocities sweep_positions sweep_velocities warm_start)
+  passive_bounces plan_islands predict_contacts sequence_impacts slip_reversals solve_velocities sweep_positions sweep_velocities warm_start)
 # solve_sequentially conducts the stages of its substeps, and sequential_impulses names it to scenes.
-set(solver_sequential_shares kinematic_points point_view point_visit point_visits point_rows sequential_contacts move_point_bodies sweep_points solve_sequentially)
+set(solver_sequential_shares kinematic_points point_view point_visit point_visits point_reversals point_rows sequential_contacts move_point_bodies sweep_points solve_sequentially)
 # hybrid_islands conducts the stages, and calls the others of its room.
 set(solver_direct_shares carried_loads direct_view hybrid_contacts hold_energy hold_speeds impact_of_island misfit island_rows choose_islands normal_set sliding factor_rows solve_island solve_directly)
 

@@ -116,6 +116,11 @@ inline constexpr scalar block_diagonal = scalar(1.01);
 inline constexpr scalar least_point_weight = scalar(1e-6);
 /// Friction has a slow mean. In a substep each is drawn towards the other by this share of what is between them, which quietens ringing.
 inline constexpr scalar friction_smoothing = scalar(0.1);
+/// m/s; a slip that turns round within a substep is split there if it was faster. What is slower is off by no more than twice that afterwards.
+inline constexpr scalar reversal_speed = scalar(1e-5);
+/// Of the load that normals are foreseen to carry in a substep whose slip turns round: by so much friction may be beyond its cone, where they carry
+/// less.
+inline constexpr scalar load_foreseen = scalar(0.01);
 /// Of the square of the cone's radius: friction that is as large slides.
 inline constexpr scalar sliding_share_sq = scalar(0.998);
 /// Of the sum of the two compliances across n. It is no less than 3/4 of the greater, so that friction converges. Where the two are equal,

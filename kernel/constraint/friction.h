@@ -22,6 +22,10 @@ namespace ingot { inline namespace INGOT_ABI {
 struct FrictionRows : RowPair {
     Levers levers[2];
     scalar reference[2][lanes];  ///< slow mean of j
+    scalar given[2][lanes];      ///< N s, before the slip turns round in this substep: see reversal_share
+    scalar share[lanes];         ///< of the substep, that is before
+    uint16_t sliding;            ///< bit per lane: it slid in the substep before
+    bool turns_round;            ///< the slip of some lane turns round in this substep
 };
 
 /// Friction is drawn a tenth towards its slow mean, and the mean towards it. Where it slides, and while the manifold is young, the mean is friction
@@ -80,6 +84,8 @@ struct Friction {
         const lane K_22 = response.compliance(friction.levers[1], contacts.t_2, friction.levers[1], contacts.t_2, response.inv_M);
         const lane K_12 = response.compliance(friction.levers[0], contacts.t_1, friction.levers[1], contacts.t_2, lane{});
         prepare_pair(friction, K_11, K_12, K_22, there);
+        friction.sliding = 0;
+        friction.turns_round = false;
     }
 
     /// Impulses on record are vectors in the world: they become components along t_1 and t_2.
@@ -111,8 +117,10 @@ struct Friction {
         const lane limit = load(block.mu) * at.load_of_normals, steps = load(block.substeps);
         const lane before_1 = load(friction.j[0]), before_2 = load(friction.j[1]);
         const lane reference_1 = load(friction.reference[0]), reference_2 = load(friction.reference[1]);
-        const mask slides = before_1 * before_1 + before_2 * before_2 >= splat<lane>(limits::sliding_share_sq) * limit * limit;
+        const mask slides = is_on_cone(before_1 * before_1 + before_2 * before_2, limit);
         const mask young = either(slides, steps < splat<lane>(static_cast<scalar>(at.solver.effort.substeps)));
+        friction.sliding = static_cast<uint16_t>((Visit::whole ? 0 : friction.sliding & ~unsigned{bits(at.active)}) |
+                                                 bits(both(both(slides, limit > lane{}), at.active)));
         const Smoothed along_1 = smoothed(before_1, reference_1, young), along_2 = smoothed(before_2, reference_2, young);
         lane j_1 = along_1.j, j_2 = along_2.j;
         clamp_to_cone(j_1, j_2, limit);

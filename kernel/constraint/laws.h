@@ -46,6 +46,33 @@ INGOT_INLINE T impulse_after_impact(T j, T j_before, T allowance, T K) {
     return min(j, splat<T>(2) * j_before + allowance / K);
 }
 
+/// Whether friction of this square slides: it is as large as it can be.
+template <class T>
+INGOT_INLINE auto is_on_cone(T friction_sq, T limit) {
+    return friction_sq >= splat<T>(limits::sliding_share_sq) * limit * limit;
+}
+
+/// When a slip turns round: as a share of the substep. 0: it goes on. u_0: the slip as the substep begins; along: u_0 . u_1, with u_1 the slip at its
+/// end if friction went on as before. Until then friction is against u_0, and free again afterwards, so its impulse is, with e along u_0,
+///
+///     j = -share mu N e + i,   |i| <= (1 - share) mu N
+///
+/// and the first part comes early: its displacement is that of both parts spread evenly over the substep, and displacement_of_reversal. With one
+/// circle for the whole substep, what slides up a slope and back is off by 2 mu N share in its impulse from then on.
+template <class T>
+INGOT_INLINE T reversal_share(T u_0_sq, T along, T unit) {
+    const T least = splat<T>(limits::reversal_speed) * unit;
+    const auto turns_round = both(u_0_sq > least * least, along < T{});
+    return select(turns_round, u_0_sq / select(turns_round, u_0_sq - along, splat<T>(1)), T{});
+}
+
+/// Along friction, kg m; given: N s, before the reversal, j: N s, of the substep of h seconds. It is for bodies with no other contact, which would
+/// have a part in it. Impulse: T, or a vector of them.
+template <class T, class Impulse>
+INGOT_INLINE Impulse displacement_of_reversal(const Impulse& given, const Impulse& j, T share, T h) {
+    return (given - j * share) * (h * splat<T>(scalar(0.5)));
+}
+
 /// The factor that cuts an impulse to a circle of this radius: 1 within it.
 template <class T>
 INGOT_INLINE T cone_cut(T length_sq_of, T limit) {

@@ -26,6 +26,11 @@ template <class View>
 INGOT_INLINE const If<View::has_belts && !View::rolls && !View::articulates, SolverView, View>& without_belts(const View& solver) {
     return solver;
 }
+/// The view for stages to which belts are something and rolling resistance nothing.
+template <class View>
+INGOT_INLINE const If<View::has_belts, View, SolverView>& with_belts(const View& solver) {
+    return solver;
+}
 /// The same for those to which materials are nothing.
 template <class View>
 INGOT_INLINE const If<View::points_max == 1, BallView, If<View::articulates, View, SolverView>>& of_points(const View& solver) {

@@ -34,12 +34,19 @@ struct HybridContacts : SweptContacts<PlainViewOf<View>, notes_impulses, bounces
         Swept::kick(h);
         if (direct.some_chosen) keep_free_motion(this->view, direct);
     }
+    void warm_start(scalar h) {
+        Swept::warm_start(h);
+        if (!direct.some_chosen || !this->some_reverse) return;
+        add_to_free_motion(this->view, direct);
+        direct.loaded_island = -1;  // its circles of friction are less wide now
+    }
     void solve_velocities(const ContactStep& step, scalar h, StepReport& report) {
         plan_sweeps(this->view);
         if (direct.some_chosen) solve_before_sweeps(whole, direct, step.bodies, h);
         ingot::solve_velocities(this->view);
         if (direct.some_chosen) solve_after_sweeps(whole, direct, step.bodies, h, report);
-        this->solve_passively(step.bodies, h);
+        this->end_velocities(step.bodies, h);
+        if (this->some_reverse) direct.loaded_island = -1;
     }
     void solve_positions(const ContactStep& step, scalar h) {
         if (!direct.some_chosen) return Swept::solve_positions(step, h);

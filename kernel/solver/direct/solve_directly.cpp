@@ -57,6 +57,28 @@ void keep_free_motion(const SolverView& solver, const Direct& direct) {
     });
 }
 
+template <class Direct>
+void add_to_free_motion(const SolverView& solver, const Direct& direct) {
+    const auto add = [&](Index body_i, const Vector& impulse, const Vector& turning) {
+        FreeMotion& motion = direct.free_motion[body_i];
+        const scalar inv_M = solver.bodies[body_i].v_CM[3];
+        const scalar linear[3] = {impulse.x, impulse.y, impulse.z}, angular[3] = {turning.x, turning.y, turning.z};
+        for (int axis = 0; axis < 3; ++axis) motion.v_CM[axis] += linear[axis] * inv_M;
+        for (int axis = 0; axis < 3; ++axis) motion.L[axis] += angular[axis];
+    };
+    for (int block_i = 0; block_i < solver.block_count; ++block_i) {  // bound: max_manifolds, rounded up to whole blocks
+        const ContactBlock& block = solver.blocks[block_i];
+        const FrictionRows& friction = block.friction;
+        for (int lane_i = 0; friction.turns_round && lane_i < lanes; ++lane_i)
+            for (int axis = 0; axis < 2; ++axis) {
+                const scalar j = friction.given[axis][lane_i];
+                const Vector impulse = lane_of(axis == 0 ? block.t_1 : block.t_2, lane_i) * j;
+                add(block.body_A[lane_i], impulse, lane_of(friction.levers[axis].J_A, lane_i) * j);
+                add(block.body_B[lane_i], -impulse, lane_of(friction.levers[axis].J_B, lane_i) * j);
+            }
+    }
+}
+
 template <class View, class Direct>
 void solve_before_sweeps(View& solver, Direct& direct, const BodyView& bodies, scalar h) {
     try_islands(solver, bodies, direct, IslandState::chosen, [&] {
@@ -108,5 +130,7 @@ template void begin_direct_batch(const SolverView&, DirectView&);
 template void begin_direct_batch(const SolverView&, RollingDirectView&);
 template void keep_free_motion(const SolverView&, const DirectView&);
 template void keep_free_motion(const SolverView&, const RollingDirectView&);
+template void add_to_free_motion(const SolverView&, const DirectView&);
+template void add_to_free_motion(const SolverView&, const RollingDirectView&);
 
 } }  // namespace ingot

@@ -50,6 +50,7 @@ struct SeesKinematicPoints : SequentialContacts<View, notes_impulses> {
             const Vector moved = all.bodies[point.body.partner].displacement.linear;
             begin_substep(point.body, moved);
             point.velocity = {velocity_at_begin(point.body, h), point.body.omega, {}};
+            point.begin = point.velocity;
             point.forces = {acceleration_at_begin(point.body), point.body.alpha, {}};
         });
         Contacts::predict(h, notes, report);

@@ -49,6 +49,7 @@ struct PointContact {
     scalar K[Manifold::points_max];       ///< kg^-1, of the normals
     scalar K_friction;                    ///< kg^-1, at the middle, across n: no less than 3/4 of the greatest
     scalar target[Manifold::points_max];  ///< m/s, that A may approach B with in the substep, at least
+    Vector before_reversal;               ///< against the slip, which turns round in the substep: its share of it; 0: it goes on. See reversal_share
     PointImpulses change, along;  ///< of the sweep; conjugate gradients: the direction so far
 };
 
@@ -103,7 +104,7 @@ using PointViewOf = If<rolls || has_belts || bounces, PointMaterialView<rolls, h
 struct KinematicPoint {
     KinematicContact body;
     Vector r_partner;  ///< m, centre of the partner as the step begins
-    PointMotion forces, velocity, displacement;  ///< as of a PointBody; there is no moment
+    PointMotion forces, velocity, displacement, begin;  ///< as of a PointBody; there is no moment
     scalar sign;       ///< 1: it is B of the manifold; -1: A; 0: there is none
 };
 struct KinematicPoints {

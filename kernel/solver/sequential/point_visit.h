@@ -73,6 +73,7 @@ INGOT_INLINE KinematicPair pair_in(const VisitOf<KinematicPointViewOf<View>>& vi
 [[maybe_unused]] RelativeVelocity relative_motion(const KinematicPair& of, MotionOfBody kind, const Vector& P) {
     const PointMotion& motion = kind == &PointBody::velocity ? of.point.velocity
                                 : kind == &PointBody::forces ? of.point.forces
+                                : kind == &PointBody::begin  ? of.point.begin
                                                              : of.point.displacement;
     RelativeVelocity relative = relative_motion(of.pair, kind, P);
     relative.linear -= (motion.linear + cross(motion.angular, P - of.point.r_partner)) * of.point.sign;

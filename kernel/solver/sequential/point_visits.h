@@ -83,11 +83,19 @@ scalar round_of_normals(const Visit& visit, RelativeVelocity& relative, scalar i
     return largest;
 }
 
+/// The same where the slip turns round in the substep.
+INGOT_SHARED Vector clamp_friction(const PointContact& contact, const Vector& f, scalar limit) {
+    const scalar share_sq = length_sq(contact.before_reversal);
+    if (share_sq == 0) return clamp_length(f, limit);
+    const Vector given = contact.before_reversal * limit;
+    return given + clamp_length(f - given, limit * (1 - sqrt(share_sq)));
+}
+
 [[maybe_unused]] void solve_friction(const PointVisit& visit, const RelativeVelocity& relative, scalar limit, scalar ignored, SweepOfPoints& sweep) {
     const Vector slip = across(visit.n(), relative.linear), before = visit.record.j_friction;
     if (length_sq(slip) <= ignored * ignored && length_sq(before) <= limit * limit) return;
     const scalar K = compliance_of_friction(visit);
-    const Vector next = clamp_length(before - slip * (1 / K), limit), d = next - before;
+    const Vector d = clamp_friction(visit.contact, before - slip * (1 / K), limit) - before, next = before + d;
     visit.record.j_friction = next;
     visit.contact.change.friction += d;
     push_pair(visit.pair, &PointBody::velocity, visit.contact.middle, d, {});

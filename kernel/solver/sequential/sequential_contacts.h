@@ -76,7 +76,8 @@ struct SequentialContacts {
     bool next_batch(const ContactStep& step) {
         slot_ = next_island(view, slot_);
         if (slot_ >= view.slot_count) return false;
-        substeps_ = spares_substeps(view.effort) && begins_steady(view) ? limits::steady_substeps : view.effort.substeps;
+        begins_steady_ = spares_substeps(view.effort) && begins_steady(view);
+        substeps_ = begins_steady_ ? limits::steady_substeps : view.effort.substeps;
         begin_contacts(view, static_cast<scalar>(view.effort.substeps / substeps_), step.h / static_cast<scalar>(substeps_));
         substeps_left_ = substeps_;
         given_again_ = false;
@@ -93,8 +94,9 @@ struct SequentialContacts {
             if (predict_point_bounces(view, h)) given_again_ = false;
     }
     void kick(scalar h) { rounding_ = 4 * epsilon * (given_again_ ? kick_again(view) : kick_bodies(view, h)); }
-    void warm_start(scalar) {
+    void warm_start(scalar h) {
         if (!given_again_) ingot::warm_start(view);
+        some_reverse_ = !begins_steady_ && begin_point_reversals(view, h);
     }
     void solve_velocities(const ContactStep&, scalar, StepReport&) {
         const int share = share_of_substep(view.sweeps_of_step - swept_.sweeps, 0, substeps_left_);
@@ -106,6 +108,7 @@ struct SequentialContacts {
         is_first_ = false;
     }
     void drift(const BodyView&, scalar h) {
+        if (some_reverse_) end_point_reversals(view, h);
         const SubstepOfPoints substep = drift_bodies(view, h);
         given_again_ = !substep.some_hit;
         steady_ = steady_ && substep.steady;
@@ -131,7 +134,7 @@ protected:
 private:
     View& view;
     int slot_ = -1, substeps_ = 0, substeps_left_ = 0;
-    bool given_again_ = false, steady_ = true, is_first_ = true;
+    bool given_again_ = false, begins_steady_ = false, some_reverse_ = false, steady_ = true, is_first_ = true;
     scalar rounding_ = 0;
     SweptPoints swept_ = {};
 };

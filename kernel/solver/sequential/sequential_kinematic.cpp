@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The sequential solver in scenes with kinematic bodies.
 #include "kinematic_points.h"
-#include "point_visits.h"
+#include "point_reversals.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 

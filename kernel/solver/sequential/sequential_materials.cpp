@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The sequential solver in scenes whose surfaces resist being rolled, move by themselves, or bounce.
-#include "point_visits.h"
+#include "point_reversals.h"
 #include "sequential_contacts.h"
 
 namespace ingot { inline namespace INGOT_ABI {

@@ -24,6 +24,13 @@ bool predict_point_bounces(const View& solver, scalar h);
 template <class View>
 void warm_start(const View& solver);
 
+/// After the warm start: finds contacts that slide and whose slip turns round within this substep. True if there are some.
+template <class View>
+bool begin_point_reversals(const View& solver, scalar h);
+/// Once their velocities are solved: displaces bodies by what the order of friction before and after makes. h: s, of the substep.
+template <class View>
+void end_point_reversals(const View& solver, scalar h);
+
 /// What a sweep changes.
 struct SweepOfPoints {
     scalar fastest;  ///< m/s, the largest speed that a row corrected

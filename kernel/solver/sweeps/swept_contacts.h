@@ -13,6 +13,7 @@
 #include "plan_islands.h"
 #include "predict_contacts.h"
 #include "sequence_impacts.h"
+#include "slip_reversals.h"
 #include "solve_velocities.h"
 #include "sweep_positions.h"
 #include "warm_start.h"
@@ -55,11 +56,12 @@ struct SweptContacts {
     void kick(scalar h) { kick_bodies(view, h); }
     void warm_start(scalar h) {
         ingot::warm_start(without_belts(view), h);
+        some_reverse = view.plan == SweepPlan::small && begin_reversals(with_belts(view), h);
     }
     void solve_velocities(const ContactStep& step, scalar h, StepReport&) {
         plan_sweeps(view);
         ingot::solve_velocities(view);
-        solve_passively(step.bodies, h);
+        end_velocities(step.bodies, h);
     }
     void note_impulses([[maybe_unused]] const StepNotes& notes) {
         if constexpr (notes_impulses) ingot::note_impulses(view, notes);
@@ -77,7 +79,16 @@ struct SweptContacts {
 
 protected:
     View& view;
+    bool some_reverse = false;  ///< the slip of some contact turns round in this substep
 
+    /// What follows on the sweeps.
+    void end_velocities(const BodyView& bodies, scalar h) {
+        if (some_reverse && take_back_reversals(view)) ingot::solve_velocities(view);
+        solve_passively(bodies, h);
+        if (some_reverse) end_reversals(view, h);
+    }
+
+private:
     /// Solves again where sweeps that did not settle give energy, and where bounces do: each time these are lower.
     void solve_passively(const BodyView& bodies, scalar h) {
         if constexpr (View::articulates) excuse_jointed(view);
@@ -90,8 +101,6 @@ protected:
         }
         if constexpr (!View::has_belts) hold_diverged_islands(view, bodies, h);
     }
-
-private:
     void prepare(const ContactStep& step) {
         if constexpr (View::articulates) factor_jointed(view);
         prepare_blocks(view, step.bodies);
