@@ -33,6 +33,7 @@ class Function:
     def __init__(self, address, name):
         self.address = address
         self.name = name
+        self.aliases = set()  # other names: where two functions are alike the compiler keeps one, and reports that one alone
         self.frame = 0
         self.callees = set()  # addresses
         self.faults = set()  # why its stack has no bound
@@ -83,6 +84,10 @@ def read_disassembly(objdump, elf):
     text = subprocess.run(command, check=True, stdout=subprocess.PIPE, universal_newlines=True).stdout
     headers = re.compile(r"^([0-9a-f]+) <(.+)>:$", re.M)
     functions = {int(m[1], 16): Function(int(m[1], 16), m[2]) for m in headers.finditer(text)}
+    symbols = subprocess.run([objdump, "-t", elf], check=True, stdout=subprocess.PIPE, universal_newlines=True).stdout
+    for symbol in re.finditer(r"^([0-9a-f]+) .* F \S+\t[0-9a-f]+ (?:\.hidden )?(\S+)$", symbols, re.M):
+        if int(symbol[1], 16) in functions:
+            functions[int(symbol[1], 16)].aliases.add(symbol[2])
     starts = sorted(functions)
     function = None
     returns_by = None
@@ -153,17 +158,19 @@ def read_firmware(objdump, elf, objects):
     addresses = sorted(functions)
     by_name = {}
     for address in addresses:
-        by_name.setdefault(functions[address].name, set()).add(address)
+        for name in functions[address].aliases | {functions[address].name}:
+            by_name.setdefault(name, set()).add(address)
     for address, following in zip(addresses, addresses[1:] + [None]):
         function = functions[address]
-        if function.name in frames:
+        known = [name for name in [function.name] + sorted(function.aliases) if name in frames]
+        if known:
             function.compiled = True
-            function.frame = frames[function.name]
+            function.frame = frames[known[0]]
             # What moves the stack pointer is the compiler's business: large frames are beyond `sub sp, #n` on a Cortex-M0.
             function.faults = {fault for fault in function.faults if "stack pointer" not in fault}
-            function.faults |= faults.get(function.name, set())
+            function.faults |= faults.get(known[0], set())
             # A callee without an address was inlined, or dropped by the linker.
-            for callee in calls.get(function.name, ()):
+            for callee in calls.get(known[0], ()):
                 function.callees |= by_name.get(callee, set())
         elif function.falls_through and following is not None:
             function.callees.add(following)
