@@ -13,10 +13,13 @@ using scenes::Surface;
 
 namespace {
 
-bool is_box(const PlacedBody& body) { return body.def.shape.kind == ingot::ShapeKind::box; }
-ingot_oracle::Convex box(const PlacedBody& body) {
+bool is_ball(const PlacedBody& body) { return body.def.shape.kind == ingot::ShapeKind::sphere; }
+/// What the oracle knows: boxes and balls. By faces alone, a ball beside an edge of a box would count as inside.
+bool is_known(const PlacedBody& body) { return is_ball(body) || body.def.shape.kind == ingot::ShapeKind::box; }
+ingot_oracle::Convex convex(const PlacedBody& body) {
     const ingot::BodyState& state = body.def.state;
-    return ingot_oracle::box(to_eigen<long double>(state.r_CM), to_eigen<long double>(state.A), to_eigen<long double>(body.def.shape.size));
+    const auto r = to_eigen<long double>(state.r_CM), size = to_eigen<long double>(body.def.shape.size);
+    return is_ball(body) ? ingot_oracle::point(r, size.x()) : ingot_oracle::box(r, to_eigen<long double>(state.A), size);
 }
 
 }  // namespace
@@ -35,8 +38,8 @@ double kinetic_energy_of(const PlacedBody& body) {
 double overlap_by_faces(const PlacedBody& A, const PlacedBody& B) { return scenes::overlap_of(Surface(A), Surface(B)); }
 
 double overlap_of(const PlacedBody& A, const PlacedBody& B) {
-    if (!is_box(A) || !is_box(B)) return overlap_by_faces(A, B);
-    return -static_cast<double>(ingot_oracle::signed_distance(box(A), box(B)));
+    if (!is_known(A) || !is_known(B)) return overlap_by_faces(A, B);
+    return -static_cast<double>(ingot_oracle::signed_distance(convex(A), convex(B)));
 }
 
 std::vector<double> overlaps_of(const std::vector<PlacedBody>& bodies) {

@@ -236,15 +236,16 @@ TEST(BetweenPlates, more_impacts_than_are_followed_are_counted) {
     }
 }
 
-/// A light ball waits at a crate that touches the ground, and a heavy one comes after it as fast: it waits too. Each waits once in a step and is
-/// told, the next step finds all three touching, and none is driven into what it waited at. No momentum is lost to that, and no energy comes of it.
+/// A light ball waits at a crate that carries another, and a heavy one comes after it as fast: it waits too. Each waits once in a step and is told,
+/// the next step finds all three touching, and none is driven into what it waited at. No momentum is lost to that, and no energy comes of it.
 TEST(WaitingBall, is_not_driven_through_what_it_waits_at) {
     constexpr scalar speed = 100;
     std::vector<PlacedBody> bodies = {flat_ground(0), solid_box(1000, {scalar(0.5), scalar(0.5), scalar(0.5)}, {0, 0, scalar(0.5)}, 0, 1),
                                       solid_ball(scalar(0.01), scalar(0.125), {scalar(-0.75), 0, scalar(0.5)}, 0, 1),
-                                      solid_ball(1, scalar(0.125), {scalar(-1.25), 0, scalar(0.5)}, 0, 1)};
+                                      solid_ball(1, scalar(0.125), {scalar(-1.25), 0, scalar(0.5)}, 0, 1),
+                                      solid_box(1, {scalar(0.25), scalar(0.25), scalar(0.25)}, {0, 0, scalar(1.25)}, 0, 1)};
     for (const std::size_t ball_i : {2u, 3u}) bodies[ball_i].move({speed, 0, 0});
-    Play<FastRoom<4>> scene(bodies, {});
+    Play<FastRoom<5>> scene(bodies, {});
     ASSERT_TRUE(scene.sound());
     const auto momentum = [&] { return scene.M(1) * scene.v(1).x() + scene.M(2) * scene.v(2).x() + scene.M(3) * scene.v(3).x(); };
     const double before = momentum();
@@ -335,9 +336,7 @@ void expect_walls_stop_bullets(double overlap_allowed) {
     EXPECT_LE(deepest, overlap_allowed);
     EXPECT_LE(watch.worst(), watch.allowed_in_a_crowd);
 }
-TEST(BulletWalls, stop_bullets) { expect_walls_stop_bullets(1); }
-/// Not met: plates that tumble at 100 rad/s among each other get into each other by up to half a metre, edge on.
-TEST(BulletWalls, DISABLED_are_not_left_in_each_other) { expect_walls_stop_bullets(0.005); }
+TEST(BulletWalls, are_not_left_in_each_other) { expect_walls_stop_bullets(0.005); }
 
 /// A body of any kind but a half space, about 0.1 m large.
 PlacedBody any_shape(int kind, const Vector& r, scalar mu, scalar e) {

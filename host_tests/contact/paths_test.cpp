@@ -4,8 +4,11 @@
 #include <gtest/gtest.h>
 #include <ingot/base/limits.h>
 #include <ingot/body/auxiliary.h>
-#include <ingot/continuous/time_of_impact.h>
+#include <ingot/constraint/solver_view.h>
 #include <ingot/continuous/pair_contacts.h>
+#include <ingot/continuous/pair_sub_world.h>
+#include <ingot/continuous/parting_plane.h>
+#include <ingot/continuous/time_of_impact.h>
 
 #include <algorithm>
 #include <cstring>
@@ -64,7 +67,9 @@ TEST(Path, of_a_body_that_turns_far_ends_where_it_has_turned_by_an_angle) {
         for (const double from : {0.0, 0.3, 0.75}) {
             const double most = std::max(part, angle / parts_max), left = angle * (1 - from);
             const double end = left > most ? from + most / angle : 1;
-            EXPECT_NEAR(static_cast<double>(ingot::end_of_path({0, static_cast<scalar>(angle), 0}, static_cast<scalar>(from))), end, 16 * eps)
+            EXPECT_NEAR(
+                static_cast<double>(ingot::end_of_path({0, static_cast<scalar>(angle), 0}, static_cast<scalar>(from), ingot::limits::angle_per_path)),
+                end, 16 * eps)
                 << angle;
         }
     }
@@ -73,6 +78,9 @@ TEST(Path, of_a_body_that_turns_far_ends_where_it_has_turned_by_an_angle) {
 /// The only shape of the body that goes this path.
 ingot::ShapeOnPath on(const BodyPath& path, const Shape& shape) { return {path, shape, nullptr, nullptr, bounding_radius(shape)}; }
 scalar least_half_extent(const Shape& shape) { return ingot::least_half_extent(shape, nullptr); }
+scalar time_of_impact(const ingot::ShapeOnPath& A, const ingot::ShapeOnPath& B, scalar latest = 1) {
+    return ingot::time_of_impact(A, B, {1, 0, latest, 0}).t;
+}
 
 /// A sphere, a capsule or a box of 0.1 to 0.5 m.
 Shape any_shape(RandomInput& random) {
@@ -143,7 +151,7 @@ TEST(TimeOfImpact, is_when_the_shapes_meet_and_never_later) {
         }
         if (least_before < 0.05) continue;
         const double roundings = 64 * eps * 4, near = meeting_gap(A, B) + roundings;
-        const double t = static_cast<double>(ingot::time_of_impact(on(path_A, A), on(path_B, B), 1, 1, false));
+        const double t = static_cast<double>(time_of_impact(on(path_A, A), on(path_B, B)));
         const bool may = ingot::may_meet(on(path_A, A), on(path_B, B), 1);
         ruled_out += may ? 0 : 1;
         if (first <= 1) {
@@ -162,7 +170,7 @@ TEST(TimeOfImpact, is_when_the_shapes_meet_and_never_later) {
         EXPECT_GE(gap(t), -roundings) << i << ": and no further";
         // No look before it saw them overlap, and with a deadline before it nothing is met.
         EXPECT_GE(first, t - 1e-5) << i;
-        EXPECT_EQ(ingot::time_of_impact(on(path_A, A), on(path_B, B), 1, static_cast<scalar>(begin + (t - begin) * 0.9), false), ingot::never);
+        EXPECT_EQ(time_of_impact(on(path_A, A), on(path_B, B), static_cast<scalar>(begin + (t - begin) * 0.9)), ingot::never);
     }
     EXPECT_GT(met, 150);
     EXPECT_LE(early, met / 50) << "and they have come together";
@@ -180,9 +188,7 @@ TEST(TimeOfImpact, of_balls_is_that_of_the_parabola) {
             path_A.way = {0, 0, -1}, path_A.fall = {0, 0, static_cast<scalar>(-fall)};
             path_A.from = static_cast<scalar>(from);
             path_A.until = path_B.until = 4;
-            const double t =
-                static_cast<double>(ingot::time_of_impact(on(path_A, ingot::Sphere{scalar(0.5)}), on(path_B, ingot::Sphere{scalar(0.25)}), 1, 4,
-                                                          false));
+            const double t = static_cast<double>(time_of_impact(on(path_A, ingot::Sphere{scalar(0.5)}), on(path_B, ingot::Sphere{scalar(0.25)}), 4));
             // 2 - u - fall u^2 = 0.75
             const double u = fall > 0 ? (-1 + std::sqrt(1 + 5 * fall)) / (2 * fall) : 1.25, speed = 1 + 2 * fall * u;
             EXPECT_LE(t, from + u + 1e-6);
@@ -200,7 +206,7 @@ TEST(TimeOfImpact, of_small_balls_is_at_a_gap_as_small) {
         path_A.way = {0, 0, scalar(-0.5)};
         path_A.until = path_B.until = 1;
         const Shape A = ingot::Sphere{static_cast<scalar>(radius)}, B = ingot::Sphere{static_cast<scalar>(2 * radius)};
-        const double t = static_cast<double>(ingot::time_of_impact(on(path_A, A), on(path_B, B), 1, 1, false)), meets = (0.25 - 3 * radius) / 0.5;
+        const double t = static_cast<double>(time_of_impact(on(path_A, A), on(path_B, B))), meets = (0.25 - 3 * radius) / 0.5;
         // Positions of up to 0.25 m are rounded, each some times; t, which is below 1, itself.
         const double roundings = 16 * eps;
         EXPECT_LE(t, meets + roundings) << radius;
@@ -221,79 +227,124 @@ TEST(TimeOfImpact, of_a_long_rod_is_not_later_for_its_length) {
             path_A.way = {0, 0, -1};
             path_A.until = path_B.until = 1;
             const Shape &A = rod_first ? rod : ball, &B = rod_first ? ball : rod;
-            const double t = static_cast<double>(ingot::time_of_impact(on(path_A, A), on(path_B, B), 1, 1, false)), meets = 1 - 0.1875;
+            const double t = static_cast<double>(time_of_impact(on(path_A, A), on(path_B, B))), meets = 1 - 0.1875;
             EXPECT_LE(t, meets + 8 * eps) << half;
             EXPECT_GE(t, meets - meeting_gap(A, B) - 4 * eps * (half + 4)) << half;
         }
     }
 }
 
-/// Bodies that touch from the begin, which no contact has seen to: they meet at once if their nearest points get through a skin of the thinner one
-/// in what is left of the step, and else are left to the contacts of the next.
-TEST(TimeOfImpact, of_bodies_that_touch_unsolved_is_at_once_where_they_close_by_more_than_a_skin) {
+/// Two shapes side by side along n, `deep` m in each other (apart where it is negative): the distance of their centres, by the oracle.
+double distance_at(const BodyPath& path_A, const Shape& A, const BodyPath& path_B, const Shape& B, const Vector3d& n, double deep) {
+    double low = 0, high = 4;
+    for (int i = 0; i < 60; ++i) {
+        BodyPath moved = path_A;
+        const double middle = (low + high) / 2;
+        moved.r_CM = to_vector(Vector3d(in_double(path_B.r_CM) + n * middle));
+        (gap_at(moved, A, path_B, B, 0) < -deep ? low : high) = middle;
+    }
+    return high;
+}
+
+/// Shapes that touch at the begin, or are in each other by up to most of the thinner one. Before the time that is told nobody gets deeper than a
+/// skin, or than at the begin, whichever way they go and turn. And who parts is not stopped.
+TEST(TimeOfImpact, of_shapes_that_touch_is_when_they_would_get_deeper) {
+    RandomInput random(1465);
+    int met = 0, passed = 0, parted = 0;
+    for (int i = 0; i < 600; ++i) {
+        const Shape A = any_shape(random), B = any_shape(random);
+        const double least = static_cast<double>(std::min(least_half_extent(A), least_half_extent(B)));
+        const double skin = static_cast<double>(ingot::limits::skin_share) * least, near = meeting_gap(A, B), roundings = 64 * eps * 4;
+        BodyPath path_A{}, path_B{};
+        for (BodyPath* path : {&path_A, &path_B}) {
+            path->A = to_matrix(random.rotation());
+            path->turn = to_vector(Vector3d(random.direction() * random.real(0, 1)));
+            path->until = 1;
+        }
+        const Vector3d n = random.direction();
+        const double deep = i % 3 == 0 ? 0 : random.real(0, i % 3 == 1 ? skin : 0.7 * least);
+        path_A.r_CM = to_vector(Vector3d(n * distance_at(path_A, A, path_B, B, n, deep)));
+        path_A.way = to_vector(Vector3d(random.direction() * random.real(0, 2)));
+        const auto gap = [&](double t) { return gap_at(path_A, A, path_B, B, t); };
+        const PlacedShape at_A = place_at(path_A, A, 0), at_B = place_at(path_B, B, 0);
+        const ingot::PartingPlane parting = ingot::parting_plane(at_A, at_B, ingot::closest_points(at_A, at_B));
+        if (!parting.found) continue;
+        const double deep_as_seen = -static_cast<double>(parting.plane.gap), allowed = std::max(skin, deep_as_seen) + near + roundings;
+        EXPECT_GE(deep_as_seen, deep - roundings) << i << ": no direction parts them by less";
+        const ingot::TimeOfImpact impact = ingot::time_of_impact(on(path_A, A), on(path_B, B), {1, 0, 1, 0});
+        EXPECT_TRUE(impact.touched) << i;
+        const double t = static_cast<double>(impact.t), end = std::min(t, 1.0);
+        constexpr int looks = 100;
+        for (int k = 0; k <= looks; ++k) {
+            const double depth = -gap(end * k / looks);
+            EXPECT_LE(depth, allowed) << i << " at " << end * k / looks << " of " << t;
+        }
+        (t > 1 ? passed : met) += 1;
+        if (t > 1 && gap(1) > near) ++parted;
+    }
+    EXPECT_GT(met, 100);
+    EXPECT_GT(passed, 50);
+    EXPECT_GT(parted, 30);
+}
+
+/// A ball below a box, touching it: what is told is when the box has come down to a skin, by its way or by its turn. Where contacts have seen to them
+/// up to some gap, they count as touching up to it.
+TEST(TimeOfImpact, of_bodies_that_touch_is_a_skin_later) {
     const Shape box = ingot::Box{{1, 1, scalar(0.5)}}, ball = ingot::Sphere{scalar(0.25)};
-    const double skin = static_cast<double>(ingot::limits::skin_share) * 0.25, lever = 0.75;
+    const double skin = static_cast<double>(ingot::limits::skin_share) * 0.25, lever = 0.75, gap = meeting_gap(box, ball) + 64 * eps;
     for (const double from : {0.0, 0.25, 0.75}) {
         for (const bool box_first : {true, false}) {
             for (const bool turns : {false, true}) {
-                for (const double share : {-1.1, 0.9, 1.1}) {
-                    // A ball right below a box, beside its middle. The box comes down, or turns so that this end of it does.
-                    BodyPath of_box{}, of_ball{};
-                    of_box.A = of_ball.A = ingot::identity_matrix<scalar>();
-                    of_ball.r_CM = {static_cast<scalar>(lever), 0, scalar(-0.75)};
-                    const double closing = share * skin / (1 - from);
-                    if (turns)
-                        of_box.turn = {0, static_cast<scalar>(closing / lever), 0};
-                    else
-                        of_box.way = {0, 0, static_cast<scalar>(-closing)};
-                    of_box.until = of_ball.until = 1;
-                    of_box.from = static_cast<scalar>(from);
-                    const BodyPath &path_A = box_first ? of_box : of_ball, &path_B = box_first ? of_ball : of_box;
-                    const Shape &A = box_first ? box : ball, &B = box_first ? ball : box;
-                    const scalar t = ingot::time_of_impact(on(path_A, A), on(path_B, B), 1, 1, true);
-                    EXPECT_EQ(t, share > 1 ? static_cast<scalar>(from) : ingot::never)
-                        << "from " << from << ", box " << (box_first ? "first" : "second") << (turns ? ", turns, " : ", falls, ") << share;
+                for (const double share : {-1.1, 0.9, 1.5}) {
+                    for (const double apart : {0.0, 4 * gap}) {
+                        // A ball right below a box, beside its middle. The box comes down, or turns so that this end of it does.
+                        BodyPath of_box{}, of_ball{};
+                        of_box.A = of_ball.A = ingot::identity_matrix<scalar>();
+                        of_ball.r_CM = {static_cast<scalar>(lever), 0, static_cast<scalar>(-0.75 - apart)};
+                        const double closing = share * (skin + apart) / (1 - from);
+                        if (turns)
+                            of_box.turn = {0, static_cast<scalar>(closing / lever), 0};
+                        else
+                            of_box.way = {0, 0, static_cast<scalar>(-closing)};
+                        of_box.until = of_ball.until = 1;
+                        of_box.from = static_cast<scalar>(from);
+                        const BodyPath &path_A = box_first ? of_box : of_ball, &path_B = box_first ? of_ball : of_box;
+                        const Shape &A = box_first ? box : ball, &B = box_first ? ball : box;
+                        const scalar touch = static_cast<scalar>(2 * apart);
+                        const ingot::TimeOfImpact impact = ingot::time_of_impact(on(path_A, A), on(path_B, B), {1, 0, 1, touch});
+                        SCOPED_TRACE(::testing::Message() << "from " << from << ", box " << (box_first ? "first" : "second")
+                                                          << (turns ? ", turns, " : ", falls, ") << share << ", " << apart);
+                        EXPECT_TRUE(impact.touched);
+                        const double t = static_cast<double>(impact.t);
+                        if (share < 1) {
+                            EXPECT_EQ(impact.t, ingot::never);
+                        } else {
+                            EXPECT_NEAR(t, from + (1 - from) / share, (1 - from) * (gap + 0.02 * skin) / (skin + apart));  // the turn is a sine
+                        }
+                        if (apart > 0) {
+                            EXPECT_FALSE(ingot::time_of_impact(on(path_A, A), on(path_B, B), {1, 0, 1, 0}).touched);
+                        }
+                    }
                 }
             }
         }
     }
 }
 
-/// A plate that is edge on in a ball from the begin, deeper than all skins: what may not reach the ball is the ball of half its thickness about the
-/// centre of the plate. Less deep, A without the skins that it takes may not reach B.
-TEST(TimeOfImpact, of_bodies_that_begin_in_each_other_is_when_what_is_left_of_one_reaches) {
-    const double never = static_cast<double>(ingot::never), gap = static_cast<double>(ingot::limits::impact_gap_max) + 64 * eps;
-    const auto time_of = [&](const Shape& A, double distance, double way) {
+/// A plate that is edge on in a ball from the begin, deeper than all skins: it may get no deeper. Where even its middle is inside nothing is met.
+TEST(TimeOfImpact, of_a_plate_deep_in_a_ball_is_at_once_or_never) {
+    const double gap = static_cast<double>(ingot::limits::impact_gap_max) + 64 * eps;
+    const auto time_of = [&](double distance, double way) {
         BodyPath path_A{}, path_B{};
         path_A.A = path_B.A = ingot::identity_matrix<scalar>();
         path_A.r_CM = {0, 0, static_cast<scalar>(distance)};
         path_A.way = {0, 0, static_cast<scalar>(way)};
         path_A.until = path_B.until = 1;
-        return static_cast<double>(ingot::time_of_impact(on(path_A, A), on(path_B, ingot::Sphere{1}), 1, 1, false));
+        return static_cast<double>(time_of_impact(on(path_A, ingot::Box{{1, scalar(0.125), 1}}), on(path_B, ingot::Sphere{1})));
     };
-    const Shape plate = ingot::Box{{1, scalar(0.125), 1}};
-    const double core = 1 - static_cast<double>(ingot::limits::skin_share) * ingot::limits::skins_max, half_ball = 0.0625, begin = 1 + core - 0.1;
-    const double reached = time_of(plate, begin, -0.5), meets = (begin - 1 - half_ball) / 0.5;
-    EXPECT_LE(reached, meets + 1e-6);
-    EXPECT_GE(reached, meets - gap / 0.5 - 1e-6);
-    EXPECT_EQ(time_of(plate, begin, 0.5), never) << "they part";
-    EXPECT_EQ(time_of(plate, begin, -0.1), never) << "not in this step";
-    EXPECT_EQ(time_of(plate, 1.04, -0.5), never) << "even the half ball is inside: contacts see to it";
-    EXPECT_EQ(time_of(plate, 1.04, 0.5), never);
-    const auto time = [&](double distance, double way) { return time_of(ingot::Sphere{1}, distance, way); };
-    // Less deep: some skins are left out, and A without them may not reach B.
-    for (int skins = 1; skins < ingot::limits::skins_max; ++skins) {
-        const double without = 1 - static_cast<double>(ingot::limits::skin_share) * skins, distance = 1 + without + 0.03;
-        const double t = time(distance, -1);
-        EXPECT_LE(t, 0.03 + 1e-6) << skins;
-        EXPECT_GE(t, 0.03 - gap - 1e-6) << skins;
-        // One that begins within the gap in which it would have met already: the next one counts.
-        const double share = static_cast<double>(ingot::limits::skin_share), of_next = time(1 + without + gap / 2, -1);
-        if (skins + 1 < ingot::limits::skins_max) {
-            EXPECT_LE(of_next, share + gap / 2 + 1e-6) << skins;
-            EXPECT_GE(of_next, share - gap / 2 - 1e-6) << skins;
-        }
-    }
+    EXPECT_LE(time_of(1.3, -0.5), gap / 0.5);
+    EXPECT_EQ(time_of(1.3, 0.5), static_cast<double>(ingot::never)) << "they part";
+    EXPECT_EQ(time_of(0.9, -0.5), static_cast<double>(ingot::never)) << "its middle is inside: contacts see to it";
 }
 
 TEST(Path, of_a_body_has_a_half_extent_of_its_shape) {
@@ -312,13 +363,13 @@ TEST(Path, of_a_body_has_a_half_extent_of_its_shape) {
 }
 
 TEST(Path, is_fast_by_way_and_turn_and_not_when_it_is_no_number) {
-    const ingot::BodyExtent ball = {1, 1};
+    const ingot::BodyExtent box = {1, 1, 1};
     const scalar enough = ingot::limits::fast_share, nan = std::numeric_limits<scalar>::quiet_NaN(),
                  infinity = std::numeric_limits<scalar>::infinity();
     const auto fast = [&](const ingot::Vector& way, const ingot::Vector& fall, const ingot::Vector& turn, scalar from) {
         BodyPath path{};
         path.way = way, path.fall = fall, path.turn = turn, path.from = from, path.until = 1;
-        return ingot::is_fast_path(path, ball);
+        return ingot::is_fast_path(path, box);
     };
     EXPECT_TRUE(fast({enough * 2, 0, 0}, {}, {}, 0));
     EXPECT_FALSE(fast({enough / 2, 0, 0}, {}, {}, 0));
@@ -427,9 +478,10 @@ TEST(PairSubWorld, refuse_a_state_that_is_no_number) {
     }
 }
 
-/// They press on each other where any of the points of their manifolds has an impulse; what is left of points before does not count.
+/// Places 0 and 1 press on each other where any of the points of their manifolds has an impulse. What is left of points before does not count, nor
+/// what carries the one on something fixed.
 TEST(PairContacts, press_on_each_other_where_a_point_carries) {
-    static ingot::PairContacts<2, ingot::SolverView> contacts;
+    static ingot::PairContacts<3, 3, ingot::SolverView> contacts;
     ingot::Index lost = 0;
     for (int at = 0; at < 2; ++at) {
         for (int count = 0; count <= 4; ++count) {
@@ -437,39 +489,87 @@ TEST(PairContacts, press_on_each_other_where_a_point_carries) {
                 contacts.count = 0;
                 ingot::Manifold manifold{};
                 manifold.count = static_cast<int16_t>(count);
-                for (int i = 0; i < 2; ++i) contacts.put(contacts.place_for(manifold, lost), manifold, {{0}, {i}});
-                EXPECT_FALSE(contacts.carries());
-                for (int point_i = 0; point_i < 4; ++point_i)
+                for (int i = 0; i < 2; ++i) contacts.take(manifold, {{0}, {i}}, {0, 1, ingot::no_record}, lost);
+                contacts.take(manifold, {{0}, {2}}, {0, 2, ingot::no_record}, lost);
+                EXPECT_FALSE(contacts.carries(0, 1));
+                for (int point_i = 0; point_i < 4; ++point_i) {
                     contacts.records[at].j[point_i] = (carrying >> point_i & 1u) != 0 ? scalar(0.5) : 0;
-                EXPECT_EQ(contacts.carries(), (carrying & ((1u << count) - 1u)) != 0) << count << " points, " << carrying;
+                    contacts.records[2].j[point_i] = 1;
+                }
+                EXPECT_EQ(contacts.carries(0, 1), (carrying & ((1u << count) - 1u)) != 0) << count << " points, " << carrying;
             }
         }
     }
     EXPECT_EQ(lost, 0);
 }
 
-/// Where there is no room the deepest are kept, whatever their order, and the others counted.
+/// Where there is no room the deepest are kept, in the order of their shapes, whatever order they come in; of those as deep the lower.
 TEST(PairContacts, keep_the_deepest) {
-    using Contacts = ingot::PairContacts<3, ingot::SolverView>;
+    using Contacts = ingot::PairContacts<3, 3, ingot::SolverView>;
     static Contacts contacts;
     int order[5] = {0, 1, 2, 3, 4};
-    do {
-        contacts.count = 0;
-        ingot::Index lost = 0;
-        for (const int depth : order) {
-            ingot::Manifold manifold{};
-            manifold.count = 1;
-            manifold.points[0].separation = static_cast<scalar>(-depth);
-            const int place = contacts.place_for(manifold, lost);
-            if (place >= 0) contacts.put(place, manifold, {{depth}, {0}});
+    for (const bool all_alike : {false, true}) {
+        std::sort(order, order + 5);
+        do {
+            contacts.count = 0;
+            ingot::Index lost = 0;
+            for (const int number : order) {
+                ingot::Manifold manifold{};
+                manifold.count = 1;
+                manifold.points[0].separation = all_alike ? scalar(-1) : static_cast<scalar>(-number);
+                contacts.take(manifold, {{number}, {0}}, {0, 2, ingot::no_record}, lost);
+            }
+            EXPECT_EQ(contacts.count, 3);
+            EXPECT_EQ(lost, 2);
+            for (int i = 0; i < 3; ++i) EXPECT_EQ(contacts.shapes[i].A.number, all_alike ? i : i + 2);
+            EXPECT_EQ(contacts.find({{2}, {0}}), all_alike ? 2 : 0);
+            EXPECT_EQ(contacts.find({{2}, {1}}), -1);
+        } while (std::next_permutation(order, order + 5));
+    }
+}
+
+/// Who meets something first comes first, whatever order times come and change in; of two at the same time the lower slot.
+TEST(FollowedBodies, come_in_the_order_of_time) {
+    constexpr int slots = 40;
+    RandomInput random(1466);
+    for (int round = 0; round < 40; ++round) {
+        BodyPath paths[slots] = {};
+        ingot::Index queue[slots];
+        ingot::FollowedBodies bodies = {paths, queue, 0, 0};
+        EXPECT_EQ(bodies.first(), -1);
+        for (int change = 0; change < 200; ++change) {
+            const int slot = random.integer(0, slots - 1);
+            paths[slot].next = random.integer(0, 4) == 0 ? ingot::never : static_cast<scalar>(random.integer(0, 20)) / 20;
+            bodies.follow(slot);
+            bodies.move(slot);
+            paths[random.integer(0, slots - 1)].next = 0;  // what has not been moved yet does not count
+            int first = -1;
+            for (int i = 0; i < slots; ++i)
+                if (paths[i].is_followed && paths[i].due <= 1 && (first < 0 || paths[i].due < paths[first].due)) first = i;
+            ASSERT_EQ(bodies.first(), first);
         }
-        EXPECT_EQ(contacts.count, 3);
-        EXPECT_EQ(lost, 2);
-        for (int i = 0; i < 3; ++i) {
-            EXPECT_GE(contacts.shapes[i].A.number, 2);
-            EXPECT_EQ(contacts.pairs[i].record, i);
-        }
-    } while (std::next_permutation(order, order + 5));
+    }
+}
+
+/// A ball shows nothing of its turn, what is round nothing of that about its axis; whatever has several shapes, or edges, shows all.
+TEST(Path, of_what_is_round_is_not_seen_to_turn_about_its_axis) {
+    RandomInput random(1467);
+    const Shape shapes[] = {ingot::Sphere{1}, ingot::Capsule{1, 2}, ingot::Cylinder{1, 2}, ingot::Box{{1, 2, 3}}};
+    for (int i = 0; i < 40; ++i) {
+        ingot::Surface surface{};
+        surface.shape = shapes[i % 4];
+        surface.bounding_radius = ingot::bounding_radius(surface.shape);
+        ingot::ShapePlace place{};
+        place.A = ingot::identity_matrix<scalar>();
+        const ingot::Matrix A = to_matrix(random.rotation());
+        const Vector3d turn = random.direction(), axis = in_double(A.c2);
+        const Vector3d expected = i % 4 == 0 ? Vector3d(Vector3d::Zero()) : i % 4 == 3 ? turn : Vector3d(turn - axis * axis.dot(turn));
+        EXPECT_LE((in_double(ingot::seen_turn({{&surface, 1}, nullptr, {}, 1}, 0, A, to_vector(turn))) - expected).norm(), 16 * eps) << i;
+        EXPECT_LE((in_double(ingot::seen_turn({{&surface, 1}, &place, {}, 1}, 0, A, to_vector(turn))) - turn).norm(), eps) << i;
+        const ingot::BodyExtent extent = ingot::extent_of({{&surface, 1}, nullptr, {}, 1}, 0);
+        EXPECT_EQ(extent.reach, i % 4 == 0 ? 0 : extent.radius);
+        EXPECT_EQ(ingot::extent_of({{&surface, 1}, &place, {}, 1}, 0).reach, extent.radius);
+    }
 }
 
 /// How long two bodies move little against each other, whether one gets past its size, and how far apart they may be to touch: closed forms.
@@ -489,19 +589,25 @@ TEST(PairSubWorld, know_how_far_they_move_in_a_while) {
             def.state.v_CM = {0, static_cast<scalar>(which == 0 ? -v / 4 : 3 * v / 4), 0};  // against each other
             def.state.L = {0, 0, static_cast<scalar>(2 * spin[which])};
             tiles.write(which, def);
-            surfaces[which].shape = ingot::Sphere{static_cast<scalar>(size[which])};
+            const auto half = static_cast<scalar>(size[which]);
+            surfaces[which].shape = ingot::Box{{half, half, half}};
             surfaces[which].bounding_radius = static_cast<scalar>(radius[which]);
         }
-        static ingot::PairSubWorld room;
-        room.clear();
-        for (int which = 0; which < 2; ++which) room.take(which, tiles.view(), {{surfaces, 2}, nullptr, {}, 1}, which);
+        static ingot::PairSubWorld<0> two;
+        two.clear();
+        for (int which = 0; which < 2; ++which) {
+            BodyPath path{};
+            ingot::begin_path(tiles.view(), static_cast<scalar>(h), which, path);
+            two.take(tiles.view(), {{surfaces, 2}, nullptr, {}, 1}, which, path);
+        }
+        const ingot::Movers room = two.movers();
         const double near = 32 * eps;
         const auto reach = [&](int which) { return std::min(spin[which] * h, 2.0) * radius[which]; };
         const double margin = static_cast<double>(ingot::limits::contact_margin) + v * h + reach(0) + reach(1);
-        EXPECT_NEAR(static_cast<double>(room.margin(static_cast<scalar>(h), 1)), margin, near * 4) << case_i;
+        EXPECT_NEAR(static_cast<double>(room.margin(0, 1, static_cast<scalar>(h), 1)), margin, near * 4) << case_i;
         const double fastest = v + spin[0] * radius[0] + spin[1] * radius[1], most = static_cast<double>(ingot::limits::step_max);
         const double by_way = std::min(most, static_cast<double>(ingot::limits::together_share) * size[1] / fastest);
-        const double by_turn = std::min(most, static_cast<double>(ingot::limits::angle_per_path) / 2 / std::max(spin[0], spin[1]));
+        const double by_turn = std::min(most, static_cast<double>(ingot::limits::tilt_of_contact) / std::max(spin[0], spin[1]));
         EXPECT_NEAR(static_cast<double>(room.moment()) / std::min(by_way, by_turn), 1, near) << case_i;
         const auto travel = [&](int which) { return (which == 0 ? v / 4 : 3 * v / 4) * h + spin[which] * h * radius[which]; };
         const double fast_share = static_cast<double>(ingot::limits::fast_share);

@@ -238,23 +238,30 @@ inline constexpr scalar balance = scalar(0.01);
 // Bodies too fast for a step (continuous/).
 /// A body is fast when it gets further in a step than this times its least half extent: it might pass through something between two steps.
 inline constexpr scalar fast_share = 1;
-/// Two bodies on their way have met when they are apart by this fraction of the lesser of their least half extents, and by no more than
-/// impact_gap_max. The step that follows finds them touching.
+/// Two bodies on their way have met when they touch, or are apart by less than this fraction of the lesser of their least half extents and less than
+/// impact_gap_max. A search that comes so near ends.
 inline constexpr scalar impact_gap = scalar(1e-3);
 inline constexpr scalar impact_gap_max = touching_gap / 4;  ///< m
 inline constexpr int approaches_max = 64;              ///< of the search for a time of impact; then they are taken for met: too early, never too late
 inline constexpr scalar angle_per_path = scalar(0.25);  ///< rad; a body that turns further in a step is followed in parts
 inline constexpr int path_parts_max = 256;             ///< of a whole step
+/// rad; beyond it what a body touches is somewhere else on it: contacts are found anew after such a turn, and those of bodies that turn further in a
+/// step are not solved for all of it.
+inline constexpr scalar tilt_of_contact = angle_per_path / 2;
 /// Two bodies that meet are solved together for as long as they get no further than this part of the lesser of their least half extents, and turn
-/// by no more than half of angle_per_path.
+/// by no more than tilt_of_contact.
 inline constexpr scalar together_share = scalar(0.25);
-/// One of two bodies that touch already is taken to be smaller by this part: they meet again when they have got so much deeper.
+/// Of the lesser of their least half extents: so deep two bodies may be in each other on their paths, if they touch at the begin. Contacts lift them
+/// out again; with less they meet more often.
 inline constexpr scalar skin_share = scalar(0.1);
-inline constexpr int skins_max = 6;                  ///< times skin_share, for bodies that are deeper in each other already
+/// s; an impact is solved as a step as short as this, in which nothing moves: it changes velocities alone.
+inline constexpr scalar impact_time = step_min;
 inline constexpr int impacts_of_body_max = 64;       ///< of a fast body in a step; its other impacts wait for the next, and are counted
 inline constexpr int flight_impacts_max = 64;        ///< of fast bodies that events tell of in a step
-inline constexpr int pair_manifolds_max = 8;          ///< of two bodies of several shapes that meet: the deepest; the others have no room
+inline constexpr int pair_manifolds_max = 16;        ///< of two bodies that meet, and of what is fixed around them: the deepest; others have no room
+inline constexpr int pair_kinematic_max = 2;         ///< kinematic bodies around two that meet; the contacts of others are lost
 inline constexpr scalar last_moment = scalar(1e-5);  ///< of a step; bodies that meet later do so in the next
+inline constexpr scalar first_moment = scalar(0.015625);  ///< of a step; who meets another so early does not wait for the next
 
 // Points of two shapes (narrow_phase/). Fractions of a length are of the smallest half extent of both shapes, unless another is named.
 /// An edge axis is taken when it separates better than every face by this fraction: nearly parallel edges have no normal of

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fast_pairs.h"
+#include "body_path.h"
 
 #include "../base/limits.h"
 #include "../body/auxiliary.h"
@@ -27,20 +27,29 @@ Matrix turned_by(const Matrix& A, const Vector& turn) {
 Vector turn_between(const Matrix& A, const Matrix& B) { return (cross(A.c0, B.c0) + cross(A.c1, B.c1) + cross(A.c2, B.c2)) * scalar(0.5); }
 
 bool is_fast(const BodyExtent& extent, scalar travel, scalar angle) {
-    const scalar spin = (angle < 2 ? angle : scalar(2)) * extent.radius;  // no point gets further from where it was than the diameter
+    const scalar spin = (angle < 2 ? angle : scalar(2)) * extent.reach;  // no point gets further from where it was than the diameter
     return travel + spin > limits::fast_share * extent.least;
 }
 
 }  // namespace
 
 BodyExtent extent_of(const BodyShapes& shapes, int slot) {
-    BodyExtent extent = {limits::unbounded, 0};
+    BodyExtent extent = {limits::unbounded, 0, 0};
     shapes.for_shapes(slot, [&](ShapeSlot shape) {
         const Surface& surface = shapes.surface(shape);
+        const bool is_ball_at_centre = surface.shape.kind == ShapeKind::sphere && shapes.place(shape) == nullptr;
         extent.least = min(extent.least, least_half_extent(surface.shape, shapes.hull(shape)));
         extent.radius = max(extent.radius, surface.bounding_radius);
+        if (!is_ball_at_centre) extent.reach = max(extent.reach, surface.bounding_radius);
     });
     return extent;
+}
+
+Vector seen_turn(const BodyShapes& shapes, int slot, const Matrix& A, const Vector& turn) {
+    if (shapes.places != nullptr) return turn;
+    const ShapeKind kind = shapes.surface({slot}).shape.kind;
+    if (kind == ShapeKind::sphere) return {};
+    return kind == ShapeKind::capsule || kind == ShapeKind::cylinder ? turn - A.c2 * dot(A.c2, turn) : turn;
 }
 
 PathFrame frame_on_path(const BodyPath& path, scalar t) {
@@ -59,12 +68,16 @@ bool kinematic_begins_fast(const BodyView& bodies, const BodyShapes& shapes, sca
 
 void begin_path(const BodyView& bodies, scalar h, int slot, BodyPath& path) {
     const Place at = place_of(slot);
+    const TranslationTile& translation = bodies.translation[at.tile];
+    const RotationTile& rotation = bodies.rotation[at.tile];
     const bool fast = path.fast;
     path = {};
-    path.r_CM = lane_of(bodies.translation[at.tile].r_CM, at.lane);
-    path.A = lane_of(bodies.rotation[at.tile].A, at.lane);
-    path.v_CM = lane_of(bodies.translation[at.tile].v_CM, at.lane);
-    path.L = lane_of(bodies.rotation[at.tile].L, at.lane);
+    path.r_CM = lane_of(translation.r_CM, at.lane);
+    path.A = lane_of(rotation.A, at.lane);
+    path.v_CM = lane_of(translation.v_CM, at.lane);
+    path.L = lane_of(rotation.L, at.lane);
+    path.F_T = lane_of(translation.F_T, at.lane);
+    path.tau_T = lane_of(rotation.tau_T, at.lane);
     path.way = path.v_CM * h;
     path.turn = omega_of(bodies, slot) * h;
     path.until = 1;
@@ -76,12 +89,11 @@ void begin_kinematic_path(BodyPath& path) {
     path.turn = turn_in_range(path.turn);
     path.until = 1;
     path.next = never;
-    path.in_contact = path.falls_free = false;
 }
 
-scalar end_of_path(const Vector& turn, scalar from) {
+scalar end_of_path(const Vector& turn, scalar from, scalar most) {
     const scalar angle = sqrt(length_sq(turn_in_range(turn)));
-    const scalar of_part = max(limits::angle_per_path, angle / limits::path_parts_max);
+    const scalar of_part = max(most, angle / limits::path_parts_max);
     return angle * (1 - from) > of_part ? from + of_part / angle : scalar(1);
 }
 
@@ -98,6 +110,22 @@ void lay_path(const PathPoint& begin, scalar from, const PathPoint& end, scalar 
     path.next = never;
 }
 
+void FollowedBodies::move(int slot) {
+    int place = paths[slot].place;
+    paths[slot].due = paths[slot].next;
+    // bound: log2(max_bodies) + 1: place halves each turn
+    for (; place > 0 && is_before(slot, queue[(place - 1) / 2]); place = (place - 1) / 2) put(place, queue[(place - 1) / 2]);
+    // bound: log2(max_bodies) + 1: place doubles each turn
+    while (2 * place + 1 < count) {
+        int child = 2 * place + 1;
+        if (child + 1 < count && is_before(queue[child + 1], queue[child])) ++child;
+        if (!is_before(queue[child], slot)) break;
+        put(place, queue[child]);
+        place = child;
+    }
+    put(place, slot);
+}
+
 bool leaves_bounds(const PathPoint& begin, const Vector& way, const Vector& turn, const BodyExtent& extent, scalar unit) {
     const scalar spare = limits::contact_margin / 4 * scale_of(unit, halvings_of(extent.least, unit));
     const bool further = abs(way.x) > abs(begin.way.x) + spare || abs(way.y) > abs(begin.way.y) + spare || abs(way.z) > abs(begin.way.z) + spare;
@@ -110,41 +138,15 @@ bool is_fast_path(const BodyPath& path, const BodyExtent& extent) {
            is_fast(extent, sqrt(length_sq(path.way + path.fall * left)) * left, sqrt(length_sq(path.turn)) * left);
 }
 
-bool FastPairs::meets_hard(const BodyPair& pair, const Manifold& manifold) const {
-    const ShapeSlot of_pair[2] = {{pair.body_A}, {pair.body_B}};
-    Vector r[2], v[2], omega[2];
-    scalar least_extent = limits::unbounded, least_fast = limits::unbounded, closing = 0;
-    for (int which = 0; which < 2; ++which) {
-        const int slot = shapes.body_of(of_pair[which]);
-        const Place at = place_of(slot);
-        if (!paths[slot].fast && is_dynamic(bodies, slot)) return false;
-        r[which] = lane_of(bodies.translation[at.tile].r_CM, at.lane);
-        v[which] = lane_of(bodies.translation[at.tile].v_CM, at.lane);
-        omega[which] = omega_of(bodies, slot);
-        const scalar extent = least_half_extent(shapes.surface(of_pair[which]).shape, shapes.hull(of_pair[which]));
-        least_extent = min(least_extent, extent);
-        if (paths[slot].fast) least_fast = min(least_fast, extent);
-    }
-    const scalar deep = limits::skin_share * least_fast;
-    // bound: 4: Manifold::points_max
-    for (int point_i = 0; point_i < manifold.count; ++point_i) {
-        if (manifold.points[point_i].separation < -deep) return false;
-        const Vector& P = manifold.points[point_i].P;
-        closing = max(closing, -dot(manifold.n, v[0] + cross(omega[0], P - r[0]) - v[1] - cross(omega[1], P - r[1])));
-    }
-    bool tilts = false;
-    for (const Vector& one : omega) tilts = tilts || length_sq(cross(one, manifold.n)) * h * h > limits::angle_per_path * limits::angle_per_path / 4;
-    return tilts || closing * h > limits::skin_share * least_extent;
-}
-
 void end_path(BodyPath& path, const Vector& r_CM, const Matrix& A, scalar t) {
     path.r_CM = r_CM;
     path.A = A;
-    path.way = path.fall = path.turn = {};
+    path.v_CM = path.L = path.way = path.fall = path.turn = {};
     path.from = t;
     path.until = 1;
     path.next = never;
-    path.fast = path.falls_free = false;
+    path.kind = PathKind::standing;
+    ++path.version;
 }
 
 } }  // namespace ingot

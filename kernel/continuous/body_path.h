@@ -7,34 +7,53 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
+/// What takes a body along its path, and so whether the motion at a time within it can be found.
+enum class PathKind : uint8_t {
+    free,       ///< it falls free
+    on_fixed,   ///< what it touches cannot move or is kinematic: it can be solved again, for any part of its path
+    in_pair,    ///< so it is with its partner, and with what both touch that cannot move
+    in_island,  ///< the contacts of the step have moved it together with others, and it cannot be taken from them
+    standing,   ///< it stays where it is, and waits for the next step
+};
+
 /// Where a body is at every time from `from` to `until`: a parabola and a steady turn. Times are fractions of the step.
+/// The tiles of the body hold its motion at `until`.
 struct BodyPath {
-    Vector r_CM;       ///< m, at `from`
-    Matrix A;          ///< body to world, at `from`
-    Vector v_CM, L;    ///< at `from`, in free fall
-    Vector way, fall;  ///< m; r = r_CM + u (way + u fall), u = t - from
-    Vector turn;       ///< rad in a whole step
+    Vector r_CM;        ///< m, at `from`
+    Matrix A;           ///< body to world, at `from`
+    Vector v_CM, L;     ///< at `from`
+    Vector F_T, tau_T;  ///< N, N m; what acts on it beside contacts and gravity, all through the step
+    Vector way, fall;   ///< m; r = r_CM + u (way + u fall), u = t - from
+    Vector turn;        ///< rad in a whole step
     scalar from, until;
-    scalar next;         ///< when it first meets something, or where its path has to be laid on; never: neither
+    scalar next;      ///< when it first meets something, or where its path has to be laid on; never: neither
+    scalar due;       ///< followed: `next`, as FollowedBodies has it
     Index next_slot;  ///< whom it meets; its own slot: nobody, the path ends
+    Index partner;    ///< in_pair: the slot of the other
+    Index place;      ///< followed: in FollowedBodies::queue
+    Index next_stray;                ///< 1 + slot of the next of FollowedBodies; 0: none
+    uint16_t version, next_version;  ///< how often it has been laid anew in this step; and so that of whom it meets, when this was found
+    PathKind kind;
     uint8_t impacts;   ///< followed in this step
-    bool fast;         ///< it may get beyond something within a step
-    bool falls_free;   ///< nothing touches it on the way: its motion is known exactly at every time
-    Index next_fast, next_stray;  ///< 1 + slot of the next of FastBodies; 0: none
-    bool is_listed;          ///< among the fast
-    bool is_stray;           ///< it may be outside of the bounds that the step began with
-    bool in_contact;         ///< it takes part in the contacts of the step, or waits for the next
+    bool fast;         ///< at the begin of the step: it may get beyond something in it, and has manifolds with what it touches alone
+    bool is_followed;  ///< what it meets is looked for
+    bool is_stray;     ///< it may be outside of the bounds that the step began with
+    bool of_step;      ///< laid by the contacts of the step: those are all that it is solved with
+    bool presses;      ///< in_pair: the two press on each other at its end
 };
 
 inline constexpr scalar never = 2;
-
 
 /// Of a body with all its shapes.
 struct BodyExtent {
     scalar least;   ///< m; the least half extent of any of them
     scalar radius;  ///< m; of the ball about the centre of mass that holds them all
+    scalar reach;   ///< m; how far the surface gets by a turn of a radian, at most: nowhere, of a ball about the centre of mass
 };
 BodyExtent extent_of(const BodyShapes& shapes, int slot);
+
+/// Of a turn of a body, rad, what its surface notices: nothing of a ball's, and not that of a capsule or a cylinder about its axis.
+Vector seen_turn(const BodyShapes& shapes, int slot, const Matrix& A, const Vector& turn);
 
 /// A shape on the path of its body.
 struct ShapeOnPath {
@@ -60,7 +79,7 @@ PathFrame frame_on_path(const BodyPath& path, scalar t);
 bool begins_fast(const BodyView& bodies, const BodyShapes& shapes, scalar h, int slot);
 /// The same of one that shows the motion of a kinematic body.
 bool kinematic_begins_fast(const BodyView& bodies, const BodyShapes& shapes, scalar h, int slot);
-/// And where it begins. Whether it is fast stays as it is known.
+/// And where it begins, with what acts on it. Whether it is fast stays as it is known.
 void begin_path(const BodyView& bodies, scalar h, int slot, BodyPath& path);
 
 /// The motion of a body at one time.
@@ -70,25 +89,45 @@ struct PathPoint {
     Matrix A;
 };
 
-/// From one time on at most by this turn: what turns freely does so steadily for a short while only.
+/// What turns does so steadily for a short while only: by `most`, rad, or, where it turns so far in a step that this would make too many parts, by a
+/// path_parts_max-th of its turn.
 /// Returns: when the path ends, if it begins with that turn at `from`.
-scalar end_of_path(const Vector& turn, scalar from);
+scalar end_of_path(const Vector& turn, scalar from, scalar most);
 
-/// Lists of the bodies that a step has to look at again and again, through their paths.
-struct FastBodies {
-    Index first_fast, first_stray;  ///< 1 + slot; 0: none. Who was fast stays in its list
+/// The bodies that a step follows through their paths, as a heap: the one that meets something first comes first. And those that are outside of the
+/// bounds that the step began with.
+struct FollowedBodies {
+    BodyPath* paths;
+    Index* queue;  ///< slots; room for max_bodies
+    int count;
+    Index first_stray;  ///< 1 + slot; 0: none
 
-    void add_fast(BodyPath* paths, int slot) {
-        if (paths[slot].is_listed) return;
-        paths[slot].is_listed = true;
-        paths[slot].next_fast = first_fast;
-        first_fast = static_cast<Index>(slot + 1);
+    void follow(int slot) {
+        if (paths[slot].is_followed) return;
+        paths[slot].is_followed = true;
+        put(count++, slot);
+        move(slot);
     }
-    void add_stray(BodyPath* paths, int slot) {
+    void add_stray(int slot) {
         if (paths[slot].is_stray) return;
         paths[slot].is_stray = true;
         paths[slot].next_stray = first_stray;
         first_stray = static_cast<Index>(slot + 1);
+    }
+    /// To its place, after it meets something else than before.
+    void move(int slot);
+    /// The first; -1: nothing comes within the step.
+    int first() const { return count > 0 && paths[queue[0]].due <= 1 ? static_cast<int>(queue[0]) : -1; }
+
+private:
+    /// Of two that meet something at the same time the lower comes first.
+    bool is_before(int slot_A, int slot_B) const {
+        const scalar A = paths[slot_A].due, B = paths[slot_B].due;
+        return A < B || (!(B < A) && slot_A < slot_B);
+    }
+    void put(int place, int slot) {
+        queue[place] = static_cast<Index>(slot);
+        paths[slot].place = static_cast<Index>(place);
     }
 };
 
@@ -109,7 +148,7 @@ void begin_kinematic_path(BodyPath& path);
 /// Whether a path is fast.
 bool is_fast_path(const BodyPath& path, const BodyExtent& extent);
 
-/// A path that ends where the body is put: it stays there.
+/// A path that ends where the body is put: it stands there.
 void end_path(BodyPath& path, const Vector& r_CM, const Matrix& A, scalar t);
 
 } }  // namespace ingot

@@ -3,6 +3,7 @@
 
 #include "../base/limits.h"
 #include "../body/auxiliary.h"
+#include "../broad_phase/body_pairs.h"
 #include "../narrow_phase/manifold_record.h"
 #include "body_path.h"
 
@@ -12,7 +13,7 @@ namespace ingot { inline namespace INGOT_ABI {
 struct FastPairs {
     BodyView bodies;
     BodyShapes shapes;
-    const BodyPath* paths;  ///< by body slot
+    BodyPath* paths;  ///< by body slot; until paths begin, what joins bodies: see leave_to_flights
     scalar h;
 
     bool has(const BodyPair& pair) const { return is_fast({pair.body_A}) || is_fast({pair.body_B}); }
@@ -23,5 +24,12 @@ struct FastPairs {
 private:
     bool is_fast(ShapeSlot shape) const { return paths[shapes.body_of(shape)].fast; }
 };
+
+/// Ends the manifolds of pairs that meet hard: what they do is seen to in flight.
+///
+/// But for bodies that have soft contacts with others that can move, directly or through others that they meet hard: these are solved together with
+/// all that they touch, or some of their impulses would count and others not. found: the list that the manifolds are from.
+/// Cost: three walks over the manifolds, where some body is fast.
+void leave_to_flights(const FastPairs& fast, const PairList& found, const ManifoldView& manifolds);
 
 } }  // namespace ingot

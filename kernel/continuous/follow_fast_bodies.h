@@ -8,118 +8,106 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// A body stays where it is at time t, until the next step.
+/// Bodies that the contacts of the step have moved together with others that can move.
 template <class Collision>
-void wait_at(const Collision& collision, int slot, scalar t, PairSubWorld& two) {
-    const FlightState motion = motion_at(collision, slot, t, two);
-    put_state(collision.bodies, slot, motion);
-    end_path(collision.paths[slot], motion.r_CM, motion.A, t);
-    collision.paths[slot].in_contact = true;
+void mark_islands(const Collision& collision) {
+    for (int i = 0; i < collision.solved.count; ++i) {  // bound: max_manifolds
+        const int A = collision.shapes.body_of({collision.solved.pairs[i].body_A}), B = collision.shapes.body_of({collision.solved.pairs[i].body_B});
+        if (is_dynamic(collision.bodies, A) && is_dynamic(collision.bodies, B))
+            collision.paths[A].kind = collision.paths[B].kind = PathKind::in_island;
+    }
 }
 
 /// The path of a body as it has gone in this step.
 template <class Collision>
-void lay_path_of_step(const Collision& collision, int slot, PairSubWorld& two) {
+void lay_path_of_step(const Collision& collision, int slot, PairRoom<Collision>& room) {
     BodyPath& path = collision.paths[slot];
     if (is_kinematic(collision, slot)) {
         begin_kinematic_path(path);
-        if (path.fast) collision.lists->add_fast(collision.paths, slot);
+        if (path.fast) collision.lists->follow(slot);
         return;
     }
     const PathPoint begin = {path.r_CM, path.way, path.turn, path.A};
     const Vector way = flight_state(collision.bodies, slot).r_CM - begin.r_CM;
-    path.in_contact = takes_part(collision.solver, slot);
-    path.falls_free = !path.in_contact;
+    const bool in_contact = path.kind != PathKind::free || takes_part(collision.solver, slot);
     path.until = 1;
     if (!is_valid(collision, slot)) {
         end_path(path, flight_state(collision.bodies, slot).r_CM, flight_state(collision.bodies, slot).A, 0);
-    } else if (path.in_contact) {
-        lay_chord(collision, slot, begin, 0);
-        path.fast = is_fast_path(path, extent_of(collision.shapes, slot));
+    } else if (in_contact) {
+        if (path.kind == PathKind::free) path.kind = PathKind::on_fixed;
+        path.of_step = true;
+        lay_chord(collision, slot, begin);
     } else if (path.fast) {
-        lay_free_path(collision, slot, {path.r_CM, path.v_CM, path.L, path.A}, 0, two);
+        lay_free_path(collision, slot, true, room);
     } else {
         path.way = way;
     }
-    const Vector turn = path.in_contact ? path.turn : omega_of(collision.bodies, slot) * collision.clock.h;
+    const Vector turn = in_contact ? path.turn : omega_of(collision.bodies, slot) * collision.clock.h;
     if (is_tree<typename Collision::TreeType> && leaves_bounds(begin, way, turn, extent_of(collision.shapes, slot), collision.shapes.surfaces.unit))
-        collision.lists->add_stray(collision.paths, slot);
-    if (path.fast) collision.lists->add_fast(collision.paths, slot);
+        put_in_tree(collision, slot);
+    if (path.fast || (in_contact && is_fast_path(path, extent_of(collision.shapes, slot)))) collision.lists->follow(slot);
 }
 
-/// The paths of all bodies that move. True if one is fast.
+/// What comes first to a body happens.
 template <class Collision>
-bool lay_all_paths(const Collision& collision, PairSubWorld& two) {
-    bool some = false;
-    collision.moving.for_each([&](int slot) {
-        lay_path_of_step(collision, slot, two);
-        some = some || collision.paths[slot].fast;
-    });
-    return some;
-}
-
-/// Whether the impact of two bodies at time t is followed in this step; else the one that came waits there for the next.
-template <class Collision>
-bool is_followed(const Collision& collision, const BodyPath& A, const BodyPath& B, int slot_B, scalar t) {
-    if (!(t < 1 - limits::last_moment)) return false;
-    const bool sleeps = !collision.moving.has(slot_B) && is_dynamic(collision.bodies, slot_B);  // no contact had room: nothing woke it
-    return (t <= limits::last_moment && !sleeps) || (!A.in_contact && !B.in_contact);
-}
-
-/// Counts an impact that is to be followed, for both bodies. False where one of them has had as many as there may be: what a body does to others
-/// elsewhere takes nothing from it. What cannot move has them without end.
-template <class Collision>
-bool take_impact(const Collision& collision, const int (&slots)[2], bool followed) {
-    for (const int slot : slots) followed = followed && !(is_valid(collision, slot) && collision.paths[slot].impacts >= limits::impacts_of_body_max);
-    for (const int slot : slots)
-        if (followed && is_valid(collision, slot)) ++collision.paths[slot].impacts;
-    return followed;
+void go_on(const Collision& collision, int slot, PairRoom<Collision>& room) {
+    const int other = collision.paths[slot].next_slot;
+    const scalar t = collision.paths[slot].next;
+    ChangedPaths changed = {};
+    if (other == slot) {
+        lay_on(collision, slot, room, changed);
+    } else if (can_follow(collision, slot, other, t) && take_impact(collision, slot, other)) {
+        resolve_impact(collision, slot, other, t, room, changed);
+    } else {
+        const int waiting = wait_at_impact(collision, slot, other, t, room, changed);
+        if (t < 1 - limits::last_moment) count(collision.report->impacts_deferred, waiting);
+    }
+    for (int i = 0; i < changed.count; ++i) follow_anew(collision, changed.slots[i], room);  // bound: ChangedPaths::room
+    if (changed.count > 0 && !changed.has(slot)) find_next(collision, slot, room);
+    if (changed.count > 0) return;
+    collision.paths[slot].next = never;  // nobody is left to wait
+    collision.lists->move(slot);
 }
 
 /// Follows the fast bodies of a step of h seconds through their impacts. Comes last, when all bodies are where they would be without.
 ///
-/// Impact by impact in the order of time, two bodies that meet are taken back to that time, touch as in any step, with restitution, friction,
-/// forces, and what else their surfaces have, and go on to the end of the step. A body that takes part in the contacts of the step is not taken from
-/// them: whoever meets it waits there for the next step, which finds both touching, as does whoever meets one that waits or sleeps; so do those that
-/// a body has after limits::impacts_of_body_max. Only what meets at the very begin is not left waiting, lest it wait for ever. They are counted in
+/// All goes by paths: each body has one that leads from the begin of the step to where it is, part by part, and what it meets on it is found before
+/// it goes there. So no fast body gets deeper into anything than limits::skin_share of the thinner of the two, or than it was at the begin.
+/// Impact by impact in the order of time, two bodies that meet are taken back to that time, and for a moment go on together, with restitution,
+/// friction, forces, what else their surfaces have, and all that is fixed around them. Then each goes on alone: free, or along what it touches that
+/// cannot move; two that press on each other and hardly move against each other go on together.
+/// A body that the contacts of the step have moved together with others is not taken from them: whoever meets it waits there for the next step,
+/// which finds both touching, as does whoever meets one that waits or sleeps, and as it does itself; so do those that a body has after
+/// limits::impacts_of_body_max. Only what meets at the very begin is not left waiting, lest it wait for ever. They are counted in
 /// report.impacts_deferred: the rest of the step is lost to them, and no energy or momentum.
 /// What was made fast by the contacts of this step is seen too: all goes by the ways that bodies have gone.
 /// Of bodies of several shapes the first pair of shapes that meets counts, and all that touch then are solved together; those that find no room
 /// among limits::pair_manifolds_max are counted in report.contacts_lost.
 /// Kinematic bodies are met where they are at the time, and one that is fast meets those in its way; it waits for nobody, so it also throws what
-/// takes part in the contacts of the step. Whom it has met limits::impacts_of_body_max times it meets in the next step.
+/// the contacts of the step have moved with others. Whom it has met limits::impacts_of_body_max times it meets in the next step.
 /// Bound: impacts_of_body_max impacts a body, and as many parts of paths as their turns need, limits::path_parts_max a body and step.
 /// Cost:  for each fast body and part of its path O(log bodies) with a tree, a look at every body without; and some searches for nearest points for
 ///        those near its path.
 template <class Collision>
-void follow_fast_bodies(const Collision& collision, StepReport& report) {
+void follow_fast_bodies(const Collision& collision) {
     PairRoom<Collision> room;
-    if (!lay_all_paths(collision, room.two)) return;
-    for_fast(collision, [&](int slot) { find_next(collision, slot); });
+    mark_islands(collision);
+    collision.moving.for_each([&](int slot) { lay_path_of_step(collision, slot, room); });
+    collision.moving.for_each([&](int slot) {
+        if (collision.paths[slot].is_followed) find_next(collision, slot, room);
+    });
 
-    // bound: (limits::path_parts_max + 1 + 2 limits::impacts_of_body_max) max_bodies: a path that ends took 1 / path_parts_max of the step
-    // or more; impacts are counted; a body that waits is fast no more, and an impact makes one more fast at most
-    for (int slot_A = first_of_all(collision); slot_A >= 0; slot_A = first_of_all(collision)) {
-        BodyPath at_rest;
-        const BodyPath& A = collision.paths[slot_A];
-        const int slots[2] = {slot_A, A.next_slot};
-        const BodyPath& B = path_of(collision, slots[1], at_rest);
-        const scalar t = A.next;
-        note_passed_sensors(collision, slot_A, t);
-        if (slots[1] != slot_A && collision.moving.has(slots[1])) note_passed_sensors(collision, slots[1], t);
-        if (slots[1] == slot_A) {
-            lay_free_path(collision, slot_A, motion_at(collision, slot_A, t, room.two), t, room.two);
-        } else if (take_impact(collision, slots, is_kinematic(collision, slot_A) || is_followed(collision, A, B, slots[1], t))) {
-            resolve_impact(collision, slots, t, room, report);
-        } else {
-            const bool both = B.fast && !is_kinematic(collision, slots[1]);
-            wait_at(collision, slot_A, t, room.two);
-            if (both) wait_at(collision, slots[1], t, room.two);
-            if (t < 1 - limits::last_moment) count(report.impacts_deferred, both ? 2 : 1);
-        }
-        find_next_anew(collision, slot_A, slots[1]);
+    // bound: (4 limits::path_parts_max + 1 + 6 limits::impacts_of_body_max) max_bodies: a path that ends took 1 / path_parts_max of the step or more,
+    // or was the moment of an impact, or that of another cut it; impacts are counted; who waits does so once. And each of these makes others look
+    // anew, who were to meet one of its bodies
+    for (int slot = collision.lists->first(); slot >= 0; slot = collision.lists->first()) {
+        if (is_still_met(collision, slot))
+            go_on(collision, slot, room);
+        else
+            find_next(collision, slot, room);
     }
-    for_fast(collision, [&](int slot) { note_passed_sensors(collision, slot, 1); });
+    collision.moving.for_each([&](int slot) { note_passed_sensors(collision, slot, 1); });
+    return_to_bounds(collision);
 }
 
 } }  // namespace ingot

@@ -2,72 +2,158 @@
 // What comes first to a fast body, and to all of them.
 #pragma once
 
-#include "continuous_collision.h"
-#include "time_of_impact.h"
+#include "lay_paths.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// Calls each(slot) for the bodies that a body may meet on its path: all, or those whose bounds it comes near, and those that may be outside of
-/// theirs. Some more than once.
-template <class Collision, class Each>
-void for_others_near(const Collision& collision, int slot, const Each& each) {
+/// All that a body reaches on its path as it is.
+template <class Collision>
+TreeBox box_of_path(const Collision& collision, int slot) {
+    const BodyPath& path = collision.paths[slot];
+    const scalar time = path.until - path.from;
+    const Vector end = path.r_CM + (path.way + path.fall * time) * time;
+    // A parabola leaves its chord by a quarter of the fall.
+    const scalar reach = extent_of(collision.shapes, slot).radius * (1 + limits::flatness) + sum_of_components(path.fall) * scalar(0.25) +
+                         8 * epsilon * (sum_of_components(path.r_CM) + sum_of_components(end));
+    const Vector more = {reach, reach, reach};
+    return {min(path.r_CM, end) - more, max(path.r_CM, end) + more};
+}
+
+/// Whoever looks for a body that may have left the bounds of the step finds it where its path is.
+template <class Collision>
+void put_in_tree([[maybe_unused]] const Collision& collision, [[maybe_unused]] int slot) {
     if constexpr (is_tree<typename Collision::TreeType>) {
-        const BodyPath& path = collision.paths[slot];
-        const scalar time = path.until - path.from;
-        const Vector end = path.r_CM + (path.way + path.fall * time) * time;
-        // A parabola leaves its chord by a quarter of the fall.
-        const scalar reach = extent_of(collision.shapes, slot).radius * (1 + limits::flatness) + sum_of_components(path.fall) * scalar(0.25) +
-                             limits::contact_margin * collision.shapes.surfaces.unit +
-                             8 * epsilon * (sum_of_components(path.r_CM) + sum_of_components(end));
-        const Vector more = {reach, reach, reach};
-        for_near_shapes(collision.tree, {min(path.r_CM, end) - more, max(path.r_CM, end) + more}, [&](int shape) {
-            const int other = collision.shapes.body_of({shape});
-            if (other != slot) each(other);
-        });
-        // bound: max_bodies: a list without rings
-        for (int other = collision.lists->first_stray; other != 0; other = collision.paths[other - 1].next_stray)
-            if (other - 1 != slot) each(other - 1);
-    } else {
-        for (int other = 0; other < collision.shapes.body_count(); ++other)  // bound: max_bodies
-            if (other != slot) each(other);
+        const TreeBox box = box_of_path(collision, slot);
+        collision.lists->add_stray(slot);
+        collision.shapes.for_shapes(slot, [&](ShapeSlot shape) { trees::put_in_place(collision.tree, shape.number, box, true); });
     }
 }
-
-/// Calls each(slot) for the bodies that are fast.
-template <class Collision, class Each>
-void for_fast(const Collision& collision, const Each& each) {
-    // bound: max_bodies: a list without rings
-    for (int slot = collision.lists->first_fast; slot != 0; slot = collision.paths[slot - 1].next_fast)
-        if (collision.paths[slot - 1].fast) each(slot - 1);
+/// Ends that, when all is where it stays: the search for pairs knows the fat AABBs.
+template <class Collision>
+void return_to_bounds([[maybe_unused]] const Collision& collision) {
+    if constexpr (is_tree<typename Collision::TreeType>)
+        // bound: max_bodies: a list without rings
+        for (int slot = collision.lists->first_stray; slot != 0; slot = collision.paths[slot - 1].next_stray)
+            collision.shapes.for_shapes(slot - 1, [&](ShapeSlot shape) {
+                trees::put_in_place(collision.tree, shape.number, trees::box_of(collision.floor.bounds, shape.number), true);
+            });
 }
 
-/// Whether a kinematic body takes no notice of another: what cannot move, what sleeps, and what it has met as often as may be.
+/// Calls each(slot) for the bodies that a body may meet on its path: all that can move, or those whose bounds it comes near. Some more than once.
+template <class Collision, class Each>
+void for_others_near(const Collision& collision, int slot, const Each& each) {
+    const TreeBox box = box_of_path(collision, slot);
+    const scalar margin = limits::contact_margin * collision.shapes.surfaces.unit;
+    const Vector more = {margin, margin, margin};
+    int last = -1;  // of a body of several shapes
+    for_shapes_in_box(collision, slot, {box.low - more, box.high + more}, [&](ShapeSlot shape) {
+        const int other = collision.shapes.body_of(shape);
+        if (other != last) each(other);
+        last = other;
+    });
+}
+
+/// Who is not met. A kinematic body meets only what its motion can change: what cannot move, and what rests, is passed. Whom it has met as often as
+/// may be it meets in the next step. One that stands waits for those that come to it.
 template <class Collision>
 bool is_passed_by(const Collision& collision, int slot, int other) {
-    if (!is_kinematic(collision, slot)) return false;
-    return !is_dynamic(collision.bodies, other) || !collision.moving.has(other) || collision.paths[other].impacts >= limits::impacts_of_body_max;
+    const bool stands = collision.paths[slot].kind == PathKind::standing;
+    if (!stands && !is_kinematic(collision, slot)) return false;
+    if (!is_dynamic(collision.bodies, other) || !collision.moving.has(other)) return true;
+    return stands ? collision.paths[other].kind == PathKind::standing : collision.paths[other].impacts >= limits::impacts_of_body_max;
 }
 
-/// Looks whether one body meets another before all else that comes to it. Of two that come at the same time the first counts, or, where they are
-/// looked at in whatever order, the lower.
+/// Whether the contacts of two shapes have been solved along the path of the first body, as it is.
 template <class Collision>
-void consider(const Collision& collision, int slot, int other, bool lower_counts) {
+bool is_solved(const Collision& collision, int slot, int other, ShapeSlot A, ShapeSlot B) {
+    const BodyPath& path = collision.paths[slot];
+    if (path.of_step) return collision.solved.has(A, B);
+    if (path.kind == PathKind::in_pair && path.partner == other) return true;
+    return (path.kind == PathKind::in_pair || path.kind == PathKind::on_fixed) && !is_dynamic(collision.bodies, other);
+}
+
+/// Whether two shapes that touch at time t, on their paths as they are, close in: there are points, and none that an edge inside a floor makes, which
+/// would be deeper by the gap of an impact by the time `rest` later. met: where they touch, if they have just come to it; else null.
+template <class Collision>
+bool closes_in(const Collision& collision, int slot, int other, const ShapePair& pair, scalar t, scalar rest, const MetPoint* met,
+               PairRoom<Collision>& room) {
+    BodyPath at_rest;
+    const bool two_move = is_valid(collision, other);
+    const BodyPath* const paths[2] = {&collision.paths[slot], &path_of(collision, other, at_rest)};
+    PathFrame at[2];
+    gather_pair(collision, slot, two_move ? other : -1, room);
+    for (int which = 0; which < 2; ++which) {
+        at[which] = frame_on_path(*paths[which], t);
+        if (which < room.two.count) put_state(room.two.bodies(), which, {at[which].r_CM, paths[which]->way, paths[which]->L, at[which].A});
+    }
+    room.at = t;
+    if (two_move)
+        find_contact(collision, room, {true, 0, met}, pair, {0, 1, no_record});
+    else
+        find_pair_contacts(collision, room, {true, 0, met});
+    const int place = room.contacts.find(pair);
+    if (place < 0) return false;
+    const auto way_of = [&](int which, const Vector& P) {
+        const BodyPath& path = *paths[which];
+        const Vector arm = P - at[which].r_CM;
+        // At its begin the motion is known, and a steady turn is only its mean.
+        if (which < room.two.count && !(t > path.from)) return (path.v_CM + cross(omega_of(room.two.bodies(), which), arm)) * collision.clock.h;
+        return path.way + path.fall * (2 * (t - path.from)) + cross(path.turn, arm);
+    };
+    const Manifold& manifold = room.contacts.records[place].manifold;
+    scalar closing = 0;
+    // bound: 4: Manifold::points_max
+    for (int point_i = 0; point_i < manifold.count; ++point_i) {
+        const Vector& P = manifold.points[point_i].P;
+        closing = max(closing, dot(manifold.n, way_of(1, P) - way_of(0, P)));
+    }
+    const scalar least = min(least_half_extent(collision.shapes.surface(pair.A).shape, collision.shapes.hull(pair.A)),
+                             least_half_extent(collision.shapes.surface(pair.B).shape, collision.shapes.hull(pair.B)));
+    // Who has met others so often already, as in a heap that is hit, leaves the rest to their skins.
+    const auto is_often_hit = [](const BodyPath& path) { return path.impacts > limits::impacts_of_body_max / 2; };
+    const scalar gap = min(limits::impact_gap * least, limits::impact_gap_max * collision.shapes.surfaces.unit);
+    return closing * rest > (is_often_hit(*paths[0]) || is_often_hit(*paths[1]) ? limits::skin_share * least : gap);
+}
+
+/// When two shapes meet on the paths of their bodies, as these are.
+///
+/// Where they touch already, and no contact has seen to it, they meet at once if they close in. And a body that is led along by what it touches does
+/// not meet the next part of the same floor: the two are passed as if they touched.
+template <class Collision>
+scalar time_of_meeting(const Collision& collision, int slot, int other, const ShapePair& pair, scalar latest, PairRoom<Collision>& room) {
+    BodyPath at_rest;
+    const BodyPath &path = collision.paths[slot], &path_B = path_of(collision, other, at_rest);
+    const ShapeOnPath A = shape_on_path(collision.shapes, pair.A, path), B = shape_on_path(collision.shapes, pair.B, path_B);
+    const scalar unit = collision.shapes.surfaces.unit, begin = max(path.from, path_B.from);
+    if (!may_meet(A, B, unit)) return never;
+    const bool solved = is_solved(collision, slot, other, pair.A, pair.B);
+    const scalar touch = solved ? limits::touching_gap * scale_of(unit, collision.shapes.surfaces.halvings(pair.A.number, pair.B.number)) : scalar(0);
+    const TimeOfImpact first = time_of_impact(A, B, {unit, 0, latest, touch});
+    if (first.touched && begin <= latest && !solved && closes_in(collision, slot, other, pair, begin, 1 - begin, nullptr, room)) return begin;
+    const bool is_led = path.kind != PathKind::free && !is_dynamic(collision.bodies, other) && !is_kinematic(collision, other);
+    const MetPoint met = {pair, first.n, first.P};
+    if (!(first.t < never) || first.touched || !is_led || closes_in(collision, slot, other, pair, first.t, path.until - first.t, &met, room))
+        return first.t;
+    return time_of_impact(A, B, {unit, first.t, latest, touch}).t;
+}
+
+/// Looks whether one body meets another before all else that comes to it. Of two that come at the same time the lower counts.
+template <class Collision>
+void consider(const Collision& collision, int slot, int other, PairRoom<Collision>& room) {
     if (is_passed_by(collision, slot, other)) return;
-    const scalar unit = collision.shapes.surfaces.unit;
     BodyPath at_rest, &path = collision.paths[slot];
     const BodyPath& path_B = path_of(collision, other, at_rest);
+    const scalar until = min(path.until, path_B.until);
     collision.shapes.for_shapes(slot, [&](ShapeSlot shape_A) {
-        const ShapeOnPath A = shape_on_path(collision.shapes, shape_A, path);
         collision.shapes.for_shapes(other, [&](ShapeSlot shape_B) {
-            const ShapeOnPath B = shape_on_path(collision.shapes, shape_B, path_B);
-            if (!may_meet(A, B, unit) || !collision.meets(shape_A.number, shape_B.number)) return;
-            const scalar latest = min(path.next, min(path.until, path_B.until));
-            const scalar t = time_of_impact(A, B, unit, latest, !is_solved(collision, {shape_A, shape_B}));
+            if (!collision.meets(shape_A.number, shape_B.number)) return;
+            const scalar latest = min(path.next, until), t = time_of_meeting(collision, slot, other, {shape_A, shape_B}, latest, room);
             if (is_kinematic(collision, slot) && !(t < 1 - limits::last_moment)) return;  // the next step finds them
-            const bool ties = lower_counts && t <= latest && !(t < path.next) && path.next_slot != slot && other < path.next_slot;
+            const bool ties = t <= latest && !(t < path.next) && path.next_slot != slot && other < path.next_slot;
             if (!(t < latest || ties)) return;
             path.next = t;
             path.next_slot = static_cast<Index>(other);
+            path.next_version = path_B.version;
         });
     });
 }
@@ -78,7 +164,7 @@ void note_passed_sensors([[maybe_unused]] const Collision& collision, [[maybe_un
     if constexpr (decltype(collision.sensors)::some) {
         const scalar unit = collision.shapes.surfaces.unit;
         const BodyPath& path = collision.paths[slot];
-        if (!path.fast || is_kinematic(collision, slot)) return;
+        if (!path.is_followed || path.kind == PathKind::standing || is_kinematic(collision, slot)) return;
         for_others_near(collision, slot, [&](int other) {
             BodyPath at_rest;
             const BodyPath& path_B = path_of(collision, other, at_rest);
@@ -86,48 +172,44 @@ void note_passed_sensors([[maybe_unused]] const Collision& collision, [[maybe_un
                 collision.shapes.for_shapes(other, [&](ShapeSlot shape_B) {
                     if (!collision.sensors.has(shape_A.number, shape_B.number)) return;
                     const ShapeOnPath A = shape_on_path(collision.shapes, shape_A, path), B = shape_on_path(collision.shapes, shape_B, path_B);
-                    if (may_meet(A, B, unit) && time_of_impact(A, B, unit, t, false) <= t) collision.sensors.note(shape_A.number, shape_B.number);
+                    if (may_meet(A, B, unit) && time_of_impact(A, B, {unit, 0, t, 0}).t <= t) collision.sensors.note(shape_A.number, shape_B.number);
                 });
             });
         });
     }
 }
 
-/// The first that comes to a body.
+/// The first that comes to a body. What it meets, meets it: so of two bodies whose paths have not changed nothing has to be found anew.
 template <class Collision>
-void find_next(const Collision& collision, int slot) {
+void find_next(const Collision& collision, int slot, PairRoom<Collision>& room) {
     BodyPath& path = collision.paths[slot];
     path.next = path.until < 1 ? path.until : never;
     path.next_slot = static_cast<Index>(slot);
-    for_others_near(collision, slot, [&](int other) { consider(collision, slot, other, true); });
+    for_others_near(collision, slot, [&](int other) { consider(collision, slot, other, room); });
+    collision.lists->move(slot);
 }
 
-/// The fast body to which something comes first; -1: nothing comes.
+/// Whether what comes first to a body still does: whom it meets has had no other path since that was found.
 template <class Collision>
-int first_of_all(const Collision& collision) {
-    int first = -1;
-    scalar earliest = 1;
-    for_fast(collision, [&](int slot) {
-        const scalar next = collision.paths[slot].next;
-        if (!(next < earliest || (next <= earliest && slot < first))) return;
-        first = slot;
-        earliest = next;
-    });
-    return first;
+bool is_still_met(const Collision& collision, int slot) {
+    BodyPath at_rest;
+    const BodyPath& path = collision.paths[slot];
+    return path.next_slot == slot || path_of(collision, path.next_slot, at_rest).version == path.next_version;
 }
 
-/// After the paths of two bodies have changed: the impacts that are no more, and those that come of it.
-template <class Collision>
-void find_next_anew(const Collision& collision, int slot_A, int slot_B) {
-    for_fast(collision, [&](int slot) {
-        const BodyPath& path = collision.paths[slot];
-        if (slot == slot_A || slot == slot_B || path.next_slot == slot_A || path.next_slot == slot_B) {
-            find_next(collision, slot);
-        } else {
-            consider(collision, slot, slot_A, false);
-            if (slot_B != slot_A) consider(collision, slot, slot_B, false);
-        }
-    });
-}
+/// Bodies whose paths have changed.
+struct ChangedPaths {
+    static constexpr int room = 4;  ///< two that meet, and their partners
+    int slots[room], count;
+
+    bool has(int slot) const {
+        bool found = false;
+        for (int i = 0; i < count; ++i) found = found || slots[i] == slot;  // bound: room
+        return found;
+    }
+    void add(int slot) {
+        if (!has(slot)) slots[count++] = slot;
+    }
+};
 
 } }  // namespace ingot

@@ -1,75 +1,94 @@
 // SPDX-License-Identifier: MIT
-// What two bodies do to each other in their sub-world: a manifold for each pair of their shapes that touch, as the scene's solver takes them.
+// What the bodies of a sub-world do to each other and to what is fixed: a manifold for each pair of shapes that touch, as the scene's solver takes
+// them.
 #pragma once
 
 #include "../base/report.h"
 #include "../constraint/impact_note.h"
 #include "../constraint/kinematic_view.h"
 #include "../constraint/surface_materials.h"
-#include "pair_sub_world.h"
+#include "../narrow_phase/manifold_record.h"
+#include "../shape/body_shapes.h"
+#include "../solver/sequential/point_view.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// A pair of shapes, one of each body.
+/// Two shapes that may touch: A is of a body that impulses move.
 struct ShapePair {
     ShapeSlot A, B;
+
+    bool is(const ShapePair& other) const { return A.number == other.A.number && B.number == other.B.number; }
+    bool is_before(const ShapePair& other) const { return A.number < other.A.number || (A.number == other.A.number && B.number < other.B.number); }
 };
 
 /// How deep two shapes are in each other at most, m.
-INGOT_INLINE scalar depth_of(const Manifold& manifold) {
-    scalar depth = -limits::unbounded;
-    // bound: 4: Manifold::points_max
-    for (int point_i = 0; point_i < manifold.count; ++point_i) depth = max(depth, -manifold.points[point_i].separation);
-    return depth;
-}
+INGOT_INLINE scalar depth_of(const Manifold& manifold) { return -least_separation(manifold); }
 
-/// Room for `capacity` manifolds. View: that of the scene's solver.
-template <int capacity, class View>
+/// Room for `capacity` manifolds of `slots` bodies. View: that of the scene's solver.
+template <int capacity, int slots, class View>
 struct PairContacts {
     static constexpr unsigned room = static_cast<unsigned>(capacity);
-    BodyPair pairs[room];  ///< all of the same two bodies; the number of its record is the place of a pair
+    BodyPair pairs[room];    ///< places of bodies in their sub-world
+    ShapePair shapes[room];  ///< in order
     ManifoldRecord records[room];
     ImpactNote notes[room];
-    ShapePair shapes[room];
     Vector friction_references[View::is_pointwise ? 1 : room];
     RollingRecord rolling[View::rolls ? room : 1];
     Vector belts[View::has_belts ? room : 1];
-    Index local_of[View::is_pointwise ? 1 : static_cast<unsigned>(PairSubWorld::tiles * lanes)];
+    static constexpr unsigned places = static_cast<unsigned>((slots + lanes - 1) / lanes * lanes);
+    Index local_of[View::is_pointwise ? 1 : places];
+    PointBody point_bodies[View::is_pointwise ? places : 1];
     Index count;
 
-    /// A place for what two shapes of the pair do; the manifold that is the least deep makes room. -1: it is this one.
-    /// Counted in `lost` where one has none.
-    int place_for(const Manifold& found, Index& lost) {
-        if (count < capacity) return count++;
-        ingot::count(lost);
-        int least = 0;
+    /// Takes a manifold in, in the order of the shapes; where there is no room, the least deep of all has none, whatever they came in. Those are
+    /// counted in `lost`.
+    void take(const Manifold& found, const ShapePair& of, const BodyPair& bodies, Index& lost) {
+        if (count == capacity) {
+            ingot::count(lost);
+            const int least = least_deep();
+            const scalar depth = depth_of(records[least].manifold);
+            if (depth_of(found) < depth || (!(depth_of(found) > depth) && shapes[least].is_before(of))) return;
+            drop(least);
+        }
+        int place = count++;
         // bound: limits::pair_manifolds_max
-        for (int i = 1; i < capacity; ++i)
-            if (depth_of(records[i].manifold) < depth_of(records[least].manifold)) least = i;
-        return depth_of(found) > depth_of(records[least].manifold) ? least : -1;
-    }
-    void put(int place, const Manifold& found, const ShapePair& of) {
-        pairs[place] = {0, 1, static_cast<Index>(place)};
+        for (; place > 0 && of.is_before(shapes[place - 1]); --place) copy(place - 1, place);
+        pairs[place] = bodies;
         records[place] = {};
         records[place].manifold = found;
-        notes[place] = {};
         shapes[place] = of;
     }
-    /// Rolling resistance and belts, by the laws of surface_materials.h; A_of_shapes: their axes, shape to world.
-    void mix(int place, [[maybe_unused]] const ShapeMaterials& materials, [[maybe_unused]] const Matrix (&A_of_shapes)[2]) {
-        const int A = shapes[place].A.number, B = shapes[place].B.number;
+    /// Takes one out; the others keep their order.
+    void drop(int place) {
+        --count;
+        for (; place < count; ++place) copy(place + 1, place);  // bound: limits::pair_manifolds_max
+    }
+    /// The place of a pair; -1: it has none.
+    int find(const ShapePair& of) const {
+        for (int place = 0; place < count; ++place)  // bound: limits::pair_manifolds_max
+            if (shapes[place].is(of)) return place;
+        return -1;
+    }
+    /// What their surfaces are to each other, for the manifold at a place. A_of_shapes: their axes, shape to world.
+    void mix(int place, const SurfaceView& surfaces, [[maybe_unused]] const ShapeMaterials& materials,
+             [[maybe_unused]] const Matrix (&A_of_shapes)[2]) {
+        const auto A = static_cast<Index>(shapes[place].A.number), B = static_cast<Index>(shapes[place].B.number);
+        mix_materials(surfaces, {A, B, no_record}, records[place]);
         if constexpr (View::rolls) rolling[place] = {max(materials.rolling_levers[A], materials.rolling_levers[B]), {}};
         if constexpr (View::has_belts)
             belts[place] = A_of_shapes[0] * materials.surface_velocities[A] - A_of_shapes[1] * materials.surface_velocities[B];
     }
 
-    /// The pair's own solver, in the memory of another that is done.
+    /// A solver of its own, in the memory of another that is done.
     View solver(const View& done) {
         View own = done;
+        for (int place = 0; place < count; ++place) pairs[place].record = static_cast<Index>(place);  // bound: limits::pair_manifolds_max
         own.pairs = pairs;
         own.records = records;
         own.manifold_count = count;
-        if constexpr (!View::is_pointwise) {
+        if constexpr (View::is_pointwise) {
+            own.bodies = point_bodies;
+        } else {
             for (Index& local : local_of) local = 0;
             own.friction_references = friction_references;
             own.local_of = local_of;
@@ -80,13 +99,28 @@ struct PairContacts {
         if constexpr (View::has_belts) own.belt_velocities = belts;
         return own;
     }
-    /// Some of the manifolds still carry something at the end.
-    bool carries() const {
+    /// Some of the manifolds between two bodies still carry something at the end.
+    bool carries(int place_A, int place_B) const {
         bool some = false;
         for (int place = 0; place < count; ++place)  // bound: limits::pair_manifolds_max
-            // bound: 4: Manifold::points_max
-            for (int point_i = 0; point_i < records[place].manifold.count; ++point_i) some = some || records[place].j[point_i] > 0;
+            some = some || (pairs[place].body_A == place_A && pairs[place].body_B == place_B && load_of(records[place]) > 0);
         return some;
+    }
+
+private:
+    int least_deep() const {
+        int least = 0;
+        // bound: limits::pair_manifolds_max
+        for (int i = 1; i < count; ++i) {
+            const scalar depth = depth_of(records[i].manifold), depth_of_least = depth_of(records[least].manifold);
+            if (!(depth > depth_of_least)) least = i;  // of those as deep the last
+        }
+        return least;
+    }
+    void copy(int from, int to) {
+        pairs[to] = pairs[from];
+        shapes[to] = shapes[from];
+        records[to] = records[from];
     }
 };
 

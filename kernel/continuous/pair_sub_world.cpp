@@ -32,76 +32,87 @@ void put_state(const BodyView& bodies, int slot, const FlightState& motion) {
     if (bodies.compensation != nullptr) set_lane(bodies.compensation[at.tile].A_low, at.lane, Matrix{});
 }
 
-void PairSubWorld::clear() {
-    const BodyView all = bodies();
-    for (int tile_i = 0; tile_i < tiles; ++tile_i) {
-        rotation[tile_i] = {};
-        translation[tile_i] = {};
-        compensation[tile_i] = {};
-        energy[tile_i] = {};
+void clear_tiles(const BodyView& bodies) {
+    // bound: PairSubWorld::tiles
+    for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) {
+        bodies.rotation[tile_i] = {};
+        bodies.translation[tile_i] = {};
+        bodies.compensation[tile_i] = {};
+        bodies.energy[tile_i] = {};
     }
-    for (int slot = 0; slot < tiles * lanes; ++slot) set_identity_body(all, slot);
+    // bound: PairSubWorld::tiles * lanes
+    for (int place = 0; place < bodies.tile_count * lanes; ++place) set_identity_body(bodies, place);
 }
 
-void PairSubWorld::take(int which, const BodyView& from, const BodyShapes& shapes, int slot) {
-    const Place at = place_of(which), from_at = place_of(slot);
-    put_state(bodies(), which, flight_state(from, slot));
-    const TranslationTile& translation_from = from.translation[from_at.tile];
+void take_body(const BodyView& to, int place, const BodyView& from, int slot, const BodyPath& path) {
+    const Place at = place_of(place), from_at = place_of(slot);
     const RotationTile& rotation_from = from.rotation[from_at.tile];
-    translation[at.tile].inv_M[at.lane] = translation_from.inv_M[from_at.lane];
-    set_lane(translation[at.tile].F_T, at.lane, lane_of(translation_from.F_T, from_at.lane));
-    set_lane(rotation[at.tile].tau_T, at.lane, lane_of(rotation_from.tau_T, from_at.lane));
-    set_lane(rotation[at.tile].inv_I_ratio, at.lane, lane_of(rotation_from.inv_I_ratio, from_at.lane));
-    rotation[at.tile].inv_I_scale[at.lane] = rotation_from.inv_I_scale[from_at.lane];
-    extents[which] = extent_of(shapes, slot);
+    RotationTile& rotation = to.rotation[at.tile];
+    put_state(to, place, begin_of(path));
+    to.translation[at.tile].inv_M[at.lane] = from.translation[from_at.tile].inv_M[from_at.lane];
+    set_lane(to.translation[at.tile].F_T, at.lane, path.F_T);
+    set_lane(rotation.tau_T, at.lane, path.tau_T);
+    set_lane(rotation.inv_I_ratio, at.lane, lane_of(rotation_from.inv_I_ratio, from_at.lane));
+    rotation.inv_I_scale[at.lane] = rotation_from.inv_I_scale[from_at.lane];
 }
 
-void PairSubWorld::keep_forces() {
-    for (int which = 0; which < 2; ++which) {
-        const Place at = place_of(which);
-        F_T[which] = lane_of(translation[at.tile].F_T, at.lane);
-        tau_T[which] = lane_of(rotation[at.tile].tau_T, at.lane);
-    }
-}
-
-void PairSubWorld::return_forces() {
-    for (int which = 0; which < 2; ++which) {
-        const Place at = place_of(which);
-        set_lane(translation[at.tile].F_T, at.lane, F_T[which]);
-        set_lane(rotation[at.tile].tau_T, at.lane, tau_T[which]);
-    }
-}
-
-scalar PairSubWorld::moment() {
-    const Vector v_A = flight_state(bodies(), 0).v_CM, v_B = flight_state(bodies(), 1).v_CM;
-    scalar spin = 0, fastest = sqrt(max(length_sq(v_A - v_B), max(length_sq(v_A), length_sq(v_B))));
-    for (int which = 0; which < 2; ++which) {
-        const scalar own = sqrt(length_sq(omega_of(bodies(), which)));
-        fastest += own * extents[which].radius;
-        spin = own > spin ? own : spin;
-    }
-    const scalar way = limits::together_share * min(extents[0].least, extents[1].least), angle = limits::angle_per_path / 2;
+scalar Movers::moment() const {
+    scalar spin = 0, fastest_sq = 0, turning = 0, least = limits::unbounded;
+    for_each([&](int place) {
+        const Vector v = flight_state(bodies, place).v_CM;
+        fastest_sq = max(fastest_sq, length_sq(v));
+        for_each([&](int other) { fastest_sq = max(fastest_sq, length_sq(v - flight_state(bodies, other).v_CM)); });
+        least = min(least, extents[place].least);
+        const scalar own = sqrt(length_sq(omega_of(bodies, place)));
+        turning += own * extents[place].reach;
+        if (extents[place].reach > 0) spin = max(spin, own);
+    });
+    const scalar fastest = sqrt(fastest_sq) + turning;
+    const scalar way = limits::together_share * least, angle = limits::tilt_of_contact;
     const scalar by_way = fastest * limits::step_max > way ? way / fastest : limits::step_max,
                  by_turn = spin * limits::step_max > angle ? angle / spin : limits::step_max;
     return by_way < by_turn ? by_way : by_turn;
 }
 
-bool PairSubWorld::some_fast(scalar h) {
+scalar Movers::kinetic_energy() const {
+    scalar twice = 0;
+    for (int place = 0; place < count; ++place) {  // bound: PairSubWorld::movers_max
+        const FlightState motion = flight_state(bodies, place);
+        const TranslationTile& tile = bodies.translation[place_of(place).tile];
+        const int lane_i = place_of(place).lane;
+        twice += length_sq(motion.v_CM) / tile.inv_M[lane_i] + dot(motion.L, lane_of(tile.inv_I_world, lane_i) * motion.L);
+    }
+    return twice / 2;
+}
+
+void Movers::take_part_of_change(const FlightState (&before)[2], scalar part) const {
+    for (int place = 0; place < count; ++place) {  // bound: PairSubWorld::movers_max
+        FlightState motion = flight_state(bodies, place);
+        motion.v_CM = before[place].v_CM + (motion.v_CM - before[place].v_CM) * part;
+        motion.L = before[place].L + (motion.L - before[place].L) * part;
+        put_state(bodies, place, motion);
+    }
+}
+
+bool Movers::some_fast(scalar h) const {
     bool some = false;
-    for (int which = 0; which < 2; ++which) {
-        const scalar travel = sqrt(length_sq(flight_state(bodies(), which).v_CM)) * h, turn = sqrt(length_sq(omega_of(bodies(), which))) * h;
-        some = some || travel + turn * extents[which].radius > limits::fast_share * extents[which].least;
+    // bound: PairSubWorld::movers_max
+    for (int place = 0; place < count; ++place) {
+        const scalar travel = sqrt(length_sq(flight_state(bodies, place).v_CM)) * h, turn = sqrt(length_sq(omega_of(bodies, place))) * h;
+        some = some || travel + turn * extents[place].reach > limits::fast_share * extents[place].least;
     }
     return some;
 }
 
-scalar PairSubWorld::margin(scalar h, scalar unit) {
+scalar Movers::margin(int place_A, int place_B, scalar h, scalar unit) const {
     scalar reach = 0;
-    for (int which = 0; which < 2; ++which) {
-        const scalar angle = sqrt(length_sq(omega_of(bodies(), which))) * h;
-        reach += (angle < 2 ? angle : scalar(2)) * extents[which].radius;
+    const int places[] = {place_A, place_B};
+    for (const int place : places) {
+        const scalar angle = sqrt(length_sq(omega_of(bodies, place))) * h;
+        reach += (angle < 2 ? angle : scalar(2)) * extents[place].reach;
     }
-    return limits::contact_margin * unit + sqrt(length_sq(flight_state(bodies(), 0).v_CM - flight_state(bodies(), 1).v_CM)) * h + reach;
+    const Vector v = flight_state(bodies, place_A).v_CM - flight_state(bodies, place_B).v_CM;
+    return limits::contact_margin * unit + sqrt(length_sq(v)) * h + reach;
 }
 
 } }  // namespace ingot

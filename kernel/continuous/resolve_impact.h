@@ -1,166 +1,166 @@
 // SPDX-License-Identifier: MIT
-// Two bodies that meet within a step, in a world of their own.
+// Two bodies that meet within a step: they go on together for a moment, or wait for the next step.
 #pragma once
 
-#include "../narrow_phase/find_manifolds.h"
-#include "../solver/conduct_substeps.h"
-#include "../solver/sweeps/move_bodies.h"
-#include "../body/kinematic_motion.h"
-#include "free_paths.h"
+#include "next_impact.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// How fast the points of two bodies approach each other.
-INGOT_INLINE ImpactNote note_of(const BodyView& two, const Manifold& manifold) {
-    const FlightState A = flight_state(two, 0), B = flight_state(two, 1);
-    const Vector omega_A = omega_of(two, 0), omega_B = omega_of(two, 1);
-    ImpactNote note{};
-    // bound: 4: Manifold::points_max
-    for (int point_i = 0; point_i < manifold.count; ++point_i) {
-        const Vector& P = manifold.points[point_i].P;
-        const scalar speed = dot(manifold.n, B.v_CM + cross(omega_B, P - B.r_CM) - A.v_CM - cross(omega_A, P - A.r_CM));
-        if (!(speed > note.speed)) continue;
-        note.speed = speed;
-        note.point = static_cast<uint8_t>(point_i);
-    }
-    return note;
+/// A body whose path has changed may be anywhere, and is followed from then on.
+template <class Collision>
+void follow_anew(const Collision& collision, int slot, PairRoom<Collision>& room) {
+    if (!is_valid(collision, slot)) return;
+    put_in_tree(collision, slot);
+    collision.lists->follow(slot);
+    find_next(collision, slot, room);
 }
 
-/// The shapes that gave each other an impulse, for events.
+/// Ends the path of a body at time t, with the motion that it has there, and that of its partner, which goes on alone. At its end the tiles have that
+/// motion. Where contacts of the step have moved it together with others, it has the motion of the end.
 template <class Collision>
-void note_flights(const Collision& collision, const typename Collision::Contacts& contacts) {
-    for (int place = 0; place < contacts.count; ++place) {  // bound: limits::pair_manifolds_max
-        if (!contacts.notes[place].carried) continue;
-        const Manifold& manifold = contacts.records[place].manifold;
-        const int A = contacts.shapes[place].A.number, B = contacts.shapes[place].B.number;
-        collision.flights.note({static_cast<Index>(A < B ? A : B), static_cast<Index>(A < B ? B : A),
-                                manifold.points[contacts.notes[place].point].P, A < B ? manifold.n : -manifold.n, contacts.notes[place].speed});
+void cut_path(const Collision& collision, int slot, scalar t, PairRoom<Collision>& room, ChangedPaths& changed) {
+    const BodyPath& path = collision.paths[slot];
+    if (changed.has(slot) || path.kind == PathKind::standing) return;
+    note_passed_sensors(collision, slot, t);
+    if (path.kind == PathKind::in_island) {
+        const FlightState end = flight_state(collision.bodies, slot);
+        put_state(collision.bodies, slot, moved_to(collision, slot, end, frame_on_path(path, t)));
+        return changed.add(slot);
+    }
+    if (!(t < path.until)) return changed.add(slot);
+    if (path.kind == PathKind::in_pair) note_passed_sensors(collision, path.partner, t);
+    go_along(collision, slot, t, room);
+    for (int which = 0; which < room.two.count; ++which) {  // bound: PairSubWorld::movers_max
+        put_state(collision.bodies, room.slots[which], room.two.state(which));
+        changed.add(room.slots[which]);
     }
 }
 
-/// The manifolds of two bodies in their sub-world that can touch within h seconds, with what their surfaces are to each other.
+/// A body stays where it is at time t, until the next step.
 template <class Collision>
-void find_pair_contacts(const Collision& collision, const int (&slots)[2], PairRoom<Collision>& room, scalar h, StepReport& report) {
-    const SurfaceView& surfaces = collision.shapes.surfaces;
-    const scalar margin = room.two.margin(h, surfaces.unit);
-    const FlightState states[2] = {flight_state(room.two.bodies(), 0), flight_state(room.two.bodies(), 1)};
-    const auto placed = [&](int which, ShapeSlot shape) {
-        const BodyShapes& shapes = collision.shapes;
-        return place_on_body(shapes.surface(shape).shape, shapes.place(shape), shapes.hull(shape), states[which].r_CM, states[which].A);
-    };
-    room.contacts.count = 0;
-    collision.shapes.for_shapes(slots[0], [&](ShapeSlot shape_A) {
-        const PlacedShape A = placed(0, shape_A);
-        collision.shapes.for_shapes(slots[1], [&](ShapeSlot shape_B) {
-            if (!collision.meets(shape_A.number, shape_B.number)) return;
-            const PlacedShape B = placed(1, shape_B);
-            Manifold before, found;
-            before.n = {};
-            before.count = 0;
-            found.halvings = static_cast<uint16_t>(surfaces.halvings(shape_A.number, shape_B.number));
-            const Margin search = {margin, limits::fast_margin * scale_of(surfaces.unit, found.halvings)};
-            if (!collide_placed<typename Collision::SceneTraits::Shapes>(A, B, search, before, found)) count(report.pairs_untested);
-            if (found.count == 0) return;
-            const int place = room.contacts.place_for(found, report.contacts_lost);
-            if (place < 0) return;
-            room.contacts.put(place, found, {shape_A, shape_B});
-            const BodyPair pair = {static_cast<Index>(shape_A.number), static_cast<Index>(shape_B.number), no_record};
-            mix_materials(surfaces, pair, room.contacts.records[place]);
-            room.contacts.notes[place] = note_of(room.two.bodies(), found);
-            room.contacts.mix(place, collision.materials, {A.A, B.A});
-        });
-    });
+void wait_at(const Collision& collision, int slot, scalar t, PairRoom<Collision>& room, ChangedPaths& changed) {
+    const PathFrame there = frame_on_path(collision.paths[slot], t);
+    cut_path(collision, slot, t, room, changed);
+    const FlightState motion = moved_to(collision, slot, flight_state(collision.bodies, slot), there);
+    put_state(collision.bodies, slot, motion);
+    end_path(collision.paths[slot], motion.r_CM, motion.A, t);
 }
 
-/// Kinematic bodies of a sub-world as they are at time t, and how they move: see body/kinematic_motion.h.
+/// Of two bodies that meet, the one that came waits, and the other where it is followed too; partners of theirs go on alone. What comes to one that
+/// stands already waits there. Returns how many wait.
 template <class Collision>
-void show_kinematic(const Collision& collision, const int (&slots)[2], scalar t, PairSubWorld& two) {
-    for (int which = 0; which < 2; ++which) {
-        if (!is_kinematic(collision, slots[which])) continue;
-        const BodyPath& path = collision.paths[slots[which]];
-        const PathFrame at = frame_on_path(path, t);
-        put_state(two.bodies(), which, {at.r_CM, {}, {}, at.A});
-        show_kinematic_motion(two.bodies(), which, path.way * (1 / collision.clock.h), path.turn * (1 / collision.clock.h));
+int wait_at_impact(const Collision& collision, int slot, int other, scalar t, PairRoom<Collision>& room, ChangedPaths& changed) {
+    const int both[] = {slot, other};
+    const bool came = collision.paths[slot].kind != PathKind::standing;
+    int waiting = 0;
+    for (const int one : both) {
+        if (is_kinematic(collision, one) || !is_valid(collision, one) || sleeps(collision, one)) continue;
+        if ((came && !collision.paths[one].is_followed) || collision.paths[one].kind == PathKind::standing) continue;
+        wait_at(collision, one, t, room, changed);
+        ++waiting;
     }
-}
-template <class Collision>
-void hide_kinematic(const Collision& collision, const int (&slots)[2], PairSubWorld& two) {
-    for (int which = 0; which < 2; ++which)
-        if (is_kinematic(collision, slots[which])) hide_kinematic_motion(two.bodies(), which);
-}
-
-/// Two bodies in their sub-world for h seconds, by the laws of any step. True if they press on each other at the end.
-template <class Collision>
-bool solve_pair_for(const Collision& collision, const int (&slots)[2], PairRoom<Collision>& room, scalar h, StepReport& report) {
-    using Traits = typename Collision::SceneTraits;
-    const BodyView two = room.two.bodies();
-    const Vector gravity = collision.clock.gravity;
-    find_pair_contacts(collision, slots, room, h, report);
-    if (room.contacts.count == 0) {
-        hide_kinematic(collision, slots, room.two);
-        fly_freely<typename Traits::Rotation>(two, gravity, h);
-        return false;
-    }
-    refresh_inv_I_world(two);
-    typename Traits::View solver = room.contacts.solver(collision.solver);
-    room.two.keep_forces();
-    Traits::Solver::template solve_pair<Traits::notes_impulses, Traits::bounces>(solver, {two, gravity, h, {room.contacts.notes, nullptr}}, report);
-    hide_kinematic(collision, slots, room.two);
-    integrate_L(two, h);
-    integrate_v(two, h, gravity);
-    write_contact_motion(solver, NoJointedBodies{}, two, gravity, h);
-    forget_energies(two);
-    (void)Traits::Rotation::integrate_A(two, h, FlightClock{0, 1, h / 2});
-    integrate_r(two, h, gravity);
-    turn_by_corrections(solver, NoJointedBodies{}, two, h);
-    room.two.return_forces();
-    return room.contacts.carries();
+    for (int i = 0; i < changed.count; ++i)  // bound: ChangedPaths::room
+        if (changed.slots[i] != slot && changed.slots[i] != other)
+            lay_alone(collision, changed.slots[i], flight_state(collision.bodies, changed.slots[i]), t, room);
+    return waiting;
 }
 
-/// Two bodies that meet at time t: they are together for a moment, in which they give each other what contacts do. Then they fly on; where neither
-/// is fast any more and they press on each other, they stay together for the rest of the step.
+/// Whether the impact of a body with another at time t can be followed in this step; else whoever came waits there for the next. What contacts of the
+/// step have moved together with others is not taken from them, unless it would wait for nearly all of the step: it might do so again and again.
 template <class Collision>
-void resolve_impact(const Collision& collision, const int (&slots)[2], scalar t, PairRoom<Collision>& room, StepReport& report) {
-    PairSubWorld& two = room.two;
-    FlightState states[2];
-    for (int which = 0; which < 2; ++which) states[which] = motion_at(collision, slots[which], t, two);
-    two.clear();
-    for (int which = 0; which < 2; ++which) {
-        two.take(which, collision.bodies, collision.shapes, slots[which]);
-        put_state(two.bodies(), which, states[which]);
+bool can_follow(const Collision& collision, int slot, int other, scalar t) {
+    if (!(t < 1 - limits::last_moment)) return false;
+    const int both[] = {slot, other};
+    for (const int one : both) {
+        if (is_kinematic(collision, one)) return true;
+        if (!is_valid(collision, one)) continue;
+        if (sleeps(collision, one)) return false;  // no contact had room: nothing woke it
+        const PathKind kind = collision.paths[one].kind;
+        if (kind == PathKind::standing || (kind == PathKind::in_island && t > limits::first_moment)) return false;
     }
-    show_kinematic(collision, slots, t, two);
-    const scalar h = (1 - t) * collision.clock.h, moment = min(h, two.moment());
-    bool pressed = solve_pair_for(collision, slots, room, moment, report);
-    if constexpr (Collision::SceneTraits::notes_impulses) note_flights(collision, room.contacts);
-    const scalar parted = moment < h ? t + moment / collision.clock.h : scalar(1);
-    const bool over = parted >= 1 - limits::last_moment;
-    show_kinematic(collision, slots, parted, two);
-    PathPoint after[2];
-    for (int which = 0; which < 2; ++which) {
-        states[which] = flight_state(two.bodies(), which);
-        after[which] = path_point(two.bodies(), which, collision.clock.h);
-    }
-    pressed = pressed && !over && !two.some_fast(h - moment);
-    if (pressed) (void)solve_pair_for(collision, slots, room, h - moment, report);
+    return true;
+}
 
-    const FlightState ends[2] = {flight_state(two.bodies(), 0), flight_state(two.bodies(), 1)};
-    const BodyExtent extents[2] = {two.extents[0], two.extents[1]};
-    for (int which = 0; which < 2; ++which) {
-        const int slot = slots[which];
-        if (!is_valid(collision, slot)) continue;
-        BodyPath& path = collision.paths[slot];
-        put_state(collision.bodies, slot, ends[which]);
-        if (over)
-            end_path(path, ends[which].r_CM, ends[which].A, 1);
-        else if (pressed)
-            lay_chord(collision, slot, after[which], parted);
-        else
-            lay_free_path(collision, slot, states[which], parted, two);
-        path.fast = !over && is_valid(collision, slot) && is_fast_path(path, extents[which]);
-        collision.lists->add_stray(collision.paths, slot);
-        if (path.fast) collision.lists->add_fast(collision.paths, slot);
+/// Counts an impact that is to be followed, for both bodies. False where one of them has had as many as there may be: what a body does to others
+/// elsewhere takes nothing from it. What cannot move has them without end.
+template <class Collision>
+bool take_impact(const Collision& collision, int slot, int other) {
+    const int both[] = {slot, other};
+    bool taken = true;
+    for (const int one : both) taken = taken && !(is_valid(collision, one) && collision.paths[one].impacts >= limits::impacts_of_body_max);
+    for (const int one : both)
+        if (taken && is_valid(collision, one)) ++collision.paths[one].impacts;
+    return taken;
+}
+
+/// The paths of two bodies that have met: together for a moment where they stay together, else each alone.
+template <class Collision>
+void lay_both(const Collision& collision, const int (&slots)[2], scalar t, PairRoom<Collision>& room) {
+    for (const int slot : slots) begin_part(collision, slot, flight_state(collision.bodies, slot), t);
+    gather_pair(collision, slots[0], slots[1], room);
+    const scalar rest = (1 - t) * collision.clock.h, moment = min(rest, room.two.movers().moment());
+    find_pair_contacts(collision, room, {false, moment, nullptr});
+    if (!gets_away(collision, room, rest)) return lay_solved_paths(collision, moment < rest ? t + moment / collision.clock.h : scalar(1), room);
+    for (const int slot : slots) lay_alone(collision, slot, flight_state(collision.bodies, slot), t, room);
+}
+
+/// One or two bodies that have been taken to time t give each other, and to what is around them, the impulses of their impact. kinematic: the slot of
+/// a kinematic body that one of them meets; -1: none.
+template <class Collision>
+void hit(const Collision& collision, const int (&slots)[2], int kinematic, scalar t, PairRoom<Collision>& room) {
+    for (const int slot : slots)
+        if (slot >= 0) begin_part(collision, slot, flight_state(collision.bodies, slot), t);
+    gather_pair(collision, slots[0], slots[1], room);
+    if (kinematic >= 0) (void)room.two.place_of_kinematic(collision.shapes, kinematic);
+    show_kinematic(collision, t, room);
+    find_pair_contacts(collision, room, {true, 0, nullptr});
+    give_impulses(collision, room);
+    for (int which = 0; which < room.two.count; ++which)  // bound: PairSubWorld::movers_max
+        put_state(collision.bodies, room.slots[which], room.two.state(which));
+}
+
+/// Two bodies that meet at time t: they are taken back to it, give each other their impulses, and go on.
+template <class Collision>
+void resolve_impact(const Collision& collision, int slot, int other, scalar t, PairRoom<Collision>& room, ChangedPaths& changed) {
+    const int both[] = {slot, other};
+    int movers[2] = {-1, -1}, count = 0, kinematic = -1;
+    for (const int one : both) {
+        if (is_kinematic(collision, one)) kinematic = one;
+        if (!is_valid(collision, one)) continue;
+        cut_path(collision, one, t, room, changed);
+        movers[count++] = one;
     }
+    if (count == 0) return;
+    for (int i = 0; i < changed.count; ++i)  // bound: ChangedPaths::room
+        if (changed.slots[i] != movers[0] && changed.slots[i] != movers[1])
+            lay_alone(collision, changed.slots[i], flight_state(collision.bodies, changed.slots[i]), t, room);
+    hit(collision, movers, kinematic, t, room);
+    if (count == 2) return lay_both(collision, movers, t, room);
+    lay_alone(collision, movers[0], flight_state(collision.bodies, movers[0]), t, room);
+}
+
+/// The path of a body ends: it goes on alone, or with its partner where the two press on each other and do not move far against each other.
+template <class Collision>
+void lay_on(const Collision& collision, int slot, PairRoom<Collision>& room, ChangedPaths& changed) {
+    const BodyPath& path = collision.paths[slot];
+    const scalar t = path.until;
+    cut_path(collision, slot, t, room, changed);
+    const int partner = path.partner;
+    if (path.kind == PathKind::in_pair && path.presses && collision.paths[partner].kind == PathKind::in_pair &&
+        collision.paths[partner].partner == slot && !(collision.paths[partner].until > t)) {
+        cut_path(collision, partner, t, room, changed);
+        const int both[] = {slot, partner};
+        for (const int one : both) begin_part(collision, one, flight_state(collision.bodies, one), t);
+        gather_pair(collision, slot, partner, room);
+        const scalar rest = (1 - t) * collision.clock.h;
+        const scalar moment = room.two.movers().some_fast(rest) ? min(rest, room.two.movers().moment()) : rest;
+        if (!(moment < rest / limits::path_parts_max)) {
+            find_pair_contacts(collision, room, {false, moment, nullptr});
+            return lay_solved_paths(collision, moment < rest ? t + moment / collision.clock.h : scalar(1), room);
+        }
+        lay_alone(collision, partner, flight_state(collision.bodies, partner), t, room);
+    }
+    lay_alone(collision, slot, flight_state(collision.bodies, slot), t, room);
 }
 
 } }  // namespace ingot

@@ -12,7 +12,7 @@ constexpr uint32_t feature_of(int axis, bool negative, uint32_t rest) {
 }
 
 /// The gap between the shadows of the boxes on a unit vector n that points from B to A.
-INGOT_INLINE scalar gap_along(const PlacedShape& A, const PlacedShape& B, const Vector& n) {
+INGOT_INLINE scalar gap_of_boxes(const PlacedShape& A, const PlacedShape& B, const Vector& n) {
     const Vector &a = A.shape.size, &b = B.shape.size;
     const scalar reach_A = a.x * abs(dot(n, A.A.c0)) + a.y * abs(dot(n, A.A.c1)) + a.z * abs(dot(n, A.A.c2));
     const scalar reach_B = b.x * abs(dot(n, B.A.c0)) + b.y * abs(dot(n, B.A.c1)) + b.z * abs(dot(n, B.A.c2));
@@ -297,7 +297,7 @@ bool edge_point(const PlacedShape& A, const PlacedShape& B, const BestAxis& best
 
 void collide_box_box(const PlacedShape& A, const PlacedShape& B, const Margin& margin, Manifold& manifold, const Manifold* before_it) {
     const Before before = remember(before_it);
-    if (before_it != nullptr && before.count == 0 && gap_along(A, B, before.n) > margin) return no_points(before.n, manifold);
+    if (before_it != nullptr && before.count == 0 && gap_of_boxes(A, B, before.n) > margin) return no_points(before.n, manifold);
 
     BestAxis best;
     const int axis_before = before.count > 0 ? static_cast<int>(before.features[0] >> 24) : no_axis;

@@ -169,7 +169,7 @@ INGOT_INLINE void begin_record(const BodyView& bodies, const SurfaceView& surfac
 /// Manifolds of all pairs of the last search, those of the step before renewed; manifolds.pairs are those that touch.
 ///
 /// Pairs that the rules of the scene keep apart have none: see pair_rules.h.
-/// Pairs with a fast body touch or have none; those that meet hard in flight are seen to there.
+/// Pairs with a fast body touch or have none.
 /// Full: what finds no record is refused_record, and counted in contacts_lost; who it is to be is then chosen anew: see crowded_manifolds.h.
 template <class Shapes, bool renews, class Rules, class FastPairs = NoFastPairs>
 void update_manifolds(const BodyView& bodies, const SurfaceView& surfaces, const BoundsTile* bounds, scalar h, const Rules& rules,
@@ -205,7 +205,7 @@ void update_manifolds(const BodyView& bodies, const SurfaceView& surfaces, const
         const Manifold& before = has_record ? manifolds.records[pair.record].manifold : no_manifold_before;
         const Margin search = {margin, limits::fast_margin * scale_of(surfaces.unit, found_now.halvings)};
         if (!find_manifold<Shapes>(bodies, surfaces, pair, search, before, found_now)) count(report.pairs_untested);
-        if (found_now.count == 0 || (fast && fast_pairs.meets_hard(pair, found_now))) {
+        if (found_now.count == 0) {
             if (has_record) give_back(manifolds, pair.record);
             continue;
         }

@@ -121,12 +121,13 @@ void HiddenPoints::put_on_fixed(const Manifold& manifold, Touch (&touches)[Manif
         if (S_.shape.kind == ShapeKind::hull) put_on_hull(S_, touches[i]);
         middle += touches[i].p * (1 / static_cast<scalar>(manifold.count));
     }
-    if (manifold.count == 1) middle = middle_below();
+    const bool is_line = manifold.count <= 2;  // an edge may lie all along the foot of a wall
+    if (is_line) middle = middle_below();
     for (int i = 0; i < manifold.count; ++i) {
         Vector inwards = middle - touches[i].p;
         inwards = inwards - d * dot(d, inwards);
         const scalar way = sqrt(length_sq(inwards)), most = 4 * flush_;
-        touches[i].inner = touches[i].p + inwards * (way > most ? most / way : scalar(1));
+        touches[i].inner = touches[i].p + inwards * (way > most && !is_line ? most / way : scalar(1));
     }
 }
 

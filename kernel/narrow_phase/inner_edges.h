@@ -58,7 +58,8 @@ public:
     unsigned hidden(const Manifold& manifold) const;
 
     /// Where all points are hidden, another direction may be open that separated less: the best of the faces of S that are not covered. The points
-    /// are those that the body has above the plane of the face, as far as they are above S.
+    /// are those that the body has above the plane of the face, as far as they are above S; its origin has to be above it too, or it would be pushed
+    /// through S.
     /// False where there are none. Directions of nearest points are the only ones; those of separating axes, and of what overlaps, are not.
     /// Cost: up to a face of S, a half space each.
     template <class Shapes>
@@ -72,7 +73,7 @@ public:
         // bound: 2 limits::hull_vertices_max - 4
         for (int face_i = 0; face_i < face_count(S_); ++face_i) {
             const FaceOfFixed face = face_of(S_, face_i);
-            if (dot(face.n, d) < -limits::edge_tilt) continue;
+            if (dot(face.n, d) < -limits::edge_tilt || !(dot(face.n, body_.r - S_.r) > face.offset)) continue;
             Manifold above;
             const PlacedShape plane = {HalfSpace{face.n, 0}, S_.r + face.n * face.offset, identity_matrix<scalar>(), nullptr};
             (void)collide_placed<WithHalfSpace<Shapes>>(body_, plane, margin, no_manifold_before, above);

@@ -37,8 +37,22 @@ void improve(const PlacedShape& A, const PlacedShape& B, const Vector& m, PlaneB
     const scalar length = sqrt(length_sq(m));
     if (!(length > scalar(0.01))) return;
     const Vector n = m * ((dot(m, best.n) < 0 ? scalar(-1) : scalar(1)) / length);
-    const scalar gap = dot(n, support_point(A, -n) - support_point(B, n));
+    const scalar gap = gap_along(A, B, n);
     if (gap > best.gap) best = {n, gap};
+}
+
+/// All faces of a shape that look to the side of n.
+void improve_by_faces(const PlacedShape& s, const PlacedShape& A, const PlacedShape& B, const Vector& n, PlaneBetween& plane) {
+    if (s.shape.kind == ShapeKind::box || s.shape.kind == ShapeKind::cylinder) improve(A, B, s.A.c2, plane);
+    if (s.shape.kind == ShapeKind::box) {
+        improve(A, B, s.A.c0, plane);
+        improve(A, B, s.A.c1, plane);
+    }
+    if (s.shape.kind != ShapeKind::hull) return;
+    const Vector u = transpose_times(s.A, n);
+    // bound: 2 limits::hull_vertices_max - 4
+    for (int face_i = 0; face_i < s.hull->face_count; ++face_i)
+        if (dot(s.hull->faces[face_i].n, u) > 0) improve(A, B, s.A * s.hull->faces[face_i].n, plane);
 }
 
 }  // namespace
@@ -51,6 +65,20 @@ PlaneBetween plane_between(const PlacedShape& A, const PlacedShape& B, const Nea
     improve(A, B, face_towards(B, nearest.n), plane);
     improve(A, B, face_towards(A, nearest.n), plane);
     improve(A, B, cross(edge_across(A, nearest.n), edge_across(B, nearest.n)), plane);
+    return plane;
+}
+
+scalar gap_along(const PlacedShape& A, const PlacedShape& B, const Vector& n) {
+    if (B.shape.kind == ShapeKind::half_space) return dot(n, support_point(A, -n) - B.r) - B.shape.offset;
+    return dot(n, support_point(A, -n) - support_point(B, n));
+}
+
+PlaneBetween plane_along(const PlacedShape& A, const PlacedShape& B, const Vector& n) {
+    PlaneBetween plane = {n, gap_along(A, B, n)};
+    if (B.shape.kind == ShapeKind::half_space) return plane;
+    improve_by_faces(B, A, B, n, plane);
+    improve_by_faces(A, A, B, -n, plane);
+    improve(A, B, cross(edge_across(A, n), edge_across(B, n)), plane);
     return plane;
 }
 

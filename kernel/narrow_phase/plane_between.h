@@ -16,4 +16,11 @@ struct PlaneBetween {
 /// Needs: shapes that are apart, and what closest_points says of them.
 PlaneBetween plane_between(const PlacedShape& A, const PlacedShape& B, const Nearest& nearest);
 
+/// How far two shapes are apart along n (unit, from B to A), m; negative where they overlap along it. B may be a half space: then n is its normal.
+scalar gap_along(const PlacedShape& A, const PlacedShape& B, const Vector& n);
+
+/// The plane across n (unit, from B to A) of shapes that may overlap, or a better one, of any of their faces or of edges: with a negative gap where
+/// they do. Cost: a pair of supports for each face.
+PlaneBetween plane_along(const PlacedShape& A, const PlacedShape& B, const Vector& n);
+
 } }  // namespace ingot

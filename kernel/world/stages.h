@@ -3,12 +3,12 @@
 // whose feature it does not name is empty. Stages themselves work on views and know no scene.
 #pragma once
 
-#include "../continuous/follow_fast_bodies.h"
 #include "../impulse/contact_rows.h"
 #include "../impulse/solve_impacts.h"
 #include "../motion/integrate_L.h"
 #include "../narrow_phase/inner_edges.h"
 #include "crowd_stages.h"
+#include "fast_stages.h"
 #include "kinematic_stages.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -170,6 +170,7 @@ void find_manifolds([[maybe_unused]] Step<S>& now) {
                     {storage.shapes(), storage.surface_view(), storage.bounds, hulls_of<S>, storage.velocities_of_shapes()}, storage.pair_list(),
                     storage.last_of_shape, manifolds);
             });
+        if constexpr (S::continuous) leave_to_flights(fast_pairs, storage.pair_list(), manifolds);
         count(now.report.contacts, *manifolds.count);
         count(now.report.pairs_lost, storage.pairs_lost);
         if constexpr (S::sleeps)
@@ -224,75 +225,6 @@ INGOT_INLINE void sum_forces(Step<S>& now) {
 template <class S>
 void note_approaches([[maybe_unused]] Step<S>& now) {
     if constexpr (has_events<S>) note_approaches(now.bodies, now.storage.gravity, now.h, now.storage.moving_manifolds(), now.storage.notes);
-}
-
-/// What fast bodies are followed by, of a scene: see ContinuousCollision.
-template <class S>
-struct FastSceneOf {
-    using Shapes = ShapesOf<S>;
-    using Rotation = typename S::rotation;
-    using Solver = typename S::solver;
-    using View = decltype(solver_of_scene<S>());
-    static constexpr bool notes_impulses = has_events<S>, bounces = S::bounces, sees_kinematic = S::kinematic_bodies;
-    static constexpr int shape_pairs = S::max_shapes_of_body * S::max_shapes_of_body;
-    static constexpr int room = limits::pair_manifolds_max < S::max_manifolds ? limits::pair_manifolds_max : S::max_manifolds;
-    static constexpr int pair_manifolds = shape_pairs < room ? shape_pairs : room;
-};
-
-/// The bodies that a step may move.
-template <class S>
-auto moving_bodies(Step<S>& now) {
-    if constexpr (S::sleeps)
-        return AwakeBodies{now.storage.rest_view()};
-    else
-        return EveryBody{now.storage.slots_used};
-}
-
-/// Where the bodies begin that may turn out to be fast: all that are awake by now.
-template <class S>
-void begin_paths([[maybe_unused]] Step<S>& now) {
-    if constexpr (S::continuous)
-        moving_bodies(now).for_each([&now](int slot) { begin_path(now.bodies, now.h, slot, now.storage.paths[slot]); });
-}
-
-/// Where impacts in flight are noted, for events: an empty list, or nowhere.
-template <class S>
-FlightImpactList begin_flights([[maybe_unused]] Step<S>& now) {
-    if constexpr (has_events<S>) {
-        now.storage.flight_impact_count = 0;
-        now.flights = now.storage.flights(now.report);
-    }
-    return now.flights;
-}
-
-/// Who passes sensors in flight.
-template <class S>
-auto passed_sensors([[maybe_unused]] Step<S>& now) {
-    if constexpr (has_sensors<S>) {
-        auto& storage = now.storage;
-        const SensorView so_far = storage.sensor_view_so_far(storage.generation_of_shapes(storage.generation), now.report);
-        return PassedSensors<decltype(storage.meeting_view())>{storage.meeting_view(), so_far};
-    } else {
-        return NoPassedSensors{};
-    }
-}
-
-/// Fast bodies meet others within the step, impact by impact.
-template <class S>
-void follow_fast_bodies([[maybe_unused]] Step<S>& now) {
-    if constexpr (S::continuous) {
-        auto& storage = now.storage;
-        const auto meets = [&storage](int shape_A, int shape_B) { return storage.can_meet(shape_A, shape_B); };
-        const auto moving = moving_bodies(now);
-        const ManifoldView solved = storage.manifold_view();
-        const auto sensors = passed_sensors(now);
-        auto tree = storage.tree_of_bounds();
-        FastBodies lists = {};
-        const ContinuousCollision<FastSceneOf<S>, decltype(moving), decltype(meets), decltype(sensors), decltype(tree)> collision = {
-            now.bodies, storage.body_shapes(), storage.shape_materials(), now.solver, solved.pairs, *solved.count, storage.paths,
-            {storage.gravity, now.h}, moving, meets, sensors, begin_flights(now), tree, &lists};
-        follow_fast_bodies(collision, now.report);
-    }
 }
 
 /// What found no room in the arrays of contacts falls through nothing.

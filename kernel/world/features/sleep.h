@@ -123,6 +123,7 @@ struct Continuous : Feature {
     template <class S, bool present>
     struct Memory {
         BodyPath paths[static_cast<unsigned>(S::max_bodies)] = {};
+        Index followed[static_cast<unsigned>(S::max_bodies)] = {};  ///< see FollowedBodies
     };
     template <class S>
     struct Memory<S, false> {};

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+// What the bodies of a sub-world touch: each other, and around them all that impulses do not move, as one floor.
+#pragma once
+
+#include "../body/kinematic_motion.h"
+#include "../math/sqrt.h"
+#include "../narrow_phase/find_manifolds.h"
+#include "../narrow_phase/inner_edges.h"
+#include "continuous_collision.h"
+#include "time_of_impact.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// Where two shapes have just come to touch. It is known better than a search among what touches would find it: there rounding turns it.
+struct MetPoint {
+    ShapePair pair;
+    Vector n, P;
+};
+/// How far the bodies of a sub-world may be from what they have contacts with.
+struct PairReach {
+    bool touching;        ///< they have to touch: what is further is no plane yet, a body may pass by
+    scalar h;             ///< s; else it is what they can travel in this time
+    const MetPoint* met;  ///< the contact of one pair; null: of none it is known
+};
+
+/// Kinematic bodies of a sub-world as they are at time t, and how they move: see body/kinematic_motion.h.
+template <class Collision>
+void show_kinematic([[maybe_unused]] const Collision& collision, [[maybe_unused]] scalar t, [[maybe_unused]] PairRoom<Collision>& room) {
+    if constexpr (Collision::SceneTraits::sees_kinematic) {
+        for (int i = 0; i < room.two.kinematic_count; ++i) {  // bound: limits::pair_kinematic_max
+            const int place = room.two.first_kinematic + i;
+            const BodyPath& path = collision.paths[room.two.kinematic[i]];
+            const PathFrame at = frame_on_path(path, t);
+            put_state(room.two.bodies(), place, {at.r_CM, {}, {}, at.A});
+            show_kinematic_motion(room.two.bodies(), place, path.way * (1 / collision.clock.h), path.turn * (1 / collision.clock.h));
+        }
+    }
+}
+template <class Collision>
+void hide_kinematic(PairRoom<Collision>& room) {
+    if constexpr (Collision::SceneTraits::sees_kinematic)
+        for (int i = 0; i < room.two.kinematic_count; ++i)  // bound: limits::pair_kinematic_max
+            hide_kinematic_motion(room.two.bodies(), room.two.first_kinematic + i);
+}
+
+/// A shape of a body that is at a place in the sub-world; of what stands still, as it is in the world.
+template <class Collision>
+PlacedShape placed_in(const Collision& collision, PairRoom<Collision>& room, int place, ShapeSlot shape) {
+    const BodyShapes& shapes = collision.shapes;
+    const FlightState at = place == room.two.fixed ? flight_state(collision.bodies, shapes.body_of(shape)) : room.two.state(place);
+    return place_on_body(shapes.surface(shape).shape, shapes.place(shape), shapes.hull(shape), at.r_CM, at.A);
+}
+
+/// The manifold of two shapes, if they are near enough.
+template <class Collision>
+void find_contact(const Collision& collision, PairRoom<Collision>& room, const PairReach& reach, const ShapePair& pair, const BodyPair& places) {
+    const SurfaceView& surfaces = collision.shapes.surfaces;
+    const PlacedShape A = placed_in(collision, room, places.body_A, pair.A), B = placed_in(collision, room, places.body_B, pair.B);
+    Manifold before, found;
+    before.n = {};
+    before.count = 0;
+    found.halvings = static_cast<uint16_t>(surfaces.halvings(pair.A.number, pair.B.number));
+    const scalar scale = scale_of(surfaces.unit, found.halvings);
+    const scalar touching = limits::touching_gap * scale + 8 * epsilon * (sum_of_components(A.r) + sum_of_components(B.r));
+    const scalar margin = reach.touching ? touching : room.two.movers().margin(places.body_A, places.body_B, reach.h, surfaces.unit);
+    if (reach.met != nullptr && reach.met->pair.is(pair))
+        one_point(reach.met->n, reach.met->P, 0, 0, found);
+    else if (!collide_placed<typename Collision::SceneTraits::Shapes>(A, B, {margin, limits::fast_margin * scale}, before, found))
+        count(collision.report->pairs_untested);
+    if (found.count != 0) room.contacts.take(found, pair, places, collision.report->contacts_lost);
+}
+
+/// Calls each(shape) for the shapes near a mover of bodies that no impulse moves: what is fixed, and what is kinematic, each in its place in the
+/// sub-world.
+template <class Collision, class Each>
+void for_unmoved_near(const Collision& collision, PairRoom<Collision>& room, int which, const PairReach& reach, const Each& each) {
+    const FlightState at = room.two.state(which);
+    const scalar way = reach.touching ? scalar(0) : sqrt(length_sq(at.v_CM)) * reach.h;
+    const scalar size = room.two.extents[which].radius * (1 + limits::flatness) + way + limits::contact_margin * collision.shapes.surfaces.unit +
+                        8 * epsilon * sum_of_components(at.r_CM);
+    const Vector more = {size, size, size};
+    for_shapes_in_box(collision, room.slots[which], {at.r_CM - more, at.r_CM + more}, [&](ShapeSlot shape) {
+        const int other = collision.shapes.body_of(shape);
+        if (is_dynamic(collision.bodies, other) || collision.shapes.surface(shape).shape.kind == ShapeKind::none) return;
+        int place = room.two.fixed;
+        if (is_kinematic(collision, other)) {
+            const int known = room.two.kinematic_count;
+            place = room.two.place_of_kinematic(collision.shapes, other);
+            if (place < 0) return count(collision.report->contacts_lost);
+            if (room.two.kinematic_count > known) show_kinematic(collision, room.at, room);
+        }
+        each(shape, place);
+    });
+}
+
+/// Shapes of the movers as the search for inner edges sees them: where they are in the sub-world, for as long as a stage runs.
+template <class Collision, class Stage>
+void with_movers_shown(const Collision& collision, PairRoom<Collision>& room, const Stage& stage) {
+    constexpr auto room_for = static_cast<unsigned>(2 * Collision::SceneTraits::shapes_of_body);
+    PathFrame before[room_for];
+    const auto over_shapes = [&](const auto& each) {
+        int shape_i = 0;
+        for (int which = 0; which < room.two.count; ++which)  // bound: PairSubWorld::movers_max
+            collision.shapes.for_shapes(room.slots[which], [&](ShapeSlot shape) {
+                const Place at = place_of(shape.number);
+                each(which, shape, collision.floor.shapes.translation[at.tile], collision.floor.shapes.rotation[at.tile], at.lane, before[shape_i++]);
+            });
+    };
+    over_shapes([&](int which, ShapeSlot shape, TranslationTile& translation, RotationTile& rotation, int lane_i, PathFrame& kept) {
+        const PlacedShape placed = placed_in(collision, room, which, shape);
+        kept = {lane_of(translation.r_CM, lane_i), lane_of(rotation.A, lane_i)};
+        set_lane(translation.r_CM, lane_i, placed.r);
+        set_lane(rotation.A, lane_i, placed.A);
+    });
+    stage();
+    over_shapes([&](int, ShapeSlot, TranslationTile& translation, RotationTile& rotation, int lane_i, const PathFrame& kept) {
+        set_lane(translation.r_CM, lane_i, kept.r_CM);
+        set_lane(rotation.A, lane_i, kept.A);
+    });
+}
+
+/// Drops the points that edges inside of a floor make: see narrow_phase/inner_edges.h. Contacts with kinematic bodies, and between two movers, are no
+/// part of it.
+template <class Collision>
+void hide_internal_edges([[maybe_unused]] const Collision& collision, [[maybe_unused]] PairRoom<Collision>& room) {
+    if constexpr (Collision::SceneTraits::hides_internal_edges) {
+        auto& contacts = room.contacts;
+        BodyPair pairs[Collision::Contacts::room], found_pairs[Collision::Contacts::room];
+        Index count = 0, lost = 0;
+        // bound: limits::pair_manifolds_max
+        for (int place = 0; place < contacts.count; ++place) {
+            if (contacts.pairs[place].body_B != room.two.fixed) continue;
+            const ShapePair& of = contacts.shapes[place];
+            found_pairs[count] = {static_cast<Index>(of.A.number), static_cast<Index>(of.B.number), static_cast<Index>(place)};
+            pairs[count] = found_pairs[count];
+            ++count;
+        }
+        if (count < 2) return;
+        Index used = contacts.count, first_free = 0, found_count = count;
+        const PairList found = {found_pairs, count, &found_count, &lost};
+        const ManifoldView manifolds = {pairs, &count, contacts.records, nullptr, &used, &first_free, count};
+        with_movers_shown(collision, room, [&] {
+            drop_hidden_points<typename Collision::SceneTraits::Shapes>({collision.floor.shapes, collision.shapes.surfaces, collision.floor.bounds,
+                                                                         collision.shapes.hulls, collision.materials.surface_velocities},
+                                                                        found, collision.floor.last_of_shape, manifolds);
+        });
+        // bound: limits::pair_manifolds_max
+        for (int place = contacts.count - 1; place >= 0; --place)
+            if (contacts.records[place].manifold.count == 0) contacts.drop(place);
+    }
+}
+
+/// How fast the points of a manifold approach each other: of the fastest.
+INGOT_INLINE ImpactNote note_of(const BodyView& two, const BodyPair& places, const Manifold& manifold) {
+    const FlightState A = flight_state(two, places.body_A), B = flight_state(two, places.body_B);
+    const Vector omega_A = omega_of(two, places.body_A), omega_B = omega_of(two, places.body_B);
+    ImpactNote note{};
+    // bound: 4: Manifold::points_max
+    for (int point_i = 0; point_i < manifold.count; ++point_i) {
+        const Vector& P = manifold.points[point_i].P;
+        const scalar speed = dot(manifold.n, B.v_CM + cross(omega_B, P - B.r_CM) - A.v_CM - cross(omega_A, P - A.r_CM));
+        if (!(speed > note.speed)) continue;
+        note.speed = speed;
+        note.point = static_cast<uint8_t>(point_i);
+    }
+    return note;
+}
+
+/// The contacts of the bodies of a sub-world, as they are in it, with each other and with what is around them.
+template <class Collision>
+void find_pair_contacts(const Collision& collision, PairRoom<Collision>& room, const PairReach& reach) {
+    room.contacts.count = 0;
+    if (room.two.count == 2)
+        collision.shapes.for_shapes(room.slots[0], [&](ShapeSlot A) {
+            collision.shapes.for_shapes(room.slots[1], [&](ShapeSlot B) {
+                if (collision.meets(A.number, B.number)) find_contact(collision, room, reach, {A, B}, {0, 1, no_record});
+            });
+        });
+    for (int which = 0; which < room.two.count; ++which)  // bound: PairSubWorld::movers_max
+        for_unmoved_near(collision, room, which, reach, [&](ShapeSlot other, int place) {
+            collision.shapes.for_shapes(room.slots[which], [&](ShapeSlot own) {
+                if (collision.meets(own.number, other.number))
+                    find_contact(collision, room, reach, {own, other}, {static_cast<Index>(which), static_cast<Index>(place), no_record});
+            });
+        });
+    hide_internal_edges(collision, room);
+    // bound: limits::pair_manifolds_max
+    for (int place = 0; place < room.contacts.count; ++place) {
+        const ShapePair& of = room.contacts.shapes[place];
+        const BodyPair& bodies = room.contacts.pairs[place];
+        room.contacts.mix(place, collision.shapes.surfaces, collision.materials,
+                          {placed_in(collision, room, bodies.body_A, of.A).A, placed_in(collision, room, bodies.body_B, of.B).A});
+        room.contacts.notes[place] = note_of(room.two.bodies(), bodies, room.contacts.records[place].manifold);
+    }
+}
+
+} }  // namespace ingot
