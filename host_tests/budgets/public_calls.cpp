@@ -129,6 +129,7 @@ CALL(add_joint)(World<Ragdolls>& world, const JointDef& def) { return world.add_
 CALL(remove_joint)(World<Ragdolls>& world, JointId id) { return world.remove(id); }
 CALL(is_alive_joint)(const World<Ragdolls>& world, JointId id) { return world.is_alive(id); }
 CALL(joint_count)(const World<Ragdolls>& world) { return world.joint_count(); }
+CALL(joint_at)(const World<Ragdolls>& world, int slot) { return world.joint_at(slot); }
 CALL(joint_gap)(const World<Ragdolls>& world, JointId id) { return world.joint_gap(id); }
 CALL(step_continuous)(World<Following>& world, scalar h) { return step(world, h); }
 CALL(step_continuous_hybrid_islands)(World<FollowingDirectly>& world, scalar h) { return step(world, h); }

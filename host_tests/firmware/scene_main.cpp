@@ -154,7 +154,11 @@ int main() {
                             run<scenes::SleepingTowers>("sleeping_towers"),
                             keep<scenes::SleepingTowers>("snapshot_sleeping_towers"),
                             run<scenes::Conveyors>("conveyors"),
-                            keep<scenes::Conveyors>("snapshot_conveyors")};
+                            keep<scenes::Conveyors>("snapshot_conveyors"),
+                            run<scenes::DoublePendulum>("double_pendulum"),
+                            run<scenes::ArmOfSix>("arm_6"),
+                            run<scenes::Ragdolls>("ragdolls"),
+                            keep<scenes::Ragdolls>("snapshot_ragdolls")};
     for (bool result : results)
         if (!result) return 1;
     return 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Figures drawn at random, and a ragdoll of eleven bodies.
+// Figures drawn at random, and ragdolls.
 #pragma once
 
 #include <ingot/ingot.h>
@@ -9,6 +9,7 @@
 
 #include "reference/kernel_types.h"
 #include "reference/random_input.h"
+#include "scenes/ragdolls.h"
 
 namespace figures {
 
@@ -76,51 +77,15 @@ void add_figure(World& world, RandomInput& random, const Drawn& drawn, const Eig
     }
 }
 
-/// Of a ragdoll: a capsule along z, and where its joint to its parent is. Standing, in m, with the feet at z = 0.
-struct Part {
-    int parent;
-    double x, y, z, half_length, radius, M;
-    bool is_hinge;
-    double joint_y, joint_z;
-};
-inline constexpr int parts_of_ragdoll = 11;
-inline constexpr Part ragdoll_parts[parts_of_ragdoll] = {
-    {-1, 0, 0, 1.0, 0.16, 0.12, 12, false, 0, 0},         {0, 0, 0, 1.35, 0.2, 0.13, 18, false, 0, 1.15},
-    {1, 0, 0, 1.72, 0.06, 0.1, 5, false, 0, 1.57},        {1, 0, 0.28, 1.33, 0.2, 0.05, 2, false, 0.22, 1.5},
-    {3, 0, 0.28, 1.03, 0.18, 0.045, 1.3, true, 0.28, 1.18}, {1, 0, -0.28, 1.33, 0.2, 0.05, 2, false, -0.22, 1.5},
-    {5, 0, -0.28, 1.03, 0.18, 0.045, 1.3, true, -0.28, 1.18}, {0, 0, 0.1, 0.72, 0.3, 0.07, 7, false, 0.1, 0.92},
-    {7, 0, 0.1, 0.28, 0.3, 0.06, 4, true, 0.1, 0.5},      {0, 0, -0.1, 0.72, 0.3, 0.07, 7, false, -0.1, 0.92},
-    {9, 0, -0.1, 0.28, 0.3, 0.06, 4, true, -0.1, 0.5}};
+using scenes::parts_of_ragdoll;
 
 /// Six ball joints and four hinges; A turns it as a whole, about its feet.
-template <class World>
-void add_ragdoll(World& world, const Vector& place, const ingot::Matrix& A, Built& built) {
-    const size_t first = built.bodies.size();
-    const auto at = [&](double x, double y, double z) {
-        return place + A * Vector{static_cast<scalar>(x), static_cast<scalar>(y), static_cast<scalar>(z)};
-    };
-    for (const Part& part : ragdoll_parts) {
-        const auto radius = static_cast<scalar>(part.radius), half_length = static_cast<scalar>(part.half_length);
-        ingot::BodyDef def;
-        def.mass = ingot::principal(ingot::with_mass(ingot::solid_capsule(1, radius, half_length), static_cast<scalar>(part.M))).value;
-        def.shape = ingot::Capsule{radius, half_length};
-        def.state.A = A;
-        def.state.r_CM = at(part.x, part.y, part.z);
-        def.friction = scalar(0.6);
-        const auto id = world.add(def);
-        built.sound = built.sound && id.ok();
-        built.bodies.push_back(id.value);
-        if (part.parent < 0) continue;
-        ingot::JointDef joint;
-        joint.body_A = built.bodies[first + static_cast<size_t>(part.parent)];
-        joint.body_B = id.value;
-        joint.P = at(0, part.joint_y, part.joint_z);
-        joint.axis = A.c1;
-        joint.joint = part.is_hinge ? ingot::Joint(ingot::HingeJoint{}) : ingot::Joint(ingot::BallJoint{});
-        const auto joint_id = world.add_joint(joint);
-        built.sound = built.sound && joint_id.ok();
-        built.joints.push_back(joint_id.value);
-    }
+template <class S>
+void add_ragdoll(ingot::World<S>& world, const Vector& place, const ingot::Matrix& A, Built& built) {
+    scenes::RagdollIds ids;
+    built.sound = scenes::add_ragdoll(world, place, A, ids) == ingot::Status::ok && built.sound;
+    built.bodies.insert(built.bodies.end(), ids.parts, ids.parts + parts_of_ragdoll);
+    built.joints.insert(built.joints.end(), ids.joints + 1, ids.joints + parts_of_ragdoll);
 }
 
 /// m, of all its joints.

@@ -58,6 +58,11 @@ public:
         return Status::ok;
     }
     bool is_alive(JointId id) const { return find(id).ok(); }
+    /// Joint in a slot, 0 .. max_joints - 1; the null id where there is none.
+    JointId joint_at(int slot) const {
+        static_assert(joints_only());
+        return slot >= 0 && slot < storage_.joint_slots_used && storage_.joint_lives(slot) ? id_of_joint(slot) : JointId{};
+    }
 
     /// Cost: O(max_joints).
     int joint_count() const {

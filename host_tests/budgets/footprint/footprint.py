@@ -31,7 +31,8 @@ MARK_BEGIN, MARK_END = "<!-- written by footprint.py -->\n", "<!-- end -->\n"
 FIGURES = ("flash", "world_ram")
 BUDGET_SCENES = {"satellite": "a satellite that turns", "ten_boxes_row": "ten boxes side by side", "ten_boxes_column": "ten boxes in a column",
                  "ten_boxes_on_budget": "the same, each contact visited up to 20 times",
-                 "playground": "eight bodies with many features"}
+                 "playground": "eight bodies with many features", "double_pendulum": "a pendulum of two rods on hinges",
+                 "arm_6": "an arm of six hinges"}
 README_SCENES = ("satellite", "ten_boxes_row", "playground")
 CORES = {"cortex-m0": "M0", "cortex-m4f": "M4F", "cortex-m7": "M7"}
 
