@@ -94,6 +94,13 @@ struct Hinged : Scene {
     static constexpr bool translates = true;
     using joints = Joints<BallJoint, HingeJoint, SliderJoint, UniversalJoint, FixedJoint>;
 };
+struct Limited : Hinged {
+    using joints = Joints<BallJoint, HingeJoint, SliderJoint, UniversalJoint, FixedJoint, WithLimits>;
+};
+struct LimitedRagdolls : Telling {
+    static constexpr int max_joints = 8;
+    using joints = Joints<BallJoint, HingeJoint, SliderJoint, WithLimits>;
+};
 struct Ragdolls : Telling {
     static constexpr int max_joints = 8;
     using joints = Joints<BallJoint, HingeJoint>;
@@ -131,6 +138,13 @@ CALL(is_alive_joint)(const World<Ragdolls>& world, JointId id) { return world.is
 CALL(joint_count)(const World<Ragdolls>& world) { return world.joint_count(); }
 CALL(joint_at)(const World<Ragdolls>& world, int slot) { return world.joint_at(slot); }
 CALL(joint_gap)(const World<Ragdolls>& world, JointId id) { return world.joint_gap(id); }
+CALL(step_limited_joints)(World<Limited>& world, scalar h) { return step(world, h); }
+CALL(step_limited_joints_in_contact)(World<LimitedRagdolls>& world, scalar h) { return step(world, h); }
+CALL(set_joint_limits)(World<LimitedRagdolls>& world, JointId id, const JointLimits& limits) { return world.set_joint_limits(id, limits); }
+CALL(joint_angle)(const World<LimitedRagdolls>& world, JointId id, int which) { return world.joint_angle(id, which); }
+CALL(joint_rate)(const World<LimitedRagdolls>& world, JointId id, int which) { return world.joint_rate(id, which); }
+CALL(joint_travel)(const World<LimitedRagdolls>& world, JointId id) { return world.joint_travel(id); }
+CALL(joint_speed)(const World<LimitedRagdolls>& world, JointId id) { return world.joint_speed(id); }
 CALL(step_continuous)(World<Following>& world, scalar h) { return step(world, h); }
 CALL(step_continuous_hybrid_islands)(World<FollowingDirectly>& world, scalar h) { return step(world, h); }
 

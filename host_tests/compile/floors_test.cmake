@@ -38,8 +38,9 @@ set(narrow_phase_shares manifold manifold_points box_axes contact_geometry conta
   manifold_anchors find_manifolds normal_cone)
 set(query_shares candidates shapes_of_tree query_filter ray_on_shapes cast_ray)
 set(impulse_shares contact collide_shapes contact_rows impulse)
-set(joint_shares joints joint_record joint_lists)
-set(figure_shares spatial figure_row figure_view ground tree_passes build_figures factor_figures keep_figures move_figures)
+set(joint_shares joints joint_record joint_lists limit_record)
+set(figure_shares spatial figure_row figure_view ground tree_passes joint_sides displace_rows cursor_moves joint_row measure_joint row_compliance
+  build_figures factor_figures keep_figures move_figures respond_figures cursor joint_motions joint_rows)
 set(constraint_shares belts without_joints jointed_response jointed_view prepare_responses block_bodies block_rows block_solve contact contact_block flight friction impact_note kinematic_motion_at kinematic_view laws
   material_view normals response rolling
   row_flight row_pair rows solver_body solver_view surface_materials torsion visit)
@@ -50,7 +51,7 @@ set(continuous_shares body_path fast_pairs parting_plane time_of_impact pair_sub
   lay_paths next_impact resolve_impact)
 # swept_contacts has the stages of a substep, for block_sweeps and hybrid_islands to conduct; plan_islands begins a batch.
 set(solver_sweeps_shares block_sweeps swept_contacts jointed_contacts jointed_visits conjugate_gradients diverged_islands gaining_islands kinematic_contacts move_bodies note_impulses order_manifolds
-  passive_bounces plan_islands predict_contacts sequence_impacts slip_reversals solve_velocities sweep_positions sweep_velocities warm_start)
+  passive_bounces plan_islands predict_contacts sequence_impacts slip_reversals solve_velocities sweep_joint_rows sweep_positions sweep_velocities warm_start)
 # solve_sequentially conducts the stages of its substeps, and sequential_impulses names it to scenes.
 set(solver_sequential_shares kinematic_points point_view point_visit point_visits point_reversals point_rows sequential_contacts move_point_bodies sweep_points solve_sequentially)
 # hybrid_islands conducts the stages, and calls the others of its room.

@@ -328,6 +328,16 @@ struct Wrong : ingot::Scene {
     using joints = ingot::Joints<ingot::BallJoint>;
     using shapes = ingot::Shapes<ingot::Box>;
 #endif
+#ifdef LIMITS_OF_NOTHING
+    static constexpr bool translates = true;
+    static constexpr int max_joints = 1;
+    using joints = ingot::Joints<ingot::FixedJoint, ingot::WithLimits>;
+#endif
+#ifdef LIMIT_WITHOUT_LIMITS
+    static constexpr bool translates = true;
+    static constexpr int max_joints = 1;
+    using joints = ingot::Joints<ingot::BallJoint>;
+#endif
 #ifdef ISLAND_WITHOUT_ROOM
     static constexpr bool translates = true;
     static constexpr int max_manifolds = 4;
@@ -389,6 +399,9 @@ int main() {
 #endif
 #ifdef JOINT_WITHOUT_JOINTS
     (void)world.add_joint({});
+#endif
+#ifdef LIMIT_WITHOUT_LIMITS
+    (void)world.set_joint_limits({}, {});
 #endif
 #ifdef WORD_WITHOUT_USER_DATA
     (void)world.set_user_data(id, 1);

@@ -18,10 +18,14 @@ struct Pit : ingot::Scene {
     using broad_phase = ingot::SortedTree;
 };
 
-}  // namespace
+struct LimitedPit : Pit {
+    using joints = ingot::Joints<ingot::BallJoint, ingot::HingeJoint, ingot::SliderJoint, ingot::UniversalJoint, ingot::FixedJoint,
+                                 ingot::WithLimits>;
+};
 
-int main() {
-    const auto world = std::make_unique<ingot::World<Pit>>();
+template <class Scene>
+bool run() {
+    const auto world = std::make_unique<ingot::World<Scene>>();
     (void)world->set_gravity({0, 0, scalar(-9.81)});
     ingot::BodyDef ground;
     ground.immovable = true;
@@ -38,5 +42,9 @@ int main() {
         (void)ingot::step(*world, scalar(1) / 60);
         std::printf("%d %016" PRIx64 "\n", step_i, world->state_hash());
     }
-    return built.sound ? 0 : 1;
+    return built.sound;
 }
+
+}  // namespace
+
+int main() { return run<Pit>() && run<LimitedPit>() ? 0 : 1; }

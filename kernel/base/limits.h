@@ -227,6 +227,20 @@ inline constexpr scalar target_gain = scalar(1.5);       ///< of the energy of a
 inline constexpr int pushes_max = 9;                     ///< of the bodies of a figure, to where its joints want them, in a substep
 inline constexpr scalar joint_gap = scalar(2e-5);        ///< m, rad; a joint that is further off after a push is pushed again
 
+// Limits of joints. What is an angle is so many metres of a travel.
+inline constexpr scalar joint_turns_max = 1000;          ///< rad; limits of a hinge: in float an angle of so many turns has 6e-5 rad left
+inline constexpr scalar turns_max = scalar(1e9);         ///< of a hinge that has been turned; then its angle begins again
+inline constexpr scalar joint_swing_max = 3;             ///< rad; limits of what has no more than a turn
+inline constexpr scalar joint_cone_min = scalar(0.01);   ///< rad; half of a cone: in a narrower one the axis has no direction to turn back to
+inline constexpr scalar joint_opposite_cos = scalar(-0.99);  ///< between the middle of a cone and the axis in it: beyond, a turn has no direction
+/// rad; a joint that is so near to its limit is at it, and beyond it by no more is not pushed back. What rounding makes of an angle is a third of it.
+inline constexpr scalar limit_slack = INGOT_DOUBLE ? scalar(1e-9) : scalar(1e-6);
+/// rad; a limit that is further away, with twice the way that the joint goes in a substep, is not looked at in it.
+inline constexpr scalar limit_reach = scalar(0.02);
+inline constexpr scalar limit_return = 1;                ///< rad/s, with which a joint that is far beyond its limit goes back
+inline constexpr int limit_sweeps_max = 128;              ///< over the limits of a figure that touches nothing, in a substep
+inline constexpr int limit_pushes = 4;                   ///< the same where they are pushed back
+
 // Sleep (sleep/).
 /// m/s; a body is slow when no point of it is faster. At rest the solver leaves a thousandth of it, and a pile fidgets with a tenth of it.
 /// A body that falls asleep loses less energy than a drop from 0.1 micrometres gives.

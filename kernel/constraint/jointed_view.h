@@ -6,7 +6,7 @@
 // meanwhile (figure/cursor.h). Manifolds of which one body has joints have blocks of their own; two of one colour share no figure.
 #pragma once
 
-#include "../figure/figure_view.h"
+#include "../figure/joint_row.h"
 #include "material_view.h"
 #include "without_joints.h"
 
@@ -56,6 +56,29 @@ struct JointedViewOf : View {
 };
 using JointedView = JointedViewOf<SolverView>;
 using JointedMaterialView = JointedViewOf<RollingBeltView>;
+
+/// The same where joints have rows of their own: limits.
+template <class View>
+struct RowedViewOf : JointedViewOf<View> {
+    static constexpr bool has_joint_rows = true;
+    JointRowView joint_rows;
+};
+using RowedView = RowedViewOf<SolverView>;
+using RowedMaterialView = RowedViewOf<RollingBeltView>;
+
+template <class View>
+struct WithoutRows {
+    using Type = View;
+};
+template <class View>
+struct WithoutRows<RowedViewOf<View>> {
+    using Type = JointedViewOf<View>;
+};
+/// The view for stages of contacts, to which rows of joints are nothing.
+template <class View>
+INGOT_INLINE typename WithoutRows<View>::Type& contacts_of(View& solver) {
+    return solver;
+}
 
 /// Whether the manifolds of a block have a body with joints.
 INGOT_INLINE bool is_jointed(const JointedBodies& jointed, int block_i) { return block_i >= jointed.first_block; }

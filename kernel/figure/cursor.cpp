@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cursor.h"
 
-#include "tree_passes.h"
+#include "cursor_moves.h"
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpsabi"  // see lanes.h
@@ -9,27 +9,6 @@
 namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
-
-/// Hands what is new to the parent.
-template <unsigned width>
-void climb(const FigureRows<width>& rows, const OneLane<width>& at, const Spatial6Rows<1>* responses, int row_i) {
-    FigureRow<width>& row = rows[row_i];
-    const FigureNode& node = rows.node(row_i, at.lane_i);
-    FigureRow<width>& parent = rows[node.parent];
-    const Spatial<scalar> sent = impulse_to_send(at, row, node.kind);
-    const Spatial<scalar> due = impulse_from(sent - read(at, row.sent), read(at, row.d));
-    write(at, row.sent, sent);
-    write(at, parent.impulse, read(at, parent.impulse) + due);
-    write(at, parent.change, read(at, parent.change) + read(at, rows.response(responses, node.parent)) * due);
-}
-
-template <unsigned width>
-void descend(const FigureRows<width>& rows, const OneLane<width>& at, int row_i) {
-    FigureRow<width>& row = rows[row_i];
-    const FigureNode& node = rows.node(row_i, at.lane_i);
-    const Spatial<scalar> of_parent = twist_at(read(at, rows[node.parent].change), read(at, row.d));
-    write(at, row.change, change_of_child(at, row, node.kind, of_parent));
-}
 
 template <unsigned width>
 void move_cursor(const FigureRows<width>& rows, const OneLane<width>& at, const Spatial6Rows<1>* responses, int from, int to) {

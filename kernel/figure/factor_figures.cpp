@@ -19,7 +19,7 @@ void place_joint(const FigureRows<width>& rows, int row_i) {
     const Mat3<T> A = read(rows.all, row.A);
     if (node.kind == JointKind::none) return write(rows.all, row.c, Vec3<T>{});
     const Vec3<T> own = A * rows.own_anchor(row_i);
-    const Mat3<T> A_parent = node.parent == no_node ? ground_of(rows).A : read(rows.all, rows[node.parent].A);
+    const Mat3<T> A_parent = node.parent == no_node ? ground_of(rows, rows.all).A : read(rows.all, rows[node.parent].A);
     write(rows.all, row.c, -own);
     write(rows.all, row.arm_of_parent, A_parent * rows.anchor_of_parent(row_i));
     write(rows.all, row.axis, A * rows.gathered(row_i, [&](const FigureNode& of) { return rows.own_frame(of).axis; }));

@@ -76,6 +76,7 @@ struct FigureRows {
     FigureNode& node(int row_i, int lane_i = 0) const { return view.nodes[figure(lane_i).first_node + row_i]; }
     int count() const { return figure().node_count; }
 
+    static OneLane<width> one(int lane_i) { return {lane_i}; }
     static Spatial<T> no_twist() { return {Vec3<T>{}, Vec3<T>{}}; }
     static auto all_lanes() { return splat<T>(1) > T{}; }
 
@@ -98,6 +99,15 @@ struct FigureRows {
             rows[2][lane_i] = value.z;
         }
         return read(all, rows);
+    }
+    /// The same of one lane.
+    template <class Of>
+    INGOT_INLINE Vector gathered(const OneLane<width>& at, int row_i, const Of& of) const {
+        return of(node(row_i, at.lane_i));
+    }
+    template <class Of>
+    INGOT_INLINE Vec3<T> gathered(const AllLanes<width>&, int row_i, const Of& of) const {
+        return gathered(row_i, of);
     }
     INGOT_INLINE Vec3<T> own_anchor(int row_i) const {
         return gathered(row_i, [this](const FigureNode& of) { return own_frame(of).anchor; });

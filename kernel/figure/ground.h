@@ -14,24 +14,30 @@ struct Ground {
     Vec3<T> v, w;   ///< m/s, rad/s
 };
 
-/// Of each lane, now. A kinematic body shows its motion in its tile from the begin of the step until it has been moved.
+/// Of one lane, now. A kinematic body shows its motion in its tile from the begin of the step until it has been moved.
+template <unsigned width>
+Ground<scalar> ground_of(const FigureRows<width>& rows, const OneLane<width>& at) {
+    const Index slot = rows.figure(at.lane_i).ground;
+    Ground<scalar> ground = {{}, identity_matrix<scalar>(), {}, {}};
+    if (slot == no_body) return ground;
+    const Place place = place_of(slot);
+    const RotationTile& rotation = rows.view.bodies.rotation[place.tile];
+    const TranslationTile& translation = rows.view.bodies.translation[place.tile];
+    ground.v = lane_of(translation.v_CM, place.lane);
+    ground.w = lane_of(rotation.L, place.lane);
+    ground.r = lane_of(translation.r_CM, place.lane) + ground.v * rows.view.elapsed;
+    ground.A = lane_of(rotation.A, place.lane);
+    if (length_sq(ground.w) > 0) ground.A = turned_about(ground.A, ground.w * rows.view.elapsed);
+    return ground;
+}
+
+/// Of each lane.
 template <unsigned width, class T = typename AllLanes<width>::T>
-Ground<T> ground_of(const FigureRows<width>& rows) {
+Ground<T> ground_of(const FigureRows<width>& rows, const AllLanes<width>&) {
     FigureRow<width> at_hand;  // its numbers are collected here, lane by lane
     for (int lane_i = 0; lane_i < static_cast<int>(width); ++lane_i) {  // bound: lanes
         const OneLane<width> at{lane_i};
-        const Index slot = rows.figure(lane_i).ground;
-        Ground<scalar> ground = {{}, identity_matrix<scalar>(), {}, {}};
-        if (slot != no_body) {
-            const Place place = place_of(slot);
-            const RotationTile& rotation = rows.view.bodies.rotation[place.tile];
-            const TranslationTile& translation = rows.view.bodies.translation[place.tile];
-            ground.v = lane_of(translation.v_CM, place.lane);
-            ground.w = lane_of(rotation.L, place.lane);
-            ground.r = lane_of(translation.r_CM, place.lane) + ground.v * rows.view.elapsed;
-            ground.A = lane_of(rotation.A, place.lane);
-            if (length_sq(ground.w) > 0) ground.A = turned_about(ground.A, ground.w * rows.view.elapsed);
-        }
+        const Ground<scalar> ground = ground_of(rows, at);
         write(at, at_hand.r, ground.r);
         write(at, at_hand.A, ground.A);
         write(at, at_hand.v, ground.v);

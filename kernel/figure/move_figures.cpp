@@ -4,8 +4,7 @@
 #include "../base/limits.h"
 #include "../body/kinematics.h"
 #include "../math/sqrt.h"
-#include "ground.h"
-#include "tree_passes.h"
+#include "displace_rows.h"
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpsabi"  // see lanes.h
@@ -13,51 +12,6 @@
 namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
-
-/// By how much a turn moves an arm: (R - 1) arm. The angle of R is that of the turn but for its fifth power / 120.
-template <class T>
-INGOT_INLINE Vec3<T> chord(const Vec3<T>& turn, const Vec3<T>& arm) {
-    const Vec3<T> c = turn * (splat<T>(scalar(0.5)) + length_sq(turn) * splat<T>(scalar(1) / 24)), x = cross(c, arm);
-    return (x + cross(c, x)) * (splat<T>(2) / (splat<T>(1) + length_sq(c)));
-}
-
-/// A body, or the ground, as it turns in the substep: arms move by their chords, or to first order.
-template <class T, class M>
-struct Turning {
-    Vec3<T> turn, w_h;
-    M is_exact;
-
-    INGOT_INLINE Vec3<T> shift(const Vec3<T>& arm) const { return select(is_exact, chord(turn, arm), cross(w_h, arm)); }
-    INGOT_INLINE Vec3<T> after(const Vec3<T>& arm) const { return arm + shift(arm); }
-};
-
-/// Both sides of a joint, in world axes.
-template <class T>
-struct JointSides {
-    Vec3<T> gap;                        ///< m, from the parent's side to the child's
-    Vec3<T> axis, axis_of_parent;
-    Vec3<T> side, side_of_parent;       ///< of joints that let nothing turn
-};
-
-inline bool locks_turns(JointKind kind) { return kind == JointKind::fixed || kind == JointKind::slider; }
-
-/// The twist, times seconds, that takes a joint back to its place. Of an angle between axes that is small.
-template <class T>
-INGOT_INLINE Spatial<T> twist_back(JointKind kind, const JointSides<T>& of) {
-    Spatial<T> back = {Vec3<T>{}, -of.gap};
-    if (kind == JointKind::hinge) back.w = cross(of.axis, of.axis_of_parent);
-    if (kind == JointKind::universal) {
-        const Vec3<T> x = cross(of.axis_of_parent, of.axis);
-        back.w = x * (dot(of.axis_of_parent, of.axis) / length_sq(x));
-    }
-    if (locks_turns(kind)) {
-        const Vec3<T> third = cross(of.axis, of.side), third_of_parent = cross(of.axis_of_parent, of.side_of_parent);
-        const Vec3<T> sum = cross(of.axis, of.axis_of_parent) + cross(of.side, of.side_of_parent) + cross(third, third_of_parent);
-        back.w = sum * splat<T>(scalar(0.5));
-    }
-    if (kind == JointKind::slider) back.v = of.axis_of_parent * dot(of.gap, of.axis_of_parent) - of.gap;
-    return back;
-}
 
 /// omega of a row from its L, and the turn that it makes in h seconds if it is left alone: h omega + h^2/2 domega/dt.
 template <unsigned width, class T = typename AllLanes<width>::T>
@@ -70,37 +24,11 @@ void predict_turn(const FigureRows<width>& rows, FigureRow<width>& row, scalar h
     write(rows.all, row.turn, A * (w_body * splat<T>(h) + rate * splat<T>(h * h / 2)));
 }
 
-template <unsigned width, class M, class T = typename AllLanes<width>::T>
+template <unsigned width, class M>
 void set_bias(const FigureRows<width>& rows, int row_i, scalar h, M is_exact) {
-    FigureRow<width>& row = rows[row_i];
-    const FigureNode& node = rows.node(row_i);
-    const T h_lane = splat<T>(h);
-    const Turning<T, M> own = {read(rows.all, row.turn), read(rows.all, row.w) * h_lane, is_exact};
-    Turning<T, M> parent;
-    Vec3<T> r_parent, v_parent;
-    Mat3<T> A_parent;
-    if (node.parent == no_node) {
-        const Ground<T> ground = ground_of(rows);
-        parent = {ground.w * h_lane, ground.w * h_lane, is_exact};
-        r_parent = ground.r;
-        v_parent = ground.v;
-        A_parent = ground.A;
-    } else {
-        const FigureRow<width>& of = rows[node.parent];
-        parent = {read(rows.all, of.turn), read(rows.all, of.w) * h_lane, is_exact};
-        r_parent = read(rows.all, of.r);
-        v_parent = read(rows.all, of.v);
-        A_parent = read(rows.all, of.A);
-    }
-    const Vec3<T> arm = -read(rows.all, row.c), arm_of_parent = read(rows.all, row.arm_of_parent);
-    JointSides<T> sides = {(read(rows.all, row.r) - r_parent) + (arm - arm_of_parent) + (read(rows.all, row.v) - v_parent) * h_lane +
-                               (own.shift(arm) - parent.shift(arm_of_parent)),
-                           own.after(read(rows.all, row.axis)), parent.after(read(rows.all, row.axis_of_parent)), {}, {}};
-    if (locks_turns(node.kind)) {
-        sides.side = own.after(read(rows.all, row.A) * rows.gathered(row_i, [&](const FigureNode& of) { return rows.own_frame(of).side; }));
-        sides.side_of_parent = parent.after(A_parent * rows.gathered(row_i, [&](const FigureNode& of) { return rows.frame_of_parent(of).side; }));
-    }
-    write(rows.all, row.bias, twist_back(node.kind, sides) * splat<T>(1 / h));
+    const JointKind kind = rows.node(row_i).kind;
+    const auto sides = sides_ahead(rows, rows.all, row_i, h, is_exact, locks_turns(kind));
+    write(rows.all, rows[row_i].bias, twist_back(kind, sides) * splat<typename AllLanes<width>::T>(1 / h));
 }
 
 /// Lanes whose figures are resolved.
@@ -110,67 +38,6 @@ auto resolved_lanes(const FigureRows<width>& rows) {
     scalar flags[width];
     for (int lane_i = 0; lane_i < static_cast<int>(width); ++lane_i) flags[lane_i] = rows.figure(lane_i).resolved ? 1 : 0;  // bound: lanes
     return rows.all.get(flags) > T{};
-}
-
-/// The same for where bodies are, without going on: of a push. Returns the square of the largest, m or rad, of each lane.
-template <unsigned width, class T = typename AllLanes<width>::T>
-T set_push(const FigureRows<width>& rows, int row_i) {
-    FigureRow<width>& row = rows[row_i];
-    const FigureNode& node = rows.node(row_i);
-    Vec3<T> r_parent;
-    Mat3<T> A_parent;
-    if (node.parent == no_node) {
-        const Ground<T> ground = ground_of(rows);
-        r_parent = ground.r;
-        A_parent = ground.A;
-    } else {
-        r_parent = read(rows.all, rows[node.parent].r);
-        A_parent = read(rows.all, rows[node.parent].A);
-    }
-    const Mat3<T> A = read(rows.all, row.A);
-    const auto own = [&](auto part) { return A * rows.gathered(row_i, [&](const FigureNode& of) { return rows.own_frame(of).*part; }); };
-    const auto of_parent = [&](auto part) {
-        return A_parent * rows.gathered(row_i, [&](const FigureNode& of) { return rows.frame_of_parent(of).*part; });
-    };
-    JointSides<T> sides = {(read(rows.all, row.r) - r_parent) + (own(&JointFrame::anchor) - of_parent(&JointFrame::anchor)), {}, {}, {}, {}};
-    if (node.kind != JointKind::ball) {
-        sides.axis = own(&JointFrame::axis);
-        sides.axis_of_parent = of_parent(&JointFrame::axis);
-    }
-    if (locks_turns(node.kind)) {
-        sides.side = own(&JointFrame::side);
-        sides.side_of_parent = of_parent(&JointFrame::side);
-    }
-    const Spatial<T> back = twist_back(node.kind, sides);
-    write(rows.all, row.bias, back);
-    return max(length_sq(back.v), length_sq(back.w));
-}
-
-template <unsigned width>
-void turn_body(const FigureRows<width>& rows, FigureRow<width>& row, const Vec3<typename AllLanes<width>::T>& turn) {
-    auto A = read(rows.all, row.A);
-    A = {A.c0 + chord(turn, A.c0), A.c1 + chord(turn, A.c1), A.c2 + chord(turn, A.c2)};
-    write(rows.all, row.A, A + polar_correction(A));
-}
-
-template <unsigned width>
-void clear_impulses(const FigureRows<width>& rows) {
-    const Spatial<typename AllLanes<width>::T> none{};
-    for (int row_i = 0; row_i < rows.count(); ++row_i) {  // bound: max_bodies
-        write(rows.all, rows[row_i].impulse, none);
-        write(rows.all, rows[row_i].drive, none.v);
-    }
-}
-
-template <unsigned width>
-void take_cursor(const FigureRows<width>& rows) {
-    for (int lane_i = 0; lane_i < rows.lane_count; ++lane_i) rows.figure(lane_i).cursor = no_node;  // bound: lanes
-}
-
-/// The change at the centre of mass.
-template <unsigned width>
-Spatial<typename AllLanes<width>::T> change_of_centre(const FigureRows<width>& rows, const FigureRow<width>& row) {
-    return twist_at(read(rows.all, row.change), read(rows.all, row.c));
 }
 
 /// What the joint gave to the body: what it took from the parent, with the sign turned. After the way down.
@@ -214,20 +81,6 @@ void drift_rows(const FigureRows<width>& rows, scalar h) {
         write(rows.all, row.r, read(rows.all, row.r) + read(rows.all, row.v) * splat<typename AllLanes<width>::T>(h));
         turn_body(rows, row, read(rows.all, row.turn));
         write(rows.all, row.turned, read(rows.all, row.turned) + read(rows.all, row.turn));
-    }
-}
-
-/// Displaces the lanes that are `off` by `change`.
-template <unsigned width, class M, class T = typename AllLanes<width>::T>
-void move_by_change(const FigureRows<width>& rows, M off) {
-    for (int row_i = 0; row_i < rows.count(); ++row_i) {  // bound: max_bodies
-        FigureRow<width>& row = rows[row_i];
-        const Spatial<T> u = change_of_centre(rows, row), none{};
-        const Mat3<T> A = read(rows.all, row.A);
-        write(rows.all, row.r, read(rows.all, row.r) + select(off, u.v, none.v));
-        write(rows.all, row.turned, read(rows.all, row.turned) + select(off, u.w, none.w));
-        turn_body(rows, row, u.w);
-        write(rows.all, row.A, select(off, read(rows.all, row.A), A));
     }
 }
 

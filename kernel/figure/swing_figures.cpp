@@ -4,8 +4,11 @@
 #include "../base/limits.h"
 #include "build_figures.h"
 #include "factor_figures.h"
+#include "joint_motions.h"
+#include "joint_rows.h"
 #include "keep_figures.h"
 #include "move_figures.h"
+#include "respond_figures.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -31,31 +34,72 @@ void kick_rows(const FigureRows<width>& rows, scalar h) {
     }
 }
 
-void swing_substep(FigureView& view, scalar h) {
+/// Of joints that have nothing but what they lock.
+struct NoRows {
+    static void begin(const FigureView&) {}
+    static void list(const FigureView&, scalar) {}
+    static void solve(const FigureView& view, scalar) { pass_impulses(view); }
+    static void push(const FigureView&, scalar) {}
+    static void keep(const FigureView&, int) {}
+};
+
+/// Of joints whose free directions may end.
+struct WithRows {
+    JointRowView& all;
+
+    void begin(const FigureView& view) const { begin_joint_motions(view, all); }
+    void list(const FigureView& view, scalar h) const {
+        respond_figures(view, all.responses);
+        list_joint_rows(view, all, h);
+    }
+    void solve(const FigureView& view, scalar h) const {
+        aim_joint_rows(view, all, h);
+        begin_passing(view);
+        pass_impulses(view);
+        if (all.count == 0) return;
+        settle_joint_rows(view, all, limits::settled_speed);
+        begin_passing(view);  // from the impulses alone: what a figure gets depends on no rounding of the sweeps
+        pass_impulses(view);
+        note_joint_rows(view, all, h);
+    }
+    void push(const FigureView& view, scalar h) const { push_joint_rows(view, all, h, h); }
+    void keep(const FigureView& view, int doublings) const { keep_joint_motions(view, all, doublings); }
+};
+
+template <class Rows>
+void swing_substep(FigureView& view, const Rows& joint_rows, scalar h) {
     place_joints(view);
     factor_figures(view, h);
+    joint_rows.list(view, h);
     for_groups(view, [&](const auto& rows) { kick_rows(rows, h); });
     begin_solve(view, h);
-    pass_impulses(view);
+    joint_rows.solve(view, h);
     end_solve(view, h);
     drift_figures(view, h);
     view.elapsed += h;
     push_figures(view, false);
+    joint_rows.push(view, h);
 }
 
-}  // namespace
-
-void swing_figures(FigureView& view, int substeps) {
+template <class Rows>
+void swing(FigureView& view, const Rows& joint_rows, int substeps) {
     for (int doublings = 0; doublings <= limits::doublings_max; ++doublings) {
         group_figures(view, doublings);
         if (view.group_count == 0) continue;
         const int count = substeps << doublings;
         view.elapsed = 0;
+        joint_rows.begin(view);
         for (int substep_i = 0; substep_i < count; ++substep_i)  // bound: Effort::substeps_max, times eight
-            swing_substep(view, view.h / static_cast<scalar>(count));
+            swing_substep(view, joint_rows, view.h / static_cast<scalar>(count));
         ask_for_doublings(view, view.h / static_cast<scalar>(substeps), doublings);
+        joint_rows.keep(view, doublings);
         keep_figures(view, doublings);
     }
 }
+
+}  // namespace
+
+void swing_figures(FigureView& view, int substeps) { swing(view, NoRows{}, substeps); }
+void swing_figures(FigureView& view, JointRowView& rows, int substeps) { swing(view, WithRows{rows}, substeps); }
 
 } }  // namespace ingot

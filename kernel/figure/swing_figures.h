@@ -3,6 +3,7 @@
 #pragma once
 
 #include "build_figures.h"
+#include "joint_row.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -13,5 +14,8 @@ namespace ingot { inline namespace INGOT_ABI {
 /// Source: articulated-body impulses in small steps; the joints of a substep are solved exactly, at any mass ratio.
 /// Cost:   about 1100 flops a body and substep.
 void swing_figures(FigureView& view, int substeps);
+
+/// The same of joints that may have limits.
+void swing_figures(FigureView& view, JointRowView& rows, int substeps);
 
 } }  // namespace ingot

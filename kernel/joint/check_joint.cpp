@@ -17,6 +17,15 @@ Status check_direction(const Vector& n) {
     return abs(length_sq(n) - 1) <= limits::unit_length ? Status::ok : Status::bad_direction;
 }
 
+bool has_no_length(const Vector& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
+
+/// What stays in a cone may be anywhere but opposite to its middle.
+Status check_middle(const JointDef& def) {
+    const Status status = check_direction(def.joint.middle);
+    if (status != Status::ok) return status;
+    return dot(def.joint.middle, def.axis) > limits::joint_opposite_cos ? Status::ok : Status::out_of_range;
+}
+
 Vector unit(const Vector& a) { return a * (1 / sqrt(length_sq(a))); }
 
 /// At right angles to a unit vector, whichever way: from the axis of the world that is least along it.
@@ -33,6 +42,12 @@ JointFrame frame_on(const BodyView& bodies, Index slot, const Vector& P, const V
     return {transpose_times(A, P - r_CM_of(bodies, slot)) + Vector{}, transpose_times(A, axis) + Vector{}, transpose_times(A, side) + Vector{}};
 }
 
+/// As a unit vector that is turned so goes from one to another.
+Vector turned_along(const Vector& v, const Vector& from, const Vector& to) {
+    const Vector c = cross(from, to), x = cross(c, v);
+    return v + x + cross(c, x) * (1 / (1 + dot(from, to)));
+}
+
 bool is_valid(const JointFrame& frame) {
     constexpr scalar off = 64 * epsilon;
     const Vector a = frame.anchor;
@@ -43,17 +58,20 @@ bool is_valid(const JointFrame& frame) {
 
 }  // namespace
 
-Status check_joint(const JointDef& def) {
+Status check_joint(const JointDef& def, bool balls_have_axes) {
+    const bool is_ball_with_axis = balls_have_axes && def.joint.kind == JointKind::ball;
     Status status = check_vector(def.P, limits::position_max);
-    if (status == Status::ok && has_axis(def.joint.kind)) status = check_direction(def.axis);
+    if (status == Status::ok && (has_axis(def.joint.kind) || is_ball_with_axis)) status = check_direction(def.axis);
+    if (status == Status::ok && is_ball_with_axis && !has_no_length(def.joint.middle)) status = check_middle(def);
     if (status != Status::ok || def.joint.kind != JointKind::universal) return status;
     status = check_direction(def.axis_B);
     if (status == Status::ok && !(abs(dot(def.axis, def.axis_B)) <= limits::orthogonality)) status = Status::bad_joint;
     return status;
 }
 
-JointRecord record_of(const JointDef& def, const BodyView& bodies, Index slot_A, Index slot_B) {
-    const Vector axis = has_axis(def.joint.kind) ? unit(def.axis) : Vector{0, 0, 1};
+JointRecord record_of(const JointDef& def, const BodyView& bodies, Index slot_A, Index slot_B, bool balls_have_axes) {
+    const bool is_ball_with_axis = balls_have_axes && def.joint.kind == JointKind::ball;
+    const Vector axis = has_axis(def.joint.kind) || is_ball_with_axis ? unit(def.axis) : Vector{0, 0, 1};
     JointRecord record{};
     record.kind = def.joint.kind;
     record.body_A = slot_A;
@@ -66,7 +84,9 @@ JointRecord record_of(const JointDef& def, const BodyView& bodies, Index slot_A,
         record.frame_B = frame_on(bodies, slot_B, def.P, axis_B, axis);
     } else {
         const Vector side = across(axis);
-        record.frame_A = frame_on(bodies, slot_A, def.P, axis, side);
+        const bool is_aside = is_ball_with_axis && !has_no_length(def.joint.middle);
+        const Vector middle = is_aside ? unit(def.joint.middle) : axis;
+        record.frame_A = frame_on(bodies, slot_A, def.P, middle, is_aside ? turned_along(side, axis, middle) : side);
         record.frame_B = frame_on(bodies, slot_B, def.P, axis, side);
     }
     return record;

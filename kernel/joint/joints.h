@@ -9,43 +9,100 @@ namespace ingot { inline namespace INGOT_ABI {
 
 enum class JointKind : uint8_t { none, ball, hinge, slider, universal, fixed };
 
+/// As an end of a range: there is none.
+inline constexpr scalar unlimited = scalar_max;
+
+/// How far a joint goes in one of its free directions.
+struct JointRange {
+    scalar lower = -unlimited, upper = unlimited;
+};
+
+/// Where the free directions of a joint end. In scenes that name WithLimits.
+///
+/// Of a hinge range[0] is of its angle, rad; of a slider of its travel, m; of a universal joint range[0] and range[1] are of its angles about the
+/// axis of A and of B; of a ball joint range[0] is of its twist, and range[1].upper the half angle of its cone. All are of B against A, and 0 where
+/// the bodies were joined. A joint that is beyond a limit goes back by no more than limits::limit_return.
+struct JointLimits {
+    JointRange range[2];
+    scalar restitution = 0;  ///< of all, 0 to 1
+};
+
 /// Of any kind; the kinds below convert to it.
 struct Joint {
     JointKind kind{};
+    JointLimits limits{};
+    Vector middle{};  ///< of the cone of a ball joint
 };
 
 /// Free in all turns about P: a shoulder, a link of a chain.
 struct BallJoint {
     static constexpr JointKind kind = JointKind::ball;
-    constexpr operator Joint() const { return {kind}; }
+    scalar cone = unlimited;                                     ///< rad, 0.01 to 3: how far the axis, which is B's, is from the middle, which is A's
+    scalar twist_lower = -unlimited, twist_upper = unlimited;    ///< rad, -3 to 3: turn about the axis, once the swing of the axis is taken off
+    scalar restitution = 0;
+    Vector middle = {};                                          ///< unit, world; 0: the axis as it is now
+    constexpr operator Joint() const { return {kind, {{{twist_lower, twist_upper}, {-unlimited, cone}}, restitution}, middle}; }
 };
 /// Turns about an axis: a door, an elbow.
 struct HingeJoint {
     static constexpr JointKind kind = JointKind::hinge;
-    constexpr operator Joint() const { return {kind}; }
+    scalar lower = -unlimited, upper = unlimited;  ///< rad; more than a turn, if wanted
+    scalar restitution = 0;
+    constexpr operator Joint() const { return {kind, {{{lower, upper}, {}}, restitution}, {}}; }
 };
 /// Goes along an axis, and does not turn: a piston.
 struct SliderJoint {
     static constexpr JointKind kind = JointKind::slider;
-    constexpr operator Joint() const { return {kind}; }
+    scalar lower = -unlimited, upper = unlimited;  ///< m
+    scalar restitution = 0;
+    constexpr operator Joint() const { return {kind, {{{lower, upper}, {}}, restitution}, {}}; }
 };
 /// Turns about an axis of A and about an axis of B, which stay at right angles: a cardan.
 struct UniversalJoint {
     static constexpr JointKind kind = JointKind::universal;
-    constexpr operator Joint() const { return {kind}; }
+    JointRange about_A = {}, about_B = {};  ///< rad
+    scalar restitution = 0;
+    constexpr operator Joint() const { return {kind, {{about_A, about_B}, restitution}, {}}; }
 };
 /// Neither turns nor goes: two bodies that are one.
 struct FixedJoint {
     static constexpr JointKind kind = JointKind::fixed;
-    constexpr operator Joint() const { return {kind}; }
+    constexpr operator Joint() const { return {kind, {}, {}}; }
 };
 
-/// `using joints = ingot::Joints<ingot::BallJoint, ingot::HingeJoint>;` of a scene: the kinds it has.
+/// Beside the kinds of a scene's joints: they may have limits.
+struct WithLimits {
+    static constexpr JointKind kind = JointKind::none;
+};
+
+/// How many free directions of a kind may have limits: see JointLimits.
+constexpr int limited_directions(JointKind kind) {
+    switch (kind) {
+        case JointKind::ball:
+        case JointKind::universal: return 2;
+        case JointKind::hinge:
+        case JointKind::slider: return 1;
+        default: return 0;
+    }
+}
+
+template <class A, class B>
+inline constexpr bool is_same = false;
+template <class A>
+inline constexpr bool is_same<A, A> = true;
+
+/// `using joints = ingot::Joints<ingot::BallJoint, ingot::HingeJoint>;` of a scene: the kinds it has. What joints may have beside is named with them:
+/// `ingot::Joints<ingot::HingeJoint, ingot::WithLimits>`.
 template <class... Kinds>
 struct Joints {
-    static constexpr bool has([[maybe_unused]] JointKind kind) { return ((Kinds::kind == kind) || ...); }
-    /// Whether some are no balls: their free directions are eliminated one by one.
-    static constexpr bool has_axes = ((Kinds::kind != JointKind::ball) || ...);
+    static constexpr bool has(JointKind kind) { return kind != JointKind::none && ((Kinds::kind == kind) || ...); }
+    static constexpr bool has_limits = (is_same<Kinds, WithLimits> || ...);
+    /// The most directions with limits of a joint.
+    static constexpr int limits_of_joint() {
+        int most = 0;
+        ((most = limited_directions(Kinds::kind) > most ? limited_directions(Kinds::kind) : most), ...);
+        return has_limits ? most : 0;
+    }
 };
 
 /// What World::add_joint needs to know. The bodies are joined as they are now: a hinge has the angle 0.
@@ -53,7 +110,7 @@ struct JointDef {
     BodyId body_A{}, body_B{};     ///< the null id: the world
     Joint joint{};
     Vector P{};                    ///< m, world
-    Vector axis = {0, 0, 1};       ///< unit, world: of a hinge, a slider, of A of a universal joint
+    Vector axis = {0, 0, 1};       ///< unit, world: of a hinge, a slider, of A of a universal joint, of B of a ball joint with limits
     Vector axis_B = {1, 0, 0};     ///< unit, world, at right angles to axis: of B of a universal joint
     bool bodies_meet = false;      ///< the two may touch each other
 };

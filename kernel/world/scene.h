@@ -76,7 +76,7 @@ struct Scene {
     /// stacks and piles. FrictionlessImpacts is the article's collision: what flies and bounces, in max_contacts.
     using solver = BlockSweeps;
     using shapes   = Shapes<>;
-    using joints   = Joints<>;                   ///< or the kinds there are: Joints<BallJoint, HingeJoint>, see joint/joints.h
+    using joints   = Joints<>;                   ///< or the kinds there are: Joints<BallJoint, HingeJoint, WithLimits>, see joint/joints.h
     static constexpr NoHulls hulls = {};         ///< or `static constexpr ConvexHull hulls[]`, in flash: the forms of its Hull shapes, in body frames
     static constexpr int max_shapes_of_body = 1; ///< 1 .. 255; more: World::add takes several shapes for one body, see shape/compound.h
     using rotation = MoserVeselov;               ///< or another method of motion/
@@ -117,6 +117,8 @@ inline constexpr bool has_shapes = collides<S> || stacks<S>;
 
 template <class S>
 inline constexpr bool has_joints = S::max_joints > 0;
+template <class S>
+inline constexpr bool has_joint_limits = has_joints<S> && S::joints::has_limits;
 
 /// The hulls a scene names.
 template <class S>

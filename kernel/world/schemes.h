@@ -104,7 +104,12 @@ struct JointedFlight {
     static void advance(Step<S>& now) {
         FigureView figures = now.storage.figures(now.h);
         build_figures(figures);
-        swing_figures(figures, S::effort.substeps);
+        if constexpr (has_joint_limits<S>) {
+            JointRowView rows = now.storage.joint_row_view();
+            swing_figures(figures, rows, S::effort.substeps);
+        } else {
+            swing_figures(figures, S::effort.substeps);
+        }
         kick(now);
         drift(now);
     }

@@ -36,6 +36,10 @@ struct Storage : features::All::Memory<S> {
         view.h = h;
         return view;
     }
+    /// What joints have beside what they lock.
+    JointRowView joint_row_view() {
+        return {this->joint_limits, this->joint_angles, this->joint_motions, this->joint_rows, this->responses, 0};
+    }
     /// Who may meet whom, sensors apart: by filters, and by joints.
     auto meeting_view() const { return this->with_joints(this->filter_view()); }
     /// Which pairs may touch.
@@ -122,9 +126,11 @@ struct Storage : features::All::Memory<S> {
     auto jointed_contact_solver() {
         auto plain = plain_contact_solver();
         using Plain = decltype(plain);
-        If<S::kinematic_bodies, KinematicViewOf<JointedViewOf<Plain>>, JointedViewOf<Plain>> view{};
+        using Jointed = If<has_joint_limits<S>, RowedViewOf<Plain>, JointedViewOf<Plain>>;
+        If<S::kinematic_bodies, KinematicViewOf<Jointed>, Jointed> view{};
         static_cast<Plain&>(view) = plain;
         view.jointed = this->jointed_bodies(figures(0));
+        if constexpr (has_joint_limits<S>) view.joint_rows = joint_row_view();
         if constexpr (S::kinematic_bodies) this->show_kinematic(view, this->kinematic);
         return view;
     }

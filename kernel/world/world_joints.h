@@ -2,6 +2,7 @@
 // The part of World that joins bodies.
 #pragma once
 
+#include "../figure/read_joint.h"
 #include "world_kinematic.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -24,15 +25,16 @@ public:
     // Joints, in scenes with max_joints: see joint/joints.h.
 
     /// Joins two bodies, or a body and the world, as they are now.
-    /// Errors: no_room (max_joints are there), those of ids and of check_joint, not_in_scene (a kind that the scene does not name), bad_joint (a body
-    ///         with itself), immovable (neither can move), frozen.
+    /// Errors: no_room (max_joints are there), those of ids, of check_joint and of check_limits, not_in_scene (a kind, or limits, that the scene does
+    ///         not name), bad_joint (a body with itself), immovable (neither can move), frozen.
     /// Cost:   O(max_joints) after removals.
     Result<JointId> add_joint(const JointDef& def) {
         static_assert(joints_only());
         Index slot_A = no_body, slot_B = no_body;
         Status status = find_side(def.body_A, slot_A);
         if (status == Status::ok) status = find_side(def.body_B, slot_B);
-        if (status == Status::ok) status = check_joint(def);
+        if (status == Status::ok) status = check_joint(def, S::joints::has_limits);
+        if (status == Status::ok) status = check_limits_of(def.joint.kind, def.joint.limits);
         if (status == Status::ok && !S::joints::has(def.joint.kind)) status = Status::not_in_scene;
         if (status == Status::ok && slot_A == slot_B) status = Status::bad_joint;
         if (status == Status::ok && !moves(slot_A) && !moves(slot_B)) status = Status::immovable;
@@ -40,7 +42,8 @@ public:
         const int joint_i = free_joint();
         if (joint_i == S::max_joints) return {Status::no_room, {}};
 
-        storage_.joints[joint_i] = record_of(def, storage_.bodies(), slot_A, slot_B);
+        storage_.joints[joint_i] = record_of(def, storage_.bodies(), slot_A, slot_B, S::joints::has_limits);
+        if constexpr (has_joint_limits<S>) storage_.joint_limits[joint_i].limits = def.joint.limits;
         storage_.joint_lists().link(joint_i);
         ++storage_.joint_generation[joint_i];
         if (joint_i == storage_.joint_slots_used) ++storage_.joint_slots_used;
@@ -80,6 +83,62 @@ public:
         return {Status::ok, gap_of(storage_.joints[joint.value], storage_.bodies())};
     }
 
+    /// Where the free directions of a joint end from now on; what is beyond goes back slowly. Wakes its bodies.
+    /// Errors: those of ids and of check_limits, not_in_scene (the kind has none).
+    Status set_joint_limits(JointId id, const JointLimits& limits) {
+        static_assert(joints_only());
+        static_assert(S::joints::has_limits, "this scene's joints have no limits: name WithLimits among its joints");
+        const Result<int> joint = find(id);
+        if (!joint.ok()) return joint.status;
+        const JointKind kind = storage_.joints[joint.value].kind;
+        if (limited_directions(kind) == 0) return Status::not_in_scene;
+        const Status status = check_limits(kind, limits);
+        if (status != Status::ok) return status;
+        storage_.joint_limits[joint.value] = {};
+        storage_.joint_limits[joint.value].limits = limits;
+        wake_sides(joint.value);
+        return Status::ok;
+    }
+
+    /// The angle of a hinge, or of a universal joint about the axis of A, and, with which = 1, of B; the twist of a ball joint, and, with which = 1,
+    /// how far its axis has swung from the middle of its cone: rad, B against A. In scenes whose joints may have limits the angle of a hinge goes on
+    /// over whole turns; else it is one of -pi to pi.
+    /// Errors: those of ids, not_in_scene (a kind that has no such angle).
+    Result<scalar> joint_angle(JointId id, int which = 0) const {
+        static_assert(joints_only());
+        const Result<int> joint = find_turning(id, which);
+        if (!joint.ok()) return {joint.status, 0};
+        const JointRecord& record = storage_.joints[joint.value];
+        const scalar angle = joint_values(record, sides_of(record)).of[which];
+        if constexpr (has_joint_limits<S>)
+            if (record.kind == JointKind::hinge) return {Status::ok, angle_over_turns(angle, storage_.joint_angles[joint.value])};
+        return {Status::ok, angle};
+    }
+    /// How fast it turns, rad/s. Errors: those of joint_angle.
+    Result<scalar> joint_rate(JointId id, int which = 0) const {
+        static_assert(joints_only());
+        const Result<int> joint = find_turning(id, which);
+        if (!joint.ok()) return {joint.status, 0};
+        const JointRecord& record = storage_.joints[joint.value];
+        return {Status::ok, joint_rates(record, sides_of(record)).of[which]};
+    }
+    /// How far a slider has gone along its axis, m, B against A. Errors: those of ids, not_in_scene (a kind that goes along no axis).
+    Result<scalar> joint_travel(JointId id) const {
+        static_assert(joints_only());
+        const Result<int> joint = find_sliding(id);
+        if (!joint.ok()) return {joint.status, 0};
+        const JointRecord& record = storage_.joints[joint.value];
+        return {Status::ok, joint_values(record, sides_of(record)).of[0]};
+    }
+    /// How fast it goes, m/s. Errors: those of joint_travel.
+    Result<scalar> joint_speed(JointId id) const {
+        static_assert(joints_only());
+        const Result<int> joint = find_sliding(id);
+        if (!joint.ok()) return {joint.status, 0};
+        const JointRecord& record = storage_.joints[joint.value];
+        return {Status::ok, joint_rates(record, sides_of(record)).of[0]};
+    }
+
 protected:
     Result<int> find(JointId id) const {
         static_assert(joints_only());
@@ -90,12 +149,40 @@ protected:
     }
 
 private:
+    Result<int> find_turning(JointId id, int which) const {
+        const Result<int> joint = find(id);
+        if (!joint.ok()) return joint;
+        const JointKind kind = storage_.joints[joint.value].kind;
+        const bool turns = kind != JointKind::slider && which >= 0 && which < limited_directions(kind);
+        return turns ? joint : Result<int>{Status::not_in_scene, 0};
+    }
+    Result<int> find_sliding(JointId id) const {
+        const Result<int> joint = find(id);
+        if (!joint.ok() || storage_.joints[joint.value].kind == JointKind::slider) return joint;
+        return {Status::not_in_scene, 0};
+    }
+    JointBody side_of(Index slot) const {
+        if (slot == no_body) return {};
+        BodyState state = read_state(storage_.bodies(), slot);
+        Vector omega = omega_of(storage_.bodies(), slot);
+        if constexpr (S::kinematic_bodies)
+            if (ingot::is_kinematic(storage_.kinematic[slot])) {
+                state = this->kinematic_state(slot);
+                omega = state.L;
+            }
+        return {state.r_CM, state.A, state.v_CM, omega};
+    }
+    JointPair sides_of(const JointRecord& joint) const { return {side_of(joint.body_A), side_of(joint.body_B)}; }
     JointId id_of_joint(int joint_i) const { return {static_cast<Index>(joint_i), storage_.world_tag, storage_.joint_generation[joint_i]}; }
     int free_joint() const {
         int joint_i = 0;
         // bound: max_joints; a slot whose counter is used up is not given out again
         while (joint_i < storage_.joint_slots_used && (storage_.joint_lives(joint_i) || storage_.joint_generation[joint_i] == 0xfffffffeu)) ++joint_i;
         return joint_i;
+    }
+    static Status check_limits_of([[maybe_unused]] JointKind kind, const JointLimits& limits) {
+        if constexpr (S::joints::has_limits) return check_limits(kind, limits);
+        return limits_something(limits) ? Status::not_in_scene : Status::ok;
     }
     bool moves(Index slot) const { return slot != no_body && is_dynamic(storage_.bodies(), slot); }
     Status find_side(BodyId id, Index& slot) const {

@@ -25,6 +25,8 @@ void solve_by_sweeps(View& view, const ContactStep& step, StepReport& report) {
 INGOT_VIEW(SolverView);
 INGOT_VIEW(JointedView);
 INGOT_VIEW(JointedMaterialView);
+INGOT_VIEW(RowedView);
+INGOT_VIEW(RowedMaterialView);
 INGOT_VIEW(BallView);
 INGOT_VIEW(RollingView);
 INGOT_VIEW(BeltView);
@@ -32,6 +34,8 @@ INGOT_VIEW(RollingBeltView);
 INGOT_VIEW(KinematicViewOf<SolverView>);
 INGOT_VIEW(KinematicViewOf<JointedView>);
 INGOT_VIEW(KinematicViewOf<JointedMaterialView>);
+INGOT_VIEW(KinematicViewOf<RowedView>);
+INGOT_VIEW(KinematicViewOf<RowedMaterialView>);
 INGOT_VIEW(KinematicViewOf<BallView>);
 INGOT_VIEW(KinematicViewOf<RollingView>);
 INGOT_VIEW(KinematicViewOf<BeltView>);

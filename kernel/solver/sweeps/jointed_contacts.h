@@ -5,6 +5,8 @@
 #include "../../figure/build_figures.h"
 #include "../../figure/cursor.h"
 #include "../../figure/factor_figures.h"
+#include "../../figure/joint_motions.h"
+#include "../../figure/joint_rows.h"
 #include "../../figure/keep_figures.h"
 #include "../../figure/move_figures.h"
 #include "../../figure/respond_figures.h"
@@ -14,9 +16,9 @@
 namespace ingot { inline namespace INGOT_ABI {
 
 /// A solver as conduct_substeps asks for it, whose bodies may have joints. Contacts: SweptContacts.
-template <class Contacts, class View>
+template <class Contacts, class Whole>
 struct SeesJoints : Contacts {
-    explicit SeesJoints(View& of) : Contacts(of), jointed(of.jointed) {}
+    explicit SeesJoints(Whole& of) : Contacts(of), jointed(of.jointed) {}
 
     void begin(const ContactStep& step, StepReport& report) {
         build_figures(jointed.figures);
@@ -24,7 +26,9 @@ struct SeesJoints : Contacts {
     }
     bool next_batch(const ContactStep& step) {
         jointed.figures.h = step.h;
-        return Contacts::next_batch(step);
+        if (!Contacts::next_batch(step)) return false;
+        if constexpr (Whole::has_joint_rows) begin_joint_motions(jointed.figures, rows());
+        return true;
     }
     void refresh(const BodyView& bodies) {
         // What next_batch has prepared is right for the first substep.
@@ -33,11 +37,14 @@ struct SeesJoints : Contacts {
             Contacts::refresh(bodies);
         }
         jointed.is_fresh = false;
+        if constexpr (Whole::has_joint_rows) list_joint_rows(jointed.figures, rows(), jointed.figures.h / static_cast<scalar>(this->substeps()));
     }
     void solve_velocities(const ContactStep& step, scalar h, StepReport& report) {
         read_velocities(this->view, jointed);
         begin_solve(jointed.figures, h);
+        if constexpr (Whole::has_joint_rows) aim_joint_rows(jointed.figures, rows(), h);
         Contacts::solve_velocities(step, h, report);
+        if constexpr (Whole::has_joint_rows) note_joint_rows(jointed.figures, rows(), h);
         end_solve(jointed.figures, h);
     }
     void drift(const BodyView& bodies, scalar h) {
@@ -45,6 +52,7 @@ struct SeesJoints : Contacts {
         drift_figures(jointed.figures, h);
         jointed.figures.elapsed += h;
         push_figures(jointed.figures, false);
+        if constexpr (Whole::has_joint_rows) measure_joints(jointed.figures, rows(), h);
         write_displacements(this->view, jointed, bodies);
     }
     void solve_positions(const ContactStep& step, scalar h) {
@@ -53,6 +61,7 @@ struct SeesJoints : Contacts {
         take_cursors_away(jointed.figures, jointed.responses);
         end_displacing(jointed.figures);
         push_figures(jointed.figures, true);
+        if constexpr (Whole::has_joint_rows) push_joint_rows(jointed.figures, rows(), h, 0);
         write_displacements(this->view, jointed, step.bodies);
     }
     void end_batch(const ContactStep& step, StepReport& report) {
@@ -60,6 +69,7 @@ struct SeesJoints : Contacts {
             ask_for_doublings(jointed.figures, step.h / static_cast<scalar>(this->view.effort.substeps), doublings_of(this->view.plan));
             forget_doublings();
             spread_doublings(this->view, jointed);
+            if constexpr (Whole::has_joint_rows) keep_joint_motions(jointed.figures, rows(), doublings_of(this->view.plan));
             keep_figures(jointed.figures, doublings_of(this->view.plan));
         }
         Contacts::end_batch(step, report);
@@ -67,6 +77,8 @@ struct SeesJoints : Contacts {
 
 private:
     JointedBodies& jointed;
+
+    JointRowView& rows() { return this->whole.joint_rows; }
 
     /// Of the islands of the batch: those of the others stand.
     void forget_doublings() {

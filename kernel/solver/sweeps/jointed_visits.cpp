@@ -121,7 +121,6 @@ void read_velocities(const SolverView& solver, const JointedBodies& jointed) {
 }
 
 void end_jointed_sweeps(const SolverView& solver, const JointedBodies& jointed) {
-    take_cursors_away(jointed.figures, jointed.responses);
     for_figure_bodies(solver, jointed, [&](int body_i, Index node) { write_velocity(jointed, solver.bodies[body_i], node); });
 }
 

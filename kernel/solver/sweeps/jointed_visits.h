@@ -29,7 +29,7 @@ void excuse_jointed(View& solver) {
         if (solver.jointed.doublings_of[island_i] != 0) solver.islands[island_i].at_bound = false;
 }
 
-/// All bodies of figures have the velocities of the solve: in SolverView::bodies too.
+/// Bodies of figures have the velocities of the solve in SolverView::bodies too. Needs: changes of all bodies.
 void end_jointed_sweeps(const SolverView& solver, const JointedBodies& jointed);
 
 /// v_CM and L of the bodies of a visit are those that all impulses so far give them.

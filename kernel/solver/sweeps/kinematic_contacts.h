@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../conduct_substeps.h"
+#include "../../constraint/jointed_view.h"
 #include "../../constraint/kinematic_view.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -34,12 +35,12 @@ struct SeesKinematic : Contacts {
 
     bool next_batch(const ContactStep& step) {
         if (!Contacts::next_batch(step)) return false;
-        see_kinematic_bodies(static_cast<PlainViewOf<View>&>(all), all.kinematic, step.bodies, step.h);
+        see_kinematic_bodies(contacts(), all.kinematic, step.bodies, step.h);
         return true;
     }
     void refresh(const BodyView& bodies) {
         Contacts::refresh(bodies);
-        see_kinematic_levers(static_cast<PlainViewOf<View>&>(all), all.kinematic);
+        see_kinematic_levers(contacts(), all.kinematic);
     }
     void predict(scalar h, const StepNotes& notes, StepReport& report) {
         begin_kinematic_substep(all, all.kinematic, h);
@@ -50,12 +51,14 @@ struct SeesKinematic : Contacts {
         kick_kinematic_bodies(all, all.kinematic, h);
     }
     void drift(const BodyView& bodies, scalar h) {
-        yield_islands(static_cast<PlainViewOf<View>&>(all), all.kinematic);
+        yield_islands(contacts(), all.kinematic);
         Contacts::drift(bodies, h);
         drift_kinematic_bodies(all, all.kinematic, h);
     }
 
 private:
+    auto& contacts() { return contacts_of(static_cast<PlainViewOf<View>&>(all)); }
+
     View& all;
 };
 

@@ -66,6 +66,7 @@ int sweeps_max_of(const Island& island, const Effort& effort) {
         case SweepPlan::jointed_twice:
         case SweepPlan::jointed_four_times:
         case SweepPlan::jointed_eight_times:
+            if (island.manifold_count == 0) return limits::limit_sweeps_max;
             if (!island.begins_again && 4 * island.new_count > island.manifold_count) return sweeps_of_new(effort);
             return is_heap_of_balls ? sweeps_of_balls(effort) : effort.sweeps;
         default: return limits::sweeps_of_small;

@@ -2,8 +2,10 @@
 #include "solve_velocities.h"
 
 #include "../../base/limits.h"
+#include "../../figure/cursor.h"
 #include "conjugate_gradients.h"
 #include "jointed_visits.h"
+#include "sweep_joint_rows.h"
 #include "plan_islands.h"
 #include "sweep_velocities.h"
 
@@ -65,6 +67,15 @@ Settled settle_islands(const SolverView& solver, int sweep_i) {
     return settled;
 }
 
+/// Whether some island is not settled yet.
+template <class Whole>
+bool something_is_live(const Whole& solver) {
+    if constexpr (Whole::has_joint_rows)
+        return solver.live_count > 0 || are_joint_rows_live(solver, solver.jointed, solver.joint_rows);
+    else
+        return solver.live_count > 0;
+}
+
 }  // namespace
 
 void select_live(SolverView& solver) {
@@ -76,14 +87,19 @@ void select_live(SolverView& solver) {
     if (!all) drop_settled(solver);
 }
 
-template <class View>
-void solve_velocities(View& solver) {
+template <class Whole>
+void solve_velocities(Whole& whole) {
+    using View = typename WithoutRows<Whole>::Type;
+    View& solver = contacts_of(whole);
     select_live(solver);
     begin_sweeps(solver);
     if constexpr (View::articulates) pass_contact_impulses(solver);
-    for (int sweep_i = 1; solver.live_count > 0; ++sweep_i) {  // bound: plan.sweeps_max: no island is live after its sweeps_max
-        sweep_velocities(solver, sweep_i, !is_large(solver.plan) || goes_up(solver.effort, sweep_i, solver.substeps_left));
+    for (int sweep_i = 1; something_is_live(whole); ++sweep_i) {  // bound: plan.sweeps_max: no island is live after its sweeps_max
+        const bool up = !is_large(solver.plan) || goes_up(solver.effort, sweep_i, solver.substeps_left);
+        sweep_velocities(solver, sweep_i, up);
+        if constexpr (Whole::has_joint_rows) sweep_joint_rows(solver, solver.jointed, whole.joint_rows, up);
         measure_sweep(solver);
+        if constexpr (Whole::has_joint_rows) measure_joint_rows(solver, solver.jointed, whole.joint_rows);
         const Settled settled = settle_islands(solver, sweep_i);
         if (settled.all) {
             solver.live_count = 0;
@@ -91,14 +107,21 @@ void solve_velocities(View& solver) {
         }
         if (settled.some) drop_settled(solver);
         extrapolate(without_belts(solver));
+        if constexpr (Whole::has_joint_rows) extrapolate_joint_rows(solver, solver.jointed, whole.joint_rows);
         if constexpr (View::articulates) pass_contact_impulses(solver);
     }
+    if constexpr (Whole::has_joint_rows)
+        pass_contact_impulses(solver);  // from the impulses alone: an island is not told how long others of the batch go on
+    else if constexpr (View::articulates)
+        take_cursors_away(solver.jointed.figures, solver.jointed.responses);
     if constexpr (View::articulates) end_jointed_sweeps(solver, solver.jointed);
 }
 
 // The linker takes the one that the scene calls.
 template void solve_velocities(JointedView&);
 template void solve_velocities(JointedMaterialView&);
+template void solve_velocities(RowedView&);
+template void solve_velocities(RowedMaterialView&);
 template void solve_velocities(SolverView&);
 template void solve_velocities(BallView&);
 template void solve_velocities(RollingView&);

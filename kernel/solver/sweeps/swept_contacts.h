@@ -21,10 +21,12 @@
 namespace ingot { inline namespace INGOT_ABI {
 
 /// The sweeps as conduct_substeps asks for them. View: SolverView, or a MaterialView. Events, restitution, rolling resistance and belts are compiled
-/// in only where a scene names them.
-template <class View, bool notes_impulses, bool bounces>
+/// in only where a scene names them. Whole: the same, or with rows of joints.
+template <class Whole, bool notes_impulses, bool bounces>
 struct SweptContacts {
-    explicit SweptContacts(View& of) : view(of) {}
+    using View = typename WithoutRows<Whole>::Type;
+
+    explicit SweptContacts(Whole& of) : whole(of), view(of) {}
 
     void begin(const ContactStep& step, StepReport&) {
         take_in_bodies(view, step.bodies, step.gravity, step.h);
@@ -60,7 +62,7 @@ struct SweptContacts {
     }
     void solve_velocities(const ContactStep& step, scalar h, StepReport&) {
         plan_sweeps(view);
-        ingot::solve_velocities(view);
+        ingot::solve_velocities(whole);
         end_velocities(step.bodies, h);
     }
     void note_impulses([[maybe_unused]] const StepNotes& notes) {
@@ -78,12 +80,13 @@ struct SweptContacts {
     }
 
 protected:
+    Whole& whole;
     View& view;
     bool some_reverse = false;  ///< the slip of some contact turns round in this substep
 
     /// What follows on the sweeps.
     void end_velocities(const BodyView& bodies, scalar h) {
-        if (some_reverse && take_back_reversals(view)) ingot::solve_velocities(view);
+        if (some_reverse && take_back_reversals(view)) ingot::solve_velocities(whole);
         solve_passively(bodies, h);
         if (some_reverse) end_reversals(view, h);
     }
@@ -94,9 +97,9 @@ private:
         if constexpr (View::articulates) excuse_jointed(view);
         // Belts do give energy.
         if constexpr (!View::has_belts)
-            for (int round = 0; round < limits::gaining_rounds && find_gaining_islands(view, bodies, h); ++round) ingot::solve_velocities(view);
+            for (int round = 0; round < limits::gaining_rounds && find_gaining_islands(view, bodies, h); ++round) ingot::solve_velocities(whole);
         if constexpr (bounces) {
-            for (int round = 0; round < limits::bounce_rounds && lower_bounces(view, h); ++round) ingot::solve_velocities(view);
+            for (int round = 0; round < limits::bounce_rounds && lower_bounces(view, h); ++round) ingot::solve_velocities(whole);
             take_back_bounces(view, h);
         }
         if constexpr (!View::has_belts) hold_diverged_islands(view, bodies, h);

@@ -7,6 +7,7 @@
 #include "compensated_sums.h"
 #include "contact_effort.h"
 #include "gravity_shares.h"
+#include "joint_limits.h"
 #include "joints.h"
 #include "kinematic_bodies.h"
 #include "materials.h"
@@ -21,7 +22,8 @@ namespace ingot { inline namespace INGOT_ABI { namespace features {
 
 using All = FeatureList<Rotation, Translation, Compensation, EnergyReturn, FieldOfForce, Surfaces, Compounds, Impacts, Manifolds, Unsettled,
                         RollingResistance, Belts, Filters, Sensors, Continuous, Events, ToldEvents, Sleep, GravityShares, TouchAside, SteadyField,
-                        UserData, BodyForces, BodyDamping, ReadsContacts, CompensatedSums, KinematicBodies, WorkBudget, ContactEffort, Figures>;
+                         UserData, BodyForces, BodyDamping, ReadsContacts, CompensatedSums, KinematicBodies, WorkBudget, ContactEffort, Figures,
+                         LimitedJoints>;
 
 static_assert(All::bits_differ(SnapshotPart::doubles | SnapshotPart::anchors | SnapshotPart::pointwise));  // of a snapshot's parts
 

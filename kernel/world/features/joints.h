@@ -4,6 +4,7 @@
 
 #include "../../figure/swing_figures.h"
 #include "../../joint/check_joint.h"
+#include "../../joint/check_limits.h"
 #include "../../constraint/jointed_view.h"
 #include "../../island/islands.h"
 #include "manifolds.h"
@@ -12,13 +13,25 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace features {
 
+/// Bits of a snapshot's parts, of what joints may have.
+struct JointPart {
+    static constexpr uint32_t limits = 1u << 31;
+};
+
+/// What a body answers with its figure.
+template <class S, bool present>
+struct ResponsePart {
+    Spatial6Rows<1> responses[static_cast<unsigned>(S::max_bodies)] = {};
+};
+template <class S>
+struct ResponsePart<S, false> {};
+
 /// What figures and contacts share.
 template <class S, bool present>
-struct JointedContactPart {
+struct JointedContactPart : ResponsePart<S, true> {
     static constexpr unsigned local_capacity = static_cast<unsigned>(S::max_bodies) + 1;
 
     JointedBlock jointed_blocks[block_capacity_of<S>] = {};
-    Spatial6Rows<1> responses[static_cast<unsigned>(S::max_bodies)] = {};
     Index node_of_local[local_capacity] = {}, leader_of_local[local_capacity] = {};
     Index parted[static_cast<unsigned>(S::max_manifolds)] = {};
     uint8_t doublings_of_island[local_capacity] = {};
@@ -26,7 +39,7 @@ struct JointedContactPart {
     JointedBodies jointed_bodies(const FigureView& figures) {
         JointedBodies jointed{};
         jointed.figures = figures;
-        jointed.responses = responses;
+        jointed.responses = this->responses;
         jointed.node_of = node_of_local;
         jointed.leader_of = leader_of_local;
         jointed.doublings_of = doublings_of_island;
@@ -118,6 +131,10 @@ struct Figures : Feature {
     static void take_out(Storage<S>& storage, int joint_i) {
         storage.joint_lists().unlink(joint_i);
         storage.joints[joint_i] = {};
+        if constexpr (has_joint_limits<S>) {
+            storage.joint_limits[joint_i] = {};
+            storage.joint_angles[joint_i] = {};
+        }
         ++storage.joint_generation[joint_i];
     }
     /// Bodies that are joined sleep and wake as one.
@@ -146,9 +163,12 @@ struct Figures : Feature {
         uint32_t generation;
         uint8_t kind;
         JointRecord joint;
+        LimitRecord limit;
+        AngleRecord angle;
+        uint32_t turns;
 
         template <class Each>
-        constexpr void numbers(Each& each, uint32_t) {
+        constexpr void numbers(Each& each, uint32_t parts) {
             each("joint.generation", generation);
             each("joint.kind", kind);
             each("joint.body_A", joint.body_A);
@@ -163,12 +183,32 @@ struct Figures : Feature {
             each("joint.resolved", joint.resolved);
             each("joint.doublings", joint.doublings);
             each("joint.bodies_meet", joint.bodies_meet);
+            if ((parts & JointPart::limits) != 0) numbers_of_limits(each);
+        }
+        template <class Each>
+        constexpr void numbers_of_limits(Each& each) {
+            for (JointRange& range : limit.limits.range) {
+                each("joint.lower", range.lower);
+                each("joint.upper", range.upper);
+            }
+            each("joint.restitution", limit.limits.restitution);
+            for (int i = 0; i < 2; ++i) {
+                each("joint.limit_j", limit.j[i]);
+                each("joint.limit_leave", limit.leave[i]);
+            }
+            each("joint.angle", angle.angle);
+            each("joint.turns", turns);
         }
         template <class S>
         void take(const Storage<S>& storage, int joint_i) {
             generation = storage.joint_generation[joint_i];
             joint = storage.joints[joint_i];
             kind = static_cast<uint8_t>(joint.kind);
+            if constexpr (has_joint_limits<S>) {
+                limit = storage.joint_limits[joint_i];
+                angle = storage.joint_angles[joint_i];
+                turns = static_cast<uint32_t>(angle.turns);
+            }
         }
         template <class S>
         void put(Storage<S>& storage, int joint_i) const {
@@ -176,12 +216,18 @@ struct Figures : Feature {
             storage.joints[joint_i] = joint;
             storage.joints[joint_i].kind = static_cast<JointKind>(kind);
             if (kind != 0) storage.joint_lists().link(joint_i);
+            if constexpr (has_joint_limits<S>) {
+                storage.joint_limits[joint_i] = limit;
+                storage.joint_angles[joint_i] = {angle.angle, static_cast<int32_t>(turns)};
+            }
         }
         template <class S>
         bool is_valid(const EntryContext& context) const {
             JointRecord read = joint;
             read.kind = static_cast<JointKind>(kind);
             if ((generation & 1u) == 0) return kind == 0;
+            if constexpr (has_joint_limits<S>)
+                if (!ingot::is_valid(limit, read.kind) || !ingot::is_valid(angle)) return false;
             return S::joints::has(read.kind) && ingot::is_valid(read, static_cast<int>(context.shape_slots) / S::max_shapes_of_body);
         }
     };

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// Displacements of figures: from where their bodies are to where their joints want them.
+#pragma once
+
+#include "joint_sides.h"
+#include "tree_passes.h"
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpsabi"  // see lanes.h
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// What a joint is off by, as the bias of a push. Returns the square of the largest, m or rad, of each lane.
+template <unsigned width, class T = typename AllLanes<width>::T>
+T set_push(const FigureRows<width>& rows, int row_i) {
+    const JointKind kind = rows.node(row_i).kind;
+    const Spatial<T> back = twist_back(kind, sides_now(rows, rows.all, row_i, locks_turns(kind)));
+    write(rows.all, rows[row_i].bias, back);
+    return max(length_sq(back.v), length_sq(back.w));
+}
+
+template <unsigned width>
+void turn_body(const FigureRows<width>& rows, FigureRow<width>& row, const Vec3<typename AllLanes<width>::T>& turn) {
+    auto A = read(rows.all, row.A);
+    A = {A.c0 + chord(turn, A.c0), A.c1 + chord(turn, A.c1), A.c2 + chord(turn, A.c2)};
+    write(rows.all, row.A, A + polar_correction(A));
+}
+
+template <unsigned width>
+void clear_impulses(const FigureRows<width>& rows) {
+    const Spatial<typename AllLanes<width>::T> none{};
+    for (int row_i = 0; row_i < rows.count(); ++row_i) {  // bound: max_bodies
+        write(rows.all, rows[row_i].impulse, none);
+        write(rows.all, rows[row_i].drive, none.v);
+    }
+}
+
+template <unsigned width>
+void take_cursor(const FigureRows<width>& rows) {
+    for (int lane_i = 0; lane_i < rows.lane_count; ++lane_i) rows.figure(lane_i).cursor = no_node;  // bound: lanes
+}
+
+/// All impulses pass through the figures; the cursors are nowhere.
+template <unsigned width>
+void pass_from_none(const FigureRows<width>& rows) {
+    take_cursor(rows);
+    pass_up(rows);
+    pass_down(rows);
+}
+
+/// The change at the centre of mass.
+template <unsigned width>
+Spatial<typename AllLanes<width>::T> change_of_centre(const FigureRows<width>& rows, const FigureRow<width>& row) {
+    return twist_at(read(rows.all, row.change), read(rows.all, row.c));
+}
+
+/// Displaces the lanes that are `off` by `change`.
+template <unsigned width, class M, class T = typename AllLanes<width>::T>
+void move_by_change(const FigureRows<width>& rows, M off) {
+    for (int row_i = 0; row_i < rows.count(); ++row_i) {  // bound: max_bodies
+        FigureRow<width>& row = rows[row_i];
+        const Spatial<T> u = change_of_centre(rows, row), none{};
+        const Mat3<T> A = read(rows.all, row.A);
+        write(rows.all, row.r, read(rows.all, row.r) + select(off, u.v, none.v));
+        write(rows.all, row.turned, read(rows.all, row.turned) + select(off, u.w, none.w));
+        turn_body(rows, row, u.w);
+        write(rows.all, row.A, select(off, read(rows.all, row.A), A));
+    }
+}
+
+} }  // namespace ingot
+
+#pragma GCC diagnostic pop

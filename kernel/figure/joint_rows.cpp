@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include "joint_rows.h"
+
+#include "../base/limits.h"
+#include "row_compliance.h"
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpsabi"  // see lanes.h
+
+namespace ingot { inline namespace INGOT_ABI {
+
+namespace {
+
+/// Adds a row where the joint is near an end of the direction; else it forgets what it had there.
+template <unsigned width>
+void list_row(const FigureRows<width>& rows, const OneLane<width>& at, JointRowView& all, int row_i, int direction_i, scalar h) {
+    const FigureNode& node = rows.node(row_i, at.lane_i);
+    JointMotion& motion = all.motions[node.joint];
+    const JointRange ends = ends_of(node, direction_i, all.limits[node.joint].limits);
+    const scalar value = value_of(node, motion, direction_i);
+    JointRow row{};
+    bool is_near = motion.leave[direction_i] != 0;
+    if (ends.lower > -unlimited || ends.upper < unlimited) {
+        row.along = along_direction(node.kind, direction_i, sides_now(rows, at, row_i, true));
+        row.rate_begin = dot(row.along, free_rates_now(rows, at, row_i));
+        const scalar reach = limits::limit_reach + 2 * h * abs(row.rate_begin);
+        is_near = is_near || value - ends.lower < reach || ends.upper - value < reach;
+    }
+    if (!is_near) {
+        motion.j[direction_i] = motion.leave[direction_i] = 0;
+        return;
+    }
+    row.node = static_cast<Index>(rows.figure(at.lane_i).first_node + row_i);
+    row.direction_i = static_cast<uint8_t>(direction_i);
+    all.list[all.count++] = row;
+}
+
+/// Where a direction will be at the end of the substep, if nothing acts any more.
+template <unsigned width>
+scalar value_ahead(const FigureRows<width>& rows, const OneLane<width>& at, const JointRowView& all, int row_i, JointRow& row, scalar h) {
+    const FigureNode& node = rows.node(row_i, at.lane_i);
+    const JointSides<scalar> sides = sides_ahead(rows, at, row_i, h, rows.figure(at.lane_i).resolved, true);
+    if (node.kind == JointKind::ball) row.along = along_direction(node.kind, row.direction_i, sides);
+    const scalar ahead = measure(node.kind, sides).of[row.direction_i];
+    if (node.kind != JointKind::hinge) return ahead;
+    row.rate = dot(row.along, free_rates_now(rows, at, row_i));
+    int32_t turns = 0;
+    return nearest_turn(ahead, value_of(node, all.motions[node.joint], row.direction_i) + h * row.rate, turns);
+}
+
+/// By how much a rate may change downwards, where the joint is `room` above its end, `room_ahead` if nothing acts. leave: rad/s, m/s, from the end.
+scalar rate_to_end(scalar room, scalar room_ahead, scalar rate, scalar leave, scalar h) {
+    if (leave > 0) return leave - rate;
+    return room <= limits::limit_slack ? -rate : -room_ahead / h;
+}
+
+template <unsigned width>
+void aim_row(const FigureRows<width>& rows, const OneLane<width>& at, const JointRowView& all, int row_i, JointRow& row, scalar h) {
+    const FigureNode& node = rows.node(row_i, at.lane_i);
+    const JointMotion& motion = all.motions[node.joint];
+    const JointRange ends = ends_of(node, row.direction_i, all.limits[node.joint].limits);
+    const scalar value = value_of(node, motion, row.direction_i), ahead = value_ahead(rows, at, all, row_i, row, h);
+    const scalar leave = motion.leave[row.direction_i];
+    row.rate = dot(row.along, free_rates_now(rows, at, row_i));
+    row.K = compliance_of(rows, at, all, row_i, row.along);
+    row.lower = -unlimited;
+    row.upper = unlimited;
+    if (ends.upper < unlimited) row.upper = -rate_to_end(ends.upper - value, ends.upper - ahead, -row.rate, -leave, h);
+    if (ends.lower > -unlimited) row.lower = rate_to_end(value - ends.lower, ahead - ends.lower, row.rate, leave, h);
+    row.lower = min(row.lower, row.upper);
+    row.rests = leave == 0 && (value - ends.lower <= limits::limit_slack || ends.upper - value <= limits::limit_slack);
+    row.j = row.j_sweep = row.rests ? motion.j[row.direction_i] : 0;
+    row.direction = 0;
+    if (!(row.K > 0)) row.K = row.j = row.j_sweep = 0;
+}
+
+/// The speed with which a joint leaves the end that it met, as the midpoint rule has it: with the energy that it had there, times e^2. v: m/s, rad/s,
+/// towards the end, if the end had not been there; a: its acceleration, m/s^2; room: m, rad, that was left. 0: it comes to rest.
+scalar speed_after(scalar e, scalar v, scalar a, scalar room, scalar h) {
+    const scalar v_sq = v * v + 2 * a * (room - h * v / 2);
+    if (!(v_sq > 0)) return 0;
+    const scalar gain = a * h, after = (sqrt(gain * gain + 4 * e * e * v_sq) - gain) / 2;
+    return after > gain && after > 0 ? after : 0;
+}
+
+template <unsigned width>
+void note_row(const FigureRows<width>& rows, const OneLane<width>& at, const JointRowView& all, int row_i, const JointRow& of, scalar h) {
+    const FigureRow<width>& row = rows[row_i];
+    const FigureNode& node = rows.node(row_i, at.lane_i);
+    JointMotion& motion = all.motions[node.joint];
+    const LimitRecord& limit = all.limits[node.joint];
+    Spatial<scalar> u = read(at, row.change);
+    if (node.parent != no_node) u = u - twist_at(read(at, rows[node.parent].change), read(at, row.d));
+    const scalar free = of.rate + dot(of.along, free_rates(at, row, node.kind, u)) - of.K * of.j;  // without the limit
+    motion.j[of.direction_i] = of.rests ? of.j : 0;
+    motion.leave[of.direction_i] = 0;
+    const scalar e = limit.limits.restitution;
+    if (of.rests || of.j == 0 || !(e > 0)) return;
+    const JointRange ends = ends_of(node, of.direction_i, limit.limits);
+    const scalar side = of.j > 0 ? scalar(1) : scalar(-1), value = value_of(node, motion, of.direction_i);
+    const scalar room = of.j > 0 ? value - ends.lower : ends.upper - value;
+    motion.leave[of.direction_i] = side * speed_after(e, -side * free, side * (of.rate_begin - free) / h, max(room, 0), h);
+}
+
+}  // namespace
+
+void list_joint_rows(const FigureView& view, JointRowView& all, scalar h) {
+    all.count = 0;
+    for_joints(view, [&](const auto& rows, const auto& at, int row_i) {
+        const int directions = limited_directions(rows.node(row_i, at.lane_i).kind);
+        for (int i = 0; i < directions; ++i) list_row(rows, at, all, row_i, i, h);  // bound: 2
+    });
+}
+
+void aim_joint_rows(const FigureView& view, JointRowView& all, scalar h) {
+    for (int i = 0; i < all.count; ++i) {  // bound: limits_of_joint max_joints
+        JointRow& row = all.list[i];
+        at_node(view, row.node, [&](const auto& rows, const auto& at, int row_i) { aim_row(rows, at, all, row_i, row, h); });
+    }
+    give_joint_rows(view, all);
+}
+
+void give_joint_rows(const FigureView& view, const JointRowView& all) {
+    for_groups(view, [](const auto& rows) {
+        for (int row_i = 0; row_i < rows.count(); ++row_i) write(rows.all, rows[row_i].drive, rows.no_twist().v);  // bound: max_bodies
+    });
+    for (int i = 0; i < all.count; ++i) {  // bound: limits_of_joint max_joints
+        const JointRow& row = all.list[i];
+        at_node(view, row.node, [&](const auto& rows, const auto& at, int row_i) {
+            write(at, rows[row_i].drive, read(at, rows[row_i].drive) + row.along * row.j);
+        });
+    }
+}
+
+void note_joint_rows(const FigureView& view, const JointRowView& all, scalar h) {
+    for (int i = 0; i < all.count; ++i) {  // bound: limits_of_joint max_joints
+        const JointRow& row = all.list[i];
+        at_node(view, row.node, [&](const auto& rows, const auto& at, int row_i) { note_row(rows, at, all, row_i, row, h); });
+    }
+}
+
+} }  // namespace ingot
+
+#pragma GCC diagnostic pop

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// Limits of joints in a substep: a row each, where a joint comes near to one.
+//
+// A row changes the rate of its direction so that the joint ends the substep within its range, where it would end without the solve being taken to
+// second order; and a joint that is at its end already leaves it or stays. Rows give impulses of one sign a side. They are visited with a figure's
+// cursor, so each sees exactly what its figure has got from the others, and they are solved as contacts are, by sweeps. What is left of an angle
+// beyond its end is taken back by a push, which no velocity sees.
+//
+// Restitution: a joint that meets its limit ends the substep there, and leaves it in the next with what its speed would have been at the limit.
+#pragma once
+
+#include "joint_row.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// Which joints are near their limits, and how fast they are before forces act. Needs: place_joints, measure_joints.
+void list_joint_rows(const FigureView& view, JointRowView& all, scalar h);
+
+/// What the rows ask for, and how the figures answer them. Those that rest get the impulses of the substep before. Needs: begin_solve, responses.
+void aim_joint_rows(const FigureView& view, JointRowView& all, scalar h);
+
+/// One visit. Returns by how much the rate was changed, rad/s or m/s. The figure's cursor is at the parent then, or at the root.
+scalar visit_joint_row(const FigureView& view, const JointRowView& all, JointRow& row);
+
+/// Sweeps over the rows of each figure until none changes a rate by more than `settled`, or as often as limits::limit_sweeps_max. Of figures that
+/// touch nothing. Needs: changes of all bodies; afterwards they are those of the cursor.
+void settle_joint_rows(const FigureView& view, const JointRowView& all, scalar settled);
+
+/// Gives the impulses of all rows as they stand to the drives of their joints. Needs: drives that are those of nothing else.
+void give_joint_rows(const FigureView& view, const JointRowView& all);
+
+/// What joints remember of the solve: loads where they rest, and speeds with which they leave what they have met. Needs: changes of all bodies.
+void note_joint_rows(const FigureView& view, const JointRowView& all, scalar h);
+
+/// Joints that are beyond their limits are pushed back; those that the step began with so, by no more than limits::limit_return h. Measures first:
+/// gone: s, since that was done last.
+void push_joint_rows(const FigureView& view, JointRowView& all, scalar h, scalar gone);
+
+} }  // namespace ingot

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "../base/limits.h"
+#include "displace_rows.h"
+#include "joint_motions.h"
+#include "joint_rows.h"
+#include "row_compliance.h"
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpsabi"  // see lanes.h
+
+namespace ingot { inline namespace INGOT_ABI {
+
+namespace {
+
+/// How far a joint is pushed back that is so far beyond its end, rad or m.
+struct WayBack {
+    scalar most;  ///< where it returns from further away
+    bool again;   ///< such a one has had its share
+
+    scalar of(scalar beyond, bool returns) const { return beyond <= most || !returns ? beyond : again ? 0 : most; }
+};
+
+bool pushes(const JointRow& row) { return row.lower > limits::limit_slack || row.upper < -limits::limit_slack; }
+
+/// Lists the rows of a lane that are near to their ends; drops them again where none is beyond. False then.
+template <unsigned width>
+bool list_pushes(const FigureRows<width>& rows, const OneLane<width>& at, JointRowView& all, const WayBack& way) {
+    const int count = all.count;
+    bool some = false;
+    for (int row_i = 0; row_i < rows.count(); ++row_i) {  // bound: max_bodies
+        const FigureNode& node = rows.node(row_i, at.lane_i);
+        for (int i = 0; i < limited_directions(node.kind); ++i) {  // bound: 2
+            const JointRange ends = ends_of(node, i, all.limits[node.joint].limits);
+            const JointMotion& motion = all.motions[node.joint];
+            const scalar value = value_of(node, motion, i);
+            if (value - ends.lower > limits::limit_reach && ends.upper - value > limits::limit_reach) continue;
+            JointRow row{};
+            row.node = static_cast<Index>(rows.figure(at.lane_i).first_node + row_i);
+            row.direction_i = static_cast<uint8_t>(i);
+            row.lower = way.of(ends.lower - value, motion.returns[i]);
+            row.upper = -way.of(value - ends.upper, motion.returns[i]);
+            some = some || pushes(row);
+            all.list[all.count++] = row;
+        }
+    }
+    if (!some) all.count = count;
+    return some;
+}
+
+/// Needs: factor_figures, and where bodies are now.
+void aim_pushes(const FigureView& view, JointRowView& all) {
+    for (int i = 0; i < all.count; ++i) {  // bound: limits_of_joint max_joints
+        JointRow& row = all.list[i];
+        at_node(view, row.node, [&](const auto& rows, const auto& at, int row_i) {
+            const JointKind kind = rows.node(row_i, at.lane_i).kind;
+            JointSides<scalar> sides{};
+            if (kind == JointKind::ball) sides = sides_now(rows, at, row_i, true);
+            row.along = along_direction(kind, row.direction_i, sides);
+            row.K = compliance_of(rows, at, all, row_i, row.along);
+        });
+    }
+}
+
+/// One push of the lanes of a group that have something beyond its end, or a gap that such a push has left. False: there is none.
+template <unsigned width>
+bool push_group(const FigureRows<width>& rows, JointRowView& all, const WayBack& way) {
+    using T = typename AllLanes<width>::T;
+    scalar flags[width];
+    all.count = 0;
+    for (int lane_i = 0; lane_i < static_cast<int>(width); ++lane_i)  // bound: lanes
+        flags[lane_i] = list_pushes(rows, rows.one(lane_i), all, way) ? 1 : 0;
+    if (all.count == 0 && !way.again) return false;
+    T gap_sq{};
+    for (int row_i = 0; row_i < rows.count(); ++row_i) {  // bound: max_bodies
+        write(rows.all, rows[row_i].bias, rows.no_twist());
+        if (rows.node(row_i).kind != JointKind::none) gap_sq = max(gap_sq, set_push(rows, row_i));
+    }
+    const T gap_of_limits = splat<T>(way.again ? limits::joint_gap * limits::joint_gap : scalar_max);
+    const auto off = either(rows.all.get(flags) > T{}, gap_sq > gap_of_limits);
+    if (!any(off)) return false;
+    clear_impulses(rows);
+    pass_from_none(rows);
+    aim_pushes(rows.view, all);
+    settle_joint_rows(rows.view, all, limits::limit_slack / 4);
+    for (int row_i = 0; row_i < rows.count(); ++row_i) write(rows.all, rows[row_i].impulse, rows.no_twist());
+    pass_from_none(rows);
+    move_by_change(rows, off);
+    return true;
+}
+
+}  // namespace
+
+void push_joint_rows(const FigureView& view, JointRowView& all, scalar h, scalar gone) {
+    measure_joints(view, all, gone);
+    bool some = true;
+    for (int push_i = 0; push_i < limits::limit_pushes && some; ++push_i) {
+        const WayBack way = {limits::limit_return * h, push_i > 0};
+        some = false;
+        for_groups(view, [&](const auto& rows) { some = push_group(rows, all, way) || some; });
+        if (some) measure_joints(view, all, 0);
+    }
+}
+
+} }  // namespace ingot
+
+#pragma GCC diagnostic pop

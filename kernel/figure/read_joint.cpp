@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "read_joint.h"
+
+#include "measure_joint.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+namespace {
+
+/// A as the parent, B as the child.
+JointSides<scalar> sides_of(const JointRecord& joint, const JointPair& bodies) {
+    const Matrix& A = bodies.A.A;
+    const Matrix& B = bodies.B.A;
+    const Vector gap = (bodies.B.r_CM - bodies.A.r_CM) + (B * joint.frame_B.anchor - A * joint.frame_A.anchor);
+    return {gap, B * joint.frame_B.axis, A * joint.frame_A.axis, B * joint.frame_B.side, A * joint.frame_A.side};
+}
+
+}  // namespace
+
+JointReading joint_values(const JointRecord& joint, const JointPair& bodies) {
+    const JointValues<scalar> values = measure(joint.kind, sides_of(joint, bodies));
+    return {{values.of[0], values.of[1]}};
+}
+
+scalar angle_over_turns(scalar angle, const AngleRecord& last) {
+    int32_t turns = 0;
+    return nearest_turn(angle, last.angle + static_cast<scalar>(last.turns) * whole_turn, turns);
+}
+
+JointReading joint_rates(const JointRecord& joint, const JointPair& bodies) {
+    const JointSides<scalar> sides = sides_of(joint, bodies);
+    const Vector w = bodies.B.omega - bodies.A.omega;
+    switch (joint.kind) {
+        case JointKind::ball: return {{dot(along_direction(joint.kind, 0, sides), w), dot(along_direction(joint.kind, 1, sides), w)}};
+        case JointKind::hinge: return {{dot(sides.axis, w), 0}};
+        case JointKind::universal: return {{dot(sides.axis_of_parent, w), dot(sides.axis, w)}};
+        case JointKind::slider: {
+            const Vector to_B = bodies.B.A * joint.frame_B.anchor, to_A = bodies.B.r_CM + to_B - bodies.A.r_CM;
+            const Vector v = bodies.B.v_CM + cross(bodies.B.omega, to_B) - bodies.A.v_CM - cross(bodies.A.omega, to_A);
+            return {{dot(sides.axis_of_parent, v), 0}};
+        }
+        default: return {};
+    }
+}
+
+} }  // namespace ingot

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Where a joint is and how it moves, between two steps: B against A.
+#pragma once
+
+#include "../joint/joint_record.h"
+#include "../joint/limit_record.h"
+#include "../math/rotation.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// A side of a joint: a body, or the world.
+struct JointBody {
+    Vector r_CM{};
+    Matrix A = identity_matrix<scalar>();
+    Vector v_CM{}, omega{};
+};
+struct JointPair {
+    JointBody A, B;
+};
+
+/// Of each direction that may end: see JointLimits.
+struct JointReading {
+    scalar of[2];  ///< rad, m; rad/s, m/s
+};
+
+/// rad, m.
+JointReading joint_values(const JointRecord& joint, const JointPair& bodies);
+
+/// The angle that is nearest to where the joint was last, over whole turns.
+scalar angle_over_turns(scalar angle, const AngleRecord& last);
+
+/// rad/s, m/s; 0 for the cone of a ball joint in whose middle the axis is.
+JointReading joint_rates(const JointRecord& joint, const JointPair& bodies);
+
+} }  // namespace ingot

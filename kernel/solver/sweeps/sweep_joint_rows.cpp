@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "sweep_joint_rows.h"
+
+#include "../../figure/joint_rows.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+namespace {
+
+/// Null: the island is settled, or its body has gone bad.
+Island* live_island(const SolverView& solver, const JointedBodies& jointed, const JointRow& row) {
+    const Index body_i = solver.local_of[jointed.figures.nodes[row.node].slot];
+    if (body_i == 0) return nullptr;
+    Island& island = solver.islands[solver.island_of[body_i]];
+    return island.in_batch && island.sweeps_on ? &island : nullptr;
+}
+
+}  // namespace
+
+void sweep_joint_rows(const SolverView& solver, const JointedBodies& jointed, const JointRowView& rows, bool up) {
+    for (int i = 0; i < rows.count; ++i) {  // bound: limits_of_joint max_joints
+        JointRow& row = rows.list[up ? i : rows.count - 1 - i];
+        if (live_island(solver, jointed, row) != nullptr) row.change = visit_joint_row(jointed.figures, rows, row);
+    }
+}
+
+void measure_joint_rows(const SolverView& solver, const JointedBodies& jointed, const JointRowView& rows) {
+    for (int i = 0; i < rows.count; ++i) {
+        const JointRow& row = rows.list[i];
+        Island* const island = live_island(solver, jointed, row);
+        if (island == nullptr || !(row.K > 0)) continue;
+        island->size += row.change * row.change / row.K;
+        island->residual = max(island->residual, abs(row.change));
+    }
+}
+
+void extrapolate_joint_rows(const SolverView& solver, const JointedBodies& jointed, const JointRowView& rows) {
+    for (int i = 0; i < rows.count; ++i) {
+        JointRow& row = rows.list[i];
+        const Island* const island = live_island(solver, jointed, row);
+        if (island == nullptr) continue;
+        row.direction = island->beta * row.direction + (row.j - row.j_sweep);
+        row.j = row.j_sweep = row.j + island->beta * row.direction;
+    }
+    give_joint_rows(jointed.figures, rows);
+}
+
+bool are_joint_rows_live(const SolverView& solver, const JointedBodies& jointed, const JointRowView& rows) {
+    bool live = false;
+    for (int i = 0; i < rows.count; ++i) live = live || live_island(solver, jointed, rows.list[i]) != nullptr;
+    return live;
+}
+
+} }  // namespace ingot
