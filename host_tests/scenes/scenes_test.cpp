@@ -144,8 +144,8 @@ TEST(Satellite, keeps_L_bitwise_and_energy_to_rounding_for_an_hour) {
     EXPECT_LE(double(ingot::orthogonality_error(world.state(id).value.A)), 4 * double(ingot::epsilon));
 }
 
-/// What hinges lead gains no energy but what a step of second order gives and takes back, and its joints stay closed. A fast whip loses some for good:
-/// pushes take it.
+/// What hinges lead gains no energy but what a step of second order gives and takes back, and its joints stay closed. A fast whip loses some for
+/// good: pushes take it.
 ///
 /// A push ends below limits::joint_gap, and what it leaves grows by what the next substep turns; float adds roundings of places.
 template <class S>
