@@ -37,7 +37,7 @@ set(broad_phase_shares near_shapes body_bounds body_pairs bound_shape all_pairs 
 set(narrow_phase_shares manifold manifold_points box_axes contact_geometry contact_patch collide_pairs nearest_points plane_between manifold_record
   manifold_anchors find_manifolds normal_cone)
 set(query_shares candidates shapes_of_tree query_filter ray_on_shapes cast_ray)
-set(impulse_shares contact collide_shapes contact_rows impulse)
+set(impulse_shares contact collide_shapes contact_rows impulse impact_step impact_times find_contacts solve_impacts)
 set(joint_shares joints joint_record joint_lists limit_record)
 set(figure_shares spatial figure_row figure_view ground tree_passes joint_sides displace_rows cursor_moves joint_row measure_joint row_compliance
   build_figures factor_figures keep_figures move_figures respond_figures cursor joint_motions joint_rows)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Impulses, cases I1 to I9: Fig. 4 of the article, and what the world makes of it. I10 asks for friction, I11 and I12 for the time of impact of
-// fast bodies, which the kernel does not have.
+// Impulses, cases I1 to I9: Fig. 4 of the article, and what the world makes of it. I10 asks for friction, I11 and I12 for fast bodies that meet what
+// they would fly past.
 #include "hard_cases/flown_by.h"
 
 #include <gtest/gtest.h>
@@ -91,7 +91,7 @@ TEST(HardCases, I04_elastic_pairs_keep_the_energy) {
     }
 }
 
-/// e = 1 without looking for the time of impact: the error of a bounce is up to g h v, of either sign or of one.
+/// e = 1: the impact is where the ball meets the ground, within the step.
 TEST(HardCases, I05_elastic_ball) {
     ingot::World<Yard<2>> world{};
     ASSERT_EQ(world.set_gravity({0, 0, -10}), ingot::Status::ok);
@@ -107,7 +107,7 @@ TEST(HardCases, I05_elastic_ball) {
         worst = std::max(worst, std::abs(energy / 25 - 1));
     }
     std::printf("    energy within %.1e\n", worst);
-    EXPECT_LE(worst, bound(1e-12, 1e-3));
+    EXPECT_LE(worst, bound(1e-12, 2e-5));
 }
 
 /// e = 1/2: bounces without end come to an end in the right time, and nothing trembles after it.
@@ -159,11 +159,11 @@ TEST(HardCases, I08_box_dropped_flat) {
         const ingot::BodyId id = world.add(def).value;
         double spin = 0, impulse = 0;
         for (int step_i = 0; step_i < 120; ++step_i) {
-            const double v = static_cast<double>(world.state(id).value.v_CM.z);
             ASSERT_TRUE(ingot::step(world, scalar(1) / 60).clean());
             if (impulse == 0 && world.contact_count() == 4) {
                 for (int contact_i = 0; contact_i < 4; ++contact_i) {
-                    const double j = static_cast<double>(world.contact(contact_i).value.j), exact = -3 * v * (1 + e) / 4;
+                    const double j = static_cast<double>(world.contact(contact_i).value.j);
+                    const double exact = 3 * std::sqrt(2 * 10 * 1.75) * (1 + e) / 4;  // it falls 1.75 m
                     impulse += j;
                     if (e > 0) { EXPECT_NEAR(j, exact, exact * bound(1e-12, 1e-4)); }
                 }

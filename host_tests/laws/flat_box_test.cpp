@@ -34,6 +34,9 @@ class FlatBox : public ::testing::TestWithParam<double> {};
 /// What befell the boxes of one restitution: every size at every angle about z, dropped on a sideways path for 5 s.
 struct Drops {
     double omega = 0, turned = 0;  ///< worst, rad/s and rad
+    /// rad/s, the worst over what roundings may add up to. Each impact leaves speeds of corners off by limits::contact_roundings of the speed v, and
+    /// a corner of that lever turns; in t seconds there are g t / 2 v impacts with e = 1, fewer else: v does not matter.
+    double omega_share = 0;
     int steps = 0, unfinished = 0, odd_contacts = 0, landings = 0;
     bool sideways_is_kept = true;
 
@@ -64,6 +67,8 @@ private:
             odd_contacts += report.contacts == 0 || report.contacts == 4 || report.contacts == 8 ? 0 : 1;
             contacts += report.contacts;
             omega = std::max(omega, length_of(spin(world, body)));
+            const double speeds = 9.8125 * 5 / 2 + 2 * std::sqrt(2 * 9.8125 * height), lever = std::min(size.half(0), size.half(1));
+            omega_share = std::max(omega_share, length_of(spin(world, body)) / (ingot::limits::contact_roundings * 2 * u * speeds / lever));
             turned = std::max(turned, attitude_error(attitude(world, body), begin));
         }
         landings += contacts > 0 ? 1 : 0;
@@ -75,7 +80,7 @@ private:
 TEST_P(FlatBox, does_not_begin_to_turn) {
     const Drops drops(GetParam());
     EXPECT_EQ(drops.landings, 36);
-    EXPECT_LE(drops.omega, bar(1e-10, 1e-4));
+    EXPECT_LE(drops.omega_share, 1);
     EXPECT_LE(drops.turned, 5 * bar(1e-10, 1e-4)) << "|omega| for 5 s";
     EXPECT_EQ(drops.odd_contacts, 0) << "a flat box touches with all its corners or none";
     EXPECT_TRUE(drops.sideways_is_kept) << "without friction, not a bit of it changes";

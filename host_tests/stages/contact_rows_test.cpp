@@ -48,7 +48,12 @@ struct Rows {
         c.n = to_vector(n);
         c.lever_A = cross(to_vector(r_A), c.n), c.lever_B = cross(to_vector(r_B), c.n);
         c.e = static_cast<scalar>(e);
+        c.touches = true;
         contacts.push_back(c);
+    }
+    /// Impacts as the step begins.
+    void solve_impacts(scalar rest_speed, ingot::StepReport& report) {
+        ingot::solve_impacts({tiles.view(), {}, {}, 0, rest_speed}, view(), 0, true, any_visits, report);
     }
     void prepare() {
         ingot::refresh_inv_I_world(tiles.view());
@@ -354,7 +359,7 @@ TEST(ContactRows, of_one_contact_are_figure_4) {
         const Real j = figure4_impulse<Real>(A, B, to_eigen<Real>(c.n), static_cast<Real>(c.e));
         const ingot::NormalSpeed before = ingot::normal_speed(c, rows.tiles.view());
         ingot::StepReport report{};
-        ingot::solve_impacts(rows.view(), rows.tiles.view(), 0, any_visits, report);
+        rows.solve_impacts(0, report);
         const double rounding = 64 * eps * static_cast<double>(before.magnitude * c.inv_K);
         EXPECT_NEAR(static_cast<double>(rows.contacts[0].j_total), static_cast<double>(j), rounding) << case_i;
         EXPECT_EQ(report.impact_waves, j > 0 ? 1u : 0u);
@@ -385,7 +390,7 @@ TEST(ContactRows, of_a_pair_bounce_together_or_not_at_all) {
         ASSERT_NEAR(u_0, -2.25, 1e-6);
         ASSERT_NEAR(u_1, -1.75, 1e-6);
         ingot::StepReport report{};
-        ingot::solve_impacts(rows.view(), rows.tiles.view(), static_cast<scalar>(rest_speed), any_visits, report);
+        rows.solve_impacts(static_cast<scalar>(rest_speed), report);
         const double e = rest_speed < 2.25 ? 0.5 : 0;
         EXPECT_NEAR(static_cast<double>(rows.speed(rows.contacts[0])), -e * u_0, 64 * eps * 4);
         EXPECT_NEAR(static_cast<double>(rows.speed(rows.contacts[1])), -e * u_1, 64 * eps * 4);
@@ -403,7 +408,7 @@ TEST(ContactRows, pass_impacts_on_wave_by_wave) {
         rows.touch(slot, slot + 1, -Eigen::Vector3d::UnitX(), Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), 1);
     rows.prepare();
     ingot::StepReport report{};
-    ingot::solve_impacts(rows.view(), rows.tiles.view(), 0, any_visits, report);
+    rows.solve_impacts(0, report);
     for (int slot = 0; slot < balls; ++slot) EXPECT_EQ(rows.v(slot).x(), slot == balls - 1 ? 1 : 0);
     EXPECT_EQ(report.impact_waves, static_cast<std::uint32_t>(balls - 1));
     EXPECT_EQ(report.sweeps, 2u * (balls - 1));
@@ -423,7 +428,7 @@ TEST(ContactRows, bounce_to_and_fro_for_half_of_the_waves) {
         rows.touch(0, slot, Eigen::Vector3d::UnitX() * (slot == 1 ? 1 : -1), Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), 1);
     rows.prepare();
     ingot::StepReport report{};
-    ingot::solve_impacts(rows.view(), rows.tiles.view(), 0, any_visits, report);
+    rows.solve_impacts(0, report);
     // Waves 0 .. half are begun with a bounce each; the next one stops it.
     EXPECT_EQ(report.impact_waves, ingot::limits::impact_waves_max / 2 + 2u);
     EXPECT_EQ(report.impacts_deferred, 0u);

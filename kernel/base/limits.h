@@ -65,13 +65,24 @@ inline constexpr int polar_steps_max = 5;                  ///< of Rk4Polar, fro
 /// Shapes that are apart by this fraction of the bounding radius touch. So a box that lands flat, to rounding, lands on all its
 /// corners at once, and a body that is put down touching does not fall for one step.
 inline constexpr scalar flatness = scalar(1e-4);
-inline constexpr int impact_waves_max = 128;    ///< impacts that impacts cause, within one step; what is left is reported
+inline constexpr int impact_waves_max = 128;    ///< impacts that impacts cause at the same time; what is left is reported
+/// Of a contact, at different times of a step; in the second half of them it bounces no more, and then it is held. What that stops is reported.
+inline constexpr int impacts_in_step_max = 64;
+/// rad; corners are followed on their way for so long: further on they are off by more than a fiftieth of their lever.
+inline constexpr scalar corner_turn = scalar(0.5);
+/// Of a step; corners of a box that come no later after the first come with it. Else a box dropped flat begins to spin once rounding has tilted it by
+/// 1e-4 rad.
+inline constexpr scalar corners_together = scalar(1) / 16;
+/// Of Newton's method for the time at which two balls meet that forces bend the ways of: each doubles the digits, from three on.
+inline constexpr int meeting_passes = 3;
 inline constexpr int contact_sweeps_max = 128;  ///< over the contacts solved together; what is left is reported
 /// A contact counts as approaching, and a sweep as unfinished, beyond this many roundings of the speeds that it is computed from.
 inline constexpr scalar contact_roundings = 8;
 inline constexpr scalar contact_slack = 8;  ///< contact_roundings is multiplied by this once a quarter of the sweeps are done
 /// Impacts slower than this many times |gravity| h are contacts at rest: restitution does not apply to them.
 inline constexpr scalar rest_speed_factor = 2;
+/// Of that speed: what touches and leaves no faster is taken to rest. Its force lifts it by the way that it would have gone in half a step.
+inline constexpr scalar still_share = contact_roundings * contact_slack * epsilon;
 
 // Arrays that are full (broad_phase/crowd.h).
 /// Of the lesser bounding radius: a contact that carries something gives way to what is deeper by more than this. With less they would take turns,

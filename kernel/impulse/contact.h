@@ -12,11 +12,18 @@ namespace ingot { inline namespace INGOT_ABI {
 /// a row reads v_CM and L, and writes v_CM and L, and needs neither omega nor a gyroscopic term.
 struct Contact {
     Index body_A, body_B;
-    bool active;         ///< takes part in the solve at hand
+    bool active : 1;     ///< takes part in the solve at hand
+    bool aside : 1;      ///< of other bodies than the impact at hand
+    bool touches : 1;    ///< since `when`; else its bodies are on their way
+    bool is_new : 1;     ///< found, and no row yet
+    bool at_hand : 1;    ///< it meets in the impact at hand
+    uint8_t corner;      ///< of a box, which; else 0
+    uint8_t impacts;     ///< it has had in this step, at different times
     Vector n;            ///< unit normal, from B to A
     Vector lever_A;      ///< r_AP x n, m; exactly zero for a sphere, whose normal passes through its centre
     Vector lever_B;      ///< r_BP x n, m
-    scalar separation;   ///< m; negative where the shapes overlap
+    scalar separation;   ///< m, when it was found to touch; negative where the shapes overlap
+    scalar when;         ///< s, from the begin of the step: of its impact to come, or since when it touches; limits::unbounded: neither
     scalar e;            ///< restitution of the pair
     Vector k_A, k_B;     ///< inv_I_world lever; zero for an immovable body
     scalar inv_K;        ///< kg; inverse of the denominator of Hecker 1997, Fig. 4
@@ -25,14 +32,16 @@ struct Contact {
     scalar j;            ///< N s; of the solve at hand
     scalar change;       ///< N s; of j in the sweep at hand
     scalar direction;    ///< N s; conjugate direction of the solve at hand
+    scalar j_impact;     ///< N s; of the impact at hand
     scalar j_total;      ///< N s; given in this step
 };
 
-/// The contacts of a step, without their capacity.
+/// The contacts of a step, without their capacity. Those of a pair stand together.
 struct ContactView {
     Contact* contacts;
     Index* count;
     int capacity;
+    Vector* places = nullptr;  ///< m, world, of each: see note_new_places; null: nobody asks
 };
 
 } }  // namespace ingot

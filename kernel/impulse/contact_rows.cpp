@@ -9,9 +9,7 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
-struct Motion {
-    Vector v_CM, L;
-};
+using Motion = BodyMotionNow;
 
 Motion motion_of(const BodyView& bodies, int slot) {
     const Place at = place_of(slot);
@@ -48,26 +46,31 @@ scalar magnitude_of(const Vector& a, const Vector& b) { return abs(a.x * b.x) + 
 }  // namespace
 
 template <bool sees_kinematic>
-void prepare_contact_rows(const ContactView& contacts, const BodyView& bodies) {
-    for (int contact_i = 0; contact_i < *contacts.count; ++contact_i) {  // bound: max_contacts
-        Contact& c = contacts.contacts[contact_i];
-        const scalar inv_M_A = inv_M_of(bodies, c.body_A), inv_M_B = inv_M_of(bodies, c.body_B);
-        [[maybe_unused]] const Vector lever_A = c.lever_A, lever_B = c.lever_B;
-        if (!(inv_M_A > 0)) c.lever_A = {};
-        if (!(inv_M_B > 0)) c.lever_B = {};
-        c.k_A = inv_I_world_of(bodies, c.body_A) * c.lever_A;
-        c.k_B = inv_I_world_of(bodies, c.body_B) * c.lever_B;
-        c.inv_K = 1 / (length_sq(c.n) * (inv_M_A + inv_M_B) + dot(c.k_A, c.lever_A) + dot(c.k_B, c.lever_B));
-        INGOT_ASSERT(c.inv_K > 0);  // at least one of the two moves
-        if constexpr (sees_kinematic) {
-            if (shows_kinematic_motion(bodies, c.body_A)) c.k_A = -lever_A;
-            if (shows_kinematic_motion(bodies, c.body_B)) c.k_B = -lever_B;
-        }
-        c.active = false;
-        c.tolerance = c.j = 0;
+void prepare_contact_row(Contact& c, const BodyView& bodies) {
+    const scalar inv_M_A = inv_M_of(bodies, c.body_A), inv_M_B = inv_M_of(bodies, c.body_B);
+    [[maybe_unused]] const Vector lever_A = c.lever_A, lever_B = c.lever_B;
+    if (!(inv_M_A > 0)) c.lever_A = {};
+    if (!(inv_M_B > 0)) c.lever_B = {};
+    c.k_A = inv_I_world_of(bodies, c.body_A) * c.lever_A;
+    c.k_B = inv_I_world_of(bodies, c.body_B) * c.lever_B;
+    c.inv_K = 1 / (length_sq(c.n) * (inv_M_A + inv_M_B) + dot(c.k_A, c.lever_A) + dot(c.k_B, c.lever_B));
+    INGOT_ASSERT(c.inv_K > 0);  // at least one of the two moves
+    if constexpr (sees_kinematic) {
+        if (shows_kinematic_motion(bodies, c.body_A)) c.k_A = -lever_A;
+        if (shows_kinematic_motion(bodies, c.body_B)) c.k_B = -lever_B;
     }
+    c.active = false;
+    c.tolerance = c.j = 0;
+}
+
+template <bool sees_kinematic>
+void prepare_contact_rows(const ContactView& contacts, const BodyView& bodies) {
+    // bound: max_contacts
+    for (int contact_i = 0; contact_i < *contacts.count; ++contact_i) prepare_contact_row<sees_kinematic>(contacts.contacts[contact_i], bodies);
 }
 // The linker takes the one that the scene calls.
+template void prepare_contact_row<false>(Contact&, const BodyView&);
+template void prepare_contact_row<true>(Contact&, const BodyView&);
 template void prepare_contact_rows<false>(const ContactView&, const BodyView&);
 template void prepare_contact_rows<true>(const ContactView&, const BodyView&);
 
@@ -79,11 +82,19 @@ int manifold_end(const ContactView& contacts, int first) {
     return end;
 }
 
-NormalSpeed normal_speed(const Contact& c, const BodyView& bodies) {
-    const Motion A = motion_of(bodies, c.body_A), B = motion_of(bodies, c.body_B);
+namespace {
+
+INGOT_SHARED NormalSpeed speed_of(const Contact& c, const Motion& A, const Motion& B) {
     const scalar u = dot(c.n, A.v_CM - B.v_CM) + dot(A.L, c.k_A) - dot(B.L, c.k_B);
     return {u, magnitude_of(c.n, A.v_CM) + magnitude_of(c.n, B.v_CM) + magnitude_of(A.L, c.k_A) + magnitude_of(B.L, c.k_B)};
 }
+
+}  // namespace
+
+NormalSpeed normal_speed(const Contact& c, const BodyView& bodies) {
+    return speed_of(c, motion_of(bodies, c.body_A), motion_of(bodies, c.body_B));
+}
+NormalSpeed normal_speed(const Contact& c, const Motion& A, const Motion& B) { return speed_of(c, A, B); }
 
 scalar tolerance_of(const Contact& c, const NormalSpeed& speed) {
     const scalar rounding = limits::contact_roundings * epsilon * speed.magnitude;
@@ -103,6 +114,16 @@ bool apply_impulse(const Contact& c, scalar j, const BodyView& bodies) {
     set_motion(bodies, c.body_A, A, length_sq(c.lever_A) > 0);
     set_motion(bodies, c.body_B, B, length_sq(c.lever_B) > 0);
     return true;
+}
+
+void take_back(const Contact& c, scalar j, scalar t, const BodyView& bodies) {
+    if (!(t > 0)) return;
+    const auto move = [&](int slot, scalar by) {
+        const Place at = place_of(slot);
+        set_lane(bodies.translation[at.tile].r_CM, at.lane, r_CM_of(bodies, slot) - c.n * (by * inv_M_of(bodies, slot) * t));
+    };
+    move(c.body_A, j);
+    move(c.body_B, -j);
 }
 
 namespace {

@@ -19,6 +19,9 @@ struct NormalSpeed {
 /// sees_kinematic: of a kinematic body, whose tiles show L = -omega, the row reads omega.lever by k = -lever; it takes no impulse.
 template <bool sees_kinematic = false>
 void prepare_contact_rows(const ContactView& contacts, const BodyView& bodies);
+/// The same of one contact.
+template <bool sees_kinematic>
+void prepare_contact_row(Contact& contact, const BodyView& bodies);
 
 /// Index after the last contact of the pair of bodies that the contact `first` belongs to: a pair's contacts stand together.
 int manifold_end(const ContactView& contacts, int first);
@@ -28,10 +31,18 @@ int manifold_end(const ContactView& contacts, int first);
 scalar tolerance_of(const Contact& contact, const NormalSpeed& speed);
 
 NormalSpeed normal_speed(const Contact& contact, const BodyView& bodies);
+/// Of bodies that move like this.
+struct BodyMotionNow {
+    Vector v_CM, L;
+};
+NormalSpeed normal_speed(const Contact& contact, const BodyMotionNow& A, const BodyMotionNow& B);
 
 /// A receives +j n, B receives -j n. Where that would not be finite nothing changes, the body
 /// is marked bad, and the answer is false.
 bool apply_impulse(const Contact& contact, scalar j, const BodyView& bodies);
+
+/// An impulse of the time t acts from the begin of the step: takes the way back that it made until then.
+void take_back(const Contact& contact, scalar j, scalar t, const BodyView& bodies);
 
 struct SweepOutcome {
     int sweeps;

@@ -3,9 +3,7 @@
 #pragma once
 
 #include "../base/report.h"
-#include "../body/body_tiles.h"
-#include "../shape/surface.h"
-#include "collide_shapes.h"
+#include "impact_step.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -22,24 +20,31 @@ void collide_pair(const Placed& A, const Placed& B, ContactSink& sink, StepRepor
     count(report.pairs_untested);
 }
 
-/// Fills the contacts of the step, pair by pair in the order of the slots. Two bodies that cannot move do not touch.
+/// Contacts of two slots that touch at the time `now` of the step, or meet after it.
+template <class Shapes>
+void find_contact(const ImpactStep& step, const ContactView& contacts, int slot_A, int slot_B, scalar now, bool is_again, StepReport& report) {
+    ContactSink sink = sink_of(step, contacts, slot_A, slot_B, now, is_again, report);
+    const auto place = [&](int slot) {
+        if constexpr (Shapes::has(ShapeKind::box)) return turning_at(step, slot, now);
+        return placed_at(step, slot, now);
+    };
+    collide_pair<Shapes>(place(sink.slot_A), place(sink.slot_B), sink, report);
+}
+
+/// Fills the contacts of the step, pair by pair in the order of the slots: of what touches, and of what meets in the step as it flies now. Two bodies
+/// that cannot move do not touch.
 ///
 /// Full: contacts with what cannot move are kept first, then the deepest; what is dropped counts in contacts_lost.
 /// Cost: bodies (bodies - 1) / 2 tests of bounding spheres.
 template <class Shapes>
-void find_contacts(const BodyView& bodies, const SurfaceView& surfaces, const ContactView& contacts, StepReport& report) {
+void find_contacts(const ImpactStep& step, const ContactView& contacts, StepReport& report) {
     *contacts.count = 0;
-    for (int slot_A = 0; slot_A < surfaces.slot_count; ++slot_A) {  // bound: max_bodies
+    const SurfaceView& surfaces = step.surfaces;
+    for (int slot_A = 0; slot_A < surfaces.slot_count; ++slot_A)  // bound: max_bodies
         // bound: max_bodies: next_touchable returns no less than what it is given
-        for (int slot_B = next_touchable(bodies, surfaces, slot_A, slot_A + 1); slot_B < surfaces.slot_count;
-             slot_B = next_touchable(bodies, surfaces, slot_A, slot_B + 1)) {
-            const bool swap = surfaces.surfaces[slot_A].shape.kind == ShapeKind::half_space;
-            const int first = swap ? slot_B : slot_A, second = swap ? slot_A : slot_B;
-            const scalar e_A = surfaces.surfaces[first].e, e_B = surfaces.surfaces[second].e;
-            ContactSink sink{contacts, first, second, e_A > e_B ? e_A : e_B, &report.contacts_lost, &bodies};
-            collide_pair<Shapes>(placed(bodies, surfaces, first), placed(bodies, surfaces, second), sink, report);
-        }
-    }
+        for (int slot_B = next_touchable(step.bodies, surfaces, step.ways, slot_A, slot_A + 1); slot_B < surfaces.slot_count;
+             slot_B = next_touchable(step.bodies, surfaces, step.ways, slot_A, slot_B + 1))
+            find_contact<Shapes>(step, contacts, slot_A, slot_B, 0, false, report);
     report.contacts = *contacts.count;
 }
 

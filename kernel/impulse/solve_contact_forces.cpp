@@ -23,7 +23,7 @@ void solve_contact_forces(const ContactView& contacts, const BodyView& bodies, s
     for (int contact_i = 0; contact_i < *contacts.count; ++contact_i) {  // bound: max_contacts
         Contact& c = contacts.contacts[contact_i];
         c.tolerance = tolerance_of(c, normal_speed(c, bodies));
-        c.active = true;
+        c.active = c.touches;
         c.target = 0;
     }
     const SweepOutcome outcome = solve_active_contacts(contacts, bodies, left);
@@ -32,10 +32,11 @@ void solve_contact_forces(const ContactView& contacts, const BodyView& bodies, s
 
     for (int contact_i = 0; contact_i < *contacts.count; ++contact_i) {
         Contact& c = contacts.contacts[contact_i];
-        if (!(c.j > 0)) continue;
+        if (!c.active || !(c.j > 0)) continue;
         const scalar force = c.j / h;
         add_force(bodies, c.body_A, c.n * force, c.lever_A * force);
         add_force(bodies, c.body_B, c.n * -force, c.lever_B * -force);
+        take_back(c, c.j, c.when / 2, bodies);
         c.j_total += c.j;
     }
 }

@@ -2,66 +2,81 @@
 #include "solve_impacts.h"
 
 #include "../base/limits.h"
-#include "contact_rows.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
-/// Makes the contacts of one pair that approach part of the next wave; returns how many there are.
-///
-/// Whether the pair bounces is asked of its fastest contact: corners that land together bounce together or not at all.
-int begin_wave_of_pair(Contact* first, int count, const BodyView& bodies, scalar rest_speed) {
-    int approaching = 0;
-    scalar fastest = 0;
-    // bound: 4: contacts of one pair, Manifold::points_max a pair
-    for (int contact_i = 0; contact_i < count; ++contact_i) {
-        Contact& c = first[contact_i];
-        const NormalSpeed speed = normal_speed(c, bodies);
-        c.tolerance = tolerance_of(c, speed);
-        c.active = speed.u < -c.tolerance;
-        c.target = -c.e * speed.u;
-        approaching += c.active ? 1 : 0;
-        fastest = -speed.u > fastest ? -speed.u : fastest;
-    }
-    if (!(fastest > rest_speed))
-        for (int contact_i = 0; contact_i < count; ++contact_i) first[contact_i].target = 0;
-    return approaching;
-}
+/// Impacts at one time, of contacts that are not aside.
+struct Wave {
+    const ImpactStep& step;
+    const ContactView& contacts;
+    scalar now;
 
-/// Makes the contacts that approach the next wave; returns how many there are.
-int begin_wave(const ContactView& contacts, const BodyView& bodies, scalar rest_speed) {
-    int approaching = 0;
-    // bound: max_contacts: end is after first: each pair has a contact
-    for (int first = 0, end = 0; first < *contacts.count; first = end) {
-        end = manifold_end(contacts, first);
-        approaching += begin_wave_of_pair(&contacts.contacts[first], end - first, bodies, rest_speed);
+    /// Makes the contacts of one pair that approach part of it; returns how many there are.
+    ///
+    /// Whether the pair bounces is asked of its fastest contact: corners that land together bounce together or not at all.
+    int begin_pair(Contact* first, int count, bool bounce) const {
+        int approaching = 0;
+        scalar fastest = 0;
+        // bound: 4: contacts of one pair, Manifold::points_max a pair
+        for (int contact_i = 0; contact_i < count; ++contact_i) {
+            Contact& c = first[contact_i];
+            c.active = false;
+            if (c.aside) continue;
+            const SpeedInStep speed = speed_at(step, c, now);
+            c.tolerance = tolerance_of(c, speed);
+            c.active = speed.u < -c.tolerance;
+            c.target = -speed.change;  // at rest then, as of the begin of the step
+            c.change = -c.e * speed.u;
+            approaching += c.active ? 1 : 0;
+            fastest = -speed.u > fastest ? -speed.u : fastest;
+        }
+        for (int contact_i = 0; bounce && fastest > step.rest_speed && contact_i < count; ++contact_i)
+            first[contact_i].target += first[contact_i].change;
+        return approaching;
     }
-    return approaching;
-}
+    int begin(bool bounce) const {
+        int approaching = 0;
+        // bound: max_contacts: end is after first: each pair has a contact
+        for (int first = 0, end = 0; first < *contacts.count; first = end) {
+            end = manifold_end(contacts, first);
+            approaching += begin_pair(&contacts.contacts[first], end - first, bounce);
+        }
+        return approaching;
+    }
+    void end() const {
+        // bound: max_contacts
+        for (int contact_i = 0; contact_i < *contacts.count; ++contact_i) {
+            Contact& c = contacts.contacts[contact_i];
+            if (!c.active) continue;
+            c.j_total += c.j;
+            c.j_impact += c.j;
+            take_back(c, c.j, now, step.bodies);
+        }
+    }
+};
 
 }  // namespace
 
 template <class Left>
-void solve_impacts(const ContactView& contacts, const BodyView& bodies, scalar rest_speed, Left& left, StepReport& report) {
-    int approaching = begin_wave(contacts, bodies, rest_speed);
+void solve_impacts(const ImpactStep& step, const ContactView& contacts, scalar now, bool bounce, Left& left, StepReport& report) {
+    const Wave wave{step, contacts, now};
+    int approaching = wave.begin(bounce);
     for (int wave_i = 0; approaching > 0 && wave_i < limits::impact_waves_max && left.some(); ++wave_i) {
-        const SweepOutcome outcome = solve_active_contacts(contacts, bodies, left);
+        const SweepOutcome outcome = solve_active_contacts(contacts, step.bodies, left);
         count(report.sweeps, outcome.sweeps);
         if (!outcome.finished) count(report.sweeps_unfinished);
         count(report.impact_waves);
-        // bound: max_contacts
-        for (int contact_i = 0; contact_i < *contacts.count; ++contact_i)
-            contacts.contacts[contact_i].j_total += contacts.contacts[contact_i].j;
+        wave.end();
         // Among close-packed bodies impacts go to and fro: in the second half of the waves they bounce no more.
-        const bool bounce = wave_i < limits::impact_waves_max / 2;
-        approaching = begin_wave(contacts, bodies, bounce ? rest_speed : scalar_max);
+        approaching = wave.begin(bounce && wave_i < limits::impact_waves_max / 2);
     }
     count(report.impacts_deferred, approaching);
 }
 
 // The linker takes the one that the scene calls.
-template void solve_impacts(const ContactView&, const BodyView&, scalar, AnyVisits&, StepReport&);
-template void solve_impacts(const ContactView&, const BodyView&, scalar, VisitsLeft&, StepReport&);
+template void solve_impacts(const ImpactStep&, const ContactView&, scalar, bool, AnyVisits&, StepReport&);
+template void solve_impacts(const ImpactStep&, const ContactView&, scalar, bool, VisitsLeft&, StepReport&);
 
 } }  // namespace ingot

@@ -3,21 +3,21 @@
 
 #include "../base/report.h"
 #include "../base/work_budget.h"
-#include "../body/body_tiles.h"
-#include "contact.h"
+#include "impact_step.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// Resolves the impacts at the begin of a step: every contact that approaches leaves with -e times its speed.
+/// Resolves the impacts of one time, `now`, s from the begin of the step: every contact that is not aside and approaches leaves with -e times its
+/// speed.
 ///
 /// Contacts that approach at the same time are solved together (Hecker 1997, Fig. 4, as one complementarity problem), so a
 /// box dropped flat does not begin to turn. What those impulses make approach is the next wave: a row of touching balls
 /// passes the impact on, ball by ball. Without friction, j > 0 only where the speed is reversed to -e times itself, so the
 /// energy of a wave changes by -(1 - e) j |u| / 2 summed: it never grows, and stays for e = 1.
 ///
-/// Contacts slower than rest_speed are at rest: they take e = 0; so do all in the second half of the waves.
+/// Contacts slower than rest_speed are at rest: they take e = 0; so do all in the second half of the waves, and all where `bounce` is false.
 /// Bound: limits::impact_waves_max waves, and as many visits to contacts as are left; contacts that then still approach count in impacts_deferred.
 template <class Left>
-void solve_impacts(const ContactView& contacts, const BodyView& bodies, scalar rest_speed, Left& left, StepReport& report);
+void solve_impacts(const ImpactStep& step, const ContactView& contacts, scalar now, bool bounce, Left& left, StepReport& report);
 
 } }  // namespace ingot

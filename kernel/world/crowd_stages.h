@@ -204,8 +204,8 @@ template <class S>
     for (int pass_i = 0; pass_i < 2; ++pass_i)
         for (int slot_A = 0; slot_A < surfaces.slot_count; ++slot_A) {  // bound: max_bodies
             // bound: max_bodies: next_touchable returns no less than what it is given
-            for (int slot_B = next_touchable(now.bodies, surfaces, slot_A, slot_A + 1); slot_B < surfaces.slot_count;
-                 slot_B = next_touchable(now.bodies, surfaces, slot_A, slot_B + 1)) {
+            for (int slot_B = next_touchable(now.bodies, surfaces, {}, slot_A, slot_A + 1); slot_B < surfaces.slot_count;
+                 slot_B = next_touchable(now.bodies, surfaces, {}, slot_A, slot_B + 1)) {
                 if (meets_fixed(now.bodies, slot_A, slot_B) != (pass_i == 1)) continue;
                 const bool swap = surfaces.surfaces[slot_A].shape.kind == ShapeKind::half_space;
                 hold_lost_pair(now, swap ? slot_B : slot_A, swap ? slot_A : slot_B);

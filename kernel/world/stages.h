@@ -3,12 +3,10 @@
 // whose feature it does not name is empty. Stages themselves work on views and know no scene.
 #pragma once
 
-#include "../impulse/contact_rows.h"
-#include "../impulse/solve_impacts.h"
 #include "../motion/integrate_L.h"
 #include "../narrow_phase/inner_edges.h"
-#include "crowd_stages.h"
 #include "fast_stages.h"
+#include "impact_stages.h"
 #include "kinematic_stages.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -197,28 +195,6 @@ void wake_islands([[maybe_unused]] Step<S>& now) {
         list_awake_pairs(now.bodies, rest, manifolds, storage.awake_pairs, storage.awake_pair_count);
         keep_carried_awake(now);
     }
-}
-
-/// Impacts without friction, in scenes with max_contacts (Fig. 4).
-template <class S>
-void resolve_impacts([[maybe_unused]] Step<S>& now) {
-    if constexpr (collides<S>) {
-        const ContactView contacts = now.storage.contact_view();
-        const scalar rest_speed = limits::rest_speed_factor * now.h * sqrt(length_sq(now.storage.gravity));
-        find_contacts<typename S::shapes>(now.bodies, now.storage.surface_view(), contacts, now.report);
-        if constexpr (S::holds_crowds)
-            if (now.report.contacts_lost != 0) hold_lost_contacts(now);
-        if constexpr (S::reads_contacts) note_places(contacts, now.bodies, now.storage.surface_view(), now.storage.contact_places);
-        refresh_inv_I_world(now.bodies);                                  // Eq. 20
-        prepare_contact_rows<S::kinematic_bodies>(contacts, now.bodies);
-        solve_impacts(contacts, now.bodies, rest_speed, now.visits_left, now.report);  // Fig. 4
-    }
-}
-
-/// What features add to the forces that the user has summed since the last step (Eqs. 14, 16).
-template <class S>
-INGOT_INLINE void sum_forces(Step<S>& now) {
-    features::All::over_named<S>([&now](auto feature) { decltype(feature)::sum_forces(now.storage, now.h); });
 }
 
 /// How fast points approach before contacts change it: events tell it.

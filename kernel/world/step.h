@@ -23,8 +23,8 @@ StepReport step(World<S>& world, scalar h) {
     find_pairs(now);                 // broad phase
     find_manifolds(now);             // narrow phase; sensors note who is in them
     wake_islands(now);
-    resolve_impacts(now);            // Fig. 4, without friction
     sum_forces(now);                 // Eqs. 14, 16, and the field
+    resolve_impacts(now);            // Fig. 4, without friction
     note_approaches(now);            // events: how fast they meet
     begin_paths(now);                // of bodies that may be fast
     advance(now);                    // contacts with friction; Eqs. 10, 18, 20; Eq. 1

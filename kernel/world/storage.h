@@ -157,7 +157,11 @@ struct Storage : features::All::Memory<S> {
             if (this->is_sensor[shape_A] != 0 || this->is_sensor[shape_B] != 0) return false;
         return meeting_view().let_meet(shape_A, shape_B);
     }
-    ContactView contact_view() { return {this->contacts, &this->contact_count, S::max_contacts}; }
+    ContactView contact_view() {
+        ContactView view = {this->contacts, &this->contact_count, S::max_contacts};
+        if constexpr (S::reads_contacts) view.places = this->contact_places;
+        return view;
+    }
 };
 
 } }  // namespace ingot

@@ -82,7 +82,7 @@ def measured(build, rows):
     for row in rows:
         elf = build["scenes"][row["scene"]]
         row["flash"] = measure.flash_of(build["objdump"], elf)["all"] - nothing
-        row["world_ram"] = measure.run(build["emulator"], elf)["world_bytes"]
+        row["world_ram"] = measure.run(build["emulator"], elf, 1)["world_bytes"]
     return rows
 
 

@@ -142,7 +142,7 @@ struct BodyDamping : Feature {
         return hash_number(hash_number(hash, storage.damping[slot].linear), storage.damping[slot].angular);
     }
     template <class S>
-    static void sum_forces(Storage<S>& storage, scalar h) {
+    static void damp(Storage<S>& storage, scalar h) {
         const BodyView bodies = storage.bodies();
         const auto damp = [&](int slot) { add_damping(bodies, storage.damping[slot], h, slot); };
         if constexpr (S::sleeps)

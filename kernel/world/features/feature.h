@@ -113,6 +113,9 @@ struct Feature {
     /// Forces that a step of h seconds adds to those that the user has summed.
     template <class S>
     static void sum_forces(Storage<S>&, scalar) {}
+    /// What takes motion away, after impacts without friction.
+    template <class S>
+    static void damp(Storage<S>&, scalar) {}
     template <class S>
     static uint64_t hash_body(const Storage<S>&, int, uint64_t hash) {
         return hash;

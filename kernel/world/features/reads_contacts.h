@@ -3,7 +3,6 @@
 #pragma once
 
 #include "../../constraint/impact_note.h"
-#include "../../impulse/contact_places.h"
 #include "manifolds.h"
 
 namespace ingot { inline namespace INGOT_ABI { namespace features {

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// The step in which impacts without friction take place, and how bodies fly in it.
+//
+// An impact at the time t of the step changes a velocity by dv. The tiles hold what leads to the same place and velocity at the end of it as if all
+// of the step were one flight: v + dv, and r - t dv. So at any time after t a body is where its tile says that it flies to:
+//
+//     r(t) = r_CM + v_CM t + a t^2 / 2,   v(t) = v_CM + a t,   a = F_T / M + gravity
+//
+// and the stages that follow, which know one parabola a step, need not know of impacts.
+#pragma once
+
+#include "../base/report.h"
+#include "../body/body_tiles.h"
+#include "../shape/surface.h"
+#include "collide_shapes.h"
+#include "contact_rows.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+struct ImpactStep {
+    BodyView bodies;
+    SurfaceView surfaces;
+    Vector gravity;
+    scalar h;           ///< s, of the step that is looked at; 0: impacts are of what touches as the step begins, and no others
+    scalar rest_speed;  ///< m/s; slower impacts are contacts at rest
+    Ways ways = {};     ///< within h
+
+    /// m/s; what leaves no faster comes back at once, and rests.
+    scalar still() const { return rest_speed * limits::still_share; }
+};
+
+/// m s^-2, of a body by forces; 0 of what cannot move.
+Vector acceleration_in(const ImpactStep& step, int slot);
+
+Ways ways_in(const ImpactStep& step);
+
+/// A body at the time t of the step, and how it flies on. A is that of the begin.
+Placed placed_at(const ImpactStep& step, int slot, scalar t);
+/// The same of one whose turning counts, a box.
+Placed turning_at(const ImpactStep& step, int slot, scalar t);
+
+/// Where contacts of two slots are put that are found from the time `now` on. A half space is B. is_again: some may be there already.
+ContactSink sink_of(const ImpactStep& step, const ContactView& contacts, int slot_A, int slot_B, scalar now, bool is_again, StepReport& report);
+
+/// n.(v_AP - v_BP) at a time of the step. Its rounding is that of the speeds that it is a sum of: what is held to rest is a difference of them.
+struct SpeedInStep : NormalSpeed {
+    scalar change;  ///< m/s, by forces since the begin
+};
+SpeedInStep speed_at(const ImpactStep& step, const Contact& contact, scalar t);
+
+} }  // namespace ingot

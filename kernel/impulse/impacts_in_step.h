@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// The impacts of a step without friction, one after another, each when it happens: those of the shapes of a scene.
+#pragma once
+
+#include "find_contacts.h"
+#include "impact_times.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// After an impact at the time `now` the contacts of a body are others.
+template <class Shapes>
+[[gnu::noinline, gnu::cold]] void look_again(const ImpactStep& step, const ContactView& contacts, int slot, scalar now, StepReport& report) {
+    forget_times(contacts, slot);
+    for (int other = next_touchable(step.bodies, step.surfaces, step.ways, slot, 0); other < step.surfaces.slot_count;
+         other = next_touchable(step.bodies, step.surfaces, step.ways, slot, other + 1))  // bound: max_bodies
+        if (other != slot) find_contact<Shapes>(step, contacts, slot < other ? slot : other, slot < other ? other : slot, now, true, report);
+}
+
+/// Resolves the impacts of a step in the order of their times. Contacts that touch after it press, or are left alone: solve_contact_forces.
+///
+/// The times are those at which shapes meet on their way (Fig. 4 is of the moment of the impact): a ball on a plane keeps its energy and its phase to
+/// rounding at every rate. What touches at that time and hangs together with it is solved with it; what was held until then is held up to it first.
+/// Bodies that do not hang together do not change each other's bits.
+/// Bound: limits::impacts_in_step_max impacts of each contact; then it is held, and counts in impacts_deferred.
+template <class Shapes, bool sees_kinematic, bool reads_places, class Left>
+void follow_impacts(const ImpactStep& step, const ContactView& contacts, Left& left, StepReport& report) {
+    scalar now = 0;
+    // bound: limits::impacts_in_step_max max_contacts: each impact counts for one of them, and more
+    for (;;) {
+        if constexpr (reads_places) note_new_places(step, contacts);
+        take_in_new<sees_kinematic>(step, contacts, now, report);
+        const int first = first_impact(contacts);
+        if (first < 0 || !left.some()) break;
+        now = contacts.contacts[first].when;
+        const bool bounce = gather_impact(step, contacts, first);
+        hold_until(step, contacts, now, left, report);
+        solve_impacts(step, contacts, now, bounce, left, report);
+        for (int contact_i = 0; contact_i < *contacts.count; ++contact_i)  // bound: max_contacts
+            for (int side = 0; side < 2; ++side) {
+                const int slot = body_of_impact(step, contacts, contact_i, side);
+                if (slot >= 0) look_again<Shapes>(step, contacts, slot, now, report);
+            }
+    }
+    defer_impacts(contacts, report);
+    report.contacts = *contacts.count;
+}
+
+} }  // namespace ingot
