@@ -63,6 +63,48 @@ TEST(Heap, of_ragdolls_falls_and_lies) {
     }
 }
 
+struct Platform : ingot::Scene {
+    static constexpr int max_bodies = 4, max_joints = 3, max_manifolds = 8;
+    static constexpr bool translates = true, kinematic_bodies = true;
+    using joints = AllJoints;
+    using shapes = ingot::Shapes<ingot::Box>;
+};
+
+/// What hangs on a platform that goes and turns as it is told goes and turns with it.
+TEST(Figures, hang_on_platforms) {
+    for (int run_i = 0; run_i < ingot_reference::draws(20); ++run_i) {
+        RandomInput random(static_cast<uint64_t>(run_i));
+        const auto world = std::make_unique<ingot::World<Platform>>();
+        ASSERT_EQ(world->set_gravity({0, 0, static_cast<scalar>(-g)}), ingot::Status::ok);
+        ingot::BodyDef platform;
+        platform.immovable = true;
+        platform.shape = ingot::Box{{scalar(0.2), scalar(0.2), scalar(0.1)}};
+        platform.state.A = ingot_reference::to_matrix(random.rotation());
+        ingot::BodyId last = world->add(platform).value;
+        ASSERT_EQ(world->set_kinematic(last), ingot::Status::ok);
+        ASSERT_EQ(world->set_velocity(last, vector_of(random.vector(1)), vector_of(random.direction() * random.real(0, 6))), ingot::Status::ok);
+        Built built;
+        for (int i = 0; i < 3; ++i) {
+            ingot::BodyDef link;
+            link.mass = ingot::principal(ingot::solid_box(500, {scalar(0.1), scalar(0.05), scalar(0.2)})).value;
+            link.state.r_CM = {scalar(0.4), 0, scalar(-0.6) * static_cast<scalar>(i) - scalar(0.5)};
+            ingot::JointDef joint;
+            joint.body_A = last;
+            joint.body_B = last = world->add(link).value;
+            joint.joint = i == 1 ? kinds[0] : kinds[random.integer(0, 4)];
+            joint.axis = {1, 0, 0};
+            joint.axis_B = {0, 1, 0};
+            joint.P = link.state.r_CM + Vector{0, 0, scalar(0.3)};
+            built.joints.push_back(world->add_joint(joint).value);
+        }
+        const int rate = run_i % 2 == 0 ? 60 : 240;
+        for (int step_i = 0; step_i < rate; ++step_i) {
+            (void)ingot::step(*world, scalar(1) / static_cast<scalar>(rate));
+            ASSERT_LE(worst_gap(*world, built), 5e-5) << run_i << ", step " << step_i;
+        }
+    }
+}
+
 /// What is joined falls asleep as one, and wakes as one.
 TEST(Figures, sleep_and_wake_as_one) {
     const auto world = std::make_unique<HeapWorld>();

@@ -14,6 +14,13 @@ struct Ground {
     Vec3<T> v, w;   ///< m/s, rad/s
 };
 
+/// A turned by a vector, rad: about the axis by an angle that is short by its ninth power / 6000.
+inline Matrix turned_far(const Matrix& A, const Vector& turn) {
+    const scalar sq = length_sq(turn);
+    const scalar half_tangent = scalar(0.5) + sq * (scalar(1) / 24 + sq * (scalar(1) / 240 + sq * (scalar(17) / 40320)));
+    return turned_about(A, turn * (2 * half_tangent));
+}
+
 /// Of one lane, now. A kinematic body shows its motion in its tile from the begin of the step until it has been moved.
 template <unsigned width>
 Ground<scalar> ground_of(const FigureRows<width>& rows, const OneLane<width>& at) {
@@ -24,10 +31,10 @@ Ground<scalar> ground_of(const FigureRows<width>& rows, const OneLane<width>& at
     const RotationTile& rotation = rows.view.bodies.rotation[place.tile];
     const TranslationTile& translation = rows.view.bodies.translation[place.tile];
     ground.v = lane_of(translation.v_CM, place.lane);
-    ground.w = lane_of(rotation.L, place.lane);
+    ground.w = Vector{} - lane_of(rotation.L, place.lane);  // see kinematic_motion.h
     ground.r = lane_of(translation.r_CM, place.lane) + ground.v * rows.view.elapsed;
     ground.A = lane_of(rotation.A, place.lane);
-    if (length_sq(ground.w) > 0) ground.A = turned_about(ground.A, ground.w * rows.view.elapsed);
+    if (length_sq(ground.w) > 0) ground.A = turned_far(ground.A, ground.w * rows.view.elapsed);
     return ground;
 }
 
