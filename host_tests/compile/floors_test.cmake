@@ -14,6 +14,7 @@ set(query_may base math body shape broad_phase narrow_phase)
 set(impulse_may base math body shape)
 set(joint_may base math body)
 set(figure_may base math body joint)
+set(energy_momentum_may base math body joint figure)
 set(constraint_may base math body shape broad_phase narrow_phase joint figure)
 set(island_may base math body broad_phase narrow_phase)
 set(sleep_may base math body shape broad_phase narrow_phase constraint island)
@@ -23,9 +24,9 @@ set(solver_direct_may ${solver_sweeps_may} solver/sweeps)
 set(solver_sequential_may base math body narrow_phase constraint solver)
 set(events_may base math body broad_phase narrow_phase constraint)
 set(continuous_may base math body shape motion broad_phase narrow_phase constraint island solver solver/sweeps solver/sequential)
-set(world_features_may base math body shape motion broad_phase narrow_phase impulse joint figure constraint island sleep solver/sweeps solver/direct
+set(world_features_may base math body shape motion broad_phase narrow_phase impulse joint figure energy_momentum constraint island sleep solver/sweeps solver/direct
   solver/sequential events continuous world)
-set(world_may world/features base math body shape motion broad_phase narrow_phase query impulse joint figure constraint island sleep solver solver/sweeps solver/direct solver/sequential
+set(world_may world/features base math body shape motion broad_phase narrow_phase query impulse joint figure energy_momentum constraint island sleep solver solver/sweeps solver/direct solver/sequential
   events continuous)
 set(freestanding "stdint\\.h|stddef\\.h|float\\.h|limits\\.h")
 
@@ -41,6 +42,7 @@ set(impulse_shares contact collide_shapes contact_rows impulse impact_step impac
 set(joint_shares joints joint_record joint_lists limit_record)
 set(figure_shares spatial figure_row figure_view ground tree_passes joint_sides displace_rows cursor_moves joint_row measure_joint row_compliance
   build_figures factor_figures keep_figures move_figures respond_figures cursor joint_motions joint_rows)
+set(energy_momentum_shares energy_momentum tangent at_node newton_row newton_pass fit_velocities advance_figure swing_freely)
 set(constraint_shares belts without_joints jointed_response jointed_view prepare_responses block_bodies block_rows block_solve contact contact_block flight friction impact_note kinematic_motion_at kinematic_view laws
   material_view normals response rolling
   row_flight row_pair rows solver_body solver_view surface_materials torsion visit)

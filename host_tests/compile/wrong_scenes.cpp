@@ -338,6 +338,22 @@ struct Wrong : ingot::Scene {
     static constexpr int max_joints = 1;
     using joints = ingot::Joints<ingot::BallJoint>;
 #endif
+#ifdef FIGURE_MOTION_WITH_LIMITS
+    static constexpr bool translates = true;
+    static constexpr int max_joints = 1;
+    using joints = ingot::Joints<ingot::HingeJoint, ingot::WithLimits>;
+    using figure_motion = ingot::EnergyMomentum<>;
+#endif
+#ifdef FIGURE_MOTION_WITHOUT_JOINTS
+    static constexpr bool translates = true;
+    using figure_motion = ingot::EnergyMomentum<>;
+#endif
+#ifdef FIGURE_MOTION_OF_ORDER_3
+    static constexpr bool translates = true;
+    static constexpr int max_joints = 1;
+    using joints = ingot::Joints<ingot::BallJoint>;
+    using figure_motion = ingot::EnergyMomentum<ingot::Snap::keep, 3>;
+#endif
 #ifdef ISLAND_WITHOUT_ROOM
     static constexpr bool translates = true;
     static constexpr int max_manifolds = 4;

@@ -17,8 +17,8 @@
 namespace ingot_figures {
 
 using Eigen::Matrix3d;
-using Eigen::Quaterniond;
 using Eigen::Vector3d;
+using Quaterniond = Eigen::Quaternion<double, Eigen::DontAlign>;  ///< the same for a test that is compiled for wider registers
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 inline constexpr double pi = 3.14159265358979323846;

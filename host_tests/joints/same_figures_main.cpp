@@ -18,13 +18,16 @@ struct Pit : ingot::Scene {
     using broad_phase = ingot::SortedTree;
 };
 
+struct SwingingPit : Pit {
+    using figure_motion = ingot::EnergyMomentum<>;
+};
 struct LimitedPit : Pit {
     using joints = ingot::Joints<ingot::BallJoint, ingot::HingeJoint, ingot::SliderJoint, ingot::UniversalJoint, ingot::FixedJoint,
                                  ingot::WithLimits>;
 };
 
 template <class Scene>
-bool run() {
+bool run(const char* name) {
     const auto world = std::make_unique<ingot::World<Scene>>();
     (void)world->set_gravity({0, 0, scalar(-9.81)});
     ingot::BodyDef ground;
@@ -40,11 +43,14 @@ bool run() {
     for (int i = 0; i < 5; ++i) add_figure(*world, random, {2 + 2 * i, 0.4, 100, 3, i % 2 == 0}, {0, 20.0 * i + 20, 60}, built);
     for (int step_i = 0; step_i < 120; ++step_i) {
         (void)ingot::step(*world, scalar(1) / 60);
-        std::printf("%d %016" PRIx64 "\n", step_i, world->state_hash());
+        std::printf("%s %d %016" PRIx64 "\n", name, step_i, world->state_hash());
     }
     return built.sound;
 }
 
 }  // namespace
 
-int main() { return run<Pit>() && run<LimitedPit>() ? 0 : 1; }
+int main() {
+    const bool plain = run<Pit>("substeps"), limited = run<LimitedPit>("limits"), swinging = run<SwingingPit>("energy_momentum");
+    return plain && limited && swinging ? 0 : 1;
+}

@@ -21,11 +21,21 @@ struct DirectBits {
     static constexpr uint8_t refused = 4;
 };
 
+/// What the energy-momentum step did: bits of StepReport::figures.
+struct FigureBits {
+    static constexpr uint8_t halved = 1;  ///< the step of a figure was cut: it turned far, or passes found no end
+    /// passes found no end for the finest parts of the step of a figure: the substeps took it. It counts in sweeps_unfinished
+    static constexpr uint8_t unsolved = 2;
+    static constexpr uint8_t left_to_substeps = 4;  ///< one closes loops, or has joints that the scheme has no rows for
+};
+
 /// What a step has to say. Nothing is lost silently: a full array, a body taken out of the motion, an iteration that
 /// stopped at its bound each have a count here, which stops at 65535.
 struct [[nodiscard]] StepReport {
     Status status{};             ///< bad_step: the step was refused and nothing has changed
     uint8_t direct{};            ///< DirectBits
+    uint8_t figure_passes{};     ///< of the energy-momentum step: the most that a figure took in one try, 255: or more
+    uint8_t figures{};           ///< FigureBits
 
     Index bodies_frozen{};    ///< driven out of range in this step: they stand still, see World::is_frozen
     /// turned by the largest angle a step allows instead of omega h, or, by CommutatorFree4, further than its substeps are right for: lower h
@@ -62,6 +72,8 @@ struct [[nodiscard]] StepReport {
                overlaps_lost == 0 && events_lost == 0 && (direct & DirectBits::refused) == 0;
     }
 };
+
+inline void note_figures(StepReport& report, uint8_t bits) { report.figures = static_cast<uint8_t>(report.figures | bits); }
 
 /// How much room a world needed: each number is of the trait of its name, which is large enough with it. At least as many: up to 65535 that are lost
 /// in a step are counted.

@@ -3,6 +3,7 @@
 
 #include "../broad_phase/all_pairs.h"
 #include "../broad_phase/query_tree.h"
+#include "../energy_momentum/energy_momentum.h"
 #include "../shape/compound.h"
 #include "../impulse/frictionless_impacts.h"
 #include "../joint/joints.h"
@@ -77,6 +78,7 @@ struct Scene {
     using solver = BlockSweeps;
     using shapes   = Shapes<>;
     using joints   = Joints<>;                   ///< or the kinds there are: Joints<BallJoint, HingeJoint, WithLimits>, see joint/joints.h
+    using figure_motion = ArticulatedSubsteps;   ///< or EnergyMomentum<>, for what swings freely: see energy_momentum/energy_momentum.h
     static constexpr NoHulls hulls = {};         ///< or `static constexpr ConvexHull hulls[]`, in flash: the forms of its Hull shapes, in body frames
     static constexpr int max_shapes_of_body = 1; ///< 1 .. 255; more: World::add takes several shapes for one body, see shape/compound.h
     using rotation = MoserVeselov;               ///< or another method of motion/
@@ -119,6 +121,9 @@ template <class S>
 inline constexpr bool has_joints = S::max_joints > 0;
 template <class S>
 inline constexpr bool has_joint_limits = has_joints<S> && S::joints::has_limits;
+/// Its figures move by the energy-momentum step where they touch nothing.
+template <class S>
+inline constexpr bool swings_freely = has_joints<S> && S::figure_motion::is_implicit;
 
 /// The hulls a scene names.
 template <class S>

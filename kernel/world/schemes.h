@@ -98,10 +98,37 @@ struct FreeFlight {
     }
 };
 
+/// Figures that touch nothing, in scenes that name EnergyMomentum: first of all, and the substeps get the others.
+template <class S>
+INGOT_INLINE void swing_freely([[maybe_unused]] Step<S>& now) {
+    if constexpr (swings_freely<S>) {
+        auto& storage = now.storage;
+        // bound: max_bodies / lanes, rounded up
+        for (int tile_i = 0; tile_i < now.bodies.tile_count; ++tile_i) {
+            storage.moved_lanes[tile_i] = 0;
+            storage.left_lanes[tile_i] = 0xffff;
+            if constexpr (S::sleeps) storage.left_lanes[tile_i] = storage.awake[tile_i];
+        }
+        if constexpr (stacks<S>) storage.mark_touching(storage.moving_manifolds(), now.bodies.tile_count);
+        FigureView figures = storage.figures(now.h);
+        build_figures(figures);
+        swing_freely(figures, storage.energy_momentum_view(), now.report);
+    }
+}
+/// Bodies that have been moved so are no concern of kick and drift.
+template <class S>
+INGOT_INLINE void leave_swung([[maybe_unused]] Step<S>& now) {
+    if constexpr (swings_freely<S>)
+        // bound: max_bodies / lanes, rounded up
+        for (int tile_i = 0; tile_i < now.bodies.tile_count; ++tile_i)
+            now.storage.jointed_lanes[tile_i] = static_cast<uint16_t>(now.storage.jointed_lanes[tile_i] | now.storage.moved_lanes[tile_i]);
+}
+
 /// Bodies that touch nothing, some of them joined.
 struct JointedFlight {
     template <class S>
     static void advance(Step<S>& now) {
+        swing_freely(now);
         FigureView figures = now.storage.figures(now.h);
         build_figures(figures);
         if constexpr (has_joint_limits<S>) {
@@ -110,6 +137,7 @@ struct JointedFlight {
         } else {
             swing_figures(figures, S::effort.substeps);
         }
+        leave_swung(now);
         kick(now);
         drift(now);
     }
@@ -144,7 +172,9 @@ struct ConstrainedMotion {
     static void advance(Step<S>& now) {
         auto& storage = now.storage;
         over_moving(now, [](const BodyView& some) { refresh_inv_I_world(some); });  // Eq. 20
+        swing_freely(now);
         solve_contacts(now);
+        leave_swung(now);
         kick(now);
         write_contact_motion(now.solver, jointed_of(now.solver), now.bodies, storage.gravity, now.h);
         drift(now);

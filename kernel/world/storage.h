@@ -32,6 +32,7 @@ struct Storage : features::All::Memory<S> {
     FigureView figures(scalar h) {
         FigureView view = this->figure_view(bodies());
         if constexpr (S::sleeps) view.awake = this->awake;
+        if constexpr (swings_freely<S>) view.awake = this->left_lanes;
         view.gravity = this->gravity;
         view.h = h;
         return view;

@@ -6,6 +6,7 @@
 #include "body_traits.h"
 #include "compensated_sums.h"
 #include "contact_effort.h"
+#include "figure_motion.h"
 #include "gravity_shares.h"
 #include "joint_limits.h"
 #include "joints.h"
@@ -23,7 +24,7 @@ namespace ingot { inline namespace INGOT_ABI { namespace features {
 using All = FeatureList<Rotation, Translation, Compensation, EnergyReturn, FieldOfForce, Surfaces, Compounds, Impacts, Manifolds, Unsettled,
                         RollingResistance, Belts, Filters, Sensors, Continuous, Events, ToldEvents, Sleep, GravityShares, TouchAside, SteadyField,
                          UserData, BodyForces, BodyDamping, ReadsContacts, CompensatedSums, KinematicBodies, WorkBudget, ContactEffort, Figures,
-                         LimitedJoints>;
+                         LimitedJoints, FigureMotion>;
 
 static_assert(All::bits_differ(SnapshotPart::doubles | SnapshotPart::anchors | SnapshotPart::pointwise));  // of a snapshot's parts
 

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+#include "fit_velocities.h"
+
+#include "../base/limits.h"
+#include "../figure/factor_figures.h"
+#include "../figure/joint_sides.h"
+#include "../figure/move_figures.h"
+#include "../math/sqrt.h"
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpsabi"  // see lanes.h
+
+namespace ingot { inline namespace INGOT_ABI {
+
+namespace {
+
+template <unsigned width, class T = typename AllLanes<width>::T>
+Vec3<T> moment_of(const FigureRows<width>& figures, const FigureRow<width>& row, const Vec3<T>& w) {
+    const Mat3<T> A = read(figures.all, row.A);
+    return A * scaled(read(figures.all, row.I_body), transpose_times(A, w));
+}
+/// The change that pass_impulses found, at the centre of mass.
+template <unsigned width, class T = typename AllLanes<width>::T>
+Spatial<T> change_of(const FigureRows<width>& figures, const FigureRow<width>& row) {
+    return twist_at(read(figures.all, row.change), read(figures.all, row.c));
+}
+template <unsigned width, class T = typename AllLanes<width>::T>
+Spatial<T> velocity_at_joint(const FigureRows<width>& figures, const FigureRow<width>& row) {
+    return twist_at(Spatial<T>{read(figures.all, row.w), read(figures.all, row.v)}, -read(figures.all, row.c));
+}
+
+/// Finds what has to change for joints to allow the velocities. Needs: place_joints, factors.
+template <unsigned width, class T = typename AllLanes<width>::T>
+void find_change(const FigureView& view, const FigureRows<width>& figures) {
+    begin_displacing(view);
+    const Ground<T> ground = ground_of(figures, figures.all);
+    for (int row_i = 0; row_i < figures.count(); ++row_i) {  // bound: max_bodies
+        const FigureNode& node = figures.node(row_i);
+        if (node.kind == JointKind::none) continue;
+        FigureRow<width>& row = figures[row_i];
+        Spatial<T> of_parent = twist_at(Spatial<T>{ground.w, ground.v}, (read(figures.all, row.r) - ground.r) - read(figures.all, row.c));
+        if (node.parent != no_node) of_parent = twist_at(velocity_at_joint(figures, figures[node.parent]), read(figures.all, row.d));
+        write(figures.all, row.bias, of_parent - velocity_at_joint(figures, row));
+    }
+    pass_impulses(view);
+}
+
+template <unsigned width, class Mask, class T = typename AllLanes<width>::T>
+void take_change(const FigureRows<width>& figures, Mask takes) {
+    for (int row_i = 0; row_i < figures.count(); ++row_i) {  // bound: max_bodies
+        FigureRow<width>& row = figures[row_i];
+        const Spatial<T> u = change_of(figures, row);
+        const Vec3<T> v = read(figures.all, row.v), L = read(figures.all, row.L);
+        write(figures.all, row.v, select(takes, v + u.v, v));
+        write(figures.all, row.L, select(takes, L + moment_of(figures, row, u.w), L));
+    }
+}
+
+/// The motion of a figure as one rigid body; none of one that is tied.
+template <class T>
+struct WholeMotion {
+    Vec3<T> r, v, w;  ///< of its centre of mass
+    T energy;         ///< J, of the spin alone
+};
+template <unsigned width, class T = typename AllLanes<width>::T>
+WholeMotion<T> motion_of_whole(const FigureRows<width>& figures) {
+    WholeMotion<T> whole{};
+    if (figures.node(0).kind != JointKind::none) return whole;
+    T M{};
+    Vec3<T> Mr{}, Mv{}, L{};
+    const Vec3<T> origin = read(figures.all, figures[0].r);  // far from the world's, differences keep their digits
+    for (int row_i = 0; row_i < figures.count(); ++row_i) {  // bound: max_bodies
+        const FigureRow<width>& row = figures[row_i];
+        const T M_of_row = figures.all.get(row.M);
+        M = M + M_of_row;
+        Mr = Mr + (read(figures.all, row.r) - origin) * M_of_row;
+        Mv = Mv + read(figures.all, row.v) * M_of_row;
+    }
+    whole.v = Mv * (splat<T>(1) / M);
+    const Vec3<T> centre = Mr * (splat<T>(1) / M);
+    whole.r = origin + centre;
+    Sym3<T> I{};
+    for (int row_i = 0; row_i < figures.count(); ++row_i) {
+        const FigureRow<width>& row = figures[row_i];
+        const T M_of_row = figures.all.get(row.M), zero{};
+        const Vec3<T> d = (read(figures.all, row.r) - origin) - centre;
+        const T dd = length_sq(d) * M_of_row;
+        L = L + read(figures.all, row.L) + cross(d, (read(figures.all, row.v) - whole.v) * M_of_row);
+        const Sym3<T> own = rotated_diagonal(read(figures.all, row.A), read(figures.all, row.I_body));
+        I = plus_square(I + own + Sym3<T>{dd, dd, dd, zero, zero, zero}, d, -M_of_row);
+    }
+    whole.w = inverse_of(I) * L;
+    whole.energy = dot(whole.w, L) * splat<T>(scalar(0.5));
+    return whole;
+}
+
+/// J; by what the velocities of rows say, and by the change that was found. Of what floats without the motion of its centre.
+template <class T>
+struct KineticShares {
+    T kinetic, taken;
+};
+template <unsigned width, class T = typename AllLanes<width>::T>
+KineticShares<T> kinetic_shares_of(const FigureRows<width>& figures, const Vec3<T>& v_of_centre) {
+    T kinetic{}, taken{};
+    for (int row_i = 0; row_i < figures.count(); ++row_i) {  // bound: max_bodies
+        const FigureRow<width>& row = figures[row_i];
+        const Spatial<T> u = change_of(figures, row);
+        const T M = figures.all.get(row.M);
+        kinetic = kinetic + M * length_sq(read(figures.all, row.v) - v_of_centre) + dot(read(figures.all, row.w), read(figures.all, row.L));
+        taken = taken + M * length_sq(u.v) + dot(u.w, moment_of(figures, row, u.w));  // at right angles to what is left
+    }
+    return {kinetic * splat<T>(scalar(0.5)), taken * splat<T>(scalar(0.5))};
+}
+
+template <unsigned width, class Mask, class T = typename AllLanes<width>::T>
+void scale_motion(const FigureRows<width>& figures, const WholeMotion<T>& whole, Mask scales, T s) {
+    for (int row_i = 0; row_i < figures.count(); ++row_i) {  // bound: max_bodies
+        FigureRow<width>& row = figures[row_i];
+        const Vec3<T> v = read(figures.all, row.v), L = read(figures.all, row.L), L_whole = moment_of(figures, row, whole.w);
+        const Vec3<T> v_whole = whole.v + cross(whole.w, read(figures.all, row.r) - whole.r);
+        write(figures.all, row.v, select(scales, v_whole + (v - v_whole) * s, v));
+        write(figures.all, row.L, select(scales, L_whole + (L - L_whole) * s, L));
+    }
+}
+
+}  // namespace
+
+template <unsigned width>
+void refresh_spins(const FigureRows<width>& figures) {
+    using T = typename AllLanes<width>::T;
+    for (int row_i = 0; row_i < figures.count(); ++row_i) {  // bound: max_bodies
+        FigureRow<width>& row = figures[row_i];
+        const Mat3<T> A = read(figures.all, row.A);
+        const Vec3<T> L = transpose_times(A, read(figures.all, row.L)), I = read(figures.all, row.I_body);
+        write(figures.all, row.w, A * Vec3<T>{L.x / I.x, L.y / I.y, L.z / I.z});
+    }
+}
+
+template <unsigned width>
+void take_up_roundings(const FigureRows<width>& figures) {
+    using T = typename AllLanes<width>::T;
+    const Ground<T> ground = ground_of(figures, figures.all);
+    for (int row_i = 0; row_i < figures.count(); ++row_i) {  // bound: max_bodies
+        const FigureNode& node = figures.node(row_i);
+        if (node.kind == JointKind::none) continue;
+        FigureRow<width>& row = figures[row_i];
+        const auto own = [&](auto part) { return figures.gathered(row_i, [&](const FigureNode& of) { return figures.own_frame(of).*part; }); };
+        const auto its = [&](auto part) { return figures.gathered(row_i, [&](const FigureNode& of) { return figures.frame_of_parent(of).*part; }); };
+        const Mat3<T> A_parent = node.parent == no_node ? ground.A : read(figures.all, figures[node.parent].A);
+        const Vec3<T> r_parent = node.parent == no_node ? ground.r : read(figures.all, figures[node.parent].r), r = read(figures.all, row.r);
+        Mat3<T> A = read(figures.all, row.A);
+        JointSides<T> sides{};
+        if (node.kind != JointKind::ball) {
+            sides.axis = A * own(&JointFrame::axis);
+            sides.axis_of_parent = A_parent * its(&JointFrame::axis);
+            if (locks_turns(node.kind)) {
+                sides.side = A * own(&JointFrame::side);
+                sides.side_of_parent = A_parent * its(&JointFrame::side);
+            }
+            A = A + cross(twist_back(node.kind, sides).w, A);
+            A = A + polar_correction(A);
+            write(figures.all, row.A, A);
+        }
+        sides.gap = (r - r_parent) + (A * own(&JointFrame::anchor) - A_parent * its(&JointFrame::anchor));
+        write(figures.all, row.r, r + twist_back(node.kind, sides).v);
+    }
+}
+
+template <unsigned width>
+void fit_to_joints(const FigureView& view, const FigureRows<width>& figures) {
+    place_joints(view);
+    factor_figures(view, 0);
+    push_figures(view, false);
+    refresh_spins(figures);
+    place_joints(view);
+    factor_figures(view, 0);
+    find_change(view, figures);
+    take_change(figures, figures.all_lanes());
+    refresh_spins(figures);
+}
+
+template <unsigned width>
+void take_hidden_energy(const FigureView& view, const FigureRows<width>& figures, Snap snap) {
+    using T = typename AllLanes<width>::T;
+    place_joints(view);
+    factor_figures(view, 0);
+    find_change(view, figures);
+    const WholeMotion<T> whole = motion_of_whole(figures);
+    const KineticShares<T> energy = kinetic_shares_of(figures, whole.v);
+    const auto takes = energy.taken > splat<T>(limits::hidden_share) * energy.kinetic;
+    if (!any(takes)) return;
+    take_change(figures, takes);
+    const T left = (energy.kinetic - energy.taken) - whole.energy, none{};
+    const Ground<T> ground = ground_of(figures, figures.all);
+    const auto is_at_rest = opposite(length_sq(ground.v) + length_sq(ground.w) > none), scales = both(takes, both(is_at_rest, left > none));
+    if (snap == Snap::keep && any(scales)) {
+        const T gain = min(splat<T>(1) + energy.taken / select(scales, left, splat<T>(1)), splat<T>(limits::snap_gain_max));
+        scale_motion(figures, whole, scales, sqrt(select(scales, gain, splat<T>(1))));
+    }
+    refresh_spins(figures);
+}
+
+template void fit_to_joints(const FigureView& view, const FigureRows<1>& figures);
+template void take_hidden_energy(const FigureView& view, const FigureRows<1>& figures, Snap snap);
+template void take_up_roundings(const FigureRows<1>& figures);
+template void refresh_spins(const FigureRows<1>& figures);
+#if INGOT_LANES > 1
+template void fit_to_joints(const FigureView& view, const FigureRows<lanes>& figures);
+template void take_hidden_energy(const FigureView& view, const FigureRows<lanes>& figures, Snap snap);
+template void take_up_roundings(const FigureRows<lanes>& figures);
+template void refresh_spins(const FigureRows<lanes>& figures);
+#endif
+
+} }  // namespace ingot
+
+#pragma GCC diagnostic pop
