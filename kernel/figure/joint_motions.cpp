@@ -37,7 +37,7 @@ void measure_row(const FigureRows<width>& rows, const JointRowView& all, int row
 
 /// omega of the bodies, as they are.
 template <unsigned width, class T = typename AllLanes<width>::T>
-void refresh_spins(const FigureRows<width>& rows) {
+void set_spins(const FigureRows<width>& rows) {
     for (int row_i = 0; row_i < rows.count(); ++row_i) {  // bound: max_bodies
         FigureRow<width>& row = rows[row_i];
         const Mat3<T> A = read(rows.all, row.A);
@@ -78,7 +78,7 @@ void begin_joint_motions(const FigureView& view, const JointRowView& all) {
         const scalar share = 1 / static_cast<scalar>(1 << rows.figure(at.lane_i).doublings);
         all.motions[node.joint] = recalled(node, all, share);
     });
-    for_groups(view, [](const auto& rows) { refresh_spins(rows); });
+    for_groups(view, [](const auto& rows) { set_spins(rows); });
     measure_joints(view, all, 0);
     for_joints(view, [&](const auto& rows, const auto& at, int row_i) {
         const FigureNode& node = rows.node(row_i, at.lane_i);
