@@ -48,7 +48,7 @@ Vector turned_along(const Vector& v, const Vector& from, const Vector& to) {
     return v + x + cross(c, x) * (1 / (1 + dot(from, to)));
 }
 
-bool is_valid(const JointFrame& frame) {
+bool is_frame(const JointFrame& frame) {
     constexpr scalar off = 64 * epsilon;
     const Vector a = frame.anchor;
     if (!is_finite(a) || !is_finite(frame.axis) || !is_finite(frame.side)) return false;
@@ -109,7 +109,7 @@ scalar gap_of(const JointRecord& joint, const BodyView& bodies) {
 bool is_valid(const JointRecord& joint, int slots) {
     const auto is_body = [slots](Index slot) { return slot == no_body || slot < slots; };
     if (joint.kind == JointKind::none || joint.kind > JointKind::fixed || !is_body(joint.body_A) || !is_body(joint.body_B)) return false;
-    if (joint.body_A == joint.body_B || !is_finite(joint.j) || !is_valid(joint.frame_A) || !is_valid(joint.frame_B)) return false;
+    if (joint.body_A == joint.body_B || !is_finite(joint.j) || !is_frame(joint.frame_A) || !is_frame(joint.frame_B)) return false;
     return joint.resolved <= 1 && joint.bodies_meet <= 1 && joint.doublings <= limits::doublings_max;
 }
 
