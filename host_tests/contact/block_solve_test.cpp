@@ -126,7 +126,7 @@ Vector4d by_rounds(const Block& block) {
 
 /// Blocks of `lanes` problems, as the sweeps hold them.
 struct Laid {
-    scalar K[10][lanes] = {}, count[lanes] = {}, cached[10][lanes] = {};
+    ingot::LaneRow K[10] = {}, count = {}, cached[10] = {};
     Row4 w{}, before{};
     mask pulls[block_rows] = {};
 

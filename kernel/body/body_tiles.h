@@ -63,29 +63,35 @@ struct BodyView {
     int tile_count;  ///< tiles that hold or held a body
 };
 
-/// One number, column or matrix of one lane.
-INGOT_INLINE Vector lane_of(const scalar (&rows)[3][lanes], int lane_i) {
+/// One column or matrix of one lane. Row: LaneRow, or scalar[lanes].
+template <class Row>
+INGOT_INLINE Vector lane_of(const Row (&rows)[3], int lane_i) {
     return {rows[0][lane_i], rows[1][lane_i], rows[2][lane_i]};
 }
-INGOT_INLINE Matrix lane_of(const scalar (&rows)[9][lanes], int lane_i) {
+template <class Row>
+INGOT_INLINE Matrix lane_of(const Row (&rows)[9], int lane_i) {
     return {{rows[0][lane_i], rows[1][lane_i], rows[2][lane_i]},
             {rows[3][lane_i], rows[4][lane_i], rows[5][lane_i]},
             {rows[6][lane_i], rows[7][lane_i], rows[8][lane_i]}};
 }
-INGOT_INLINE SymmetricMatrix lane_of(const scalar (&rows)[6][lanes], int lane_i) {
+template <class Row>
+INGOT_INLINE SymmetricMatrix lane_of(const Row (&rows)[6], int lane_i) {
     return {rows[0][lane_i], rows[1][lane_i], rows[2][lane_i], rows[3][lane_i], rows[4][lane_i], rows[5][lane_i]};
 }
-INGOT_INLINE void set_lane(scalar (&rows)[3][lanes], int lane_i, const Vector& value) {
+template <class Row>
+INGOT_INLINE void set_lane(Row (&rows)[3], int lane_i, const Vector& value) {
     rows[0][lane_i] = value.x;
     rows[1][lane_i] = value.y;
     rows[2][lane_i] = value.z;
 }
-INGOT_INLINE void set_lane(scalar (&rows)[9][lanes], int lane_i, const Matrix& value) {
+template <class Row>
+INGOT_INLINE void set_lane(Row (&rows)[9], int lane_i, const Matrix& value) {
     const scalar entries[9] = {value.c0.x, value.c0.y, value.c0.z, value.c1.x, value.c1.y,
                                value.c1.z, value.c2.x, value.c2.y, value.c2.z};
     for (int row_i = 0; row_i < 9; ++row_i) rows[row_i][lane_i] = entries[row_i];
 }
-INGOT_INLINE void set_lane(scalar (&rows)[6][lanes], int lane_i, const SymmetricMatrix& value) {
+template <class Row>
+INGOT_INLINE void set_lane(Row (&rows)[6], int lane_i, const SymmetricMatrix& value) {
     const scalar entries[6] = {value.xx, value.yy, value.zz, value.xy, value.xz, value.yz};
     for (int row_i = 0; row_i < 6; ++row_i) rows[row_i][lane_i] = entries[row_i];
 }

@@ -12,7 +12,7 @@ namespace ingot { inline namespace INGOT_ABI {
 
 /// m/s, along t_1 and t_2: by so much the surface of A goes faster than A does, relative to that of B. Known from the geometry, so it has no memory.
 struct BeltRows {
-    scalar speed[2][lanes];
+    LaneRow speed[2];
 };
 
 /// What friction adds to its slip, in scenes with surface_velocities and in others.

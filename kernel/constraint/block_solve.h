@@ -23,12 +23,12 @@ struct Sym4 {
     INGOT_INLINE lane& operator()(int row, int column) { return at[index(row, column)]; }
 };
 
-INGOT_INLINE Sym4 load_sym4(const scalar (&rows)[10][lanes]) {
+INGOT_INLINE Sym4 load_sym4(const LaneRow (&rows)[10]) {
     Sym4 m;
     for (int entry = 0; entry < 10; ++entry) m.at[entry] = load(rows[entry]);
     return m;
 }
-INGOT_INLINE void store(scalar (&rows)[10][lanes], const Sym4& m) {
+INGOT_INLINE void store(LaneRow (&rows)[10], const Sym4& m) {
     for (int entry = 0; entry < 10; ++entry) store(rows[entry], m.at[entry]);
 }
 
@@ -106,7 +106,7 @@ struct Attempt {
     mask fails;  ///< a row pulls although it may not, or a row that is out approaches
 };
 template <int rows>
-INGOT_INLINE Attempt solve_with(const scalar (&K_rows)[10][lanes], const scalar (&inverse_rows)[10][lanes], Row4 w, const Row4& before,
+INGOT_INLINE Attempt solve_with(const LaneRow (&K_rows)[10], const LaneRow (&inverse_rows)[10], Row4 w, const Row4& before,
                                 const mask (&pulls)[block_rows], scalar slack) {
     const Sym4 inverse = load_sym4(inverse_rows);
     mask out[block_rows];
@@ -207,8 +207,8 @@ INGOT_RARE Row4 drop_rows(const Sym4& K, lane count, Sym4& left, const Row4& w, 
 /// slack: speed, or length, at which a row that is out may approach. Bound: 4 drops, 6 rounds.
 /// Source: active set by symmetric sweeps; the cached inverse, and the start over, are ours.
 template <int rows, bool hold>
-INGOT_INLINE Row4 solve_block(const scalar (&K_rows)[10][lanes], const scalar (&count)[lanes], scalar (&cached_inverse)[10][lanes],
-                              const Row4& w, const Row4& before, const mask (&pulls)[block_rows], scalar slack, mask active) {
+INGOT_INLINE Row4 solve_block(const LaneRow (&K_rows)[10], const LaneRow& count, LaneRow (&cached_inverse)[10], const Row4& w, const Row4& before,
+                              const mask (&pulls)[block_rows], scalar slack, mask active) {
     Attempt attempt = solve_with<rows>(K_rows, cached_inverse, w, before, pulls, slack);
     attempt.fails = both(attempt.fails, active);
     if (!any(attempt.fails)) return attempt.l;

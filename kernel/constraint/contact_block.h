@@ -13,21 +13,21 @@ struct ContactBlock {
     Index body_A[lanes], body_B[lanes];  ///< of SolverBody
     Index manifold[lanes];               ///< no_manifold in a spare lane
     Index island[lanes];                 ///< of SolverView::islands
-    uint8_t sum_i[lanes];                   ///< which of the eight sums of its island its change is added to
-    uint8_t halvings[lanes];                ///< of the manifold
-    uint8_t rows;                           ///< 1 where no manifold of the block has more points, else block_rows
-    bool central;                           ///< one row, and no normal has a lever: balls
-    scalar inv_M_A[lanes], inv_M_B[lanes];  ///< kg^-1
-    scalar n[3][lanes], t_1[3][lanes], t_2[3][lanes];
-    scalar mu[lanes], e[lanes];             ///< friction, restitution
-    scalar substeps[lanes];                 ///< the manifold has lived
-    scalar change[lanes];                   ///< J, of the sweep: sum of (change of impulse)^2 times compliance
-    scalar fastest[lanes];                  ///< m/s, of the sweep: the largest speed that it corrected
+    uint8_t sum_i[lanes];                ///< which of the eight sums of its island its change is added to
+    uint8_t halvings[lanes];             ///< of the manifold
+    uint8_t rows;                        ///< 1 where no manifold of the block has more points, else block_rows
+    bool central;                        ///< one row, and no normal has a lever: balls
+    LaneRow inv_M_A, inv_M_B;            ///< kg^-1
+    LaneRow n[3], t_1[3], t_2[3];
+    LaneRow mu, e;     ///< friction, restitution
+    LaneRow substeps;  ///< the manifold has lived
+    LaneRow change;    ///< J, of the sweep: sum of (change of impulse)^2 times compliance
+    LaneRow fastest;   ///< m/s, of the sweep: the largest speed that it corrected
     FrictionRows friction;
-    scalar count[lanes];                    ///< of its points
-    scalar K[10][lanes];                    ///< compliance of the normals
-    scalar cached_inverse[10][lanes];       ///< and its inverse without the rows that were out at the last visit; see solve_block
-    NormalRow row[block_rows];              ///< what blocks of one row do not use comes last
+    LaneRow count;               ///< of its points
+    LaneRow K[10];               ///< compliance of the normals
+    LaneRow cached_inverse[10];  ///< and its inverse without the rows that were out at the last visit; see solve_block
+    NormalRow row[block_rows];   ///< what blocks of one row do not use comes last
     TorsionRow torsion;
 };
 

@@ -21,11 +21,11 @@ namespace ingot { inline namespace INGOT_ABI {
 
 struct FrictionRows : RowPair {
     Levers levers[2];
-    scalar reference[2][lanes];  ///< slow mean of j
-    scalar given[2][lanes];      ///< N s, before the slip turns round in this substep: see reversal_share
-    scalar share[lanes];         ///< of the substep, that is before
-    uint16_t sliding;            ///< bit per lane: it slid in the substep before
-    bool turns_round;            ///< the slip of some lane turns round in this substep
+    LaneRow reference[2];  ///< slow mean of j
+    LaneRow given[2];      ///< N s, before the slip turns round in this substep: see reversal_share
+    LaneRow share;         ///< of the substep, that is before
+    uint16_t sliding;      ///< bit per lane: it slid in the substep before
+    bool turns_round;      ///< the slip of some lane turns round in this substep
 };
 
 /// Friction is drawn a tenth towards its slow mean, and the mean towards it. Where it slides, and while the manifold is young, the mean is friction

@@ -14,16 +14,16 @@ namespace ingot { inline namespace INGOT_ABI {
 
 /// What one body of each lane answers to a force F and a moment T about its centre of mass: v += vv F + wv^T T, omega += wv F + ww T.
 struct SideResponse {
-    scalar vv[6][lanes], wv[9][lanes], ww[6][lanes];
-    scalar I[6][lanes];   ///< kg m^2, world: what turns a change of omega into one of L
-    scalar joined[lanes]; ///< 1: a body of a figure; 0: a free one, or what cannot move
+    LaneRow vv[6], wv[9], ww[6];
+    LaneRow I[6];    ///< kg m^2, world: what turns a change of omega into one of L
+    LaneRow joined;  ///< 1: a body of a figure; 0: a free one, or what cannot move
 };
 
 /// Beside a block whose manifolds have a body with joints.
 struct JointedBlock {
     SideResponse A, B;
     /// What A answers to impulses on B, where both are of one figure: v += vv F + vw T, omega += wv F + ww T; else 0.
-    scalar vv[9][lanes], vw[9][lanes], wv[9][lanes], ww[9][lanes];
+    LaneRow vv[9], vw[9], wv[9], ww[9];
     bool some_across;  ///< of a lane that is not 0
 };
 

@@ -24,12 +24,12 @@ namespace ingot { inline namespace INGOT_ABI {
 /// One normal of each lane's manifold.
 struct NormalRow {
     Levers levers;
-    scalar separation[lanes];  ///< m, at the begin of the step
-    scalar target[lanes];      ///< m/s, that A may approach B with in the substep, at least
-    scalar landing[lanes];     ///< m, of a point that bounces: its separation at the end of the substep; limits::unbounded: it does not
-    scalar j[lanes];           ///< N s
-    scalar j_before[lanes];    ///< of the substep before
-    scalar j_sweep[lanes], direction[lanes];  ///< conjugate gradients: before the sweep, and the direction so far
+    LaneRow separation;          ///< m, at the begin of the step
+    LaneRow target;              ///< m/s, that A may approach B with in the substep, at least
+    LaneRow landing;             ///< m, of a point that bounces: its separation at the end of the substep; limits::unbounded: it does not
+    LaneRow j;                   ///< N s
+    LaneRow j_before;            ///< of the substep before
+    LaneRow j_sweep, direction;  ///< conjugate gradients: before the sweep, and the direction so far
 };
 
 /// True where a manifold has that point.

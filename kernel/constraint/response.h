@@ -71,8 +71,7 @@ struct ResponseOf {
     }
 
 private:
-    static INGOT_INLINE void prepare_lever(scalar (&to_J)[3][lanes], scalar (&to_k)[3][lanes], const Body& body, const Vec3<lane>& lever,
-                                           mask there) {
+    static INGOT_INLINE void prepare_lever(LaneRow (&to_J)[3], LaneRow (&to_k)[3], const Body& body, const Vec3<lane>& lever, mask there) {
         const Vec3<lane> J = select(both(there, body.moves), lever, Vec3<lane>{});
         store(to_J, J);
         store(to_k, body.spin_of(J));

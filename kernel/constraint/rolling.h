@@ -21,9 +21,9 @@ namespace ingot { inline namespace INGOT_ABI {
 
 /// By block, beside the block: scenes without rolling resistance have none. Impulses in N m s.
 struct RollingRows : RowPair {
-    scalar lever[lanes];                         ///< m
-    scalar k_A[2][3][lanes], k_B[2][3][lanes];   ///< inv_I_world t, and its opposite
-    scalar size[lanes];  ///< m; radius of gyration: what turns an angular velocity into a speed worth settling
+    LaneRow lever;                 ///< m
+    LaneRow k_A[2][3], k_B[2][3];  ///< inv_I_world t, and its opposite
+    LaneRow size;                  ///< m; radius of gyration: what turns an angular velocity into a speed worth settling
 };
 
 struct Rolling {

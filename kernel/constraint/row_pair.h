@@ -18,11 +18,11 @@
 namespace ingot { inline namespace INGOT_ABI {
 
 struct RowPair {
-    scalar K[2][lanes];        ///< compliance: 11, 22
-    scalar inv_K[3][lanes];    ///< inverse of the pair: 11, 12, 22
-    scalar inv_K_max[lanes];   ///< inverse of the larger of its two principal values
-    scalar j[2][lanes];        ///< N s, or N m s
-    scalar j_sweep[2][lanes], direction[2][lanes];
+    LaneRow K[2];       ///< compliance: 11, 22
+    LaneRow inv_K[3];   ///< inverse of the pair: 11, 12, 22
+    LaneRow inv_K_max;  ///< inverse of the larger of its two principal values
+    LaneRow j[2];       ///< N s, or N m s
+    LaneRow j_sweep[2], direction[2];
 };
 
 /// Compliance of a pair of rows, and its inverse. Returns the larger of its principal values; 1 where there is nothing.

@@ -27,8 +27,8 @@ inline constexpr int block_rows = 4;  ///< normals of a manifold
 
 /// Where a row takes hold of the two bodies. B gets the opposite impulse: its levers carry the minus sign, J_B = -(r_BP x n).
 struct Levers {
-    scalar J_A[3][lanes], J_B[3][lanes];  ///< m
-    scalar k_A[3][lanes], k_B[3][lanes];  ///< inv_I_world J
+    LaneRow J_A[3], J_B[3];  ///< m
+    LaneRow k_A[3], k_B[3];  ///< inv_I_world J
 };
 
 /// The two bodies of each lane while a block is visited: v_CM and L of the velocity sweep, dp and dth of its mirror image.
@@ -72,7 +72,7 @@ INGOT_INLINE void add_torsion(BodyPairLanes& pair, const Vec3<lane>& n, lane tor
 
 /// Stores where active; `whole`: everywhere.
 template <bool whole>
-INGOT_INLINE void store_if(scalar (&to)[lanes], mask active, lane value) {
+INGOT_INLINE void store_if(LaneRow& to, mask active, lane value) {
     store(to, whole ? value : select(active, value, load(to)));
 }
 
@@ -89,14 +89,14 @@ struct Change {
 
 /// A row of a block without its kind: conjugate directions, impacts and the direct solver work on these.
 struct SeenRow {
-    int number;                    ///< of the constraint's rows: see contact.h
-    const scalar (&d)[3][lanes];   ///< direction; or axis, where it only turns
-    const Levers* levers;          ///< null: it only turns, J_A = d and J_B = -d, on what can move
-    const scalar (&k_A)[3][lanes];
-    const scalar (&k_B)[3][lanes];
-    scalar (&j)[lanes];            ///< N s, or N m s
-    scalar (&j_sweep)[lanes];      ///< before the sweep
-    scalar (&direction)[lanes];    ///< of conjugate gradients so far
+    int number;             ///< of the constraint's rows: see contact.h
+    const LaneRow (&d)[3];  ///< direction; or axis, where it only turns
+    const Levers* levers;   ///< null: it only turns, J_A = d and J_B = -d, on what can move
+    const LaneRow (&k_A)[3];
+    const LaneRow (&k_B)[3];
+    LaneRow& j;          ///< N s, or N m s
+    LaneRow& j_sweep;    ///< before the sweep
+    LaneRow& direction;  ///< of conjugate gradients so far
 };
 
 /// What a push along a seen row does to displacements.

@@ -20,9 +20,9 @@
 namespace ingot { inline namespace INGOT_ABI {
 
 struct TorsionRow {
-    scalar k_A[3][lanes], k_B[3][lanes];  ///< inv_I_world n, and its opposite
-    scalar K[lanes], inv_K[lanes], radius[lanes];
-    scalar j[lanes], j_sweep[lanes], direction[lanes];  ///< N m s
+    LaneRow k_A[3], k_B[3];  ///< inv_I_world n, and its opposite
+    LaneRow K, inv_K, radius;
+    LaneRow j, j_sweep, direction;  ///< N m s
 };
 
 struct Torsion {

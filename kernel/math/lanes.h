@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The lane type: one number, or `lanes` numbers that one instruction works on. The only file that knows vector types.
 //
-// Written with the compiler's vectors, not with intrinsics, so that one source serves SSE, AVX, NEON and wasm; with one
-// lane it is the plain scalar. Every function is documented by what it does in one lane. Control flow may depend on any()
-// of a mask, data may not: a lane that is done is frozen with select(), so that its bits do not depend on its neighbours.
+// Written with the compiler's vectors, not with intrinsics, so that one source serves SSE, AVX, NEON and wasm, but for what
+// no such vector says: which lanes of a mask are set. With one lane it is the plain scalar. Every function is documented by what
+// it does in one lane. Control flow may depend on any() of a mask, data may not: a lane that is done is frozen with select(), so
+// that its bits do not depend on its neighbours.
 #pragma once
 
 #include "../base/config.h"
@@ -44,23 +45,41 @@ INGOT_INLINE lane load(const scalar* from) {
 INGOT_INLINE void store(scalar* to, lane value) { __builtin_memcpy(to, &value, sizeof value); }
 INGOT_INLINE lane select(mask m, lane a, lane b) { return m ? a : b; }
 
+// The signs of a mask, lane 0 lowest, by the one instruction that SSE and AVX have for it.
+#if defined(__SSE__) && !INGOT_DOUBLE && INGOT_LANES == 4
+#define INGOT_SIGNS_OF(m) __builtin_ia32_movmskps(reinterpret_cast<lane>(m))
+#elif defined(__SSE2__) && INGOT_DOUBLE && INGOT_LANES == 2
+#define INGOT_SIGNS_OF(m) __builtin_ia32_movmskpd(reinterpret_cast<lane>(m))
+#elif defined(__AVX__) && !INGOT_DOUBLE && INGOT_LANES == 8
+#define INGOT_SIGNS_OF(m) __builtin_ia32_movmskps256(reinterpret_cast<lane>(m))
+#elif defined(__AVX__) && INGOT_DOUBLE && INGOT_LANES == 4
+#define INGOT_SIGNS_OF(m) __builtin_ia32_movmskpd256(reinterpret_cast<lane>(m))
+#endif
 INGOT_INLINE bool any(mask m) {
+#ifdef INGOT_SIGNS_OF
+    return INGOT_SIGNS_OF(m) != 0;
+#else
     uint64_t words[sizeof(mask) / 8];
     __builtin_memcpy(words, &m, sizeof m);
     uint64_t all = 0;
     for (uint64_t word : words) all |= word;
     return all != 0;
+#endif
 }
 INGOT_INLINE uint16_t bits(mask m) {
+#ifdef INGOT_SIGNS_OF
+    return static_cast<uint16_t>(INGOT_SIGNS_OF(m));
+#else
     uint16_t b = 0;
     if (!any(m)) return b;  // by far the most frequent answer, and lanes are looked at one by one
     for (int lane_i = 0; lane_i < lanes; ++lane_i) b = static_cast<uint16_t>(b | (m[lane_i] != 0 ? 1u << lane_i : 0u));
     return b;
+#endif
 }
 INGOT_INLINE mask mask_from_bits(uint16_t b) {
-    mask m{};
-    for (int lane_i = 0; lane_i < lanes; ++lane_i) m[lane_i] = (b >> lane_i & 1u) != 0 ? -1 : 0;
-    return m;
+    mask of_lane{};
+    for (int lane_i = 0; lane_i < lanes; ++lane_i) of_lane[lane_i] = 1 << lane_i;
+    return ((mask{} + static_cast<int>(b)) & of_lane) != 0;
 }
 
 #if INGOT_LANES == 4 || INGOT_LANES == 8
@@ -77,6 +96,22 @@ INGOT_INLINE void transpose(quad& a, quad& b, quad& c, quad& d) {
 }
 #endif
 
+#endif
+
+/// `lanes` numbers of a struct, aligned as vectors are: an instruction takes them from memory as they are.
+struct alignas(sizeof(scalar) * static_cast<unsigned>(lanes)) LaneRow {
+    scalar at[lanes];
+
+    INGOT_INLINE scalar& operator[](int lane_i) { return at[lane_i]; }
+    INGOT_INLINE const scalar& operator[](int lane_i) const { return at[lane_i]; }
+};
+#if INGOT_LANES == 1
+INGOT_INLINE lane load(const LaneRow& from) { return from.at[0]; }
+INGOT_INLINE void store(LaneRow& to, lane value) { to.at[0] = value; }
+#else
+typedef lane lane_of_row __attribute__((may_alias));
+INGOT_INLINE lane load(const LaneRow& from) { return *reinterpret_cast<const lane_of_row*>(&from); }
+INGOT_INLINE void store(LaneRow& to, lane value) { *reinterpret_cast<lane_of_row*>(&to) = value; }
 #endif
 
 /// Four numbers from each of `lanes` places, one place per lane.

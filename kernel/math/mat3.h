@@ -56,13 +56,15 @@ INGOT_INLINE constexpr Mat3<T> select(M m, const Mat3<T>& a, const Mat3<T>& b) {
     return {select(m, a.c0, b.c0), select(m, a.c1, b.c1), select(m, a.c2, b.c2)};
 }
 
-/// Nine rows of `lanes` numbers, column after column, as body tiles keep them.
-INGOT_INLINE Mat3<lane> load(const scalar (&from)[9][lanes]) {
+/// Nine rows of `lanes` numbers, column after column: Row is LaneRow, or scalar[lanes].
+template <class Row>
+INGOT_INLINE Mat3<lane> load(const Row (&from)[9]) {
     return {{load(from[0]), load(from[1]), load(from[2])},
             {load(from[3]), load(from[4]), load(from[5])},
             {load(from[6]), load(from[7]), load(from[8])}};
 }
-INGOT_INLINE void store(scalar (&to)[9][lanes], const Mat3<lane>& value) {
+template <class Row>
+INGOT_INLINE void store(Row (&to)[9], const Mat3<lane>& value) {
     const Vec3<lane> columns[3] = {value.c0, value.c1, value.c2};
     for (int column_i = 0; column_i < 3; ++column_i) {
         store(to[3 * column_i], columns[column_i].x);

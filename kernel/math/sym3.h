@@ -73,8 +73,9 @@ INGOT_INLINE constexpr auto is_finite(const Sym3<T>& a) {
     return both(is_finite(Vec3<T>{a.xx, a.yy, a.zz}), is_finite(Vec3<T>{a.xy, a.xz, a.yz}));
 }
 
-/// Six rows of `lanes` numbers, as body tiles keep them.
-INGOT_INLINE void store(scalar (&to)[6][lanes], const Sym3<lane>& value) {
+/// Six rows of `lanes` numbers: Row is LaneRow, or scalar[lanes].
+template <class Row>
+INGOT_INLINE void store(Row (&to)[6], const Sym3<lane>& value) {
     store(to[0], value.xx);
     store(to[1], value.yy);
     store(to[2], value.zz);
@@ -82,7 +83,8 @@ INGOT_INLINE void store(scalar (&to)[6][lanes], const Sym3<lane>& value) {
     store(to[4], value.xz);
     store(to[5], value.yz);
 }
-INGOT_INLINE Sym3<lane> load(const scalar (&from)[6][lanes]) {
+template <class Row>
+INGOT_INLINE Sym3<lane> load(const Row (&from)[6]) {
     return {load(from[0]), load(from[1]), load(from[2]), load(from[3]), load(from[4]), load(from[5])};
 }
 

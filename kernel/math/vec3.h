@@ -67,9 +67,13 @@ INGOT_INLINE constexpr Vec3<T> select(M m, const Vec3<T>& a, const Vec3<T>& b) {
     return {select(m, a.x, b.x), select(m, a.y, b.y), select(m, a.z, b.z)};
 }
 
-/// Three rows of `lanes` numbers, as body tiles keep them.
-INGOT_INLINE Vec3<lane> load(const scalar (&from)[3][lanes]) { return {load(from[0]), load(from[1]), load(from[2])}; }
-INGOT_INLINE void store(scalar (&to)[3][lanes], const Vec3<lane>& value) {
+/// Three rows of `lanes` numbers: Row is LaneRow, or scalar[lanes].
+template <class Row>
+INGOT_INLINE Vec3<lane> load(const Row (&from)[3]) {
+    return {load(from[0]), load(from[1]), load(from[2])};
+}
+template <class Row>
+INGOT_INLINE void store(Row (&to)[3], const Vec3<lane>& value) {
     store(to[0], value.x);
     store(to[1], value.y);
     store(to[2], value.z);

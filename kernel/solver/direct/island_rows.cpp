@@ -44,7 +44,7 @@ void load_row(const Direct& direct, const ManifoldOf<Direct>& manifold, DirectRo
     row.K = length_sq(d) * (A.inv_M + B.inv_M) + dot(row.k[0], J_A) + dot(row.k[1], J_B);
 }
 
-DirectVector lane_in_double(const scalar (&rows)[3][lanes], int lane_i) { return in_double(lane_of(rows, lane_i)); }
+DirectVector lane_in_double(const LaneRow (&rows)[3], int lane_i) { return in_double(lane_of(rows, lane_i)); }
 
 /// Puts a row that the block shows among the manifold's. Levers of normals are found anew from the points, in double: four points of one plane have
 /// three independent normals, and rounding of the block's floats would make a fourth.

@@ -21,7 +21,7 @@ INGOT_INLINE void go_on(scalar (&now)[4], scalar (&before)[4], scalar (&P)[4], s
 
 /// The same for the impulses of a row, in the lanes that are live; `whole`: in all.
 template <bool whole>
-INGOT_INLINE void go_on(scalar (&j)[lanes], scalar (&j_sweep)[lanes], scalar (&direction)[lanes], lane beta, mask live) {
+INGOT_INLINE void go_on(LaneRow& j, LaneRow& j_sweep, LaneRow& direction, lane beta, mask live) {
     const lane now = load(j), along = beta * load(direction) + (now - load(j_sweep)), next = now + beta * along;
     store_if<whole>(direction, live, along);
     store_if<whole>(j, live, next);

@@ -15,7 +15,7 @@ void set3(scalar (&to)[4], const Vector& value) {
     to[1] = value.y;
     to[2] = value.z;
 }
-void set_opposite(scalar (&to)[3][lanes], int lane_i, const Vector& of) { set_lane(to, lane_i, -of); }
+void set_opposite(LaneRow (&to)[3], int lane_i, const Vector& of) { set_lane(to, lane_i, -of); }
 
 /// What a row reads of the kinematic body: k = -J of its partner.
 void see_levers(Levers& levers, int lane_i, bool is_A) {
