@@ -6,12 +6,12 @@
 namespace ingot { inline namespace INGOT_ABI {
 
 int LieMidpoint::integrate_A(const BodyView& bodies, scalar h, const FlightClock& clock) {
-    const lane step = splat<lane>(h), half_step = splat<lane>(h * scalar(0.5));
+    const lane part_of_step[2] = {splat<lane>(h * scalar(0.5)), splat<lane>(h)};
     const bool polar_step = clock.steps % limits::polar_interval == 0;
     integrate_tiles(bodies, clock, [&](const Mat3<lane>& A, const Vec3<lane>& inv_I_body, const Vec3<lane>& L) {
-        const Mat3<lane> A_mid = A + world_turn(A, rodrigues(spin_of(A, inv_I_body, L) * half_step));
-        const Mat3<lane> A_next = A + world_turn(A, rodrigues(spin_of(A_mid, inv_I_body, L) * step));
-        return polar_step ? A_next + polar_correction(A_next) : A_next;
+        Mat3<lane> at = A;  // where the spin is read: at the begin, then in the middle
+        for (const lane part : part_of_step) at = A + world_turn(A, rodrigues(spin_of(at, inv_I_body, L) * part));
+        return polar_step ? at + polar_correction(at) : at;
     });
     return 0;
 }

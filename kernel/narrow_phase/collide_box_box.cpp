@@ -19,39 +19,36 @@ INGOT_INLINE scalar gap_of_boxes(const PlacedShape& A, const PlacedShape& B, con
     return dot(n, A.r - B.r) - (reach_A + reach_B);
 }
 
-/// The polygon while it is clipped: its corners, and the edges before and after each, 0 .. 3 of the incident face and 4 .. 7
-/// the sides of the reference face.
+/// A corner of the polygon that is clipped; the edges before and after it, 0 .. 3 of the incident face and 4 .. 7 the sides of the reference face.
+struct ClippedCorner {
+    scalar at[3];  ///< m, along e_x, e_y, and above the reference face
+    uint8_t in, out;
+};
 struct Polygon {
-    scalar x[8], y[8], z[8];
-    uint8_t in[8], out[8];
+    ClippedCorner corner[8];
     int count;
 };
 
 /// Keeps the part of `from` with sign * (y or x) <= limit. A convex polygon gains at most one corner.
 void clip(const Polygon& from, bool along_y, scalar sign, scalar limit, uint8_t side, Polygon& to) {
-    const scalar* along = along_y ? from.y : from.x;
+    const int axis = along_y ? 1 : 0;
     to.count = 0;
-    int last = from.count - 1;
-    scalar last_over = last >= 0 ? sign * along[last] - limit : 0;
+    const ClippedCorner* last = from.count > 0 ? &from.corner[from.count - 1] : nullptr;
+    scalar last_over = last != nullptr ? sign * last->at[axis] - limit : 0;
     // bound: 8: corners of a rectangle that is clipped four times
     for (int i = 0; i < from.count; ++i) {
-        const scalar over = sign * along[i] - limit;
+        const ClippedCorner& next = from.corner[i];
+        const scalar over = sign * next.at[axis] - limit;
         const bool inside = over <= 0, last_inside = last_over <= 0;
         if (inside != last_inside && to.count < 8) {
             const scalar t = last_over / (last_over - over);
-            const int k = to.count++;
-            to.x[k] = from.x[last] + t * (from.x[i] - from.x[last]);
-            to.y[k] = from.y[last] + t * (from.y[i] - from.y[last]);
-            to.z[k] = from.z[last] + t * (from.z[i] - from.z[last]);
-            to.in[k] = inside ? side : from.in[i];
-            to.out[k] = inside ? from.in[i] : side;
+            ClippedCorner& cut = to.corner[to.count++];
+            for (int k = 0; k < 3; ++k) cut.at[k] = last->at[k] + t * (next.at[k] - last->at[k]);
+            cut.in = inside ? side : next.in;
+            cut.out = inside ? next.in : side;
         }
-        if (inside && to.count < 8) {
-            const int k = to.count++;
-            to.x[k] = from.x[i], to.y[k] = from.y[i], to.z[k] = from.z[i];
-            to.in[k] = from.in[i], to.out[k] = from.out[i];
-        }
-        last = i;
+        if (inside && to.count < 8) to.corner[to.count++] = next;
+        last = &next;
         last_over = over;
     }
 }
@@ -173,11 +170,8 @@ INGOT_INLINE void place_polygon(const ReferenceFace& face, const IncidentFace& i
     const scalar v_x = dot(v, face.e_x), v_y = dot(v, face.e_y), v_z = dot(v, face.up);
     for (int i = 0; i < 4; ++i) {
         const scalar p = i == 1 || i == 2 ? scalar(-1) : scalar(1), q = i >= 2 ? scalar(-1) : scalar(1);
-        polygon.x[i] = c_x + p * u_x + q * v_x;
-        polygon.y[i] = c_y + p * u_y + q * v_y;
-        polygon.z[i] = c_z + p * u_z + q * v_z;
-        polygon.in[i] = static_cast<uint8_t>((i + 3) & 3);
-        polygon.out[i] = static_cast<uint8_t>(i);
+        polygon.corner[i] = {
+            {c_x + p * u_x + q * v_x, c_y + p * u_y + q * v_y, c_z + p * u_z + q * v_z}, static_cast<uint8_t>((i + 3) & 3), static_cast<uint8_t>(i)};
     }
     polygon.count = 4;
     const scalar spread_x = abs(u_x) + abs(v_x), spread_y = abs(u_y) + abs(v_y);
@@ -230,10 +224,11 @@ void face_points(const PlacedShape& A, const PlacedShape& B, const BestAxis& bes
     int count = 0;
     // bound: Patch::corners_max
     for (int i = 0; i < polygon.count; ++i) {
-        const scalar s = polygon.z[i];
+        const ClippedCorner& corner = polygon.corner[i];
+        const scalar s = corner.at[2];
         if (!(s <= margin)) continue;
-        candidates[count++] = {clamp(polygon.x[i], face.h_x), clamp(polygon.y[i], face.h_y), to_n * s * scalar(0.5), s,
-                               faces | static_cast<uint32_t>(polygon.in[i]) << 4 | polygon.out[i]};
+        candidates[count++] = {clamp(corner.at[0], face.h_x), clamp(corner.at[1], face.h_y), to_n * s * scalar(0.5), s,
+                               faces | static_cast<uint32_t>(corner.in) << 4 | corner.out};
     }
     const ContactFrame frame{face.box.r + face.up * component(face.box.shape.size, face.axis), face.e_x, face.e_y, face.up * to_n};
     keep_points(candidates, count, frame, limits::flatness * best.smallest, before, manifold);

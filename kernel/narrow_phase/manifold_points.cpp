@@ -72,9 +72,10 @@ Choice spanning(const Candidate* candidates, int count, scalar tolerance, const 
 
 }  // namespace
 
-void keep_points(const Candidate* candidates, int count, const ContactFrame& frame, scalar tolerance, const Before& before,
-                 Manifold& manifold) {
-    Choice choice{{0, 1, 2, 3}, count};
+void keep_points(const Candidate* candidates, int count, const ContactFrame& frame, scalar tolerance, const Before& before, Manifold& manifold) {
+    Choice choice;
+    choice.count = count;
+    for (int i = 0; i < Manifold::points_max; ++i) choice.chosen[i] = i;
     if (count > Manifold::points_max) choice = spanning(candidates, count, tolerance, before);
     manifold.n = frame.n;
     manifold.count = static_cast<int16_t>(choice.count);

@@ -2,9 +2,9 @@
 // From the points where two shapes touch to the four that stand for them.
 #pragma once
 
+#include "../base/limits.h"
 #include "../math/sqrt.h"
 #include "../math/vec3.h"
-#include "../base/limits.h"
 #include "manifold.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -33,7 +33,9 @@ struct Before {
 };
 
 INGOT_INLINE Before remember(const Manifold* manifold) {
-    Before before{};
+    Before before;  // features beyond its count are not looked at: to clear them all would take a call
+    before.n = {};
+    before.count = 0;
     if (manifold == nullptr) return before;
     before.n = manifold->n;
     before.count = manifold->count < Manifold::points_max ? manifold->count : Manifold::points_max;

@@ -168,9 +168,16 @@ void round_of_pushes(const VisitOf<View>& visit, PointsOff& off) {
     }
 }
 
+/// Number by number: as a whole it would be a call.
+INGOT_INLINE void clear(PointImpulses& impulses) {
+    for (scalar& j : impulses.j) j = 0;
+    impulses.friction = {};
+    impulses.torsion = 0;
+}
+
 template <class View>
 void visit_positions(const VisitOf<View>& visit, scalar h) {
-    visit.contact.change = {};
+    clear(visit.contact.change);
     if constexpr (View::rolls) visit.rolling().change = {};
     if (visit.pair.A.hit || visit.pair.B.hit) cut_impulses_of_hit(visit, h);
     const NormalMotion motion = normal_displacement(visit);
@@ -281,7 +288,7 @@ void go_on(const VisitOf<View>& visit, scalar beta) {
     along.torsion = along.torsion * beta + change.torsion;
     record.j_friction += along.friction * beta;
     record.j_torsion += along.torsion * beta;
-    change = {};
+    clear(change);
     give_impulses(visit, j, along.friction * beta, along.torsion * beta);
     if constexpr (View::rolls) {
         PointRolling& rolling = visit.rolling();
