@@ -97,6 +97,13 @@ struct Hinged : Scene {
 struct Limited : Hinged {
     using joints = Joints<BallJoint, HingeJoint, SliderJoint, UniversalJoint, FixedJoint, WithLimits>;
 };
+struct Servoed : Hinged {
+    using joints = Joints<BallJoint, HingeJoint, SliderJoint, UniversalJoint, FixedJoint, WithLimits, WithDrives>;
+};
+struct ServoedRagdolls : Telling {
+    static constexpr int max_joints = 8;
+    using joints = Joints<BallJoint, HingeJoint, WithLimits, WithDrives>;
+};
 struct LimitedRagdolls : Telling {
     static constexpr int max_joints = 8;
     using joints = Joints<BallJoint, HingeJoint, SliderJoint, WithLimits>;
@@ -140,6 +147,19 @@ CALL(joint_at)(const World<Ragdolls>& world, int slot) { return world.joint_at(s
 CALL(joint_gap)(const World<Ragdolls>& world, JointId id) { return world.joint_gap(id); }
 CALL(step_limited_joints)(World<Limited>& world, scalar h) { return step(world, h); }
 CALL(step_limited_joints_in_contact)(World<LimitedRagdolls>& world, scalar h) { return step(world, h); }
+CALL(step_driven_joints)(World<Servoed>& world, scalar h) { return step(world, h); }
+CALL(step_driven_joints_in_contact)(World<ServoedRagdolls>& world, scalar h) { return step(world, h); }
+CALL(set_joint_drive)(World<Servoed>& world, JointId id, const JointDrive& drive, int which) { return world.set_joint_drive(id, drive, which); }
+CALL(set_ball_drive)(World<Servoed>& world, JointId id, const JointDrive& drive, const Vector& target, const Vector& rate) {
+    return world.set_ball_drive(id, drive, target, rate);
+}
+CALL(set_joint_target)(World<Servoed>& world, JointId id, scalar target, scalar rate) { return world.set_joint_target(id, target, rate); }
+CALL(set_ball_target)(World<Servoed>& world, JointId id, const Vector& target, const Vector& rate) {
+    return world.set_ball_target(id, target, rate);
+}
+CALL(joint_drive)(const World<Servoed>& world, JointId id, int which) { return world.joint_drive(id, which); }
+CALL(drive_torque)(const World<Servoed>& world, JointId id, int which) { return world.drive_torque(id, which); }
+CALL(ball_torque)(const World<Servoed>& world, JointId id) { return world.ball_torque(id); }
 CALL(set_joint_limits)(World<LimitedRagdolls>& world, JointId id, const JointLimits& limits) { return world.set_joint_limits(id, limits); }
 CALL(joint_angle)(const World<LimitedRagdolls>& world, JointId id, int which) { return world.joint_angle(id, which); }
 CALL(joint_rate)(const World<LimitedRagdolls>& world, JointId id, int which) { return world.joint_rate(id, which); }

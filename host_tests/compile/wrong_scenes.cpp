@@ -333,6 +333,16 @@ struct Wrong : ingot::Scene {
     static constexpr int max_joints = 1;
     using joints = ingot::Joints<ingot::FixedJoint, ingot::WithLimits>;
 #endif
+#ifdef DRIVES_OF_NOTHING
+    static constexpr bool translates = true;
+    static constexpr int max_joints = 1;
+    using joints = ingot::Joints<ingot::FixedJoint, ingot::WithDrives>;
+#endif
+#ifdef DRIVE_WITHOUT_DRIVES
+    static constexpr bool translates = true;
+    static constexpr int max_joints = 1;
+    using joints = ingot::Joints<ingot::BallJoint>;
+#endif
 #ifdef LIMIT_WITHOUT_LIMITS
     static constexpr bool translates = true;
     static constexpr int max_joints = 1;
@@ -415,6 +425,9 @@ int main() {
 #endif
 #ifdef JOINT_WITHOUT_JOINTS
     (void)world.add_joint({});
+#endif
+#ifdef DRIVE_WITHOUT_DRIVES
+    (void)world.set_joint_drive({}, {});
 #endif
 #ifdef LIMIT_WITHOUT_LIMITS
     (void)world.set_joint_limits({}, {});

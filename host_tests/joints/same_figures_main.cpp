@@ -26,6 +26,11 @@ struct LimitedPit : Pit {
                                  ingot::WithLimits>;
 };
 
+struct DrivenPit : Pit {
+    using joints = ingot::Joints<ingot::BallJoint, ingot::HingeJoint, ingot::SliderJoint, ingot::UniversalJoint, ingot::FixedJoint,
+                                 ingot::WithLimits, ingot::WithDrives>;
+};
+
 template <class Scene>
 bool run(const char* name) {
     const auto world = std::make_unique<ingot::World<Scene>>();
@@ -41,6 +46,11 @@ bool run(const char* name) {
         add_ragdoll(*world, {scalar(0.3) * static_cast<scalar>(i % 2), 0, scalar(0.3) + static_cast<scalar>(i)},
                     ingot_reference::to_matrix(random.rotation()), built);
     for (int i = 0; i < 5; ++i) add_figure(*world, random, {2 + 2 * i, 0.4, 100, 3, i % 2 == 0}, {0, 20.0 * i + 20, 60}, built);
+    if constexpr (Scene::joints::has_drives)
+        for (const ingot::JointId id : built.joints) {
+            const ingot::JointDrive drive = ingot::SpringDrive{200, 5, 0, 0, 0, 50};
+            if (world->set_joint_drive(id, drive) != ingot::Status::ok) (void)world->set_ball_drive(id, drive);
+        }
     for (int step_i = 0; step_i < 120; ++step_i) {
         (void)ingot::step(*world, scalar(1) / 60);
         std::printf("%s %d %016" PRIx64 "\n", name, step_i, world->state_hash());
@@ -51,6 +61,7 @@ bool run(const char* name) {
 }  // namespace
 
 int main() {
-    const bool plain = run<Pit>("substeps"), limited = run<LimitedPit>("limits"), swinging = run<SwingingPit>("energy_momentum");
-    return plain && limited && swinging ? 0 : 1;
+    const bool plain = run<Pit>("substeps"), limited = run<LimitedPit>("limits"), driven = run<DrivenPit>("drives"),
+               swinging = run<SwingingPit>("energy_momentum");
+    return plain && limited && driven && swinging ? 0 : 1;
 }

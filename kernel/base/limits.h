@@ -266,6 +266,17 @@ inline constexpr scalar hidden_share = scalar(1e-4);
 /// Of the kinetic energy of a figure but for its motion as a whole, by which that of a snap may raise it.
 inline constexpr scalar snap_gain_max = 4;
 
+// Drives of joints.
+inline constexpr scalar drive_gain_max = scalar(1e12);   ///< N m/rad, N m s/rad, N m; of a slider N/m, N s/m, N
+inline constexpr scalar drive_hertz_max = 1000;          ///< Hz, of what is tuned
+inline constexpr scalar damping_ratio_max = 10;          ///< of what is tuned: of more than this the slow pole alone is left
+inline constexpr scalar drive_rate_max = 1000000;        ///< rad/s, m/s; of a target
+inline constexpr scalar tuned_turn_max = scalar(1.5707963267948966);  ///< rad, of the phase of what is tuned, in a substep: a quarter of a turn
+/// The damping of a motor, in its inertia a substep: in each it takes off all but so much of what its rate is off by. In float the load that it feels
+/// has lost as many digits.
+inline constexpr scalar motor_gain = INGOT_DOUBLE ? scalar(1e6) : scalar(1e4);
+inline constexpr int drive_rounds = 4;                   ///< solves in a substep, for drives that turn out to be at their torque
+
 // Sleep (sleep/).
 /// m/s; a body is slow when no point of it is faster. At rest the solver leaves a thousandth of it, and a pile fidgets with a tenth of it.
 /// A body that falls asleep loses less energy than a drop from 0.1 micrometres gives.

@@ -66,12 +66,24 @@ struct RowedViewOf : JointedViewOf<View> {
 using RowedView = RowedViewOf<SolverView>;
 using RowedMaterialView = RowedViewOf<RollingBeltView>;
 
+/// The same where joints may have drives.
+template <class View>
+struct DrivenViewOf : RowedViewOf<View> {
+    static constexpr bool has_drives = true;
+};
+using DrivenView = DrivenViewOf<SolverView>;
+using DrivenMaterialView = DrivenViewOf<RollingBeltView>;
+
 template <class View>
 struct WithoutRows {
     using Type = View;
 };
 template <class View>
 struct WithoutRows<RowedViewOf<View>> {
+    using Type = JointedViewOf<View>;
+};
+template <class View>
+struct WithoutRows<DrivenViewOf<View>> {
     using Type = JointedViewOf<View>;
 };
 /// The view for stages of contacts, to which rows of joints are nothing.

@@ -63,7 +63,7 @@ struct Visit {
 struct SolverView {
     static constexpr bool is_pointwise = false;
     static constexpr bool rolls = false, has_belts = false;  ///< see material_view.h
-    static constexpr bool articulates = false, has_joint_rows = false;  ///< see jointed_view.h
+    static constexpr bool articulates = false, has_joint_rows = false, has_drives = false;  ///< see jointed_view.h
     static constexpr int points_max = block_rows;            ///< of a manifold
 
     const BodyPair* pairs;     ///< that touch, sorted by slots

@@ -54,8 +54,29 @@ void stiffen(const FigureRows<width>& rows, FigureRow<width>& row, const Vec3<T>
         if ((bits(is_stiff) >> lane_i & 1u) != 0) rows.figure(lane_i).resolved = false;
 }
 
-template <unsigned width, class T = typename AllLanes<width>::T>
-void factor_row(const FigureRows<width>& rows, int row_i) {
+/// Joints without drives.
+struct NoDrives {
+    template <unsigned width, class T>
+    static T resisted(const FigureRows<width>&, int, int, T D) {
+        return D;
+    }
+};
+struct Drives {
+    const JointRowView& all;
+
+    template <unsigned width, class T>
+    T resisted(const FigureRows<width>& rows, int row_i, int direction_i, T D) const {
+        scalar resist[width];
+        for (int lane_i = 0; lane_i < static_cast<int>(width); ++lane_i) {  // bound: lanes
+            const DriveMotion& motion = all.drive_motions[rows.node(row_i, lane_i).joint * all.drives_of_joint + direction_i];
+            resist[lane_i] = motion.saturated ? 0 : motion.resist;
+        }
+        return D + rows.all.get(resist);
+    }
+};
+
+template <unsigned width, class Resist, class T = typename AllLanes<width>::T>
+void factor_row(const FigureRows<width>& rows, int row_i, const Resist& drives) {
     FigureRow<width>& row = rows[row_i];
     const FigureNode& node = rows.node(row_i);
     Spatial6<T> M = read(rows.all, row.inertia), left;
@@ -71,7 +92,7 @@ void factor_row(const FigureRows<width>& rows, int row_i) {
         const int free = free_directions(rows.all, row, node.kind, s);
         for (int i = 0; i < free; ++i) {  // bound: 3
             const Spatial<T> pulled = M * s[i];
-            const T inv_D = splat<T>(1) / dot(s[i], pulled);
+            const T inv_D = splat<T>(1) / drives.resisted(rows, row_i, i, dot(s[i], pulled));
             write(rows.all, row.pulled[i], pulled);
             rows.all.put(row.inv_D[i], inv_D);
             M = plus_square(M, pulled, -inv_D);
@@ -84,8 +105,8 @@ void factor_row(const FigureRows<width>& rows, int row_i) {
     write(rows.all, parent.inertia, read(rows.all, parent.inertia) + inertia_from(left, read(rows.all, row.d)));
 }
 
-template <unsigned width>
-void factor_rows(const FigureRows<width>& rows, scalar h) {
+template <unsigned width, class Resist>
+void factor_rows(const FigureRows<width>& rows, scalar h, const Resist& drives) {
     for (int row_i = 0; row_i < rows.count(); ++row_i) begin_inertia(rows, rows[row_i]);  // bound: max_bodies
     for (int row_i = 0; row_i < rows.count(); ++row_i) {
         const FigureNode& node = rows.node(row_i);
@@ -95,7 +116,7 @@ void factor_rows(const FigureRows<width>& rows, scalar h) {
         stiffen(rows, row, j, -read(rows.all, row.c), h);
         if (node.parent != no_node) stiffen(rows, rows[node.parent], -j, read(rows.all, row.arm_of_parent), h);
     }
-    for (int row_i = rows.count() - 1; row_i >= 0; --row_i) factor_row(rows, row_i);  // bound: max_bodies
+    for (int row_i = rows.count() - 1; row_i >= 0; --row_i) factor_row(rows, row_i, drives);  // bound: max_bodies
 }
 
 }  // namespace
@@ -107,7 +128,11 @@ void place_joints(const FigureView& view) {
 }
 
 void factor_figures(const FigureView& view, scalar h) {
-    for_groups(view, [h](const auto& rows) { factor_rows(rows, h); });
+    for_groups(view, [h](const auto& rows) { factor_rows(rows, h, NoDrives{}); });
+}
+
+void factor_driven_figures(const FigureView& view, const JointRowView& all, scalar h) {
+    for_groups(view, [&](const auto& rows) { factor_rows(rows, h, Drives{all}); });
 }
 
 } }  // namespace ingot

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "figure_view.h"
+#include "joint_row.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -16,5 +16,8 @@ void place_joints(const FigureView& view);
 /// across the arm, and the figure counts as stiff: see solve_figures.
 /// Source: the implicit treatment of Andrews, Teichmann and Kry, "Geometric stiffness for real-time constrained multibody dynamics", CGF 36 (2017).
 void factor_figures(const FigureView& view, scalar h);
+
+/// The same of joints that may have drives, which resist a change of their rates. Needs: prepare_drives.
+void factor_driven_figures(const FigureView& view, const JointRowView& all, scalar h);
 
 } }  // namespace ingot

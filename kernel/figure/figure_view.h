@@ -20,6 +20,7 @@ struct FigureNode {
     JointKind kind;  ///< of its joint; none: it has none
     bool is_A;       ///< the body is A of its joint
 };
+INGOT_INLINE bool is_ball(JointKind kind) { return kind == JointKind::ball || kind == JointKind::driven_ball; }
 
 /// A tree: nodes [first_node .. first_node + node_count), depth first.
 struct Figure {

@@ -46,12 +46,15 @@ void set_spins(const FigureRows<width>& rows) {
     }
 }
 
+/// How many directions of a joint may end.
+int limits_of(const FigureNode& node, const JointRowView& all) { return all.limits == nullptr ? 0 : limited_directions(node.kind); }
+
 /// Of a joint as its record has it.
 JointMotion recalled(const FigureNode& node, const JointRowView& all, scalar share) {
-    const LimitRecord& limit = all.limits[node.joint];
     const AngleRecord& angle = all.angles[node.joint];
     JointMotion motion{};
-    for (int i = 0; i < limited_directions(node.kind); ++i) {  // bound: 2
+    for (int i = 0; i < limits_of(node, all); ++i) {  // bound: 2
+        const LimitRecord& limit = all.limits[node.joint];
         const DirectionOfRecord of = of_record(node, i);
         motion.j[i] = limit.j[of.direction_i] * (of.sign * share);
         motion.leave[i] = limit.leave[of.direction_i] * of.sign;
@@ -83,7 +86,7 @@ void begin_joint_motions(const FigureView& view, const JointRowView& all) {
     for_joints(view, [&](const auto& rows, const auto& at, int row_i) {
         const FigureNode& node = rows.node(row_i, at.lane_i);
         JointMotion& motion = all.motions[node.joint];
-        for (int i = 0; i < limited_directions(node.kind); ++i) {  // bound: 2
+        for (int i = 0; i < limits_of(node, all); ++i) {  // bound: 2
             const JointRange ends = ends_of(node, i, all.limits[node.joint].limits);
             const scalar value = value_of(node, motion, i);
             motion.returns[i] = ends.lower - value > limits::limit_slack || value - ends.upper > limits::limit_slack;
@@ -104,8 +107,8 @@ void keep_joint_motions(const FigureView& view, const JointRowView& all, int dou
         const FigureNode& node = rows.node(row_i, at.lane_i);
         const JointMotion& motion = all.motions[node.joint];
         if (!is_good(motion)) return;
-        LimitRecord& limit = all.limits[node.joint];
-        for (int i = 0; i < limited_directions(node.kind); ++i) {  // bound: 2
+        for (int i = 0; i < limits_of(node, all); ++i) {  // bound: 2
+            LimitRecord& limit = all.limits[node.joint];
             const DirectionOfRecord of = of_record(node, i);
             limit.j[of.direction_i] = motion.j[i] * (of.sign * scale);
             limit.leave[of.direction_i] = motion.leave[i] * of.sign;

@@ -2,6 +2,7 @@
 // Rows of joints beside what they lock: free directions that end. Of scenes whose joints have some.
 #pragma once
 
+#include "../joint/drives.h"
 #include "../joint/limit_record.h"
 #include "figure_view.h"
 
@@ -16,16 +17,30 @@ struct JointMotion {
     bool returns[2];  ///< it was beyond its end as the step began: it goes back slowly
 };
 
-/// A free direction that is near its end. Visited between the contacts of its figure, at the parent of its joint.
+/// Of a driven direction, in the step at hand: of the child against its parent; of a ball joint in world axes.
+struct DriveMotion {
+    scalar inertia;   ///< kg m^2, kg: what it moves, with all of the figure, without drives
+    scalar resist;    ///< N m s: by how much less an impulse it gives for each rad/s that it is faster
+    scalar spring;    ///< N m s: the same for each rad that it is further
+    scalar pull;      ///< N m s: what it gives if its rate does not change
+    scalar j;         ///< N m s, in the last substep
+    scalar sum;       ///< N m s, of the step
+    bool saturated;   ///< it has turned out to be at its largest torque in this substep
+};
+
+/// A free direction that is near its end; or one that is driven. Visited between the contacts of its figure, at the parent of its joint.
 struct JointRow {
     Index node;           ///< of the child
     uint8_t direction_i;
     bool rests;           ///< it was at its end as the substep began
+    bool is_drive;        ///< K is 0 then, and j what the drive gives beside what it resists, unless it is saturated
     Vector along;         ///< the drive of an impulse of 1 along the row: see FigureRow::drive
     scalar rate_begin;    ///< rad/s, m/s; before the forces of the substep
     scalar rate;          ///< after them
     scalar lower, upper;  ///< by which the solve may change it
-    scalar K;             ///< change of the rate by an impulse of 1
+    scalar K;             ///< change of the rate by an impulse of 1; 0: it is not visited
+    scalar gamma;         ///< of a drive: by how much the bounds of the change give way to an impulse of 1
+    scalar most;          ///< N m s, N s: the largest impulse
     scalar j;             ///< N m s, N s
     scalar change;        ///< rad/s, m/s; of the rate, by the last visit
     scalar j_sweep, direction;  ///< of conjugate gradients
@@ -33,13 +48,22 @@ struct JointRow {
 
 /// Without its capacities.
 struct JointRowView {
-    LimitRecord* limits;         ///< by joint
+    LimitRecord* limits;         ///< by joint; null: there are none
     AngleRecord* angles;         ///< by joint
     JointMotion* motions;        ///< by joint, of the step at hand
     JointRow* list;              ///< of the substep, figure by figure; room for every direction that may end
     Spatial6Rows<1>* responses;  ///< of every node, as FigureView::rows
+    DriveRecord* drives;         ///< by joint, drives_of_joint each; null: there are none
+    DriveMotion* drive_motions;  ///< beside them
+    int drives_of_joint;
     int count;
 };
+
+/// The drives of a joint, and what they do in the step: as many as it can have at most.
+INGOT_INLINE DriveRecord* drives_of(const FigureNode& node, const JointRowView& all) { return all.drives + node.joint * all.drives_of_joint; }
+INGOT_INLINE DriveMotion& drive_motion(const FigureNode& node, const JointRowView& all, int direction_i) {
+    return all.drive_motions[node.joint * all.drives_of_joint + direction_i];
+}
 
 /// Calls each(rows, at, row_i) for every node of the batch that has a joint, figure by figure.
 template <class Each>

@@ -2,6 +2,7 @@
 #include "joint_rows.h"
 
 #include "../base/limits.h"
+#include "joint_drives.h"
 #include "row_compliance.h"
 
 #pragma GCC diagnostic push
@@ -32,7 +33,22 @@ void list_row(const FigureRows<width>& rows, const OneLane<width>& at, JointRowV
     }
     row.node = static_cast<Index>(rows.figure(at.lane_i).first_node + row_i);
     row.direction_i = static_cast<uint8_t>(direction_i);
+    row.most = scalar_max;
     all.list[all.count++] = row;
+}
+
+/// Adds a row for each driven direction of a joint.
+template <unsigned width>
+void list_drives(const FigureRows<width>& rows, const OneLane<width>& at, JointRowView& all, int row_i) {
+    const FigureNode& node = rows.node(row_i, at.lane_i);
+    for (int i = 0; i < driven_directions(node.kind); ++i) {  // bound: 3
+        if (!is_driven(node, all, i)) continue;
+        JointRow row{};
+        row.node = static_cast<Index>(rows.figure(at.lane_i).first_node + row_i);
+        row.direction_i = static_cast<uint8_t>(i);
+        row.is_drive = true;
+        all.list[all.count++] = row;
+    }
 }
 
 /// Where a direction will be at the end of the substep, if nothing acts any more.
@@ -40,7 +56,7 @@ template <unsigned width>
 scalar value_ahead(const FigureRows<width>& rows, const OneLane<width>& at, const JointRowView& all, int row_i, JointRow& row, scalar h) {
     const FigureNode& node = rows.node(row_i, at.lane_i);
     const JointSides<scalar> sides = sides_ahead(rows, at, row_i, h, rows.figure(at.lane_i).resolved, true);
-    if (node.kind == JointKind::ball) row.along = along_direction(node.kind, row.direction_i, sides);
+    if (is_ball(node.kind)) row.along = along_direction(node.kind, row.direction_i, sides);
     const scalar ahead = measure(node.kind, sides).of[row.direction_i];
     if (node.kind != JointKind::hinge) return ahead;
     row.rate = dot(row.along, free_rates_now(rows, at, row_i));
@@ -112,8 +128,37 @@ void list_joint_rows(const FigureView& view, JointRowView& all, scalar h) {
     });
 }
 
+void list_driven_rows(const FigureView& view, JointRowView& all, scalar h) {
+    all.count = 0;
+    for_joints(view, [&](const auto& rows, const auto& at, int row_i) {
+        const int directions = all.limits == nullptr ? 0 : limited_directions(rows.node(row_i, at.lane_i).kind);
+        for (int i = 0; i < directions; ++i) list_row(rows, at, all, row_i, i, h);  // bound: 2
+        list_drives(rows, at, all, row_i);
+    });
+}
+
+void aim_driven_rows(const FigureView& view, JointRowView& all, scalar h) {
+    for (int i = 0; i < all.count; ++i) {  // bound: rows_of_joint max_joints
+        JointRow& row = all.list[i];
+        if (row.is_drive)
+            aim_drive(view, all, row, h);
+        else
+            at_node(view, row.node, [&](const auto& rows, const auto& at, int row_i) { aim_row(rows, at, all, row_i, row, h); });
+    }
+    give_joint_rows(view, all);
+}
+
+void note_driven_rows(const FigureView& view, const JointRowView& all, scalar h) {
+    for (int i = 0; i < all.count; ++i) {  // bound: rows_of_joint max_joints
+        const JointRow& row = all.list[i];
+        if (row.is_drive) continue;
+        at_node(view, row.node, [&](const auto& rows, const auto& at, int row_i) { note_row(rows, at, all, row_i, row, h); });
+    }
+    note_drives(view, all);
+}
+
 void aim_joint_rows(const FigureView& view, JointRowView& all, scalar h) {
-    for (int i = 0; i < all.count; ++i) {  // bound: limits_of_joint max_joints
+    for (int i = 0; i < all.count; ++i) {  // bound: rows_of_joint max_joints
         JointRow& row = all.list[i];
         at_node(view, row.node, [&](const auto& rows, const auto& at, int row_i) { aim_row(rows, at, all, row_i, row, h); });
     }
@@ -124,7 +169,7 @@ void give_joint_rows(const FigureView& view, const JointRowView& all) {
     for_groups(view, [](const auto& rows) {
         for (int row_i = 0; row_i < rows.count(); ++row_i) write(rows.all, rows[row_i].drive, rows.no_twist().v);  // bound: max_bodies
     });
-    for (int i = 0; i < all.count; ++i) {  // bound: limits_of_joint max_joints
+    for (int i = 0; i < all.count; ++i) {  // bound: rows_of_joint max_joints
         const JointRow& row = all.list[i];
         at_node(view, row.node, [&](const auto& rows, const auto& at, int row_i) {
             write(at, rows[row_i].drive, read(at, rows[row_i].drive) + row.along * row.j);
@@ -133,7 +178,7 @@ void give_joint_rows(const FigureView& view, const JointRowView& all) {
 }
 
 void note_joint_rows(const FigureView& view, const JointRowView& all, scalar h) {
-    for (int i = 0; i < all.count; ++i) {  // bound: limits_of_joint max_joints
+    for (int i = 0; i < all.count; ++i) {  // bound: rows_of_joint max_joints
         const JointRow& row = all.list[i];
         at_node(view, row.node, [&](const auto& rows, const auto& at, int row_i) { note_row(rows, at, all, row_i, row, h); });
     }

@@ -19,6 +19,11 @@ void list_joint_rows(const FigureView& view, JointRowView& all, scalar h);
 /// What the rows ask for, and how the figures answer them. Those that rest get the impulses of the substep before. Needs: begin_solve, responses.
 void aim_joint_rows(const FigureView& view, JointRowView& all, scalar h);
 
+/// The same of joints that may have drives: these have rows too, see joint_drives.h.
+void list_driven_rows(const FigureView& view, JointRowView& all, scalar h);
+void aim_driven_rows(const FigureView& view, JointRowView& all, scalar h);
+void note_driven_rows(const FigureView& view, const JointRowView& all, scalar h);
+
 /// One visit. Returns by how much the rate was changed, rad/s or m/s. The figure's cursor is at the parent then, or at the root.
 scalar visit_joint_row(const FigureView& view, const JointRowView& all, JointRow& row);
 

@@ -39,7 +39,8 @@ INGOT_INLINE JointValues<T> twist_and_swing(const JointSides<T>& of) {
 template <class T>
 INGOT_INLINE JointValues<T> measure(JointKind kind, const JointSides<T>& of) {
     switch (kind) {
-        case JointKind::ball: return twist_and_swing(of);
+        case JointKind::ball:
+        case JointKind::driven_ball: return twist_and_swing(of);
         case JointKind::hinge: return {{angle_about(of.axis_of_parent, of.side_of_parent, of.side), T{}}};
         case JointKind::slider: return {{dot(of.gap, of.axis_of_parent), T{}}};
         case JointKind::universal:
@@ -50,7 +51,7 @@ INGOT_INLINE JointValues<T> measure(JointKind kind, const JointSides<T>& of) {
 
 /// What a drive of 1 along a direction is; of a cone whose axis is in its middle: none.
 INGOT_INLINE Vector along_direction(JointKind kind, int direction_i, const JointSides<scalar>& of) {
-    if (kind != JointKind::ball) return direction_i == 0 ? Vector{1, 0, 0} : Vector{0, 1, 0};
+    if (!is_ball(kind)) return direction_i == 0 ? Vector{1, 0, 0} : Vector{0, 1, 0};
     if (direction_i == 0) return (of.axis + of.axis_of_parent) * (1 / max(1 + dot(of.axis, of.axis_of_parent), scalar(1e-3)));
     const Vector x = cross(of.axis_of_parent, of.axis);
     const scalar sine_sq = length_sq(x);
@@ -62,7 +63,8 @@ template <class At, class T = typename At::T>
 INGOT_INLINE Vec3<T> free_rates(const At& at, const FigureRow<At::width>& row, JointKind kind, const Spatial<T>& u) {
     const T none{};
     switch (kind) {
-        case JointKind::ball: return u.w;
+        case JointKind::ball:
+        case JointKind::driven_ball: return u.w;
         case JointKind::hinge: return {dot(read(at, row.axis), u.w), none, none};
         case JointKind::slider: return {dot(read(at, row.axis_of_parent), u.v), none, none};
         case JointKind::universal: return {dot(read(at, row.axis_of_parent), u.w), dot(read(at, row.axis), u.w), none};
@@ -96,8 +98,17 @@ struct DirectionOfRecord {
 };
 INGOT_INLINE DirectionOfRecord of_record(const FigureNode& node, int direction_i) {
     if (node.kind == JointKind::universal && node.is_A) return {1 - direction_i, -1};
-    const bool is_cone = node.kind == JointKind::ball && direction_i == 1;
+    const bool is_cone = is_ball(node.kind) && direction_i == 1;
     return {direction_i, node.is_A && !is_cone ? scalar(-1) : scalar(1)};
+}
+
+/// Of a direction; of a ball joint the drive of all.
+INGOT_INLINE const JointDrive& drive_of(const FigureNode& node, const JointRowView& all, int direction_i) {
+    return drives_of(node, all)[is_ball(node.kind) ? 0 : of_record(node, direction_i).direction_i].drive;
+}
+
+INGOT_INLINE bool is_driven(const FigureNode& node, const JointRowView& all, int direction_i) {
+    return drive_of(node, all, direction_i).kind != DriveKind::none;
 }
 
 /// Of a direction of the child against its parent.

@@ -37,6 +37,7 @@ bool list_pushes(const FigureRows<width>& rows, const OneLane<width>& at, JointR
             JointRow row{};
             row.node = static_cast<Index>(rows.figure(at.lane_i).first_node + row_i);
             row.direction_i = static_cast<uint8_t>(i);
+            row.most = scalar_max;
             row.lower = way.of(ends.lower - value, motion.returns[i]);
             row.upper = -way.of(value - ends.upper, motion.returns[i]);
             some = some || pushes(row);
@@ -54,7 +55,7 @@ void aim_pushes(const FigureView& view, JointRowView& all) {
         at_node(view, row.node, [&](const auto& rows, const auto& at, int row_i) {
             const JointKind kind = rows.node(row_i, at.lane_i).kind;
             JointSides<scalar> sides{};
-            if (kind == JointKind::ball) sides = sides_now(rows, at, row_i, true);
+            if (is_ball(kind)) sides = sides_now(rows, at, row_i, true);
             row.along = along_direction(kind, row.direction_i, sides);
             row.K = compliance_of(rows, at, all, row_i, row.along);
         });
@@ -92,7 +93,7 @@ bool push_group(const FigureRows<width>& rows, JointRowView& all, const WayBack&
 
 void push_joint_rows(const FigureView& view, JointRowView& all, scalar h, scalar gone) {
     measure_joints(view, all, gone);
-    bool some = true;
+    bool some = all.limits != nullptr;
     for (int push_i = 0; push_i < limits::limit_pushes && some; ++push_i) {
         const WayBack way = {limits::limit_return * h, push_i > 0};
         some = false;

@@ -18,4 +18,7 @@ void swing_figures(FigureView& view, int substeps);
 /// The same of joints that may have limits.
 void swing_figures(FigureView& view, JointRowView& rows, int substeps);
 
+/// The same of joints that may have drives, too.
+void swing_driven_figures(FigureView& view, JointRowView& rows, int substeps);
+
 } }  // namespace ingot

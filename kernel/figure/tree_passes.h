@@ -10,7 +10,8 @@
 //     sent to a: P' - M' bias;  inertia seen from a: X^T M' X
 //     dq = t - pulled . u / D;  u += s dq                                                                              (down, in the other order)
 //
-// A ball joint has its three turns eliminated at once: A w + B v = P.w + drive.
+// A ball joint has its three turns eliminated at once: A w + B v = P.w + drive; one after the other if it is driven. Drives that give way,
+// drive = pull - R dq, have D + R for D.
 // Sources: Featherstone 2008, chapter 7 (articulated-body inertia); in impulses Mirtich 1996. In maximal coordinates, with the gap as bias, Baraff,
 // "Linear-time dynamics using Lagrange multipliers", SIGGRAPH 1996.
 #pragma once
@@ -33,6 +34,11 @@ INGOT_INLINE int free_directions(const At& at, const FigureRow<At::width>& row, 
             s[0] = Spatial<T>{read(at, row.axis_of_parent), none};
             s[1] = Spatial<T>{read(at, row.axis), none};
             return 2;
+        case JointKind::driven_ball:
+            s[0] = Spatial<T>{Vec3<T>{splat<T>(1), none.y, none.z}, none};
+            s[1] = Spatial<T>{Vec3<T>{none.x, splat<T>(1), none.z}, none};
+            s[2] = Spatial<T>{Vec3<T>{none.x, none.y, splat<T>(1)}, none};
+            return 3;
         default: return 0;
     }
 }

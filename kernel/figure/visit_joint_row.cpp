@@ -12,10 +12,13 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
-/// The impulse that leaves the rate within its bounds, if it changes by `free` without: none where it is.
+/// The impulse that leaves the rate within its bounds, if it changes by `free` without: none where it is. Bounds of a drive give way, and it has a
+/// largest impulse.
 scalar impulse_within(const JointRow& row, scalar free) {
-    if (free < row.lower) return (row.lower - free) / row.K;
-    return free > row.upper ? (row.upper - free) / row.K : 0;
+    scalar j = 0;
+    if (free < row.lower) j = (row.lower - free) / (row.K + row.gamma);
+    if (free > row.upper) j = (row.upper - free) / (row.K + row.gamma);
+    return max(-row.most, min(row.most, j));
 }
 
 template <unsigned width>

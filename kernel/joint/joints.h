@@ -7,7 +7,8 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-enum class JointKind : uint8_t { none, ball, hinge, slider, universal, fixed };
+/// driven_ball: within figure/, a ball joint that has a drive.
+enum class JointKind : uint8_t { none, ball, hinge, slider, universal, fixed, driven_ball = 64 };
 
 /// As an end of a range: there is none.
 inline constexpr scalar unlimited = scalar_max;
@@ -75,15 +76,25 @@ struct WithLimits {
     static constexpr JointKind kind = JointKind::none;
 };
 
+/// Beside the kinds of a scene's joints: they may be driven, see drives.h.
+struct WithDrives {
+    static constexpr JointKind kind = JointKind::none;
+};
+
 /// How many free directions of a kind may have limits: see JointLimits.
 constexpr int limited_directions(JointKind kind) {
     switch (kind) {
         case JointKind::ball:
+        case JointKind::driven_ball:
         case JointKind::universal: return 2;
         case JointKind::hinge:
         case JointKind::slider: return 1;
         default: return 0;
     }
+}
+/// How many can be driven: a ball joint's are its three turns, driven as one.
+constexpr int driven_directions(JointKind kind) {
+    return kind == JointKind::ball || kind == JointKind::driven_ball ? 3 : limited_directions(kind);
 }
 
 template <class A, class B>
@@ -102,6 +113,13 @@ struct Joints {
         int most = 0;
         ((most = limited_directions(Kinds::kind) > most ? limited_directions(Kinds::kind) : most), ...);
         return has_limits ? most : 0;
+    }
+    static constexpr bool has_drives = (is_same<Kinds, WithDrives> || ...);
+    /// The most driven directions of a joint.
+    static constexpr int drives_of_joint() {
+        int most = 0;
+        ((most = driven_directions(Kinds::kind) > most ? driven_directions(Kinds::kind) : most), ...);
+        return has_drives ? most : 0;
     }
 };
 

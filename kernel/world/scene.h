@@ -77,7 +77,7 @@ struct Scene {
     /// stacks and piles. FrictionlessImpacts is the article's collision: what flies and bounces, in max_contacts.
     using solver = BlockSweeps;
     using shapes   = Shapes<>;
-    using joints   = Joints<>;                   ///< or the kinds there are: Joints<BallJoint, HingeJoint, WithLimits>, see joint/joints.h
+    using joints   = Joints<>;                   ///< or the kinds there are: Joints<BallJoint, HingeJoint, WithDrives>, see joint/joints.h
     using figure_motion = ArticulatedSubsteps;   ///< or EnergyMomentum<>, for what swings freely: see energy_momentum/energy_momentum.h
     static constexpr NoHulls hulls = {};         ///< or `static constexpr ConvexHull hulls[]`, in flash: the forms of its Hull shapes, in body frames
     static constexpr int max_shapes_of_body = 1; ///< 1 .. 255; more: World::add takes several shapes for one body, see shape/compound.h
@@ -121,6 +121,10 @@ template <class S>
 inline constexpr bool has_joints = S::max_joints > 0;
 template <class S>
 inline constexpr bool has_joint_limits = has_joints<S> && S::joints::has_limits;
+template <class S>
+inline constexpr bool has_joint_drives = has_joints<S> && S::joints::has_drives;
+template <class S>
+inline constexpr bool has_joint_rows = has_joint_limits<S> || has_joint_drives<S>;  ///< beside those of what joints lock
 /// Its figures move by the energy-momentum step where they touch nothing.
 template <class S>
 inline constexpr bool swings_freely = has_joints<S> && S::figure_motion::is_implicit;

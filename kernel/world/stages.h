@@ -213,6 +213,7 @@ void hold_what_has_no_room([[maybe_unused]] Step<S>& now) {
 /// Islands of which all was at rest for long enough sleep from now on.
 template <class S>
 void fall_asleep([[maybe_unused]] Step<S>& now) {
+    if constexpr (S::sleeps && has_joint_drives<S>) features::DrivenJoints::keep_awake(now.storage);
     if constexpr (S::sleeps)
         fall_asleep(now.bodies, now.storage.surface_view(), now.storage.gravity, now.h, {S::sleep_speed * S::length_unit, S::sleep_time},
                     now.storage.rest_view(), now.storage.pull_of_bodies());

@@ -39,7 +39,14 @@ struct Storage : features::All::Memory<S> {
     }
     /// What joints have beside what they lock.
     JointRowView joint_row_view() {
-        return {this->joint_limits, this->joint_angles, this->joint_motions, this->joint_rows, this->responses, 0};
+        JointRowView view{};
+        view.angles = this->joint_angles;
+        view.motions = this->joint_motions;
+        view.list = this->joint_rows;
+        view.responses = this->responses;
+        this->show_limits(view);
+        this->show_drives(view);
+        return view;
     }
     /// Who may meet whom, sensors apart: by filters, and by joints.
     auto meeting_view() const { return this->with_joints(this->filter_view()); }
@@ -127,11 +134,12 @@ struct Storage : features::All::Memory<S> {
     auto jointed_contact_solver() {
         auto plain = plain_contact_solver();
         using Plain = decltype(plain);
-        using Jointed = If<has_joint_limits<S>, RowedViewOf<Plain>, JointedViewOf<Plain>>;
+        using Rowed = If<has_joint_drives<S>, DrivenViewOf<Plain>, RowedViewOf<Plain>>;
+        using Jointed = If<has_joint_rows<S>, Rowed, JointedViewOf<Plain>>;
         If<S::kinematic_bodies, KinematicViewOf<Jointed>, Jointed> view{};
         static_cast<Plain&>(view) = plain;
         view.jointed = this->jointed_bodies(figures(0));
-        if constexpr (has_joint_limits<S>) view.joint_rows = joint_row_view();
+        if constexpr (has_joint_rows<S>) view.joint_rows = joint_row_view();
         if constexpr (S::kinematic_bodies) this->show_kinematic(view, this->kinematic);
         return view;
     }

@@ -101,8 +101,8 @@ public:
     }
 
     /// The angle of a hinge, or of a universal joint about the axis of A, and, with which = 1, of B; the twist of a ball joint, and, with which = 1,
-    /// how far its axis has swung from the middle of its cone: rad, B against A. In scenes whose joints may have limits the angle of a hinge goes on
-    /// over whole turns; else it is one of -pi to pi.
+    /// how far its axis has swung from the middle of its cone: rad, B against A. In scenes whose joints may have limits or drives the angle of a
+    /// hinge goes on over whole turns; else it is one of -pi to pi.
     /// Errors: those of ids, not_in_scene (a kind that has no such angle).
     Result<scalar> joint_angle(JointId id, int which = 0) const {
         static_assert(joints_only());
@@ -110,7 +110,7 @@ public:
         if (!joint.ok()) return {joint.status, 0};
         const JointRecord& record = storage_.joints[joint.value];
         const scalar angle = joint_values(record, sides_of(record)).of[which];
-        if constexpr (has_joint_limits<S>)
+        if constexpr (has_joint_rows<S>)
             if (record.kind == JointKind::hinge) return {Status::ok, angle_over_turns(angle, storage_.joint_angles[joint.value])};
         return {Status::ok, angle};
     }
@@ -146,6 +146,12 @@ protected:
         if (id.slot >= storage_.joint_slots_used || (id.generation & 1u) == 0 || storage_.joint_generation[id.slot] != id.generation)
             return {Status::stale_id, 0};
         return {Status::ok, id.slot};
+    }
+
+    void wake_sides(int joint_i) {
+        const JointRecord& joint = storage_.joints[joint_i];
+        if (moves(joint.body_A)) (void)touched(joint.body_A, Status::ok);
+        if (moves(joint.body_B)) (void)touched(joint.body_B, Status::ok);
     }
 
 private:
@@ -191,11 +197,6 @@ private:
         if (!found.ok()) return found.status;
         slot = static_cast<Index>(found.value);
         return ingot::is_frozen(storage_.bodies(), slot) ? Status::frozen : Status::ok;
-    }
-    void wake_sides(int joint_i) {
-        const JointRecord& joint = storage_.joints[joint_i];
-        if (moves(joint.body_A)) (void)touched(joint.body_A, Status::ok);
-        if (moves(joint.body_B)) (void)touched(joint.body_B, Status::ok);
     }
 };
 

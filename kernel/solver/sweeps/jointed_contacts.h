@@ -5,6 +5,7 @@
 #include "../../figure/build_figures.h"
 #include "../../figure/cursor.h"
 #include "../../figure/factor_figures.h"
+#include "../../figure/joint_drives.h"
 #include "../../figure/joint_motions.h"
 #include "../../figure/joint_rows.h"
 #include "../../figure/keep_figures.h"
@@ -22,29 +23,46 @@ struct SeesJoints : Contacts {
 
     void begin(const ContactStep& step, StepReport& report) {
         build_figures(jointed.figures);
+        if constexpr (Whole::has_drives) name_driven_balls(jointed.figures, rows());
         Contacts::begin(step, report);
     }
     bool next_batch(const ContactStep& step) {
         jointed.figures.h = step.h;
         if (!Contacts::next_batch(step)) return false;
         if constexpr (Whole::has_joint_rows) begin_joint_motions(jointed.figures, rows());
+        if constexpr (Whole::has_drives) {
+            begin_drives(jointed.figures, rows());
+            jointed.is_fresh = false;
+        }
         return true;
     }
     void refresh(const BodyView& bodies) {
         // What next_batch has prepared is right for the first substep.
+        const scalar h = jointed.figures.h / static_cast<scalar>(this->substeps());
+        if constexpr (Whole::has_drives) {
+            place_joints(jointed.figures);
+            prepare_drives(jointed.figures, rows(), h);
+            factor_driven(bodies, h);
+            list_driven_rows(jointed.figures, rows(), h);
+            return;
+        }
         if (!jointed.is_fresh) {
             factor_jointed(this->view);
             Contacts::refresh(bodies);
         }
         jointed.is_fresh = false;
-        if constexpr (Whole::has_joint_rows) list_joint_rows(jointed.figures, rows(), jointed.figures.h / static_cast<scalar>(this->substeps()));
+        if constexpr (Whole::has_joint_rows) list_joint_rows(jointed.figures, rows(), h);
     }
     void solve_velocities(const ContactStep& step, scalar h, StepReport& report) {
         read_velocities(this->view, jointed);
         begin_solve(jointed.figures, h);
-        if constexpr (Whole::has_joint_rows) aim_joint_rows(jointed.figures, rows(), h);
-        Contacts::solve_velocities(step, h, report);
-        if constexpr (Whole::has_joint_rows) note_joint_rows(jointed.figures, rows(), h);
+        if constexpr (Whole::has_drives) {
+            solve_driven(step, h, report);
+        } else {
+            if constexpr (Whole::has_joint_rows) aim_joint_rows(jointed.figures, rows(), h);
+            Contacts::solve_velocities(step, h, report);
+            if constexpr (Whole::has_joint_rows) note_joint_rows(jointed.figures, rows(), h);
+        }
         end_solve(jointed.figures, h);
     }
     void drift(const BodyView& bodies, scalar h) {
@@ -70,6 +88,7 @@ struct SeesJoints : Contacts {
             forget_doublings();
             spread_doublings(this->view, jointed);
             if constexpr (Whole::has_joint_rows) keep_joint_motions(jointed.figures, rows(), doublings_of(this->view.plan));
+            if constexpr (Whole::has_drives) keep_drives(jointed.figures, rows(), doublings_of(this->view.plan));
             keep_figures(jointed.figures, doublings_of(this->view.plan));
         }
         Contacts::end_batch(step, report);
@@ -79,6 +98,23 @@ private:
     JointedBodies& jointed;
 
     JointRowView& rows() { return this->whole.joint_rows; }
+
+    void factor_driven(const BodyView& bodies, scalar h) {
+        factor_driven_figures(jointed.figures, rows(), h);
+        respond_figures(jointed.figures, jointed.responses);
+        Contacts::refresh(bodies);
+    }
+    /// Again where drives turn out to be at their largest torque: figures answer contacts otherwise then.
+    void solve_driven(const ContactStep& step, scalar h, StepReport& report) {
+        for (int round = 1; ; ++round) {  // bound: limits::drive_rounds
+            aim_driven_rows(jointed.figures, rows(), h);
+            Contacts::solve_velocities(step, h, report);
+            if (round == limits::drive_rounds || !saturate_drives(jointed.figures, rows())) break;
+            factor_driven(step.bodies, h);
+            begin_solve(jointed.figures, h);
+        }
+        note_driven_rows(jointed.figures, rows(), h);
+    }
 
     /// Of the islands of the batch: those of the others stand.
     void forget_doublings() {

@@ -45,6 +45,13 @@ void extrapolate_joint_rows(const SolverView& solver, const JointedBodies& joint
     give_joint_rows(jointed.figures, rows);
 }
 
+void excuse_driven(const SolverView& solver, const JointedBodies& jointed, const JointRowView& rows) {
+    for (int i = 0; i < rows.count; ++i) {  // bound: rows_of_joint max_joints
+        const Index body_i = solver.local_of[jointed.figures.nodes[rows.list[i].node].slot];
+        if (rows.list[i].is_drive && body_i != 0) solver.islands[solver.island_of[body_i]].at_bound = false;
+    }
+}
+
 bool are_joint_rows_live(const SolverView& solver, const JointedBodies& jointed, const JointRowView& rows) {
     bool live = false;
     for (int i = 0; i < rows.count; ++i) live = live || live_island(solver, jointed, rows.list[i]) != nullptr;

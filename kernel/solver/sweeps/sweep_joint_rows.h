@@ -12,6 +12,8 @@ void sweep_joint_rows(const SolverView& solver, const JointedBodies& jointed, co
 void measure_joint_rows(const SolverView& solver, const JointedBodies& jointed, const JointRowView& rows);
 /// Impulses go on along the conjugate direction of their islands, as those of contacts do.
 void extrapolate_joint_rows(const SolverView& solver, const JointedBodies& jointed, const JointRowView& rows);
+/// Islands with drives may gain energy: it is these that give it.
+void excuse_driven(const SolverView& solver, const JointedBodies& jointed, const JointRowView& rows);
 /// Whether an island that is not settled has rows.
 bool are_joint_rows_live(const SolverView& solver, const JointedBodies& jointed, const JointRowView& rows);
 

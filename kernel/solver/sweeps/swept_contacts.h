@@ -15,6 +15,7 @@
 #include "sequence_impacts.h"
 #include "slip_reversals.h"
 #include "solve_velocities.h"
+#include "sweep_joint_rows.h"
 #include "sweep_positions.h"
 #include "warm_start.h"
 
@@ -95,6 +96,7 @@ private:
     /// Solves again where sweeps that did not settle give energy, and where bounces do: each time these are lower.
     void solve_passively(const BodyView& bodies, scalar h) {
         if constexpr (View::articulates) excuse_jointed(view);
+        if constexpr (Whole::has_drives) excuse_driven(view, view.jointed, whole.joint_rows);
         // Belts do give energy.
         if constexpr (!View::has_belts)
             for (int round = 0; round < limits::gaining_rounds && find_gaining_islands(view, bodies, h); ++round) ingot::solve_velocities(whole);

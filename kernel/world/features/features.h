@@ -8,6 +8,7 @@
 #include "contact_effort.h"
 #include "figure_motion.h"
 #include "gravity_shares.h"
+#include "joint_drives.h"
 #include "joint_limits.h"
 #include "joints.h"
 #include "kinematic_bodies.h"
@@ -24,7 +25,7 @@ namespace ingot { inline namespace INGOT_ABI { namespace features {
 using All = FeatureList<Rotation, Translation, Compensation, EnergyReturn, FieldOfForce, Surfaces, Compounds, Impacts, Manifolds, Unsettled,
                         RollingResistance, Belts, Filters, Sensors, Continuous, Events, ToldEvents, Sleep, GravityShares, TouchAside, SteadyField,
                          UserData, BodyForces, BodyDamping, ReadsContacts, CompensatedSums, KinematicBodies, WorkBudget, ContactEffort, Figures,
-                         LimitedJoints, FigureMotion>;
+                         MovingJoints, LimitedJoints, DrivenJoints, FigureMotion>;
 
 static_assert(All::bits_differ(SnapshotPart::doubles | SnapshotPart::anchors | SnapshotPart::pointwise));  // of a snapshot's parts
 

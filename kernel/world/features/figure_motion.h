@@ -68,8 +68,8 @@ struct FigureMotion : Feature {
     static constexpr bool check() {
         static_assert(has_joints<S> || !S::figure_motion::is_implicit,
                       "figures are bodies with joints: set joints and max_joints, or leave figure_motion out");
-        static_assert(!has_joint_limits<S> || !S::figure_motion::is_implicit,
-                      "the energy-momentum step has no limits of joints: drop WithLimits, or leave figure_motion out");
+        static_assert(!has_joint_rows<S> || !S::figure_motion::is_implicit,
+                      "the energy-momentum step has no limits and drives of joints: drop WithLimits and WithDrives, or leave figure_motion out");
         return true;
     }
 

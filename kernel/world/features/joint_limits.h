@@ -7,6 +7,24 @@
 
 namespace ingot { inline namespace INGOT_ABI { namespace features {
 
+/// Joints that have rows of their own, of limits or drives: where they are in their free directions. Its numbers stand with those of joints.
+struct MovingJoints : Feature {
+    template <class S>
+    static constexpr bool named = has_joint_rows<S>;
+
+    template <class S, bool present>
+    struct Memory : ResponsePart<S, !stacks<S>> {
+        static constexpr unsigned moving_capacity = static_cast<unsigned>(S::max_joints);
+        static constexpr unsigned rows_of_joint = static_cast<unsigned>(S::joints::limits_of_joint() + S::joints::drives_of_joint());
+
+        AngleRecord joint_angles[moving_capacity] = {};
+        JointMotion joint_motions[moving_capacity] = {};
+        JointRow joint_rows[moving_capacity * rows_of_joint] = {};
+    };
+    template <class S>
+    struct Memory<S, false> {};
+};
+
 /// Its numbers stand with those of joints.
 struct LimitedJoints : Feature {
     static constexpr uint32_t part = JointPart::limits;
@@ -14,17 +32,15 @@ struct LimitedJoints : Feature {
     static constexpr bool named = has_joint_limits<S>;
 
     template <class S, bool present>
-    struct Memory : ResponsePart<S, !stacks<S>> {
-        static constexpr unsigned limited_capacity = static_cast<unsigned>(S::max_joints);
-        static constexpr unsigned joint_row_capacity = limited_capacity * static_cast<unsigned>(S::joints::limits_of_joint());
+    struct Memory {
+        LimitRecord joint_limits[static_cast<unsigned>(S::max_joints)] = {};
 
-        LimitRecord joint_limits[limited_capacity] = {};
-        AngleRecord joint_angles[limited_capacity] = {};
-        JointMotion joint_motions[limited_capacity] = {};
-        JointRow joint_rows[joint_row_capacity] = {};
+        void show_limits(JointRowView& view) { view.limits = joint_limits; }
     };
     template <class S>
-    struct Memory<S, false> {};
+    struct Memory<S, false> {
+        static void show_limits(JointRowView&) {}
+    };
 
     template <class S, class Each>
     static constexpr void traits(Each& each) {

@@ -4,6 +4,7 @@
 
 #include "../../figure/swing_figures.h"
 #include "../../joint/check_joint.h"
+#include "../../joint/check_drive.h"
 #include "../../joint/check_limits.h"
 #include "../../constraint/jointed_view.h"
 #include "../../island/islands.h"
@@ -15,7 +16,7 @@ namespace features {
 
 /// Bits of a snapshot's parts, of what joints may have.
 struct JointPart {
-    static constexpr uint32_t limits = 1u << 31;
+    static constexpr uint32_t limits = 1u << 31, drives = 1u << 21;
 };
 
 /// What a body answers with its figure.
@@ -131,10 +132,10 @@ struct Figures : Feature {
     static void take_out(Storage<S>& storage, int joint_i) {
         storage.joint_lists().unlink(joint_i);
         storage.joints[joint_i] = {};
-        if constexpr (has_joint_limits<S>) {
-            storage.joint_limits[joint_i] = {};
-            storage.joint_angles[joint_i] = {};
-        }
+        if constexpr (has_joint_limits<S>) storage.joint_limits[joint_i] = {};
+        if constexpr (has_joint_rows<S>) storage.joint_angles[joint_i] = {};
+        if constexpr (has_joint_drives<S>)
+            for (int i = 0; i < S::joints::drives_of_joint(); ++i) storage.drive_of(joint_i, i) = {};  // bound: 3
         ++storage.joint_generation[joint_i];
     }
     /// Bodies that are joined sleep and wake as one.
@@ -166,6 +167,8 @@ struct Figures : Feature {
         LimitRecord limit;
         AngleRecord angle;
         uint32_t turns;
+        DriveRecord drives[3];
+        uint8_t drive_kind[3];
 
         template <class Each>
         constexpr void numbers(Each& each, uint32_t parts) {
@@ -184,6 +187,11 @@ struct Figures : Feature {
             each("joint.doublings", joint.doublings);
             each("joint.bodies_meet", joint.bodies_meet);
             if ((parts & JointPart::limits) != 0) numbers_of_limits(each);
+            if ((parts & (JointPart::limits | JointPart::drives)) != 0) {
+                each("joint.angle", angle.angle);
+                each("joint.turns", turns);
+            }
+            if ((parts & JointPart::drives) != 0) numbers_of_drives(each);
         }
         template <class Each>
         constexpr void numbers_of_limits(Each& each) {
@@ -196,18 +204,36 @@ struct Figures : Feature {
                 each("joint.limit_j", limit.j[i]);
                 each("joint.limit_leave", limit.leave[i]);
             }
-            each("joint.angle", angle.angle);
-            each("joint.turns", turns);
+        }
+        template <class Each>
+        constexpr void numbers_of_drives(Each& each) {
+            for (int i = 0; i < 3; ++i) {
+                JointDrive& drive = drives[i].drive;
+                each("joint.drive", drive_kind[i]);
+                each("joint.stiffness", drive.stiffness);
+                each("joint.damping", drive.damping);
+                each("joint.target", drive.target);
+                each("joint.target_rate", drive.target_rate);
+                each("joint.feedforward", drive.feedforward);
+                each("joint.max_torque", drive.max_torque);
+                each("joint.torque", drives[i].torque);
+            }
         }
         template <class S>
         void take(const Storage<S>& storage, int joint_i) {
             generation = storage.joint_generation[joint_i];
             joint = storage.joints[joint_i];
             kind = static_cast<uint8_t>(joint.kind);
-            if constexpr (has_joint_limits<S>) {
-                limit = storage.joint_limits[joint_i];
+            if constexpr (has_joint_limits<S>) limit = storage.joint_limits[joint_i];
+            if constexpr (has_joint_rows<S>) {
                 angle = storage.joint_angles[joint_i];
                 turns = static_cast<uint32_t>(angle.turns);
+            }
+            for (int i = 0; i < 3; ++i) {
+                drives[i] = {};
+                if constexpr (has_joint_drives<S>)
+                    if (i < drives_of<S>()) drives[i] = storage.drive_of(joint_i, i);
+                drive_kind[i] = static_cast<uint8_t>(drives[i].drive.kind);
             }
         }
         template <class S>
@@ -216,10 +242,15 @@ struct Figures : Feature {
             storage.joints[joint_i] = joint;
             storage.joints[joint_i].kind = static_cast<JointKind>(kind);
             if (kind != 0) storage.joint_lists().link(joint_i);
-            if constexpr (has_joint_limits<S>) {
-                storage.joint_limits[joint_i] = limit;
-                storage.joint_angles[joint_i] = {angle.angle, static_cast<int32_t>(turns)};
-            }
+            if constexpr (has_joint_limits<S>) storage.joint_limits[joint_i] = limit;
+            if constexpr (has_joint_rows<S>) storage.joint_angles[joint_i] = {angle.angle, static_cast<int32_t>(turns)};
+            for (int i = 0; i < drives_of<S>(); ++i)  // bound: 3
+                if constexpr (has_joint_drives<S>) storage.drive_of(joint_i, i) = drive_read(i);
+        }
+        DriveRecord drive_read(int direction_i) const {
+            DriveRecord record = drives[direction_i];
+            record.drive.kind = static_cast<DriveKind>(drive_kind[direction_i]);
+            return record;
         }
         template <class S>
         bool is_valid(const EntryContext& context) const {
@@ -227,10 +258,18 @@ struct Figures : Feature {
             read.kind = static_cast<JointKind>(kind);
             if ((generation & 1u) == 0) return kind == 0;
             if constexpr (has_joint_limits<S>)
-                if (!ingot::is_valid(limit, read.kind) || !ingot::is_valid(angle)) return false;
+                if (!ingot::is_valid(limit, read.kind)) return false;
+            if constexpr (has_joint_rows<S>)
+                if (!ingot::is_valid(angle)) return false;
+            for (int i = 0; i < drives_of<S>(); ++i)  // bound: 3
+                if (!ingot::is_valid(drive_read(i))) return false;
             return S::joints::has(read.kind) && ingot::is_valid(read, static_cast<int>(context.shape_slots) / S::max_shapes_of_body);
         }
     };
+    template <class S>
+    static constexpr int drives_of() {
+        return has_joint_drives<S> ? S::joints::drives_of_joint() : 0;
+    }
     static constexpr bool has_entries = true;
     template <class S>
     static constexpr int entry_capacity = S::max_joints;

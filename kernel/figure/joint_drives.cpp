@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: MIT
+#include "joint_drives.h"
+
+#include "../base/limits.h"
+#include "../math/decay_share.h"
+#include "driven_motion.h"
+#include "row_compliance.h"
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpsabi"  // see lanes.h
+
+namespace ingot { inline namespace INGOT_ABI {
+
+namespace {
+
+/// Calls each(rows, at, row_i) for every joint of the batch that has a drive.
+template <class Each>
+void for_driven(const FigureView& view, const JointRowView& all, const Each& each) {
+    for_joints(view, [&](const auto& rows, const auto& at, int row_i) {
+        const FigureNode& node = rows.node(row_i, at.lane_i);
+        bool driven = false;
+        for (int i = 0; i < driven_directions(node.kind); ++i) driven = driven || is_driven(node, all, i);  // bound: 3
+        if (driven) each(rows, at, row_i, node);
+    });
+}
+
+Vector unit_along(int direction_i) {
+    const auto part = [&](int i) { return i == direction_i ? scalar(1) : scalar(0); };
+    return {part(0), part(1), part(2)};
+}
+scalar along(const Vector& v, int direction_i) { return direction_i == 0 ? v.x : direction_i == 1 ? v.y : v.z; }
+
+/// 1 - p and 1 + p - s of the poles of a substep, p their product and s their sum. Over twice the time both follow from those before, and nothing
+/// cancels.
+struct Poles {
+    scalar lost, moved;
+};
+Poles poles_of(scalar phase, scalar damping_ratio) {
+    constexpr int doublings = 10;
+    const scalar x = phase / (1 << doublings), d = 2 * damping_ratio * x;
+    Poles poles = {decay_share(d), (1 - decay_share(d / 2)) * (x * x) * (1 + (d * d - 2 * x * x) / 24)};
+    for (int i = 0; i < doublings; ++i) {  // bound: 10: doublings
+        poles.moved = poles.moved * (4 - 2 * poles.lost - poles.moved);
+        poles.lost = poles.lost * (2 - poles.lost);
+    }
+    return poles;
+}
+
+void set_gains(const JointDrive& drive, DriveMotion& motion, scalar h) {
+    motion.resist = motion.spring = 0;
+    if (drive.kind == DriveKind::spring) {
+        motion.spring = h * drive.stiffness;
+        motion.resist = h * drive.damping + h * motion.spring;
+    } else if (drive.kind == DriveKind::tuned && drive.stiffness > 0) {
+        const scalar phase = min(whole_turn * drive.stiffness * h, limits::tuned_turn_max);
+        const Poles poles = poles_of(phase, drive.damping);
+        const scalar product = max(1 - poles.lost, epsilon);
+        motion.resist = motion.inertia * poles.lost / product;
+        motion.spring = motion.inertia * poles.moved / (product * h);
+    } else if (drive.kind == DriveKind::motor) {
+        motion.resist = limits::motor_gain * motion.inertia;
+    }
+}
+
+/// What the drives of a joint have given in the solve: pull - R dq of each, without the digits that this loses where R is much more than the inertia.
+template <unsigned width>
+void given_by_drives(const FigureRows<width>& rows, const OneLane<width>& at, const JointRowView& all, int row_i, scalar (&given)[3]) {
+    const FigureRow<width>& row = rows[row_i];
+    const FigureNode& node = rows.node(row_i, at.lane_i);
+    Spatial<scalar> u{}, P = read(at, row.impulse), s[3];
+    if (node.parent != no_node) u = twist_at(read(at, rows[node.parent].change), read(at, row.d));
+    u = u + read(at, row.bias);
+    const Vector drive = read(at, row.drive);
+    const int free = free_directions(at, row, node.kind, s);
+    scalar pressed[3];
+    for (int i = 0; i < free; ++i) {  // bound: 3
+        pressed[i] = dot(s[i], P);
+        P = P - read(at, row.pulled[i]) * ((pressed[i] + along(drive, i)) * at.get(row.inv_D[i]));
+    }
+    for (int i = free - 1; i >= 0; --i) {  // bound: 3
+        const DriveMotion& motion = drive_motion(node, all, i);
+        const scalar inv_D = at.get(row.inv_D[i]), held = dot(read(at, row.pulled[i]), u), own = motion.saturated ? 0 : motion.pull;
+        const scalar others = pressed[i] + (along(drive, i) - own) - held, resist = motion.saturated ? 0 : motion.resist;
+        given[i] = own * (dot(s[i], read(at, row.pulled[i])) * inv_D) - resist * inv_D * others;
+        u = u + s[i] * ((others + own) * inv_D);
+    }
+}
+
+/// The largest impulse of a drive in a substep.
+scalar most_of(const JointDrive& drive, scalar h) { return drive.max_torque < unlimited ? h * drive.max_torque : unlimited; }
+
+/// True where more than the largest torque is asked for.
+bool is_beyond(JointKind kind, const scalar (&given)[3], int direction_i, scalar most) {
+    if (!is_ball(kind)) return abs(given[direction_i]) > most;
+    return most < unlimited && length_sq(Vector{given[0], given[1], given[2]}) > most * most;
+}
+
+}  // namespace
+
+void name_driven_balls(const FigureView& view, const JointRowView& all) {
+    for (int node_i = 0; node_i < view.node_count; ++node_i) {  // bound: max_bodies
+        FigureNode& node = view.nodes[node_i];
+        if (node.kind == JointKind::ball && drives_of(node, all)->drive.kind != DriveKind::none) node.kind = JointKind::driven_ball;
+    }
+}
+
+void begin_drives(const FigureView& view, const JointRowView& all) {
+    for_driven(view, all, [&](const auto& rows, const auto& at, int row_i, const FigureNode& node) {
+        const int count = driven_directions(node.kind);
+        scalar K[3] = {}, sum = 0;
+        for (int i = 0; i < count; ++i) {  // bound: 3
+            K[i] = compliance_of(rows, at, all, row_i, unit_along(i));
+            sum += K[i] / 3;
+        }
+        for (int i = 0; i < count; ++i) {
+            DriveMotion& motion = drive_motion(node, all, i);
+            const scalar K_i = is_ball(node.kind) ? sum : K[i];
+            motion = {};
+            motion.inertia = K_i > 0 ? 1 / K_i : 0;
+        }
+    });
+}
+
+void prepare_drives(const FigureView& view, const JointRowView& all, scalar h) {
+    for_joints(view, [&](const auto& rows, const auto& at, int row_i) {
+        const FigureNode& node = rows.node(row_i, at.lane_i);
+        for (int i = 0; i < driven_directions(node.kind); ++i) {  // bound: 3
+            DriveMotion& motion = drive_motion(node, all, i);
+            motion.saturated = false;
+            set_gains(drive_of(node, all, i), motion, h);
+        }
+    });
+}
+
+void aim_drive(const FigureView& view, const JointRowView& all, JointRow& row, scalar h) {
+    at_node(view, row.node, [&](const auto& rows, const auto& at, int row_i) {
+        const FigureNode& node = rows.node(row_i, at.lane_i);
+        DriveMotion& motion = drive_motion(node, all, row.direction_i);
+        const auto pull_of = [&](const DriveError& error) {
+            return h * error.feedforward - motion.spring * error.angle - motion.resist * error.rate;
+        };
+        Vector pulls{};
+        row.along = unit_along(row.direction_i);
+        if (is_ball(node.kind)) {
+            DriveError errors[3];
+            ball_errors(rows, at, all, row_i, errors);
+            pulls = {pull_of(errors[0]), pull_of(errors[1]), pull_of(errors[2])};
+            motion.pull = along(pulls, row.direction_i);
+        } else {
+            motion.pull = pull_of(error_of(rows, at, all, row_i, row.direction_i));
+        }
+        row.K = row.gamma = row.lower = row.upper = row.direction = 0;
+        row.most = most_of(drive_of(node, all, row.direction_i), h);
+        row.j = row.j_sweep = motion.pull;
+        if (!motion.saturated) return;
+        row.j = row.j_sweep = max(-row.most, min(row.most, motion.pull));
+        scalar pull = motion.pull;
+        if (is_ball(node.kind)) {
+            // Along the torque that is asked for, as far as it may go; the other two rows are none.
+            pull = row.direction_i == 0 ? sqrt(length_sq(pulls)) : 0;
+            row.along = pull > 0 ? pulls * (1 / pull) : row.along;
+            row.j = row.j_sweep = min(row.most, pull);
+        }
+        if (!(motion.resist > 0) || (is_ball(node.kind) && row.direction_i > 0)) return;
+        row.K = compliance_of(rows, at, all, row_i, row.along);
+        row.gamma = 1 / motion.resist;
+        row.lower = row.upper = pull * row.gamma;
+    });
+}
+
+bool saturate_drives(const FigureView& view, JointRowView& all) {
+    bool some = false;
+    for (int i = 0; i < all.count; ++i) {  // bound: the rows of joint_row_capacity
+        const JointRow& row = all.list[i];
+        if (!row.is_drive || !(row.most < unlimited)) continue;
+        at_node(view, row.node, [&](const auto& rows, const auto& at, int row_i) {
+            const FigureNode& node = rows.node(row_i, at.lane_i);
+            DriveMotion& motion = drive_motion(node, all, row.direction_i);
+            if (motion.saturated) return;
+            scalar given[3] = {};
+            given_by_drives(rows, at, all, row_i, given);
+            if (!is_beyond(node.kind, given, row.direction_i, row.most)) return;
+            some = true;
+            motion.saturated = true;
+            if (is_ball(node.kind))
+                for (int k = 0; k < 3; ++k) drive_motion(node, all, k).saturated = true;
+        });
+    }
+    return some;
+}
+
+void note_drives(const FigureView& view, const JointRowView& all) {
+    for (int i = 0; i < all.count; ++i) {
+        const JointRow& row = all.list[i];
+        if (!row.is_drive) continue;
+        at_node(view, row.node, [&](const auto& rows, const auto& at, int row_i) {
+            const FigureNode& node = rows.node(row_i, at.lane_i);
+            DriveMotion& motion = drive_motion(node, all, row.direction_i);
+            scalar given[3] = {};
+            given_by_drives(rows, at, all, row_i, given);
+            if (is_ball(node.kind) && motion.saturated) {
+                if (row.direction_i != 0) return;
+                for (int k = 0; k < 3; ++k) drive_motion(node, all, k).sum += along(row.along, k) * row.j;
+                return;
+            }
+            motion.j = motion.saturated ? row.j : given[row.direction_i];
+            motion.sum += motion.j;
+        });
+    }
+}
+
+void keep_drives(const FigureView& view, const JointRowView& all, int doublings) {
+    for_driven(view, all, [&](const auto& rows, const auto& at, int row_i, const FigureNode& node) {
+        if (rows.figure(at.lane_i).doublings > doublings) return;
+        DriveRecord* const of = drives_of(node, all);
+        scalar torque[3] = {};
+        const int count = driven_directions(node.kind);
+        for (int i = 0; i < count; ++i) {  // bound: 3
+            const DirectionOfRecord direction = is_ball(node.kind) ? DirectionOfRecord{i, scalar(1)} : of_record(node, i);
+            torque[direction.direction_i] = drive_motion(node, all, i).sum * direction.sign / view.h;
+        }
+        if (is_ball(node.kind)) {
+            Matrix A = read(at, rows[row_i].A);
+            if (!node.is_A) A = node.parent == no_node ? ground_of(rows, at).A : read(at, rows[node.parent].A);
+            const Vector in_A = transpose_times(A, Vector{torque[0], torque[1], torque[2]}) * (node.is_A ? scalar(-1) : scalar(1));
+            for (int i = 0; i < 3; ++i) torque[i] = along(in_A, i);
+        }
+        for (int i = 0; i < count; ++i) {
+            if (is_finite(torque[i])) of[i].torque = torque[i];  // else of bodies that have gone bad
+            const scalar target = of[i].drive.target + of[i].drive.target_rate * view.h;
+            of[i].drive.target = max(-limits::position_max, min(limits::position_max, target));
+        }
+        if (!is_ball(node.kind)) return;
+        const Vector target = least_turn({of[0].drive.target, of[1].drive.target, of[2].drive.target});
+        for (int i = 0; i < 3; ++i) of[i].drive.target = along(target, i);
+    });
+}
+
+} }  // namespace ingot
+
+#pragma GCC diagnostic pop

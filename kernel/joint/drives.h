@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// What drives joints: springs and dampers, servos, motors. In scenes that name WithDrives among their joints.
+#pragma once
+
+#include "joints.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+enum class DriveKind : uint8_t { none, spring, tuned, motor };
+
+/// Of one free direction of a joint, or of all turns of a ball joint; the kinds below convert to it. Of B against A.
+///
+/// Torque: feedforward - stiffness (angle - target) - damping (rate - target_rate), with angle and rate as they are at the end of each substep, so
+/// that no stiffness rings or gains energy; cut at max_torque in every substep. Of a slider read force and travel.
+struct JointDrive {
+    DriveKind kind{};
+    scalar stiffness = 0;            ///< N m/rad, N/m, 0 to limits::drive_gain_max; tuned: Hz, 0 to limits::drive_hertz_max
+    scalar damping = 0;              ///< N m s/rad, N s/m, 0 to limits::drive_gain_max; tuned: the damping ratio, 0 to limits::damping_ratio_max
+    scalar target = 0;               ///< rad, m, as the next step begins; it goes on with target_rate
+    scalar target_rate = 0;          ///< rad/s, m/s
+    scalar feedforward = 0;          ///< N m, N
+    scalar max_torque = unlimited;   ///< N m, N; 0 or more
+};
+
+/// A spring and a damper; a servo, where its target is set in every step.
+struct SpringDrive {
+    scalar stiffness = 0, damping = 0;
+    scalar target = 0, target_rate = 0, feedforward = 0;
+    scalar max_torque = unlimited;
+    constexpr operator JointDrive() const { return {DriveKind::spring, stiffness, damping, target, target_rate, feedforward, max_torque}; }
+};
+/// The same by how it swings: the poles of a substep are those of the exact motion, for the inertia that the joint has in its figure. Above a quarter
+/// of a turn a substep it swings no faster.
+struct TunedDrive {
+    scalar hertz = 1, damping_ratio = 1;
+    scalar target = 0, target_rate = 0, feedforward = 0;
+    scalar max_torque = unlimited;
+    constexpr operator JointDrive() const { return {DriveKind::tuned, hertz, damping_ratio, target, target_rate, feedforward, max_torque}; }
+};
+/// Keeps a rate, with what torque it takes.
+struct MotorDrive {
+    scalar rate = 0;                 ///< rad/s, m/s
+    scalar max_torque = unlimited;
+    constexpr operator JointDrive() const { return {DriveKind::motor, 0, 0, 0, rate, 0, max_torque}; }
+};
+
+/// What a world keeps of the drive of a direction. Of a ball joint: target, rate and feedforward are components in the axes of A.
+struct DriveRecord {
+    JointDrive drive{};
+    scalar torque{};  ///< N m, N; mean of the last step
+};
+
+} }  // namespace ingot
