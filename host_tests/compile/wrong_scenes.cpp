@@ -291,6 +291,16 @@ struct Wrong : ingot::Scene {
     static constexpr int max_joints = 40000;
     using joints = ingot::Joints<ingot::BallJoint>;
 #endif
+#ifdef LOOPS_WITH_LIMITS
+    static constexpr bool translates = true;
+    static constexpr int max_joints = 2, max_loops = 1;
+    using joints = ingot::Joints<ingot::BallJoint, ingot::WithLimits>;
+#endif
+#ifdef TOO_MANY_LOOPS
+    static constexpr bool translates = true;
+    static constexpr int max_joints = 1, max_loops = 2;
+    using joints = ingot::Joints<ingot::BallJoint>;
+#endif
 #ifdef JOINTS_WITHOUT_TRANSLATION
     static constexpr int max_joints = 1;
     using joints = ingot::Joints<ingot::BallJoint>;

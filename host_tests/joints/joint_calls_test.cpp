@@ -76,8 +76,109 @@ TEST(JointCalls, bad_definitions_are_refused) {
     refused(Status::bad_joint, [&](ingot::JointDef& def) { def.joint = ingot::UniversalJoint{}, def.axis_B = def.axis; });
     refused(Status::bad_direction, [&](ingot::JointDef& def) { def.joint = ingot::UniversalJoint{}, def.axis_B = {0, 2, 0}; });
     refused(Status::immovable, [&](ingot::JointDef& def) { def.body_A = {}, def.body_B = setting.post; });
-    for (int i = 0; i < 3; ++i) EXPECT_TRUE(setting.world->add_joint(setting.hinge()).ok());
-    setting.expect_refused(setting.hinge(), Status::no_room);
+}
+
+TEST(JointCalls, more_than_there_is_room_for_are_refused) {
+    Setting setting;
+    ingot::BodyDef def;
+    def.mass = ingot::principal(ingot::solid_box(1000, {scalar(0.5), scalar(0.5), scalar(0.5)})).value;
+    ingot::JointDef joint = setting.hinge();
+    joint.body_B = setting.world->add(def).value;
+    EXPECT_TRUE(setting.world->add_joint(joint).ok());
+    EXPECT_TRUE(setting.world->add_joint(setting.hinge()).ok());
+    joint = setting.hinge();
+    joint.body_A = setting.post;
+    EXPECT_TRUE(setting.world->add_joint(joint).ok());
+    setting.expect_refused(joint, Status::no_room);
+}
+
+/// What closes a loop needs room for it; what is refused leaves nothing behind but what is worked in. Bodies of a ring go their ways once it is cut.
+template <int loops>
+struct Ringed : ingot::Scene {
+    static constexpr int max_bodies = 8, max_joints = 12, max_loops = loops;
+    static constexpr bool translates = true;
+    using joints = ingot::Joints<ingot::BallJoint, ingot::FixedJoint>;
+};
+template <int loops>
+struct Ring {
+    std::unique_ptr<ingot::World<Ringed<loops>>> world = std::make_unique<ingot::World<Ringed<loops>>>();
+    ingot::BodyId bodies[4];
+
+    Ring() {
+        ingot::BodyDef def;
+        def.mass = ingot::principal(ingot::solid_box(1000, {scalar(0.5), scalar(0.5), scalar(0.5)})).value;
+        for (int i = 0; i < 4; ++i) {
+            def.state.r_CM = {static_cast<scalar>(i % 2), static_cast<scalar>(i / 2), 0};
+            bodies[i] = world->add(def).value;
+        }
+    }
+    ingot::Result<ingot::JointId> join(int A, int B, const ingot::Joint& kind = ingot::BallJoint{}) {
+        ingot::JointDef def;
+        if (A >= 0) def.body_A = bodies[A];
+        def.body_B = bodies[B];
+        def.joint = kind;
+        def.P = world->state(def.body_B).value.r_CM;
+        return world->add_joint(def);
+    }
+    std::vector<uint8_t> saved() const {
+        std::vector<uint8_t> bytes(ingot::snapshot_size<Ringed<loops>>());
+        bytes.resize(ingot::save_snapshot(*world, bytes.data(), bytes.size()).value);
+        return bytes;
+    }
+    void expect_refused(int A, int B, const ingot::Joint& kind = ingot::BallJoint{}) {
+        const auto before = saved();
+        EXPECT_EQ(join(A, B, kind).status, Status::no_room);
+        EXPECT_EQ(saved(), before);
+    }
+};
+
+TEST(JointCalls, loops_need_room) {
+    Ring<0> none;
+    for (int i = 0; i < 3; ++i) EXPECT_TRUE(none.join(i, i + 1).ok());
+    none.expect_refused(3, 0);
+    none.expect_refused(0, 2);
+    EXPECT_TRUE(none.join(-1, 1).ok());  // ties it, and is no loop
+    none.expect_refused(-1, 3);
+
+    Ring<1> one;
+    for (int i = 0; i < 4; ++i) EXPECT_TRUE(one.join(i, (i + 1) % 4).ok());
+    one.expect_refused(0, 2);
+    EXPECT_TRUE(ingot::step(*one.world, scalar(1) / 60).clean());
+
+    Ring<8> rows;  // enough loops, and a figure with as many rows as one may have
+    for (int i = 0; i < 3; ++i) EXPECT_TRUE(rows.join(i, i + 1).ok());
+    for (int row = 0; row + 6 <= ingot::limits::loop_rows_max; row += 6) EXPECT_TRUE(rows.join(0, 3, ingot::FixedJoint{}).ok());
+    rows.expect_refused(0, 2);
+    EXPECT_TRUE(ingot::step(*rows.world, scalar(1) / 60).clean());
+}
+
+TEST(JointCalls, a_ring_that_is_cut_is_a_chain) {
+    Ring<1> ring;
+    std::vector<ingot::JointId> joints;
+    for (int i = 0; i < 4; ++i) joints.push_back(ring.join(i, (i + 1) % 4).value);
+    EXPECT_TRUE(ingot::step(*ring.world, scalar(1) / 60).clean());
+    EXPECT_EQ(ring.world->remove(joints[1]), Status::ok);
+    EXPECT_TRUE(ingot::step(*ring.world, scalar(1) / 60).clean());
+    EXPECT_TRUE(ring.join(3, 1).ok());
+    ring.expect_refused(1, 2);
+    EXPECT_EQ(ring.world->remove(ring.bodies[0]), Status::ok);
+    EXPECT_EQ(ring.world->joint_count(), 2);
+    EXPECT_TRUE(ingot::step(*ring.world, scalar(1) / 60).clean());
+}
+
+/// A ring saved on its way goes on to the same bits.
+TEST(JointCalls, a_ring_goes_on_from_a_snapshot) {
+    Ring<1> ring, other;
+    for (int i = 0; i < 4; ++i) EXPECT_TRUE(ring.join(i, (i + 1) % 4).ok());
+    EXPECT_EQ(ring.world->apply_angular_impulse(ring.bodies[2], {300, 200, 100}), Status::ok);
+    for (int step_i = 0; step_i < 20; ++step_i) EXPECT_TRUE(ingot::step(*ring.world, scalar(1) / 60).clean());
+    const auto bytes = ring.saved();
+    ASSERT_EQ(ingot::load_snapshot(*other.world, bytes.data(), bytes.size()), Status::ok);
+    for (int step_i = 0; step_i < 20; ++step_i) {
+        (void)ingot::step(*ring.world, scalar(1) / 60);
+        (void)ingot::step(*other.world, scalar(1) / 60);
+    }
+    EXPECT_EQ(ring.world->state_hash(), other.world->state_hash());
 }
 
 TEST(JointCalls, ids_outlive_joints) {

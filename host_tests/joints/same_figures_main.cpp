@@ -31,6 +31,28 @@ struct DrivenPit : Pit {
                                  ingot::WithLimits, ingot::WithDrives>;
 };
 
+struct LoopedPit : Pit {
+    static constexpr int max_loops = 3;
+};
+
+/// Two of the ragdolls hold their own hands, and a figure that swings is tied once more.
+template <class World>
+void close_some_loops(World& world, Built& built) {
+    for (const size_t first : {size_t{0}, size_t{2} * parts_of_ragdoll}) {
+        ingot::JointDef hands;
+        hands.body_A = built.bodies[first + 4];
+        hands.body_B = built.bodies[first + 6];
+        hands.joint = ingot::BallJoint{};
+        hands.P = (world.state(hands.body_A).value.r_CM + world.state(hands.body_B).value.r_CM) * scalar(0.5);
+        built.sound = built.sound && world.add_joint(hands).ok();
+    }
+    ingot::JointDef tie;
+    tie.body_A = built.bodies.back();
+    tie.joint = ingot::HingeJoint{};
+    tie.P = world.state(tie.body_A).value.r_CM;
+    built.sound = built.sound && world.add_joint(tie).ok();
+}
+
 template <class Scene>
 bool run(const char* name) {
     const auto world = std::make_unique<ingot::World<Scene>>();
@@ -51,6 +73,7 @@ bool run(const char* name) {
             const ingot::JointDrive drive = ingot::SpringDrive{200, 5, 0, 0, 0, 50};
             if (world->set_joint_drive(id, drive) != ingot::Status::ok) (void)world->set_ball_drive(id, drive);
         }
+    if constexpr (Scene::max_loops > 0) close_some_loops(*world, built);
     for (int step_i = 0; step_i < 120; ++step_i) {
         (void)ingot::step(*world, scalar(1) / 60);
         std::printf("%s %d %016" PRIx64 "\n", name, step_i, world->state_hash());
@@ -62,6 +85,6 @@ bool run(const char* name) {
 
 int main() {
     const bool plain = run<Pit>("substeps"), limited = run<LimitedPit>("limits"), driven = run<DrivenPit>("drives"),
-               swinging = run<SwingingPit>("energy_momentum");
-    return plain && limited && driven && swinging ? 0 : 1;
+               looped = run<LoopedPit>("loops"), swinging = run<SwingingPit>("energy_momentum");
+    return plain && limited && driven && looped && swinging ? 0 : 1;
 }

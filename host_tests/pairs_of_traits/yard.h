@@ -90,7 +90,7 @@ void move_kinematic(ingot::World<S>& world, const Ids& ids, int step_i) {
     if (step_i == 20) expect(world.set_velocity(ids.cubes[0], {}, {0, 0, 2}));
 }
 
-/// The bouncer hangs from the world, the plank from the bouncer, and two cubes are a door and its post.
+/// The bouncer hangs from the world, the plank from the bouncer and from the world, which is a loop, and two cubes are a door and its post.
 template <class S>
 void join(ingot::World<S>& world, const Ids& ids) {
     if (world.joint_count() != 0) return;  // another trait of the scene has done it
@@ -104,6 +104,10 @@ void join(ingot::World<S>& world, const Ids& ids) {
     link.body_B = ids.plank;
     link.P = {2, 1, scalar(2.5)};
     expect(world.add_joint(link).status);
+    ingot::JointDef tie = hang;
+    tie.body_B = ids.plank;
+    tie.P = {0, 0, 4};
+    expect(world.add_joint(tie).status);
     ingot::JointDef door;
     door.body_A = ids.cubes[1];
     door.body_B = ids.cubes[2];

@@ -235,6 +235,14 @@ inline constexpr scalar turn_of_doublings[doublings_max] = {scalar(0.25), scalar
 /// Of the compliance that two bodies would have without joints: where these leave a contact less, it is rounding, and nothing is solved there.
 inline constexpr scalar held_compliance = 64 * epsilon;
 inline constexpr scalar target_gain = scalar(1.5);       ///< of the energy of a figure, by its targets of a substep: they are left out beyond
+/// Of the rows of a figure that close its loops: of four hinges, say. More would be solved in the cube of their number.
+inline constexpr int loop_rows_max = 24;
+/// Of the compliance that a row which closes a loop would have if its bodies had no joints: what gives way by less, once the rows before it hold, is
+/// left out. With less, rows that say the same as others would be solved by their roundings; with more, what is nearly straight comes apart.
+inline constexpr scalar loop_compliance = INGOT_DOUBLE ? scalar(1e-10) : scalar(1e-6);
+inline constexpr scalar loop_gap = INGOT_DOUBLE ? scalar(5e-10) : scalar(2e-5);  ///< m, rad; joint_gap of figures with loops
+inline constexpr scalar parted_gap = scalar(1e-3);       ///< m, rad, that pushes leave of a figure with loops: what asks for more cannot be
+inline constexpr scalar push_turn = scalar(0.1);         ///< rad, of any body by one push of a figure with loops
 inline constexpr int pushes_max = 9;                     ///< of the bodies of a figure, to where its joints want them, in a substep
 inline constexpr scalar joint_gap = scalar(2e-5);        ///< m, rad; a joint that is further off after a push is pushed again
 

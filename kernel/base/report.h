@@ -55,6 +55,8 @@ struct [[nodiscard]] StepReport {
     Index impacts_deferred{};
     Index sweeps{};           ///< sweeps over contacts in all substeps: the most that an island took
     Index overlaps_lost{};    ///< bodies in a sensor, and no room: raise Scene::max_overlaps
+    /// that close loops, which hold nothing in this step: a body that was frozen may make more of them than World::add_joint saw
+    Index joints_lost{};
     /// m/s; the largest speed that the last sweep over manifolds still corrected; of a direct solve what the grain of its
     /// impulses is worth, where that is more than limits::unsettled_speed
     scalar residual{};
@@ -69,7 +71,7 @@ struct [[nodiscard]] StepReport {
     constexpr bool clean() const {
         return status == Status::ok && bodies_frozen == 0 && spins_clamped == 0 && contacts_lost == 0 &&
                pairs_untested == 0 && impacts_deferred == 0 && sweeps_unfinished == 0 &&
-               overlaps_lost == 0 && events_lost == 0 && (direct & DirectBits::refused) == 0;
+               overlaps_lost == 0 && joints_lost == 0 && events_lost == 0 && (direct & DirectBits::refused) == 0;
     }
 };
 

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "../figure/joint_row.h"
+#include "../figure/loop_view.h"
 #include "material_view.h"
 #include "without_joints.h"
 
@@ -39,7 +40,7 @@ struct JointedBodies {
     JointedBlock* blocks;        ///< by block, from `first_block` on
     int first_block, lane_count;
     Index* parted;               ///< by manifold: room to sort in
-    bool is_fresh;               ///< figures are factored as they are
+    bool is_fresh;               ///< figures and contacts are those of the begin of the batch: no substep has been made
 
     int body_count;              ///< of the solver; from it on, bodies stand for kinematic ones
 
@@ -53,9 +54,20 @@ template <class View>
 struct JointedViewOf : View {
     static constexpr bool articulates = true;
     JointedBodies jointed;
+    static constexpr NoLoops loops = {};
 };
 using JointedView = JointedViewOf<SolverView>;
 using JointedMaterialView = JointedViewOf<RollingBeltView>;
+
+/// The same, some of whose joints close loops.
+template <class View>
+struct LoopedViewOf : View {
+    static constexpr bool articulates = true;
+    JointedBodies jointed;
+    LoopView loops;
+};
+using LoopedView = LoopedViewOf<SolverView>;
+using LoopedMaterialView = LoopedViewOf<RollingBeltView>;
 
 /// The same where joints have rows of their own: limits.
 template <class View>

@@ -194,11 +194,17 @@ void remember_impulses(const View& solver) {
 
 // The linker takes the one that the scene calls. Belts have no impulses of their own.
 template void prepare_blocks(const JointedView&, const BodyView&);
+template void prepare_blocks(const LoopedView&, const BodyView&);
 template void prepare_blocks(const JointedMaterialView&, const BodyView&);
+template void prepare_blocks(const LoopedMaterialView&, const BodyView&);
 template void refresh_blocks(const JointedView&, const BodyView&);
+template void refresh_blocks(const LoopedView&, const BodyView&);
 template void refresh_blocks(const JointedMaterialView&, const BodyView&);
+template void refresh_blocks(const LoopedMaterialView&, const BodyView&);
 template void remember_impulses(const JointedView&);
+template void remember_impulses(const LoopedView&);
 template void remember_impulses(const JointedMaterialView&);
+template void remember_impulses(const LoopedMaterialView&);
 template void prepare_blocks(const SolverView&, const BodyView&);
 template void prepare_blocks(const BallView&, const BodyView&);
 template void prepare_blocks(const RollingView&, const BodyView&);

@@ -8,12 +8,14 @@ namespace ingot { inline namespace INGOT_ABI {
 namespace {
 
 /// Of the body of one lane, from its tile or its figure.
-void write_side(const SolverView& solver, const JointedBodies& jointed, const BodyView& bodies, SideResponse& side, int lane_i, Index body_i) {
+template <class Loops>
+void write_side(const SolverView& solver, const JointedBodies& jointed, const Loops& loops, const BodyView& bodies, SideResponse& side, int lane_i,
+                Index body_i) {
     Spatial6<scalar> answer{};
     SymmetricMatrix I{};
     const bool joined = body_i != 0 && jointed.has_joints(body_i);
     if (joined) {
-        answer = response_of_centre(jointed.figures, jointed.responses, jointed.node_of[body_i]);
+        answer = response_of_centre(jointed.figures, loops, jointed.responses, jointed.node_of[body_i]);
         I = inertia_of_node(jointed.figures, jointed.node_of[body_i]);
     } else if (body_i != 0 && body_i < jointed.body_count) {
         const Place at = place_of(solver.slot_of[body_i]);
@@ -37,20 +39,25 @@ void write_across(JointedBlock& block, int lane_i, const Across& across) {
 
 }  // namespace
 
-void prepare_responses(const SolverView& solver, const JointedBodies& jointed, const BodyView& bodies, int block_i) {
+template <class Loops>
+void prepare_responses(const SolverView& solver, const JointedBodies& jointed, const Loops& loops, const BodyView& bodies, int block_i) {
     const ContactBlock& contacts = solver.blocks[block_i];
     JointedBlock& block = jointed.blocks[block_i - jointed.first_block];
     block.some_across = false;
     for (int lane_i = 0; lane_i < lanes; ++lane_i) {
         const Index A = contacts.body_A[lane_i], B = contacts.body_B[lane_i];
-        write_side(solver, jointed, bodies, block.A, lane_i, A);
-        write_side(solver, jointed, bodies, block.B, lane_i, B);
+        write_side(solver, jointed, loops, bodies, block.A, lane_i, A);
+        write_side(solver, jointed, loops, bodies, block.B, lane_i, B);
         const bool one_figure = A != 0 && B != 0 && jointed.has_joints(A) && jointed.has_joints(B) && jointed.leader_of[A] == jointed.leader_of[B];
         const Across across =
-            one_figure ? response_across(jointed.figures, jointed.responses, jointed.node_of[A], jointed.node_of[B]) : Across{};
+            one_figure ? response_across(jointed.figures, loops, jointed.responses, jointed.node_of[A], jointed.node_of[B]) : Across{};
         write_across(block, lane_i, across);
         block.some_across = block.some_across || one_figure;
     }
 }
+
+// The linker takes the one that the scene calls.
+template void prepare_responses(const SolverView&, const JointedBodies&, const NoLoops&, const BodyView&, int);
+template void prepare_responses(const SolverView&, const JointedBodies&, const LoopView&, const BodyView&, int);
 
 } }  // namespace ingot

@@ -169,11 +169,11 @@ void take_up_roundings(const FigureRows<width>& figures) {
 template <unsigned width>
 void fit_to_joints(const FigureView& view, const FigureRows<width>& figures) {
     place_joints(view);
-    factor_figures(view, 0);
-    push_figures(view, false);
+    factor_figures(view, NoLoops{}, 0);
+    push_figures(view, NoLoops{}, false);
     refresh_spins(figures);
     place_joints(view);
-    factor_figures(view, 0);
+    factor_figures(view, NoLoops{}, 0);
     find_change(view, figures);
     take_change(figures, figures.all_lanes());
     refresh_spins(figures);
@@ -183,7 +183,7 @@ template <unsigned width>
 void take_hidden_energy(const FigureView& view, const FigureRows<width>& figures, Snap snap) {
     using T = typename AllLanes<width>::T;
     place_joints(view);
-    factor_figures(view, 0);
+    factor_figures(view, NoLoops{}, 0);
     find_change(view, figures);
     const WholeMotion<T> whole = motion_of_whole(figures);
     const KineticShares<T> energy = kinetic_shares_of(figures, whole.v);

@@ -13,7 +13,7 @@ namespace ingot { inline namespace INGOT_ABI {
 namespace {
 
 template <unsigned width, class T = typename AllLanes<width>::T>
-void place_joint(const FigureRows<width>& rows, int row_i) {
+INGOT_INLINE void place_joint(const FigureRows<width>& rows, int row_i) {
     FigureRow<width>& row = rows[row_i];
     const FigureNode& node = rows.node(row_i);
     const Mat3<T> A = read(rows.all, row.A);
@@ -40,18 +40,40 @@ void begin_inertia(const FigureRows<width>& rows, FigureRow<width>& row) {
     write(rows.all, row.inertia, Spatial6<T>{about_q, tilde(mc), {M, M, M, zero, zero, zero}});
 }
 
+template <unsigned width, class M>
+void mark_stiff(const FigureRows<width>& rows, const AllLanes<width>&, M is_stiff) {
+    for (int lane_i = 0; lane_i < static_cast<int>(width); ++lane_i)  // bound: lanes
+        if ((bits(is_stiff) >> lane_i & 1u) != 0) rows.figure(lane_i).resolved = false;
+}
+template <unsigned width>
+void mark_stiff(const FigureRows<width>& rows, const OneLane<width>& at, bool is_stiff) {
+    if (is_stiff) rows.figure(at.lane_i).resolved = false;
+}
+
 /// Adds what tension does at an arm; j: what the joint gave to the body.
-template <unsigned width, class T = typename AllLanes<width>::T>
-void stiffen(const FigureRows<width>& rows, FigureRow<width>& row, const Vec3<T>& j, const Vec3<T>& arm, scalar h) {
-    const Vec3<T> I = read(rows.all, row.I_body);
+template <unsigned width, class At, class T = typename At::T>
+void stiffen(const FigureRows<width>& rows, const At& at, FigureRow<width>& row, const Vec3<T>& j, const Vec3<T>& arm, scalar h) {
+    const Vec3<T> I = read(at, row.I_body);
     const T least = min(I.x, min(I.y, I.z)), tension = dot(j, arm) * splat<T>(h), zero{};
     const auto is_stiff = tension > least * splat<T>(limits::stiff_tension);
     if (!any(is_stiff)) return;
     const T half = select(is_stiff, tension * splat<T>(scalar(0.5)), zero);
-    const Sym3<T> A = read(rows.all, row.inertia.A) + Sym3<T>{half, half, half, zero, zero, zero};
-    write(rows.all, row.inertia.A, plus_square(A, arm, -half / select(is_stiff, length_sq(arm), splat<T>(1))));
-    for (int lane_i = 0; lane_i < static_cast<int>(width); ++lane_i)  // bound: lanes
-        if ((bits(is_stiff) >> lane_i & 1u) != 0) rows.figure(lane_i).resolved = false;
+    const Sym3<T> A = read(at, row.inertia.A) + Sym3<T>{half, half, half, zero, zero, zero};
+    write(at, row.inertia.A, plus_square(A, arm, -half / select(is_stiff, length_sq(arm), splat<T>(1))));
+    mark_stiff(rows, at, is_stiff);
+}
+
+void stiffen_loops(const FigureView&, const NoLoops&, scalar) {}
+void stiffen_loops(const FigureView& view, const LoopView& loops, scalar h) {
+    const auto stiffen_node = [&](Index node_i, const Vector& j, const Vector& arm) {
+        at_node(view, node_i, [&](const auto& rows, const auto& at, int row_i) { stiffen(rows, at, rows[row_i], j, arm, h); });
+    };
+    for_looped_figures(view, loops, [&](const LoopFigure& of) {
+        for_joints(loops, of, [&](const LoopJoint& loop) {
+            stiffen_node(loop.child, loop.given, loop.arm);
+            if (loop.other != no_node) stiffen_node(loop.other, -loop.given, loop.arm_of_other);
+        });
+    });
 }
 
 /// Joints without drives.
@@ -76,7 +98,7 @@ struct Drives {
 };
 
 template <unsigned width, class Resist, class T = typename AllLanes<width>::T>
-void factor_row(const FigureRows<width>& rows, int row_i, const Resist& drives) {
+INGOT_INLINE void factor_row(const FigureRows<width>& rows, int row_i, const Resist& drives) {
     FigureRow<width>& row = rows[row_i];
     const FigureNode& node = rows.node(row_i);
     Spatial6<T> M = read(rows.all, row.inertia), left;
@@ -105,17 +127,21 @@ void factor_row(const FigureRows<width>& rows, int row_i, const Resist& drives) 
     write(rows.all, parent.inertia, read(rows.all, parent.inertia) + inertia_from(left, read(rows.all, row.d)));
 }
 
-template <unsigned width, class Resist>
-void factor_rows(const FigureRows<width>& rows, scalar h, const Resist& drives) {
+template <unsigned width>
+INGOT_INLINE void begin_rows(const FigureRows<width>& rows, scalar h) {
     for (int row_i = 0; row_i < rows.count(); ++row_i) begin_inertia(rows, rows[row_i]);  // bound: max_bodies
     for (int row_i = 0; row_i < rows.count(); ++row_i) {
         const FigureNode& node = rows.node(row_i);
         if (node.kind == JointKind::none) continue;
         FigureRow<width>& row = rows[row_i];
         const auto j = read(rows.all, row.j);
-        stiffen(rows, row, j, -read(rows.all, row.c), h);
-        if (node.parent != no_node) stiffen(rows, rows[node.parent], -j, read(rows.all, row.arm_of_parent), h);
+        stiffen(rows, rows.all, row, j, -read(rows.all, row.c), h);
+        if (node.parent != no_node) stiffen(rows, rows.all, rows[node.parent], -j, read(rows.all, row.arm_of_parent), h);
     }
+}
+
+template <unsigned width, class Resist>
+void factor_from_ends(const FigureRows<width>& rows, const Resist& drives) {
     for (int row_i = rows.count() - 1; row_i >= 0; --row_i) factor_row(rows, row_i, drives);  // bound: max_bodies
 }
 
@@ -127,13 +153,23 @@ void place_joints(const FigureView& view) {
     });
 }
 
-void factor_figures(const FigureView& view, scalar h) {
-    for_groups(view, [h](const auto& rows) { factor_rows(rows, h, NoDrives{}); });
+template <class Loops>
+void factor_figures(const FigureView& view, const Loops& loops, scalar h) {
+    for_groups(view, [h](const auto& rows) { begin_rows(rows, h); });
+    stiffen_loops(view, loops, h);
+    for_groups(view, [](const auto& rows) { factor_from_ends(rows, NoDrives{}); });
 }
 
 void factor_driven_figures(const FigureView& view, const JointRowView& all, scalar h) {
-    for_groups(view, [&](const auto& rows) { factor_rows(rows, h, Drives{all}); });
+    for_groups(view, [&](const auto& rows) {
+        begin_rows(rows, h);
+        factor_from_ends(rows, Drives{all});
+    });
 }
+
+// The linker takes the one that the scene calls.
+template void factor_figures(const FigureView&, const NoLoops&, scalar);
+template void factor_figures(const FigureView&, const LoopView&, scalar);
 
 } }  // namespace ingot
 

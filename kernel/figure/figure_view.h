@@ -9,6 +9,7 @@
 namespace ingot { inline namespace INGOT_ABI {
 
 inline constexpr Index no_node = index_max;
+inline constexpr Index no_loop = index_max;
 
 /// A body of a figure. Its parent comes before it.
 struct FigureNode {

@@ -21,21 +21,25 @@ inline Matrix turned_far(const Matrix& A, const Vector& turn) {
     return turned_about(A, turn * (2 * half_tangent));
 }
 
-/// Of one lane, now. A kinematic body shows its motion in its tile from the begin of the step until it has been moved.
-template <unsigned width>
-Ground<scalar> ground_of(const FigureRows<width>& rows, const OneLane<width>& at) {
-    const Index slot = rows.figure(at.lane_i).ground;
+/// Now. A kinematic body shows its motion in its tile from the begin of the step until it has been moved. slot: or no_body, the world.
+inline Ground<scalar> ground_at(const FigureView& view, Index slot) {
     Ground<scalar> ground = {{}, identity_matrix<scalar>(), {}, {}};
     if (slot == no_body) return ground;
     const Place place = place_of(slot);
-    const RotationTile& rotation = rows.view.bodies.rotation[place.tile];
-    const TranslationTile& translation = rows.view.bodies.translation[place.tile];
+    const RotationTile& rotation = view.bodies.rotation[place.tile];
+    const TranslationTile& translation = view.bodies.translation[place.tile];
     ground.v = lane_of(translation.v_CM, place.lane);
     ground.w = Vector{} - lane_of(rotation.L, place.lane);  // see kinematic_motion.h
-    ground.r = lane_of(translation.r_CM, place.lane) + ground.v * rows.view.elapsed;
+    ground.r = lane_of(translation.r_CM, place.lane) + ground.v * view.elapsed;
     ground.A = lane_of(rotation.A, place.lane);
-    if (length_sq(ground.w) > 0) ground.A = turned_far(ground.A, ground.w * rows.view.elapsed);
+    if (length_sq(ground.w) > 0) ground.A = turned_far(ground.A, ground.w * view.elapsed);
     return ground;
+}
+
+/// Of one lane.
+template <unsigned width>
+Ground<scalar> ground_of(const FigureRows<width>& rows, const OneLane<width>& at) {
+    return ground_at(rows.view, rows.figure(at.lane_i).ground);
 }
 
 /// Of each lane.

@@ -27,8 +27,25 @@ uint8_t doublings_for(scalar tension, scalar turn_sq) {
     return doublings;
 }
 
-template <unsigned width, class T = typename AllLanes<width>::T>
-void ask_of_rows(const FigureRows<width>& rows, scalar h, scalar scale) {
+template <unsigned width>
+void see_tension_of_loops(const FigureRows<width>&, const NoLoops&, scalar (&)[width], scalar, scalar) {}
+template <unsigned width>
+void see_tension_of_loops(const FigureRows<width>& rows, const LoopView& loops, scalar (&tensions)[width], scalar h, scalar scale) {
+    for_looped(rows, loops, [&](const LoopFigure& of, int lane_i) {
+        const auto see = [&](Index node_i, const Vector& j, const Vector& arm) {
+            const auto moments = [](const auto& of_node, const auto& at, int row_i) { return read(at, of_node[row_i].I_body); };
+            const Vector I = at_node(rows.view, node_i, moments);
+            tensions[lane_i] = max(tensions[lane_i], dot(j, arm) * h / min(I.x, min(I.y, I.z)));
+        };
+        for_joints(loops, of, [&](const LoopJoint& loop) {
+            see(loop.child, loop.given * scale, loop.arm);
+            if (loop.other != no_node) see(loop.other, loop.given * -scale, loop.arm_of_other);
+        });
+    });
+}
+
+template <unsigned width, class Loops, class T = typename AllLanes<width>::T>
+void ask_of_rows(const FigureRows<width>& rows, const Loops& loops, scalar h, scalar scale) {
     T most{}, most_turn{};
     for (int row_i = 0; row_i < rows.count(); ++row_i) {  // bound: max_bodies
         const FigureNode& node = rows.node(row_i);
@@ -42,6 +59,7 @@ void ask_of_rows(const FigureRows<width>& rows, scalar h, scalar scale) {
     scalar tensions[width], turns[width];
     rows.all.put(tensions, most);
     rows.all.put(turns, most_turn);
+    see_tension_of_loops(rows, loops, tensions, h, scale);
     for (int lane_i = 0; lane_i < rows.lane_count; ++lane_i)  // bound: lanes
         rows.figure(lane_i).doublings = doublings_for(tensions[lane_i], rows.figure(lane_i).resolved ? 0 : turns[lane_i]);
 }
@@ -79,10 +97,15 @@ void keep_row(const FigureRows<width>& rows, int row_i, int lane_i, scalar scale
 
 }  // namespace
 
-void ask_for_doublings(const FigureView& view, scalar h, int doublings) {
+template <class Loops>
+void ask_for_doublings(const FigureView& view, const Loops& loops, scalar h, int doublings) {
     const auto scale = static_cast<scalar>(1 << doublings);
-    for_groups(view, [&](const auto& rows) { ask_of_rows(rows, h, scale); });
+    for_groups(view, [&](const auto& rows) { ask_of_rows(rows, loops, h, scale); });
 }
+
+// The linker takes the one that the scene calls.
+template void ask_for_doublings(const FigureView&, const NoLoops&, scalar, int);
+template void ask_for_doublings(const FigureView&, const LoopView&, scalar, int);
 
 void keep_figures(const FigureView& view, int doublings) {
     const auto scale = static_cast<scalar>(1 << doublings);

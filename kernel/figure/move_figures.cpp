@@ -4,7 +4,7 @@
 #include "../base/limits.h"
 #include "../body/kinematics.h"
 #include "../math/sqrt.h"
-#include "displace_rows.h"
+#include "push_rows.h"
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpsabi"  // see lanes.h
@@ -25,7 +25,7 @@ void predict_turn(const FigureRows<width>& rows, FigureRow<width>& row, scalar h
 }
 
 template <unsigned width, class M>
-void set_bias(const FigureRows<width>& rows, int row_i, scalar h, M is_exact) {
+INGOT_INLINE void set_bias(const FigureRows<width>& rows, int row_i, scalar h, M is_exact) {
     const JointKind kind = rows.node(row_i).kind;
     const auto sides = sides_ahead(rows, rows.all, row_i, h, is_exact, locks_turns(kind));
     write(rows.all, rows[row_i].bias, twist_back(kind, sides) * splat<typename AllLanes<width>::T>(1 / h));
@@ -84,26 +84,6 @@ void drift_rows(const FigureRows<width>& rows, scalar h) {
     }
 }
 
-/// One push of all rows. False where nothing is off by more than limits::joint_gap, and nothing was done.
-template <unsigned width>
-bool push_rows(const FigureRows<width>& rows, bool again) {
-    using T = typename AllLanes<width>::T;
-    T most{};
-    for (int row_i = 0; row_i < rows.count(); ++row_i) {
-        const Spatial<T> none{};
-        write(rows.all, rows[row_i].bias, none);
-        if (rows.node(row_i).kind != JointKind::none) most = max(most, set_push(rows, row_i));
-    }
-    // Lanes that are good are left alone, so that what a figure does does not depend on who is beside it.
-    const auto off = most > splat<T>(again ? limits::joint_gap * limits::joint_gap : scalar(-1));
-    if (!any(off)) return false;
-    clear_impulses(rows);
-    pass_up(rows);
-    pass_down(rows);
-    move_by_change(rows, off);
-    return true;
-}
-
 /// J; of the bodies of a figure, with what `change` would make of it.
 template <class T>
 struct FigureEnergies {
@@ -125,38 +105,76 @@ FigureEnergies<T> figure_energies_of(const FigureRows<width>& rows) {
     return sum;
 }
 
+template <unsigned width>
+void leave_out_targets(const FigureRows<width>&, const NoLoops&, unsigned) {}
+template <unsigned width>
+void leave_out_targets(const FigureRows<width>& rows, const LoopView& loops, unsigned gains) {
+    for_looped(rows, loops, [&](const LoopFigure& of, int lane_i) {
+        if ((gains >> lane_i & 1u) == 0) return;
+        for_joints(loops, of, [](LoopJoint& loop) {
+            for (scalar& target : loop.target) target = 0;
+        });
+    });
+}
+
+template <unsigned width>
+void aim_rows(const FigureRows<width>&, const NoLoops&, scalar) {}
+template <unsigned width>
+void aim_rows(const FigureRows<width>& rows, const LoopView& loops, scalar h) {
+    for_looped(rows, loops, [&](const LoopFigure& of, int) { aim_loops(rows.view, loops, of, h); });
+}
+
+/// Lanes whose targets may be more than they are good for: what is not resolved; and loops, whose rows may come near to saying the same.
+template <unsigned width, class M>
+auto doubtful_lanes(const FigureRows<width>&, const NoLoops&, M is_exact) {
+    return opposite(is_exact);
+}
+template <unsigned width, class M>
+auto doubtful_lanes(const FigureRows<width>& rows, const LoopView& loops, M) {
+    using T = typename AllLanes<width>::T;
+    scalar flags[width];
+    for (int lane_i = 0; lane_i < rows.lane_count; ++lane_i) flags[lane_i] = rows.figure(lane_i).resolved ? 0 : 1;  // bound: lanes
+    for_looped(rows, loops, [&](const LoopFigure&, int lane_i) { flags[lane_i] = 1; });
+    return rows.all.get(flags) > T{};
+}
+
 /// Targets of what is not resolved may ask for what cannot be, where joints come near to where they lock: light bodies would get any speed. Where a
 /// figure would have more than limits::target_gain times its energy they are left out: velocities then fit the joints, which takes energy, and
 /// pushes take back the gaps.
-template <unsigned width, class M, class T = typename AllLanes<width>::T>
-void hold_back_targets(const FigureRows<width>& rows, scalar h, M is_exact) {
-    if (!any(opposite(is_exact))) return;
+template <unsigned width, class Loops, class M, class T = typename AllLanes<width>::T>
+void hold_back_targets(const FigureRows<width>& rows, const Loops& loops, scalar h, M is_exact) {
+    const auto doubtful = doubtful_lanes(rows, loops, is_exact);
+    if (!any(doubtful)) return;
     clear_impulses(rows);
     pass_up(rows);
     pass_down(rows);
+    close_rows(rows, loops);
     const FigureEnergies<T> energies = figure_energies_of(rows);
     T M_all{};
     for (int row_i = 0; row_i < rows.count(); ++row_i) M_all = M_all + rows.all.get(rows[row_i].M);
     const scalar gap_speed = limits::joint_gap / h;
     const T allowed = energies.before * splat<T>(limits::target_gain) + M_all * splat<T>(gap_speed * gap_speed);
-    const auto gains = both(opposite(is_exact), energies.after > allowed);
+    const auto gains = both(doubtful, energies.after > allowed);
     if (!any(gains)) return;
     const Spatial<T> none{};
     for (int row_i = 0; row_i < rows.count(); ++row_i) {
         const Spatial<T> bias = read(rows.all, rows[row_i].bias);
         write(rows.all, rows[row_i].bias, Spatial<T>{select(gains, none.w, bias.w), select(gains, none.v, bias.v)});
     }
+    leave_out_targets(rows, loops, bits(gains));
 }
 
 }  // namespace
 
-void begin_solve(const FigureView& view, scalar h) {
-    for_groups(view, [h](const auto& rows) {
+template <class Loops>
+void begin_solve(const FigureView& view, const Loops& loops, scalar h) {
+    for_groups(view, [&loops, h](const auto& rows) {
         const auto is_exact = resolved_lanes(rows);
         for (int row_i = 0; row_i < rows.count(); ++row_i) predict_turn(rows, rows[row_i], h);  // bound: max_bodies
         for (int row_i = 0; row_i < rows.count(); ++row_i)
             if (rows.node(row_i).kind != JointKind::none) set_bias(rows, row_i, h, is_exact);
-        hold_back_targets(rows, h, is_exact);
+        aim_rows(rows, loops, h);
+        hold_back_targets(rows, loops, h, is_exact);
         clear_impulses(rows);
     });
 }
@@ -205,17 +223,19 @@ void begin_displacing(const FigureView& view) {
 }
 
 void end_displacing(const FigureView& view) {
-    for_groups(view, [](const auto& rows) {
-        move_by_change(rows, rows.all_lanes());
-    });
+    for_groups(view, [](const auto& rows) { displace_group(rows); });
 }
 
-void push_figures(const FigureView& view, bool again) {
-    for_groups(view, [again](const auto& rows) {
-        // bound: limits::pushes_max
-        for (int push_i = 0; push_i < limits::pushes_max && push_rows(rows, again || push_i > 0); ++push_i) {}
-    });
+template <class Loops>
+void push_figures(const FigureView& view, const Loops& loops, bool again) {
+    for_groups(view, [&loops, again](const auto& rows) { push_group(rows, loops, again); });
 }
+
+// The linker takes the one that the scene calls.
+template void begin_solve(const FigureView&, const NoLoops&, scalar);
+template void begin_solve(const FigureView&, const LoopView&, scalar);
+template void push_figures(const FigureView&, const NoLoops&, bool);
+template void push_figures(const FigureView&, const LoopView&, bool);
 
 } }  // namespace ingot
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "respond_figures.h"
 
+#include "close_loops.h"
 #include "tree_passes.h"
 
 #pragma GCC diagnostic push
@@ -52,9 +53,12 @@ void respond_figures(const FigureView& view, Spatial6Rows<1>* responses) {
     for_groups(view, [responses](const auto& rows) { respond_rows(rows, responses); });
 }
 
-Spatial6<scalar> response_of_centre(const FigureView& view, const Spatial6Rows<1>* responses, Index node_i) {
+template <class Loops>
+Spatial6<scalar> response_of_centre(const FigureView& view, [[maybe_unused]] const Loops& loops, const Spatial6Rows<1>* responses, Index node_i) {
     return at_node(view, node_i, [&](const auto& rows, const auto& at, int row_i) {
-        return compliance_at(read(at, rows.response(responses, row_i)), read(at, rows[row_i].c));
+        Spatial6<scalar> response = read(at, rows.response(responses, row_i));
+        if constexpr (Loops::closes) response = response + response_of_loops(view, loops, node_i);
+        return compliance_at(response, read(at, rows[row_i].c));
     });
 }
 
@@ -66,12 +70,11 @@ SymmetricMatrix inertia_of_node(const FigureView& view, Index node_i) {
 
 namespace {
 
-/// The twist of A for an impulse on B: up to the body that both hang on, and down.
+/// The twist of A, at q, for an impulse on B: up to the body that both hang on, and down.
 template <unsigned width>
 Spatial<scalar> twist_across(const FigureRows<width>& rows, const OneLane<width>& at, const Spatial6Rows<1>* responses, int row_A, int row_B,
-                             const Vector& F, const Vector& T) {
+                             Spatial<scalar> P) {
     int node = row_B;
-    Spatial<scalar> P = {T + cross(read(at, rows[row_B].c), F), F};
     const auto holds_A = [&](int row_i) {
         int of_A = row_A;
         while (of_A > row_i) of_A = rows.node(of_A).parent;  // bound: max_bodies: a parent comes before its children
@@ -89,19 +92,26 @@ Spatial<scalar> twist_across(const FigureRows<width>& rows, const OneLane<width>
         const FigureRow<width>& row = rows[node];
         u = twist_through(at, row, rows.node(node).kind, twist_at(u, read(at, row.d)), Spatial<scalar>{}, Vector{});
     }
-    return twist_at(u, read(at, rows[row_A].c));
+    return u;
 }
 
 }  // namespace
 
-Across response_across(const FigureView& view, const Spatial6Rows<1>* responses, Index node_A, Index node_B) {
+template <class Loops>
+Across response_across(const FigureView& view, [[maybe_unused]] const Loops& loops, const Spatial6Rows<1>* responses, Index node_A, Index node_B) {
     const int row_B = node_B - view.figures[view.nodes[node_B].figure].first_node;
     return at_node(view, node_A, [&](const auto& rows, const auto& at, int row_A) {
+        const auto answer = [&](const Vector& F, const Vector& T) {
+            const Spatial<scalar> on_B = {T + cross(read(at, rows[row_B].c), F), F};
+            Spatial<scalar> u = twist_across(rows, at, responses, row_A, row_B, on_B);
+            if constexpr (Loops::closes) u = u + response_across_loops(view, loops, node_A, node_B, on_B);
+            return twist_at(u, read(at, rows[row_A].c));
+        };
         const Vector axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
         Spatial<scalar> of_force[3], of_moment[3];
         for (int i = 0; i < 3; ++i) {
-            of_force[i] = twist_across(rows, at, responses, row_A, row_B, axes[i], {});
-            of_moment[i] = twist_across(rows, at, responses, row_A, row_B, {}, axes[i]);
+            of_force[i] = answer(axes[i], {});
+            of_moment[i] = answer({}, axes[i]);
         }
         return Across{{of_force[0].v, of_force[1].v, of_force[2].v},
                       {of_moment[0].v, of_moment[1].v, of_moment[2].v},
@@ -109,6 +119,12 @@ Across response_across(const FigureView& view, const Spatial6Rows<1>* responses,
                       {of_moment[0].w, of_moment[1].w, of_moment[2].w}};
     });
 }
+
+// The linker takes the one that the scene calls.
+template Spatial6<scalar> response_of_centre(const FigureView&, const NoLoops&, const Spatial6Rows<1>*, Index);
+template Spatial6<scalar> response_of_centre(const FigureView&, const LoopView&, const Spatial6Rows<1>*, Index);
+template Across response_across(const FigureView&, const NoLoops&, const Spatial6Rows<1>*, Index, Index);
+template Across response_across(const FigureView&, const LoopView&, const Spatial6Rows<1>*, Index, Index);
 
 } }  // namespace ingot
 

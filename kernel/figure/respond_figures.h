@@ -2,15 +2,16 @@
 // What a body answers to an impulse with all of its figure.
 #pragma once
 
-#include "figure_view.h"
+#include "loop_view.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
 /// The twist of each body, at q, that a unit impulse on it gives: from the root to the leaves. Needs: factor_figures.
 void respond_figures(const FigureView& view, Spatial6Rows<1>* responses);
 
-/// The same at the centre of mass of one.
-Spatial6<scalar> response_of_centre(const FigureView& view, const Spatial6Rows<1>* responses, Index node);
+/// The same at the centre of mass of one; with the loops of its figure closed. Loops: LoopView, or NoLoops.
+template <class Loops>
+Spatial6<scalar> response_of_centre(const FigureView& view, const Loops& loops, const Spatial6Rows<1>* responses, Index node);
 
 /// kg m^2, world, about the centre of mass, of the body alone.
 SymmetricMatrix inertia_of_node(const FigureView& view, Index node);
@@ -20,6 +21,7 @@ struct Across {
     Matrix vv, vw, wv, ww;
 };
 /// Of A to what acts on B. Cost: two visits for each joint between them.
-Across response_across(const FigureView& view, const Spatial6Rows<1>* responses, Index node_A, Index node_B);
+template <class Loops>
+Across response_across(const FigureView& view, const Loops& loops, const Spatial6Rows<1>* responses, Index node_A, Index node_B);
 
 } }  // namespace ingot

@@ -3,8 +3,11 @@
 
 #include "../base/limits.h"
 #include "build_figures.h"
+#include "close_loops.h"
 #include "factor_figures.h"
 #include "joint_drives.h"
+#include "factor_loops.h"
+#include "find_loops.h"
 #include "joint_motions.h"
 #include "joint_rows.h"
 #include "keep_figures.h"
@@ -35,22 +38,54 @@ void kick_rows(const FigureRows<width>& rows, scalar h) {
     }
 }
 
+/// Figures as they are now. Those of a scene with loops are factored as the batch begins, and again after each drift: pushes meet them as they are
+/// then. The others are factored as each substep begins.
+void factor_now(const FigureView& view, const NoLoops& loops, scalar h) {
+    place_joints(view);
+    factor_figures(view, loops, h);
+}
+void factor_now(const FigureView& view, const LoopView& loops, scalar h) {
+    place_joints(view);
+    place_loops(view, loops);
+    factor_figures(view, loops, h);
+    factor_loops(view, loops);
+}
+
 /// Of joints that have nothing but what they lock.
 struct NoRows {
+    static constexpr bool closes = false;
+    static constexpr NoLoops loops = {};
     static void begin(const FigureView&, scalar) {}
-    static void factor(const FigureView& view, scalar h) { factor_figures(view, h); }
+    static void factor(const FigureView& view, scalar h) { factor_now(view, loops, h); }
     static void list(const FigureView&, scalar) {}
     static void solve(const FigureView& view, scalar) { pass_impulses(view); }
     static void push(const FigureView&, scalar) {}
     static void keep(const FigureView&, int) {}
 };
 
+/// Of joints some of which close loops.
+struct WithLoops {
+    static constexpr bool closes = true;
+    const LoopView& loops;
+
+    void begin(const FigureView& view, scalar h) const {
+        load_loops(view, loops);
+        factor_now(view, loops, h);
+    }
+    static void list(const FigureView&, scalar) {}
+    void solve(const FigureView& view, scalar) const { solve_loops(view, loops); }
+    static void push(const FigureView&, scalar) {}
+    void keep(const FigureView& view, int doublings) const { keep_loops(view, loops, doublings); }
+};
+
 /// Of joints whose free directions may end.
 struct WithRows {
+    static constexpr bool closes = false;
+    static constexpr NoLoops loops = {};
     JointRowView& all;
 
     void begin(const FigureView& view, scalar) const { begin_joint_motions(view, all); }
-    static void factor(const FigureView& view, scalar h) { factor_figures(view, h); }
+    static void factor(const FigureView& view, scalar h) { factor_now(view, loops, h); }
     void list(const FigureView& view, scalar h) const {
         respond_figures(view, all.responses);
         list_joint_rows(view, all, h);
@@ -71,16 +106,18 @@ struct WithRows {
 
 /// Of joints that may have drives as well.
 struct DrivenRows {
+    static constexpr bool closes = false;
+    static constexpr NoLoops loops = {};
     JointRowView& all;
 
     void begin(const FigureView& view, scalar h) const {
         begin_joint_motions(view, all);
-        place_joints(view);
-        factor_figures(view, h);
+        factor_now(view, loops, h);
         respond_figures(view, all.responses);
         begin_drives(view, all);
     }
     void factor(const FigureView& view, scalar h) const {
+        place_joints(view);
         prepare_drives(view, all, h);
         factor_driven_figures(view, all, h);
     }
@@ -93,7 +130,7 @@ struct DrivenRows {
         for (int round = 1; round < limits::drive_rounds && saturate_drives(view, all); ++round) {
             factor_driven_figures(view, all, h);
             respond_figures(view, all.responses);
-            begin_solve(view, h);
+            begin_solve(view, loops, h);
             solve_once(view, h);
         }
         note_driven_rows(view, all, h);
@@ -117,16 +154,17 @@ private:
 
 template <class Rows>
 void swing_substep(FigureView& view, const Rows& joint_rows, scalar h) {
-    place_joints(view);
-    joint_rows.factor(view, h);
+    constexpr bool closes = Rows::closes;
+    if constexpr (!closes) joint_rows.factor(view, h);
     joint_rows.list(view, h);
     for_groups(view, [&](const auto& rows) { kick_rows(rows, h); });
-    begin_solve(view, h);
+    begin_solve(view, joint_rows.loops, h);
     joint_rows.solve(view, h);
     end_solve(view, h);
     drift_figures(view, h);
     view.elapsed += h;
-    push_figures(view, false);
+    if constexpr (closes) factor_now(view, joint_rows.loops, h);
+    push_figures(view, joint_rows.loops, false);
     joint_rows.push(view, h);
 }
 
@@ -140,7 +178,7 @@ void swing(FigureView& view, const Rows& joint_rows, int substeps) {
         joint_rows.begin(view, view.h / static_cast<scalar>(count));
         for (int substep_i = 0; substep_i < count; ++substep_i)  // bound: Effort::substeps_max, times eight
             swing_substep(view, joint_rows, view.h / static_cast<scalar>(count));
-        ask_for_doublings(view, view.h / static_cast<scalar>(substeps), doublings);
+        ask_for_doublings(view, joint_rows.loops, view.h / static_cast<scalar>(substeps), doublings);
         joint_rows.keep(view, doublings);
         keep_figures(view, doublings);
     }
@@ -148,7 +186,8 @@ void swing(FigureView& view, const Rows& joint_rows, int substeps) {
 
 }  // namespace
 
-void swing_figures(FigureView& view, int substeps) { swing(view, NoRows{}, substeps); }
+void swing_figures(FigureView& view, const NoLoops&, int substeps) { swing(view, NoRows{}, substeps); }
+void swing_figures(FigureView& view, const LoopView& loops, int substeps) { swing(view, WithLoops{loops}, substeps); }
 void swing_figures(FigureView& view, JointRowView& rows, int substeps) { swing(view, WithRows{rows}, substeps); }
 void swing_driven_figures(FigureView& view, JointRowView& rows, int substeps) {
     name_driven_balls(view, rows);

@@ -4,6 +4,7 @@
 
 #include "build_figures.h"
 #include "joint_row.h"
+#include "find_loops.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -13,7 +14,9 @@ namespace ingot { inline namespace INGOT_ABI {
 ///
 /// Source: articulated-body impulses in small steps; the joints of a substep are solved exactly, at any mass ratio.
 /// Cost:   about 1100 flops a body and substep.
-void swing_figures(FigureView& view, int substeps);
+void swing_figures(FigureView& view, const NoLoops&, int substeps);
+/// The same where some joints close loops.
+void swing_figures(FigureView& view, const LoopView& loops, int substeps);
 
 /// The same of joints that may have limits.
 void swing_figures(FigureView& view, JointRowView& rows, int substeps);

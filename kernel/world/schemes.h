@@ -138,7 +138,9 @@ struct JointedFlight {
             JointRowView rows = now.storage.joint_row_view();
             swing_figures(figures, rows, S::effort.substeps);
         } else {
-            swing_figures(figures, S::effort.substeps);
+            auto loops = now.storage.loops();
+            if constexpr (has_loops<S>) count(now.report.joints_lost, find_loops(figures, loops));
+            swing_figures(figures, loops, S::effort.substeps);
         }
         leave_swung(now);
         kick(now);

@@ -29,8 +29,10 @@ struct Storage : features::All::Memory<S> {
     /// A view for reading; whoever holds it does not write.
     BodyView bodies() const { return const_cast<Storage*>(this)->bodies(); }
 
+    /// Those that sleep too.
+    FigureView all_figures() { return this->figure_view(bodies()); }
     FigureView figures(scalar h) {
-        FigureView view = this->figure_view(bodies());
+        FigureView view = all_figures();
         if constexpr (S::sleeps) view.awake = this->awake;
         if constexpr (swings_freely<S>) view.awake = this->left_lanes;
         view.gravity = this->gravity;
@@ -135,11 +137,12 @@ struct Storage : features::All::Memory<S> {
         auto plain = plain_contact_solver();
         using Plain = decltype(plain);
         using Rowed = If<has_joint_drives<S>, DrivenViewOf<Plain>, RowedViewOf<Plain>>;
-        using Jointed = If<has_joint_rows<S>, Rowed, JointedViewOf<Plain>>;
+        using Jointed = If<has_joint_rows<S>, Rowed, If<has_loops<S>, LoopedViewOf<Plain>, JointedViewOf<Plain>>>;
         If<S::kinematic_bodies, KinematicViewOf<Jointed>, Jointed> view{};
         static_cast<Plain&>(view) = plain;
         view.jointed = this->jointed_bodies(figures(0));
         if constexpr (has_joint_rows<S>) view.joint_rows = joint_row_view();
+        if constexpr (has_loops<S>) view.loops = this->loops();
         if constexpr (S::kinematic_bodies) this->show_kinematic(view, this->kinematic);
         return view;
     }

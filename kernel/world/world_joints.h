@@ -25,9 +25,10 @@ public:
     // Joints, in scenes with max_joints: see joint/joints.h.
 
     /// Joins two bodies, or a body and the world, as they are now.
-    /// Errors: no_room (max_joints are there), those of ids, of check_joint and of check_limits, not_in_scene (a kind, or limits, that the scene does
-    ///         not name), bad_joint (a body with itself), immovable (neither can move), frozen.
-    /// Cost:   O(max_joints) after removals.
+    /// Errors: no_room (max_joints are there; or it closes a loop, and max_loops do, or they have limits::loop_rows_max rows in its figure), those
+    ///         of ids, of check_joint and of check_limits, not_in_scene (a kind, or limits, that the scene does not name), bad_joint (a body with
+    ///         itself), immovable (neither can move), frozen.
+    /// Cost:   O(max_joints) after removals, and where both of its bodies have joints already.
     Result<JointId> add_joint(const JointDef& def) {
         static_assert(joints_only());
         Index slot_A = no_body, slot_B = no_body;
@@ -45,6 +46,11 @@ public:
         storage_.joints[joint_i] = record_of(def, storage_.bodies(), slot_A, slot_B, S::joints::has_limits);
         if constexpr (has_joint_limits<S>) storage_.joint_limits[joint_i].limits = def.joint.limits;
         storage_.joint_lists().link(joint_i);
+        if (!has_room_for_loop(joint_i)) {
+            storage_.joint_lists().unlink(joint_i);
+            storage_.joints[joint_i] = {};
+            return {Status::no_room, {}};
+        }
         ++storage_.joint_generation[joint_i];
         if (joint_i == storage_.joint_slots_used) ++storage_.joint_slots_used;
         wake_sides(joint_i);
@@ -197,6 +203,22 @@ private:
         if (!found.ok()) return found.status;
         slot = static_cast<Index>(found.value);
         return ingot::is_frozen(storage_.bodies(), slot) ? Status::frozen : Status::ok;
+    }
+    /// What has no other joint closes no loop.
+    bool hangs_on_others(Index slot, int joint_i) {
+        bool hangs = !moves(slot);
+        if (!hangs) storage_.joint_lists().for_ends(slot, [&](int end) { hangs = hangs || end / 2 != joint_i; });
+        return hangs;
+    }
+    /// Of a joint that is linked, but not told to the rest of the world yet.
+    bool has_room_for_loop(int joint_i) {
+        const JointRecord& joint = storage_.joints[joint_i];
+        if (!hangs_on_others(joint.body_A, joint_i) || !hangs_on_others(joint.body_B, joint_i)) return true;
+        FigureView figures = storage_.all_figures();
+        figures.joint_slots = joint_i < storage_.joint_slots_used ? storage_.joint_slots_used : joint_i + 1;
+        build_figures(figures);
+        auto loops = storage_.loops();
+        return find_loops(figures, loops) == 0;
     }
 };
 

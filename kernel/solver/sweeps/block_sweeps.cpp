@@ -24,7 +24,9 @@ void solve_by_sweeps(View& view, const ContactStep& step, StepReport& report) {
     template void solve_by_sweeps<true, true>(View&, const ContactStep&, StepReport&)
 INGOT_VIEW(SolverView);
 INGOT_VIEW(JointedView);
+INGOT_VIEW(LoopedView);
 INGOT_VIEW(JointedMaterialView);
+INGOT_VIEW(LoopedMaterialView);
 INGOT_VIEW(RowedView);
 INGOT_VIEW(RowedMaterialView);
 INGOT_VIEW(DrivenView);
@@ -35,7 +37,9 @@ INGOT_VIEW(BeltView);
 INGOT_VIEW(RollingBeltView);
 INGOT_VIEW(KinematicViewOf<SolverView>);
 INGOT_VIEW(KinematicViewOf<JointedView>);
+INGOT_VIEW(KinematicViewOf<LoopedView>);
 INGOT_VIEW(KinematicViewOf<JointedMaterialView>);
+INGOT_VIEW(KinematicViewOf<LoopedMaterialView>);
 INGOT_VIEW(KinematicViewOf<RowedView>);
 INGOT_VIEW(KinematicViewOf<RowedMaterialView>);
 INGOT_VIEW(KinematicViewOf<DrivenView>);

@@ -82,7 +82,9 @@ void extrapolate(const View& solver) {
 
 // The linker takes the one that the scene calls. Belts have no impulses of their own.
 template void extrapolate(const JointedView&);
+template void extrapolate(const LoopedView&);
 template void extrapolate(const JointedMaterialView&);
+template void extrapolate(const LoopedMaterialView&);
 template void extrapolate(const SolverView&);
 template void extrapolate(const BallView&);
 template void extrapolate(const RollingView&);

@@ -120,6 +120,7 @@ void hold_diverged_islands(const View& solver, const BodyView& bodies, scalar h)
 
 // The linker takes the one that the scene calls. Belts give speed.
 template void hold_diverged_islands(const JointedView&, const BodyView&, scalar);
+template void hold_diverged_islands(const LoopedView&, const BodyView&, scalar);
 template void hold_diverged_islands(const SolverView&, const BodyView&, scalar);
 template void hold_diverged_islands(const BallView&, const BodyView&, scalar);
 template void hold_diverged_islands(const RollingView&, const BodyView&, scalar);

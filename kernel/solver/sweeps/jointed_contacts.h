@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../../figure/build_figures.h"
+#include "../../figure/close_loops.h"
 #include "../../figure/cursor.h"
 #include "../../figure/factor_figures.h"
 #include "../../figure/joint_drives.h"
@@ -24,6 +25,7 @@ struct SeesJoints : Contacts {
     void begin(const ContactStep& step, StepReport& report) {
         build_figures(jointed.figures);
         if constexpr (Whole::has_drives) name_driven_balls(jointed.figures, rows());
+        if constexpr (closes) count(report.joints_lost, find_loops(jointed.figures, this->view.loops));
         Contacts::begin(step, report);
     }
     bool next_batch(const ContactStep& step) {
@@ -47,7 +49,7 @@ struct SeesJoints : Contacts {
             return;
         }
         if (!jointed.is_fresh) {
-            factor_jointed(this->view);
+            if constexpr (!closes) factor_jointed(this->view, jointed, this->view.loops);
             Contacts::refresh(bodies);
         }
         jointed.is_fresh = false;
@@ -55,7 +57,8 @@ struct SeesJoints : Contacts {
     }
     void solve_velocities(const ContactStep& step, scalar h, StepReport& report) {
         read_velocities(this->view, jointed);
-        begin_solve(jointed.figures, h);
+        begin_solve(jointed.figures, this->view.loops, h);
+        if constexpr (closes) forget_lacks(jointed.figures, this->view.loops);
         if constexpr (Whole::has_drives) {
             solve_driven(step, h, report);
         } else {
@@ -69,32 +72,40 @@ struct SeesJoints : Contacts {
         Contacts::drift(bodies, h);
         drift_figures(jointed.figures, h);
         jointed.figures.elapsed += h;
-        push_figures(jointed.figures, false);
+        // Pushes of loops meet their figures as they are.
+        if constexpr (closes) factor_jointed(this->view, jointed, this->view.loops);
+        push_figures(jointed.figures, this->view.loops, false);
+        if constexpr (closes) write_velocities(this->view, jointed);  // pushes may have slowed them
         if constexpr (Whole::has_joint_rows) measure_joints(jointed.figures, rows(), h);
         write_displacements(this->view, jointed, bodies);
     }
     void solve_positions(const ContactStep& step, scalar h) {
         begin_displacing(jointed.figures);
+        if constexpr (closes) forget_lacks(jointed.figures, this->view.loops);
         Contacts::solve_positions(step, h);
         take_cursors_away(jointed.figures, jointed.responses);
+        if constexpr (closes) close_all_loops(jointed.figures, this->view.loops);
         end_displacing(jointed.figures);
-        push_figures(jointed.figures, true);
+        push_figures(jointed.figures, this->view.loops, true);
         if constexpr (Whole::has_joint_rows) push_joint_rows(jointed.figures, rows(), h, 0);
         write_displacements(this->view, jointed, step.bodies);
     }
     void end_batch(const ContactStep& step, StepReport& report) {
         if (is_of_joints(this->view.plan)) {
-            ask_for_doublings(jointed.figures, step.h / static_cast<scalar>(this->view.effort.substeps), doublings_of(this->view.plan));
+            const scalar h = step.h / static_cast<scalar>(this->view.effort.substeps);
+            ask_for_doublings(jointed.figures, this->view.loops, h, doublings_of(this->view.plan));
             forget_doublings();
             spread_doublings(this->view, jointed);
             if constexpr (Whole::has_joint_rows) keep_joint_motions(jointed.figures, rows(), doublings_of(this->view.plan));
             if constexpr (Whole::has_drives) keep_drives(jointed.figures, rows(), doublings_of(this->view.plan));
             keep_figures(jointed.figures, doublings_of(this->view.plan));
+            if constexpr (closes) keep_loops(jointed.figures, this->view.loops, doublings_of(this->view.plan));
         }
         Contacts::end_batch(step, report);
     }
 
 private:
+    static constexpr bool closes = decltype(Whole::loops)::closes;
     JointedBodies& jointed;
 
     JointRowView& rows() { return this->whole.joint_rows; }
@@ -111,7 +122,7 @@ private:
             Contacts::solve_velocities(step, h, report);
             if (round == limits::drive_rounds || !saturate_drives(jointed.figures, rows())) break;
             factor_driven(step.bodies, h);
-            begin_solve(jointed.figures, h);
+            begin_solve(jointed.figures, this->view.loops, h);
         }
         note_driven_rows(jointed.figures, rows(), h);
     }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "jointed_visits.h"
 
+#include "../../figure/close_loops.h"
 #include "../../figure/cursor.h"
 #include "../../figure/factor_figures.h"
+#include "../../figure/factor_loops.h"
 #include "../../figure/respond_figures.h"
 #include "../../figure/move_figures.h"
 #include "../../figure/tree_passes.h"
@@ -31,21 +33,32 @@ void for_jointed(const JointedBodies& jointed, const ContactBlock& block, uint16
     }
 }
 
-void write_velocity(const JointedBodies& jointed, SolverBody& body, Index node) {
+/// The change of a body's twist by the solve, at its centre of mass.
+template <class Loops, class At>
+Spatial<scalar> change_of_centre(const JointedBodies& jointed, [[maybe_unused]] const Loops& loops, const At& at, const FigureRow<At::width>& row,
+                                 [[maybe_unused]] Index node) {
+    Spatial<scalar> u = read(at, row.change);
+    if constexpr (Loops::closes) u = u + twist_of_loops(jointed.figures, loops, node);
+    return twist_at(u, read(at, row.c));
+}
+
+template <class Loops>
+void write_velocity(const JointedBodies& jointed, const Loops& loops, SolverBody& body, Index node) {
     at_node(jointed.figures, node, [&](const auto& rows, const auto& at, int row_i) {
         const auto& row = rows[row_i];
-        const Spatial<scalar> u = twist_at(read(at, row.change), read(at, row.c));
+        const Spatial<scalar> u = change_of_centre(jointed, loops, at, row, node);
         const Matrix A = read(at, row.A);
         put_three(body.v_CM, read(at, row.v) + u.v);
         put_three(body.L, read(at, row.L) + A * scaled(read(at, row.I_body), transpose_times(A, u.w)));
     });
 }
 
-void write_displacement(const JointedBodies& jointed, const BodyView& bodies, SolverBody& body, Index node) {
+template <class Loops>
+void write_displacement(const JointedBodies& jointed, const Loops& loops, const BodyView& bodies, SolverBody& body, Index node) {
     const Vector begin = r_CM_of(bodies, jointed.figures.nodes[node].slot);
     at_node(jointed.figures, node, [&](const auto& rows, const auto& at, int row_i) {
         const auto& row = rows[row_i];
-        const Spatial<scalar> u = twist_at(read(at, row.change), read(at, row.c));
+        const Spatial<scalar> u = change_of_centre(jointed, loops, at, row, node);
         put_three(body.dp, (read(at, row.r) - begin) + u.v);
         put_three(body.dth, read(at, row.turned) + u.w);
     });
@@ -61,34 +74,42 @@ void for_figure_bodies(const SolverView& solver, const JointedBodies& jointed, c
 
 }  // namespace
 
-void factor_jointed(const SolverView& solver, JointedBodies& jointed) {
+template <class Loops>
+void factor_jointed(const SolverView& solver, JointedBodies& jointed, const Loops& loops) {
     place_joints(jointed.figures);
-    factor_figures(jointed.figures, jointed.figures.h / static_cast<scalar>(solver.substeps));
+    if constexpr (Loops::closes) place_loops(jointed.figures, loops);
+    factor_figures(jointed.figures, loops, jointed.figures.h / static_cast<scalar>(solver.substeps));
     respond_figures(jointed.figures, jointed.responses);
-    jointed.is_fresh = true;
+    if constexpr (Loops::closes) factor_loops(jointed.figures, loops);
 }
 
-void bring_velocities(const SolverView& solver, const JointedBodies& jointed, const ContactBlock& block, uint16_t lane_bits) {
+template <class Loops>
+void bring_velocities(const SolverView& solver, const JointedBodies& jointed, const Loops& loops, const ContactBlock& block, uint16_t lane_bits) {
     for_jointed(jointed, block, lane_bits, [&](Index body_i, Index node) {
         bring_cursor(jointed.figures, jointed.responses, node);
-        write_velocity(jointed, solver.bodies[body_i], node);
+        write_velocity(jointed, loops, solver.bodies[body_i], node);
     });
 }
 
-void bring_displacements(const SolverView& solver, const JointedBodies& jointed, const ContactBlock& block, uint16_t lane_bits) {
+template <class Loops>
+void bring_displacements(const SolverView& solver, const JointedBodies& jointed, const Loops& loops, const ContactBlock& block, uint16_t lane_bits) {
     for_jointed(jointed, block, lane_bits, [&](Index body_i, Index node) {
         bring_cursor(jointed.figures, jointed.responses, node);
-        write_displacement(jointed, jointed.figures.bodies, solver.bodies[body_i], node);
+        write_displacement(jointed, loops, jointed.figures.bodies, solver.bodies[body_i], node);
     });
 }
 
-void give_wrenches(const JointedBodies& jointed, const ContactBlock& block, uint16_t lane_bits, const GivenWrenches& given) {
+template <class Loops>
+void give_wrenches(const JointedBodies& jointed, [[maybe_unused]] const Loops& loops, const ContactBlock& block, uint16_t lane_bits,
+                   const GivenWrenches& given) {
     for (int lane_i = 0; lane_i < lanes; ++lane_i) {
         if ((lane_bits >> lane_i & 1u) == 0) continue;
         const auto give = [&](Index body_i, const Vector& F, const Vector& T) {
             if (body_i == 0 || !jointed.has_joints(body_i)) return;
-            bring_cursor(jointed.figures, jointed.responses, jointed.node_of[body_i]);
-            give_at_cursor(jointed.figures, jointed.responses, jointed.node_of[body_i], F, T);
+            const Index node = jointed.node_of[body_i];
+            bring_cursor(jointed.figures, jointed.responses, node);
+            give_at_cursor(jointed.figures, jointed.responses, node, F, T);
+            if constexpr (Loops::closes) feel_impulse(jointed.figures, loops, node, F, T);
         };
         give(block.body_A[lane_i], lane_of(given.F_A, lane_i), lane_of(given.T_A, lane_i));
         give(block.body_B[lane_i], lane_of(given.F_B, lane_i), lane_of(given.T_B, lane_i));
@@ -111,6 +132,15 @@ void write_displacements(const SolverView& solver, const JointedBodies& jointed,
     });
 }
 
+void write_velocities(const SolverView& solver, const JointedBodies& jointed) {
+    for_figure_bodies(solver, jointed, [&](int body_i, Index node) {
+        at_node(jointed.figures, node, [&](const auto& rows, const auto& at, int row_i) {
+            put_three(solver.bodies[body_i].v_CM, read(at, rows[row_i].v));
+            put_three(solver.bodies[body_i].L, read(at, rows[row_i].L));
+        });
+    });
+}
+
 void read_velocities(const SolverView& solver, const JointedBodies& jointed) {
     for_figure_bodies(solver, jointed, [&](int body_i, Index node) {
         at_node(jointed.figures, node, [&](const auto& rows, const auto& at, int row_i) {
@@ -121,12 +151,24 @@ void read_velocities(const SolverView& solver, const JointedBodies& jointed) {
 }
 
 void end_jointed_sweeps(const SolverView& solver, const JointedBodies& jointed) {
-    for_figure_bodies(solver, jointed, [&](int body_i, Index node) { write_velocity(jointed, solver.bodies[body_i], node); });
+    for_figure_bodies(solver, jointed, [&](int body_i, Index node) { write_velocity(jointed, NoLoops{}, solver.bodies[body_i], node); });
 }
+
+namespace {
+
+void pass_all_impulses(const FigureView& figures, const NoLoops&) { pass_impulses(figures); }
+void pass_all_impulses(const FigureView& figures, const LoopView& loops) {
+    add_loop_impulses(figures, loops);
+    pass_impulses(figures);
+    for_looped_figures(figures, loops, [&](const LoopFigure& of) { find_lacks(figures, loops, of); });
+}
+
+}  // namespace
 
 template <class View>
 void pass_contact_impulses(const View& solver) {
     const JointedBodies& jointed = solver.jointed;
+    if constexpr (decltype(solver.loops)::closes) keep_lacks(jointed.figures, solver.loops);
     begin_passing(jointed.figures);
     for (int block_i = jointed.first_block; block_i < solver.block_count; ++block_i) {  // bound: max_manifolds
         const ContactBlock& block = solver.blocks[block_i];
@@ -151,12 +193,37 @@ void pass_contact_impulses(const View& solver) {
             give(block.body_B[lane_i], lane_of(given.F_B, lane_i), lane_of(given.T_B, lane_i));
         }
     }
-    pass_impulses(jointed.figures);
+    pass_all_impulses(jointed.figures, solver.loops);
+}
+
+template <class View>
+void end_passing(const View& solver) {
+    const JointedBodies& jointed = solver.jointed;
+    if constexpr (decltype(solver.loops)::closes) {
+        pass_contact_impulses(solver);
+        end_loops(jointed.figures, solver.loops);
+    } else {
+        take_cursors_away(jointed.figures, jointed.responses);
+    }
 }
 
 // The linker takes the one that the scene calls.
-template void pass_contact_impulses(const JointedView&);
-template void pass_contact_impulses(const JointedMaterialView&);
+#define INGOT_LOOPS(Loops)                                                                                                                    \
+    template void factor_jointed(const SolverView&, JointedBodies&, const Loops&);                                                            \
+    template void bring_velocities(const SolverView&, const JointedBodies&, const Loops&, const ContactBlock&, uint16_t);                     \
+    template void bring_displacements(const SolverView&, const JointedBodies&, const Loops&, const ContactBlock&, uint16_t);                  \
+    template void give_wrenches(const JointedBodies&, const Loops&, const ContactBlock&, uint16_t, const GivenWrenches&)
+INGOT_LOOPS(NoLoops);
+INGOT_LOOPS(LoopView);
+#undef INGOT_LOOPS
+#define INGOT_VIEW(View)                              \
+    template void pass_contact_impulses(const View&); \
+    template void end_passing(const View&)
+INGOT_VIEW(JointedView);
+INGOT_VIEW(JointedMaterialView);
+INGOT_VIEW(LoopedView);
+INGOT_VIEW(LoopedMaterialView);
+#undef INGOT_VIEW
 
 } }  // namespace ingot
 

@@ -5,17 +5,22 @@
 #include "../../constraint/block_bodies.h"
 #include "../../constraint/contact.h"
 #include "../../constraint/jointed_response.h"
+#include "../../figure/find_loops.h"
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpsabi"  // see lanes.h
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// Figures of the batch as they are now: joints, inertia, responses.
-void factor_jointed(const SolverView& solver, JointedBodies& jointed);
+/// Figures of the batch as they are now: joints, inertia, responses. Loops: LoopView, or NoLoops.
+template <class Loops>
+void factor_jointed(const SolverView& solver, JointedBodies& jointed, const Loops& loops);
+/// The same as a batch begins.
 template <class View>
-INGOT_INLINE void factor_jointed(View& solver) {
-    factor_jointed(solver, solver.jointed);
+INGOT_INLINE void begin_jointed_batch(View& solver) {
+    if constexpr (decltype(solver.loops)::closes) load_loops(solver.jointed.figures, solver.loops);
+    factor_jointed(solver, solver.jointed, solver.loops);
+    solver.jointed.is_fresh = true;
 }
 
 /// The impulses of all contacts of the batch, as they stand, pass through the figures. Needs: begin_solve.
@@ -29,19 +34,25 @@ void excuse_jointed(View& solver) {
         if (solver.jointed.doublings_of[island_i] != 0) solver.islands[island_i].at_bound = false;
 }
 
+/// After the last sweep: changes of all bodies are those of all impulses, and of closed loops.
+template <class View>
+void end_passing(const View& solver);
 /// Bodies of figures have the velocities of the solve in SolverView::bodies too. Needs: changes of all bodies.
 void end_jointed_sweeps(const SolverView& solver, const JointedBodies& jointed);
 
 /// v_CM and L of the bodies of a visit are those that all impulses so far give them.
-void bring_velocities(const SolverView& solver, const JointedBodies& jointed, const ContactBlock& block, uint16_t lane_bits);
+template <class Loops>
+void bring_velocities(const SolverView& solver, const JointedBodies& jointed, const Loops& loops, const ContactBlock& block, uint16_t lane_bits);
 /// And dp and dth, of pushes.
-void bring_displacements(const SolverView& solver, const JointedBodies& jointed, const ContactBlock& block, uint16_t lane_bits);
+template <class Loops>
+void bring_displacements(const SolverView& solver, const JointedBodies& jointed, const Loops& loops, const ContactBlock& block, uint16_t lane_bits);
 
 /// What the bodies of a visit got, by lane.
 struct GivenWrenches {
     scalar F_A[3][lanes], T_A[3][lanes], F_B[3][lanes], T_B[3][lanes];
 };
-void give_wrenches(const JointedBodies& jointed, const ContactBlock& block, uint16_t lane_bits, const GivenWrenches& given);
+template <class Loops>
+void give_wrenches(const JointedBodies& jointed, const Loops& loops, const ContactBlock& block, uint16_t lane_bits, const GivenWrenches& given);
 
 INGOT_INLINE GivenWrenches given_to(const JointedPairLanes& pair) {
     GivenWrenches given;
@@ -55,6 +66,8 @@ INGOT_INLINE GivenWrenches given_to(const JointedPairLanes& pair) {
 /// Bodies of figures are where their figures are: dp and dth, and the inertia that contacts see.
 void write_displacements(const SolverView& solver, const JointedBodies& jointed, const BodyView& bodies);
 
+/// Velocities of figures come to the solver's bodies.
+void write_velocities(const SolverView& solver, const JointedBodies& jointed);
 /// Velocities of the begin of a solve come into the figures.
 void read_velocities(const SolverView& solver, const JointedBodies& jointed);
 

@@ -140,11 +140,17 @@ void drift_kinematic_bodies(const SolverView& solver, KinematicContacts& kinemat
 }
 
 template void yield_islands(const JointedView&, const KinematicContacts&);
+template void yield_islands(const LoopedView&, const KinematicContacts&);
 template void yield_islands(const JointedMaterialView&, const KinematicContacts&);
+template void yield_islands(const LoopedMaterialView&, const KinematicContacts&);
 template void see_kinematic_levers(const JointedView&, const KinematicContacts&);
+template void see_kinematic_levers(const LoopedView&, const KinematicContacts&);
 template void see_kinematic_bodies(const JointedView&, KinematicContacts&, const BodyView&, scalar);
+template void see_kinematic_bodies(const LoopedView&, KinematicContacts&, const BodyView&, scalar);
 template void see_kinematic_levers(const JointedMaterialView&, const KinematicContacts&);
+template void see_kinematic_levers(const LoopedMaterialView&, const KinematicContacts&);
 template void see_kinematic_bodies(const JointedMaterialView&, KinematicContacts&, const BodyView&, scalar);
+template void see_kinematic_bodies(const LoopedMaterialView&, KinematicContacts&, const BodyView&, scalar);
 // The linker takes the one that the scene calls.
 template void yield_islands(const SolverView&, const KinematicContacts&);
 template void yield_islands(const BallView&, const KinematicContacts&);

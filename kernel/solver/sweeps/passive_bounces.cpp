@@ -170,7 +170,9 @@ bool lower_impact(const View& solver, int block_i, int lane_i, scalar now, scala
     template bool lower_impact(const View&, int, int, scalar, scalar)
 INGOT_VIEW(SolverView);
 INGOT_VIEW(JointedView);
+INGOT_VIEW(LoopedView);
 INGOT_VIEW(JointedMaterialView);
+INGOT_VIEW(LoopedMaterialView);
 INGOT_VIEW(BallView);
 INGOT_VIEW(RollingView);
 INGOT_VIEW(BeltView);

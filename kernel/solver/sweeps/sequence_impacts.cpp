@@ -278,7 +278,9 @@ void sequence_impacts(const View& solver, scalar h, const StepNotes& notes, Step
     template void sequence_impacts<true>(const View&, scalar, const StepNotes&, StepReport&)
 INGOT_VIEW(SolverView);
 INGOT_VIEW(JointedView);
+INGOT_VIEW(LoopedView);
 INGOT_VIEW(JointedMaterialView);
+INGOT_VIEW(LoopedMaterialView);
 INGOT_VIEW(BallView);
 INGOT_VIEW(RollingView);
 INGOT_VIEW(BeltView);

@@ -153,6 +153,7 @@ template bool begin_reversals(const SolverView&, scalar);
 template bool begin_reversals(const BeltView&, scalar);
 template bool begin_reversals(const RollingBeltView&, scalar);
 template bool begin_reversals(const JointedMaterialView&, scalar);
+template bool begin_reversals(const LoopedMaterialView&, scalar);
 
 } }  // namespace ingot
 

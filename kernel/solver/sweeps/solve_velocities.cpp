@@ -113,13 +113,15 @@ void solve_velocities(Whole& whole) {
     if constexpr (Whole::has_joint_rows)
         pass_contact_impulses(solver);  // from the impulses alone: an island is not told how long others of the batch go on
     else if constexpr (View::articulates)
-        take_cursors_away(solver.jointed.figures, solver.jointed.responses);
+        end_passing(solver);
     if constexpr (View::articulates) end_jointed_sweeps(solver, solver.jointed);
 }
 
 // The linker takes the one that the scene calls.
 template void solve_velocities(JointedView&);
+template void solve_velocities(LoopedView&);
 template void solve_velocities(JointedMaterialView&);
+template void solve_velocities(LoopedMaterialView&);
 template void solve_velocities(RowedView&);
 template void solve_velocities(RowedMaterialView&);
 template void solve_velocities(DrivenView&);

@@ -35,7 +35,7 @@ INGOT_INLINE bool visit_positions(const SolverView& solver, ContactBlock& block,
 /// The same of a visit whose bodies have joints.
 template <int rows, class View>
 INGOT_INLINE bool visit_jointed_positions(const View& solver, int block_i, ContactBlock& block, uint16_t lane_bits, scalar h, bool again) {
-    bring_displacements(solver, solver.jointed, block, lane_bits);
+    bring_displacements(solver, solver.jointed, solver.loops, block, lane_bits);
     const mask active = lanes_of(lane_bits);
     const Vec3<lane> n = load(block.n);
     JointedPairLanes pair(gather_bodies(solver, block, &SolverBody::dp, &SolverBody::dth),
@@ -54,7 +54,7 @@ INGOT_INLINE bool visit_jointed_positions(const View& solver, int block_i, Conta
     add_linear(pair, n * sum, lane{}, lane{});
     settle_push(pair);
     scatter_bodies(solver, block, lane_bits, pair, &SolverBody::dp, &SolverBody::dth);
-    give_wrenches(solver.jointed, block, lane_bits, given_to(pair));
+    give_wrenches(solver.jointed, solver.loops, block, lane_bits, given_to(pair));
     return any(both(due.lands, active));
 }
 
@@ -105,7 +105,9 @@ void sweep_positions(const View& solver, const Visit* visits, int visit_count, s
 
 // The linker takes the one that the scene calls.
 template void sweep_positions(const JointedView&, const Visit*, int, scalar);
+template void sweep_positions(const LoopedView&, const Visit*, int, scalar);
 template void sweep_positions(const JointedMaterialView&, const Visit*, int, scalar);
+template void sweep_positions(const LoopedMaterialView&, const Visit*, int, scalar);
 template void sweep_positions(const SolverView&, const Visit*, int, scalar);
 template void sweep_positions(const BallView&, const Visit*, int, scalar);
 

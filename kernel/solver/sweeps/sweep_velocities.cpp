@@ -57,7 +57,7 @@ INGOT_INLINE void visit_velocities(const View& solver, int block_i, ContactBlock
 /// The same of a visit whose bodies have joints: all of it, in every sweep, for what any contact of a figure does changes its other bodies.
 template <int rows, class View>
 INGOT_INLINE void visit_jointed(const View& solver, int block_i, ContactBlock& block, uint16_t lane_bits, int sweep_i, lane active_threshold) {
-    bring_velocities(solver, solver.jointed, block, lane_bits);
+    bring_velocities(solver, solver.jointed, solver.loops, block, lane_bits);
     const mask visited = lanes_of(lane_bits);
     RowVisit<rows, false, View> at(solver, block_i, visited);
     JointedPairLanes pair(gather_bodies(solver, block, &SolverBody::v_CM, &SolverBody::L),
@@ -71,7 +71,7 @@ INGOT_INLINE void visit_jointed(const View& solver, int block_i, ContactBlock& b
     store_if<false>(block.change, visited, change.size);
     store_if<false>(block.fastest, visited, change.fastest);
     scatter_bodies(solver, block, lane_bits, pair, &SolverBody::v_CM, &SolverBody::L);
-    give_wrenches(solver.jointed, block, lane_bits, given_to(pair));
+    give_wrenches(solver.jointed, solver.loops, block, lane_bits, given_to(pair));
 }
 
 /// m/s; a body that a visit changes by more is visited by the next sweep too.
@@ -144,7 +144,9 @@ void sweep_velocities(const View& solver, int sweep_i, bool up) {
 
 // The linker takes the one that the scene calls.
 template void sweep_velocities(const JointedView&, int, bool);
+template void sweep_velocities(const LoopedView&, int, bool);
 template void sweep_velocities(const JointedMaterialView&, int, bool);
+template void sweep_velocities(const LoopedMaterialView&, int, bool);
 template void sweep_velocities(const SolverView&, int, bool);
 template void sweep_velocities(const BallView&, int, bool);
 template void sweep_velocities(const RollingView&, int, bool);

@@ -107,7 +107,7 @@ private:
         if constexpr (!View::has_belts) hold_diverged_islands(view, bodies, h);
     }
     void prepare(const ContactStep& step) {
-        if constexpr (View::articulates) factor_jointed(view);
+        if constexpr (View::articulates) begin_jointed_batch(view);
         prepare_blocks(view, step.bodies);
         if constexpr (notes_impulses) clear_impulse_notes(view, step.notes);
         if constexpr (bounces)

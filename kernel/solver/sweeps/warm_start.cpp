@@ -40,7 +40,9 @@ void warm_start(const View& solver, scalar h) {
 
 // The linker takes the one that the scene calls. Belts have no impulses of their own.
 template void warm_start(const JointedView&, scalar);
+template void warm_start(const LoopedView&, scalar);
 template void warm_start(const JointedMaterialView&, scalar);
+template void warm_start(const LoopedMaterialView&, scalar);
 template void warm_start(const SolverView&, scalar);
 template void warm_start(const BallView&, scalar);
 template void warm_start(const RollingView&, scalar);

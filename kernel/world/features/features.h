@@ -25,7 +25,7 @@ namespace ingot { inline namespace INGOT_ABI { namespace features {
 using All = FeatureList<Rotation, Translation, Compensation, EnergyReturn, FieldOfForce, Surfaces, Compounds, Impacts, Manifolds, Unsettled,
                         RollingResistance, Belts, Filters, Sensors, Continuous, Events, ToldEvents, Sleep, GravityShares, TouchAside, SteadyField,
                          UserData, BodyForces, BodyDamping, ReadsContacts, CompensatedSums, KinematicBodies, WorkBudget, ContactEffort, Figures,
-                         MovingJoints, LimitedJoints, DrivenJoints, FigureMotion>;
+                         MovingJoints, LimitedJoints, DrivenJoints, LoopJoints, FigureMotion>;
 
 static_assert(All::bits_differ(SnapshotPart::doubles | SnapshotPart::anchors | SnapshotPart::pointwise));  // of a snapshot's parts
 

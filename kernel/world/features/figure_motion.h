@@ -31,7 +31,7 @@ struct TouchingPart<S, false> {
 };
 
 struct FigureMotion : Feature {
-    static constexpr uint32_t part = 1u << 21;
+    static constexpr uint32_t part = 1u << 22;
     template <class S>
     static constexpr bool named = swings_freely<S>;
 

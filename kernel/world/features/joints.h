@@ -2,6 +2,7 @@
 // Joints, and the figures that they make of bodies.
 #pragma once
 
+#include "../../figure/close_loops.h"
 #include "../../figure/swing_figures.h"
 #include "../../joint/check_joint.h"
 #include "../../joint/check_drive.h"
@@ -280,6 +281,59 @@ struct Figures : Feature {
     template <class S>
     static void set_entry_count(Storage<S>& storage, Index count) {
         storage.joint_slots_used = count;
+    }
+};
+
+/// Those of them that close loops.
+struct LoopJoints : Feature {
+    template <class S>
+    static constexpr bool named = has_loops<S>;
+
+    template <class S, bool present>
+    struct Memory {
+        static constexpr unsigned loop_capacity = static_cast<unsigned>(S::max_loops);
+        static constexpr unsigned row_capacity = 6 * loop_capacity;
+        static constexpr unsigned rows_of_figure = row_capacity < limits::loop_rows_max ? row_capacity : limits::loop_rows_max;
+        static constexpr unsigned node_capacity = Figures::Memory<S, true>::node_capacity;
+
+        LoopJoint loop_joints[loop_capacity] = {};
+        LoopFigure loop_figures[loop_capacity] = {};
+        Index loops_of_figure[static_cast<unsigned>(S::max_joints)] = {};
+        uint8_t loop_order[row_capacity] = {};
+        scalar loop_lacks[row_capacity] = {};
+        scalar loop_triangles[loop_capacity * 3 * (rows_of_figure + 1)] = {};  // n (n + 1) / 2 for figures of n rows, which are row_capacity in all
+        Spatial<scalar> loop_answers[node_capacity * rows_of_figure] = {};
+
+        LoopView loops() {
+            LoopView view{};
+            view.joints = loop_joints;
+            view.figures = loop_figures;
+            view.of_figure = loops_of_figure;
+            view.z = loop_lacks;
+            view.L = loop_triangles;
+            view.order = loop_order;
+            view.X = loop_answers;
+            view.joint_capacity = S::max_loops;
+            view.rows_max = static_cast<int>(rows_of_figure);
+            return view;
+        }
+    };
+    template <class S>
+    struct Memory<S, false> {
+        static NoLoops loops() { return {}; }
+    };
+
+    template <class S, class Each>
+    static constexpr void traits(Each& each) {
+        if constexpr (has_loops<S>) each(S::max_loops);
+    }
+    template <class S>
+    static constexpr bool check() {
+        static_assert(S::max_loops >= 0 && S::max_loops <= S::max_joints,
+                      "joints that close loops are among the joints: set max_loops to max_joints at most");
+        static_assert(!has_loops<S> || !has_joint_rows<S>,
+                      "limits and drives are of joints of trees: set max_loops = 0, or leave WithLimits and WithDrives out");
+        return true;
     }
 };
 

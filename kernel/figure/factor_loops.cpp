@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: MIT
+#include "factor_loops.h"
+
+#include "../base/limits.h"
+#include "../math/sqrt.h"
+#include "ground.h"
+#include "tree_passes.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+namespace {
+
+/// A side of a joint in the world.
+struct PlacedFrame {
+    Vector arm, axis, side, third;
+};
+PlacedFrame placed(const Matrix& A, const JointFrame& frame) {
+    const Vector axis = A * frame.axis, side = A * frame.side;
+    return {A * frame.anchor, axis, side, cross(axis, side)};
+}
+
+/// From q of a body to a point at `arm` of its centre of mass.
+Vector from_q(const FigureView& view, Index node_i, const Vector& arm) {
+    return at_node(view, node_i, [&](const auto& rows, const auto& at, int row_i) { return read(at, rows[row_i].c) + arm; });
+}
+Matrix rotation_of(const FigureView& view, Index node_i) {
+    return at_node(view, node_i, [](const auto& rows, const auto& at, int row_i) { return read(at, rows[row_i].A); });
+}
+Vector place_of_body(const FigureView& view, Index node_i) {
+    return at_node(view, node_i, [](const auto& rows, const auto& at, int row_i) { return read(at, rows[row_i].r); });
+}
+
+/// Directions that a joint locks, linear ones first: all three, or those across an axis.
+void set_directions(LoopJoint& loop, const PlacedFrame& child, const PlacedFrame& other) {
+    constexpr Vector axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    int count = 0;
+    const auto add = [&](bool is_turn, const Vector& direction) {
+        loop.is_turn[count] = is_turn;
+        loop.direction[count++] = direction;
+    };
+    const auto add_all = [&](bool is_turn) {
+        for (const Vector& axis : axes) add(is_turn, axis);
+    };
+    const auto add_across = [&](bool is_turn, const PlacedFrame& frame) {
+        add(is_turn, frame.side);
+        add(is_turn, frame.third);
+    };
+    if (loop.kind == JointKind::slider)
+        add_across(false, other);
+    else
+        add_all(false);
+    if (loop.kind == JointKind::hinge) add_across(true, child);
+    if (loop.kind == JointKind::fixed || loop.kind == JointKind::slider) add_all(true);
+    if (loop.kind == JointKind::universal) {
+        const Vector x = cross(other.axis, child.axis);
+        add(true, x * (1 / sqrt(length_sq(x))));
+    }
+}
+
+void place_loop(const FigureView& view, LoopJoint& loop) {
+    const JointRecord& record = view.lists.joints[loop.joint];
+    const bool is_tied = loop.other == no_node;
+    const Ground<scalar> ground = is_tied ? ground_at(view, loop.ground) : Ground<scalar>{};
+    const PlacedFrame child = placed(rotation_of(view, loop.child), loop.is_A ? record.frame_A : record.frame_B);
+    const PlacedFrame other = placed(is_tied ? ground.A : rotation_of(view, loop.other), loop.is_A ? record.frame_B : record.frame_A);
+    loop.arm = child.arm;
+    loop.arm_of_other = other.arm;
+    set_directions(loop, child, other);
+    // Both sides act at the child's, so that they turn nothing between them.
+    const Vector at_child = from_q(view, loop.child, child.arm);
+    Vector at_other{};
+    if (!is_tied) at_other = from_q(view, loop.other, (place_of_body(view, loop.child) - place_of_body(view, loop.other)) + child.arm);
+    for (int row = 0; row < loop.row_count; ++row) {  // bound: rows_of_joint_max
+        const Vector d = loop.direction[row], none{};
+        const Spatial<scalar> unit = loop.is_turn[row] ? Spatial<scalar>{d, none} : Spatial<scalar>{none, d};
+        loop.rows[row].on_child = impulse_from(unit, at_child);
+        loop.rows[row].on_other = is_tied ? Spatial<scalar>{} : impulse_from(unit, at_other) * scalar(-1);
+    }
+}
+
+template <class At>
+void add_to_impulse(const At& at, FigureRow<At::width>& row, const Spatial<scalar>& f) {
+    write(at, row.impulse, read(at, row.impulse) + f);
+}
+
+/// A column of U: what all bodies of a figure answer to a row.
+template <unsigned width>
+void answer_row(const FigureRows<width>& rows, const OneLane<width>& at, const LoopView& loops, const LoopFigure& of, const LoopJoint& loop,
+                int row) {
+    const Spatial<scalar> none{};
+    const int count = rows.count();
+    for (int row_i = 0; row_i < count; ++row_i) write(at, rows[row_i].impulse, none);  // bound: max_bodies
+    const int first = rows.figure(at.lane_i).first_node;
+    add_to_impulse(at, rows[loop.child - first], loop.rows[row].on_child);
+    if (loop.other != no_node) add_to_impulse(at, rows[loop.other - first], loop.rows[row].on_other);
+    for (int row_i = count - 1; row_i > 0; --row_i) {  // bound: max_bodies
+        const FigureNode& node = rows.node(row_i);
+        const Spatial<scalar> sent = impulse_through(at, rows[row_i], node.kind, read(at, rows[row_i].impulse), none.v);
+        add_to_impulse(at, rows[node.parent], impulse_from(sent, read(at, rows[row_i].d)));
+    }
+    Spatial<scalar>* const column = loops.X_of(of, 0) + loop.first_row + row;
+    for (int row_i = 0; row_i < count; ++row_i) {
+        const FigureNode& node = rows.node(row_i);
+        Spatial<scalar> u{};
+        if (node.kind == JointKind::none)
+            u = twist_of_floating(at, rows[row_i]);
+        else {
+            if (node.parent != no_node) u = twist_at(column[node.parent * of.row_count], read(at, rows[row_i].d));
+            u = twist_through(at, rows[row_i], node.kind, u, read(at, rows[row_i].impulse), none.v);
+        }
+        column[row_i * of.row_count] = u;
+    }
+}
+
+/// What a row would give way if its bodies had no joints.
+scalar free_compliance(const FigureView& view, Index node_i, const Spatial<scalar>& f) {
+    return at_node(view, node_i, [&](const auto& rows, const auto& at, int row_i) {
+        const auto& row = rows[row_i];
+        const Matrix A = read(at, row.A);
+        const Vector T = transpose_times(A, f.w - cross(read(at, row.c), f.v)), I = read(at, row.I_body);
+        return length_sq(f.v) / at.get(row.M) + (T.x * T.x / I.x + T.y * T.y / I.y + T.z * T.z / I.z);
+    });
+}
+
+/// C in the place of L. free: of each row, what it would give way without joints.
+void couple_rows(const FigureView& view, const LoopView& loops, const LoopFigure& of, scalar* L, scalar* free) {
+    const Index first = view.figures[of.figure].first_node;
+    for_joints(loops, of, [&](const LoopJoint& loop) {
+        const Spatial<scalar>* const of_child = loops.X_of(of, loop.child - first);
+        const Spatial<scalar>* const of_other = loop.other == no_node ? nullptr : loops.X_of(of, loop.other - first);
+        for (int row = 0; row < loop.row_count; ++row) {  // bound: rows_of_joint_max
+            const int i = loop.first_row + row;
+            scalar* const entries = L + i * (i + 1) / 2;
+            for (int k = 0; k <= i; ++k) {  // bound: limits::loop_rows_max
+                entries[k] = dot(loop.rows[row].on_child, of_child[k]);
+                if (of_other != nullptr) entries[k] += dot(loop.rows[row].on_other, of_other[k]);
+            }
+            free[i] = free_compliance(view, loop.child, loop.rows[row].on_child);
+            if (loop.other != no_node) free[i] += free_compliance(view, loop.other, loop.rows[row].on_other);
+        }
+    });
+}
+
+/// A symmetric matrix by its lower triangle, some of whose rows are eliminated already.
+struct Triangle {
+    scalar* entries;
+    int count;
+
+    scalar& at(int i, int k) const { return entries[i * (i + 1) / 2 + k]; }  // k <= i
+    static void swap(scalar& a, scalar& b) {
+        const scalar c = a;
+        a = b;
+        b = c;
+    }
+    /// Rows and columns a < b change places.
+    void exchange(int a, int b) const {
+        for (int k = 0; k < a; ++k) swap(at(a, k), at(b, k));              // bound: limits::loop_rows_max
+        for (int k = a + 1; k < b; ++k) swap(at(k, a), at(b, k));          // bound: limits::loop_rows_max
+        for (int k = b + 1; k < count; ++k) swap(at(k, a), at(k, b));      // bound: limits::loop_rows_max
+        swap(at(a, a), at(b, b));
+    }
+    /// Column i of L; the inverse of the diagonal in its place.
+    void eliminate(int i) const {
+        const scalar inverse = 1 / sqrt(at(i, i));
+        at(i, i) = inverse;
+        for (int k = i + 1; k < count; ++k) {  // bound: limits::loop_rows_max
+            at(k, i) = at(k, i) * inverse;
+            for (int m = i + 1; m <= k; ++m) at(k, m) -= at(k, i) * at(m, i);  // bound: limits::loop_rows_max
+        }
+    }
+};
+
+/// L of C = L L^T, the row first that gives way most by what the others have left it. Returns how many there are until none gives way any more.
+int factor_triangle(const Triangle& C, scalar* free, uint8_t* order) {
+    for (int i = 0; i < C.count; ++i) order[i] = static_cast<uint8_t>(i);  // bound: limits::loop_rows_max
+    for (int i = 0; i < C.count; ++i) {
+        int best = i;
+        for (int k = i + 1; k < C.count; ++k)  // bound: limits::loop_rows_max
+            if (C.at(k, k) * free[best] > C.at(best, best) * free[k]) best = k;
+        if (!(C.at(best, best) > limits::loop_compliance * free[best])) return i;
+        if (best != i) {
+            C.exchange(i, best);
+            Triangle::swap(free[i], free[best]);
+            const uint8_t row = order[i];
+            order[i] = order[best];
+            order[best] = row;
+        }
+        C.eliminate(i);
+    }
+    return C.count;
+}
+
+/// X = L^-1 U in the place of U, of one body.
+void solve_triangle(const scalar* L, const LoopFigure& of, const uint8_t* order, Spatial<scalar>* X) {
+    Spatial<scalar> U[limits::loop_rows_max];
+    for (int i = 0; i < of.row_count; ++i) U[i] = X[i];  // bound: limits::loop_rows_max
+    for (int i = 0; i < of.rank; ++i) {  // bound: limits::loop_rows_max
+        const scalar* const of_i = L + i * (i + 1) / 2;
+        Spatial<scalar> sum = U[order[i]];
+        for (int k = 0; k < i; ++k) sum = sum - X[k] * of_i[k];  // bound: limits::loop_rows_max
+        X[i] = sum * of_i[i];
+    }
+}
+
+/// Rows that are left out give nothing.
+void drop_impulses(const LoopView& loops, const LoopFigure& of, const uint8_t* order) {
+    for (int i = of.rank; i < of.row_count; ++i)  // bound: limits::loop_rows_max
+        for_joints(loops, of, [&](LoopJoint& loop) {
+            const int row = order[i] - loop.first_row;
+            if (row >= 0 && row < loop.row_count) loop.j[row] = 0;
+        });
+}
+
+}  // namespace
+
+void place_loops(const FigureView& view, const LoopView& loops) {
+    for_looped_figures(view, loops, [&](const LoopFigure& of) {
+        for_joints(loops, of, [&](LoopJoint& loop) { place_loop(view, loop); });
+    });
+}
+
+void factor_loops(const FigureView& view, const LoopView& loops) {
+    for_groups(view, [&](const auto& rows) {
+        for_looped(rows, loops, [&](LoopFigure& of, int lane_i) {
+            for_joints(loops, of, [&](const LoopJoint& loop) {
+                for (int row = 0; row < loop.row_count; ++row) answer_row(rows, {lane_i}, loops, of, loop, row);  // bound: rows_of_joint_max
+            });
+            scalar* const L = loops.L + of.first_entry;
+            scalar* const free = loops.z + of.first_row;  // z is not asked for yet
+            uint8_t* const order = loops.order + of.first_row;
+            couple_rows(view, loops, of, L, free);
+            of.rank = static_cast<Index>(factor_triangle({L, of.row_count}, free, order));
+            drop_impulses(loops, of, order);
+            // bound: max_bodies
+            for (int row_i = 0; row_i < rows.count(); ++row_i) solve_triangle(L, of, order, loops.X_of(of, row_i));
+        });
+    });
+}
+
+} }  // namespace ingot

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "loop_view.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// Where the joints that close loops are now: their rows. Needs: place_joints.
+void place_loops(const FigureView& view, const LoopView& loops);
+
+/// What bodies answer to the rows, and C = L L^T of them: see loop_view.h. Needs: place_loops, factor_figures.
+/// Cost: a way up and down the figure for each row, n^2 / 2 of its n rows for each body, n^3 / 6 once.
+void factor_loops(const FigureView& view, const LoopView& loops);
+
+} }  // namespace ingot

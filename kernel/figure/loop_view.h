@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// Joints that close loops: those that a tree leaves out, because both of their bodies are in it already, or because it is tied once before.
+//
+// A tree is solved in one way up and down; a loop is not. So each loop is cut at one joint, whose locked directions are rows J beside the tree. With
+// U = what the tree answers to J, and C = J U, impulses j = C^-1 r make up for what the rows lack, r, exactly. C = L L^T, and X = L^-1 U is kept of
+// every body:
+//
+//     z = L^-1 r            what the rows of a figure lack; impulses j = L^-T z
+//     u + X^T z             the twist of a body with its loops closed; u: by the tree alone
+//     Q - X^T X             its response to an impulse
+//     z -= X f              an impulse f on the body is felt by the rows
+//
+// so a contact of a figure with loops feels them at once, and the tree is passed through without them. Rows that say the same as others, as the
+// second hinge of a door does, are left out: C is factored with the row first that gives way most by what those before it have left it, until none
+// gives way by more than limits::loop_compliance of what its bodies would without joints. How such rows share their load is not determined.
+// Source: Featherstone 2008, chapter 8 (loop joints); columns by impulses as Mirtich 1996; pivoted Cholesky factors as Higham 2002, chapter 10.
+#pragma once
+
+#include "figure_view.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+inline constexpr int rows_of_joint_max = 6;
+
+/// A locked direction: what a unit impulse along it is on either body, at its q. Nothing on what cannot move.
+struct LoopRow {
+    Spatial<scalar> on_child, on_other;
+};
+
+/// A joint that closes a loop. Its bodies are called as if it were one of the tree, from the other to the child.
+struct LoopJoint {
+    Index joint;        ///< of FigureView::lists
+    Index child, other; ///< nodes; other is no_node where it is what cannot move
+    Index ground;       ///< slot of that, or no_body: the world
+    Index next;         ///< of its figure; no_loop: none
+    JointKind kind;
+    bool is_A;          ///< the child is A of the joint
+    uint8_t first_row, row_count;  ///< of the rows of its figure
+    bool is_turn[rows_of_joint_max];     ///< the row is of a turn
+    Vector direction[rows_of_joint_max]; ///< world, unit
+    LoopRow rows[rows_of_joint_max];
+    scalar target[rows_of_joint_max];    ///< m/s, rad/s; m, rad of a push: by how much the child's speed should change against the other's
+    scalar j[rows_of_joint_max];         ///< N s, N m s
+    Vector arm, arm_of_other;            ///< m, from the centres of mass to the sides of the joint
+    Vector given;                        ///< N s, that the child got in the last substep
+};
+
+/// The loops of one figure.
+struct LoopFigure {
+    Index figure;
+    Index first_joint;     ///< no_loop: none
+    Index row_count;
+    Index rank;            ///< of its rows, how many are independent
+    int32_t first_row;     ///< of LoopView::z
+    int32_t first_entry;   ///< of LoopView::L
+    int32_t first_column;  ///< of LoopView::X: those of its first node
+};
+
+/// Of scenes that have none.
+struct NoLoops {
+    static constexpr bool closes = false;
+};
+/// Without its capacities.
+struct LoopView {
+    static constexpr bool closes = true;
+
+    LoopJoint* joints;
+    LoopFigure* figures;
+    Index* of_figure;       ///< by figure: its loops, or no_loop
+    scalar* z;              ///< by row
+    scalar* L;              ///< triangles by rows; the inverse of the diagonal in its place
+    uint8_t* order;         ///< by row of L: which row of the figure it is
+    Spatial<scalar>* X;     ///< at q, by node and row
+    int joint_capacity, joint_count;
+    int figure_count;
+    int rows_max;           ///< of a figure
+
+    Spatial<scalar>* X_of(const LoopFigure& of, int row_i) const { return X + of.first_column + row_i * of.row_count; }
+    /// Of the figure of a node; null: it has none.
+    LoopFigure* of_node(const FigureView& view, Index node_i) const {
+        const Index loops_i = of_figure[view.nodes[node_i].figure];
+        return loops_i == no_loop ? nullptr : &figures[loops_i];
+    }
+};
+
+/// Calls each(loop) for the joints of a figure that close its loops.
+template <class Each>
+INGOT_INLINE void for_joints(const LoopView& loops, const LoopFigure& of, const Each& each) {
+    for (Index loop_i = of.first_joint; loop_i != no_loop; loop_i = loops.joints[loop_i].next) each(loops.joints[loop_i]);  // bound: max_loops
+}
+/// Calls each(of, lane_i) where a figure of a group has loops.
+template <unsigned width, class Each>
+INGOT_INLINE void for_looped(const FigureRows<width>& rows, const LoopView& loops, const Each& each) {
+    for (int lane_i = 0; lane_i < rows.lane_count; ++lane_i) {  // bound: lanes
+        const Index loops_i = loops.of_figure[rows.group.figure[lane_i]];
+        if (loops_i != no_loop) each(loops.figures[loops_i], lane_i);
+    }
+}
+/// Calls each(of) for the figures of the batch that have some.
+template <class Each>
+INGOT_INLINE void for_looped_figures(const FigureView& view, const LoopView& loops, const Each& each) {
+    for_groups(view, [&](const auto& rows) { for_looped(rows, loops, [&](LoopFigure& of, int) { each(of); }); });
+}
+
+} }  // namespace ingot
