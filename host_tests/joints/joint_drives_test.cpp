@@ -299,7 +299,8 @@ TEST(JointDrives, react_on_the_parent) {
 TEST(JointDrives, that_are_none_are_refused) {
     const auto world = std::make_unique<DrivenWorld>();
     FigureScene scene = driven_tree(*std::make_unique<RandomInput>(35), true, 100);
-    scene.join(joint_of(FigureJointKind::fixed, the_world, 1, {0, 0, 0}, Vector3d::UnitX(), Vector3d::UnitX()));
+    const int post = scene.add(box(1, {0.1, 0.1, 0.1}, {5, 0, 0}, Eigen::Quaterniond::Identity().toRotationMatrix()));
+    scene.join(joint_of(FigureJointKind::fixed, the_world, post, {5, 0, 0}, Vector3d::UnitX(), Vector3d::UnitX()));
     const Built built = add_scene(*world, scene);
     ingot::JointId hinge{}, ball{}, fixed = built.joints.back();
     for (size_t i = 0; i < scene.joints.size(); ++i) {
