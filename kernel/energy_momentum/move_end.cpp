@@ -196,9 +196,9 @@ void move_row(const AtNode<width>& at, const Spatial<T>& of_parent, Mask moves) 
     write(at.all, newton.theta, select(moves, theta + change_of_theta(theta, u.w), theta));
 }
 
-auto lanes_of(const AllLanes<1>&, unsigned active) { return (active & 1u) != 0; }
+auto lanes_that_are(const AllLanes<1>&, unsigned active) { return (active & 1u) != 0; }
 #if INGOT_LANES > 1
-auto lanes_of(const AllLanes<lanes>&, unsigned active) { return mask_from_bits(static_cast<uint16_t>(active)); }
+auto lanes_that_are(const AllLanes<lanes>&, unsigned active) { return mask_from_bits(static_cast<uint16_t>(active)); }
 #endif
 
 }  // namespace
@@ -217,7 +217,7 @@ bool has_rows_for(JointKind kind) {
 
 template <unsigned width>
 void move_end(const NewtonStep<width>& step, unsigned active) {
-    const auto moves = lanes_of(AllLanes<width>(), active);
+    const auto moves = lanes_that_are(AllLanes<width>(), active);
     const int count = step.figures.count();
     for (int row_i = 0; row_i < count; ++row_i) move_to_joint(AtNode<width>(step, row_i));  // bound: max_bodies
     for (int row_i = count - 1; row_i >= 0; --row_i) eliminate_row(AtNode<width>(step, row_i));  // bound: max_bodies
