@@ -348,12 +348,7 @@ struct Wrong : ingot::Scene {
     static constexpr int max_joints = 1;
     using joints = ingot::Joints<ingot::FixedJoint, ingot::WithDrives>;
 #endif
-#ifdef DRIVE_WITHOUT_DRIVES
-    static constexpr bool translates = true;
-    static constexpr int max_joints = 1;
-    using joints = ingot::Joints<ingot::BallJoint>;
-#endif
-#ifdef LIMIT_WITHOUT_LIMITS
+#if defined(DRIVE_WITHOUT_DRIVES) || defined(LIMIT_WITHOUT_LIMITS)
     static constexpr bool translates = true;
     static constexpr int max_joints = 1;
     using joints = ingot::Joints<ingot::BallJoint>;

@@ -116,10 +116,7 @@ TEST(ConstrainedEvents, a_joint_breaks_at_its_force) {
 /// A limb that stops at its limit takes the figure with it: momentum stays, energy goes with e < 1 and stays with e = 1.
 TEST(ConstrainedEvents, limits_of_free_figures_keep_momentum) {
     for (const double e : {0.0, 1.0}) {
-        FigureScene scene = ragdoll_11();
-        scene.g.setZero();
-        for (FigureJoint& joint : scene.joints) joint.restitution = e;
-        set_rate(scene, 3, 8);  // an elbow
+        const FigureScene scene = floating_ragdoll(e);
         ConstrainedReference reference(scene);
         const FigureState start = reference.state();
         const double E = reference.energy();

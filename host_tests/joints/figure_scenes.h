@@ -116,7 +116,9 @@ struct RagdollOptions {
 /// Pelvis, chest, head, upper arms, forearms, thighs, shanks: 6 balls with cone and twist limits, 4 hinges with limits; 73.9 kg, of the masses of the
 /// walking figure of 13 bodies. Stands upright with arms down, soles at z = 0, faces x.
 FigureScene ragdoll_11(const RagdollOptions& options = {});
-/// With abdomen, collar bones, hands, feet and toes: 20 bodies, 19 joints, of which 6 hinges (elbows, knees, toes). 76.1 kg.
+/// It without gravity, its left elbow bending at 8 rad/s; restitution: of all limits.
+FigureScene floating_ragdoll(double restitution);
+/// ragdoll_11 with abdomen, collar bones, hands, feet and toes: 20 bodies, 19 joints, of which 6 hinges (elbows, knees, toes). 76.1 kg.
 FigureScene ragdoll_20(const RagdollOptions& options = {});
 
 /// Figures of eleven that lie in the air, in layers of 2 x 2 (16 and fewer) or 4 x 4, 1.3, 2.6, .. m above the ground, slightly turned at random.

@@ -102,6 +102,15 @@ FigureScene ragdoll_11(const RagdollOptions& options) {
     return figure.scene;
 }
 
+FigureScene floating_ragdoll(double restitution) {
+    FigureScene scene = ragdoll_11();
+    scene.name = "floating_ragdoll";
+    scene.g.setZero();
+    for (FigureJoint& joint : scene.joints) joint.restitution = restitution;
+    set_rate(scene, 3, 8);
+    return scene;
+}
+
 FigureScene ragdoll_20(const RagdollOptions& options) {
     Builder figure(options);
     figure.scene.name = "ragdoll_20";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Figures drawn at random, and ragdolls.
+// Figures drawn at random, and ragdolls; what tests of joints ask of a world.
 #pragma once
 
 #include <ingot/ingot.h>
@@ -16,11 +16,20 @@ namespace figures {
 using ingot::scalar;
 using ingot::Vector;
 using ingot_reference::RandomInput;
+using ingot_reference::to_vector;
 
-using AllJoints = ingot::Joints<ingot::BallJoint, ingot::HingeJoint, ingot::SliderJoint, ingot::UniversalJoint, ingot::FixedJoint>;
+inline constexpr double g = 9.81;  ///< m/s^2
+inline constexpr double eps = static_cast<double>(ingot::epsilon);
+inline constexpr double rates[] = {30, 60, 120, 240, 1000};  ///< steps a second
+
+/// m, of a gap. A push ends below limits::joint_gap, and what it leaves grows by what the next substep turns. Float adds roundings of places.
+inline constexpr double held = 2 * static_cast<double>(ingot::limits::joint_gap) + 64 * eps;
+
+/// All kinds, and what joints may have beside: WithLimits, WithDrives.
+template <class... Beside>
+using AllJointsWith = ingot::Joints<ingot::BallJoint, ingot::HingeJoint, ingot::SliderJoint, ingot::UniversalJoint, ingot::FixedJoint, Beside...>;
+using AllJoints = AllJointsWith<>;
 inline const ingot::Joint kinds[] = {ingot::BallJoint{}, ingot::HingeJoint{}, ingot::SliderJoint{}, ingot::UniversalJoint{}, ingot::FixedJoint{}};
-
-inline Vector vector_of(const Eigen::Vector3d& v) { return {static_cast<scalar>(v.x()), static_cast<scalar>(v.y()), static_cast<scalar>(v.z())}; }
 
 /// What a figure is drawn from.
 struct Drawn {
@@ -37,6 +46,21 @@ struct Built {
     bool sound = true;  ///< no call was refused
 };
 
+/// False where the world refuses it.
+template <class World>
+[[nodiscard]] bool weigh(World& world) {
+    return world.set_gravity({0, 0, static_cast<scalar>(-g)}) == ingot::Status::ok;
+}
+/// The half-space below z = 0. False where the world refuses it.
+template <class World>
+[[nodiscard]] bool add_ground(World& world) {
+    ingot::BodyDef ground;
+    ground.immovable = true;
+    ground.shape = ingot::HalfSpace{{0, 0, 1}, 0};
+    ground.friction = scalar(0.6);
+    return world.add(ground).ok();
+}
+
 /// A tree of boxes, each joined by a joint of a random kind to one before it, A and B either way round.
 template <class World>
 void add_figure(World& world, RandomInput& random, const Drawn& drawn, const Eigen::Vector3d& place, Built& built) {
@@ -45,7 +69,7 @@ void add_figure(World& world, RandomInput& random, const Drawn& drawn, const Eig
     for (int body_i = 0; body_i < drawn.bodies; ++body_i) {
         ingot::BodyDef def;
         const double M = 100 * std::pow(2 * drawn.size, 3) * std::exp(random.real(0, std::log(drawn.mass_ratio)));
-        const Vector half_extents = vector_of(Eigen::Vector3d(random.real(0.2, 1), random.real(0.2, 1), random.real(0.2, 1)) * drawn.size);
+        const Vector half_extents = to_vector(Eigen::Vector3d(random.real(0.2, 1), random.real(0.2, 1), random.real(0.2, 1)) * drawn.size);
         def.mass = ingot::principal(ingot::with_mass(ingot::solid_box(1, half_extents), static_cast<scalar>(M))).value;
         def.state.A = ingot_reference::to_matrix(random.rotation());
         ingot::JointDef joint;
@@ -54,16 +78,16 @@ void add_figure(World& world, RandomInput& random, const Drawn& drawn, const Eig
             joint.body_A = built.bodies[first + static_cast<size_t>(random.integer(0, body_i - 1))];
             P = ingot_reference::to_eigen(world.state(joint.body_A).value.r_CM) + arm();
         }
-        def.state.r_CM = vector_of(P + arm());
+        def.state.r_CM = to_vector(P + arm());
         const auto id = world.add(def);
         built.sound = built.sound && id.ok();
         built.bodies.push_back(id.value);
         joint.body_B = id.value;
         if (random.integer(0, 1) == 1) std::swap(joint.body_A, joint.body_B);
-        joint.P = vector_of(P);
+        joint.P = to_vector(P);
         const Eigen::Vector3d axis = random.direction();
-        joint.axis = vector_of(axis);
-        joint.axis_B = vector_of(axis.cross(random.direction()).normalized());
+        joint.axis = to_vector(axis);
+        joint.axis_B = to_vector(axis.cross(random.direction()).normalized());
         joint.joint = kinds[random.integer(0, 4)];
         if (body_i == 0 && !drawn.tied) continue;
         const auto joint_id = world.add_joint(joint);
@@ -72,7 +96,7 @@ void add_figure(World& world, RandomInput& random, const Drawn& drawn, const Eig
     }
     for (size_t i = first; i < built.bodies.size(); ++i) {
         const scalar I = world.mass(built.bodies[i]).value * static_cast<scalar>(drawn.size * drawn.size * 0.3);
-        const ingot::Status status = world.apply_angular_impulse(built.bodies[i], vector_of(random.direction() * drawn.spin) * I);
+        const ingot::Status status = world.apply_angular_impulse(built.bodies[i], to_vector(random.direction() * drawn.spin) * I);
         built.sound = built.sound && status == ingot::Status::ok;
     }
 }
@@ -98,11 +122,24 @@ double worst_gap(const World& world, const Built& built) {
 
 /// J, with that of height.
 template <class World>
-double energy_of(const World& world, const Built& built, double g) {
+double energy_of(const World& world, const Built& built) {
     double energy = static_cast<double>(world.kinetic_energy());
     for (const ingot::BodyId id : built.bodies)
         energy += g * static_cast<double>(world.mass(id).value) * static_cast<double>(world.state(id).value.r_CM.z);
     return energy;
+}
+
+/// Whether bodies are where others are, and move as they do, to the bit.
+template <class A, class B>
+bool are_same(const A& a, const B& b, const std::vector<ingot::BodyId>& of_a, const std::vector<ingot::BodyId>& of_b) {
+    using ingot_reference::to_eigen;
+    bool same = of_a.size() == of_b.size();
+    for (size_t i = 0; same && i < of_a.size(); ++i) {
+        const ingot::BodyState x = a.state(of_a[i]).value, y = b.state(of_b[i]).value;
+        same = to_eigen(x.r_CM) == to_eigen(y.r_CM) && to_eigen(x.A) == to_eigen(y.A) && to_eigen(x.v_CM) == to_eigen(y.v_CM) &&
+               to_eigen(x.L) == to_eigen(y.L);
+    }
+    return same;
 }
 
 }  // namespace figures

@@ -22,23 +22,12 @@ struct Heap : ingot::Scene {
 };
 using HeapWorld = ingot::World<Heap<8>>;
 
-constexpr double g = 9.81;
-
-void add_ground(HeapWorld& world) {
-    ingot::BodyDef ground;
-    ground.immovable = true;
-    ground.shape = ingot::HalfSpace{{0, 0, 1}, 0};
-    ground.friction = scalar(0.6);
-    ASSERT_TRUE(world.add(ground).ok());
-    ASSERT_EQ(world.set_gravity({0, 0, static_cast<scalar>(-g)}), ingot::Status::ok);
-}
-
 /// The bars of a heap: gaps of 0.05 mm at any time, no step gains a joule of some thousands, nothing under the floor.
 TEST(Heap, of_ragdolls_falls_and_lies) {
     for (const double rate : {30.0, 60.0, 120.0}) {
         if (INGOT_TEST_BRIEF && rate != 60) continue;
         const auto world = std::make_unique<HeapWorld>();
-        add_ground(*world);
+        ASSERT_TRUE(add_ground(*world) && weigh(*world));
         RandomInput random(5);
         Built built;
         for (int i = 0; i < 8; ++i) {
@@ -47,12 +36,12 @@ TEST(Heap, of_ragdolls_falls_and_lies) {
             add_ragdoll(*world, place, ingot_reference::to_matrix(random.rotation()), built);
         }
         ASSERT_TRUE(built.sound);
-        double before = energy_of(*world, built, g), most = 0, gap = 0;
+        double before = energy_of(*world, built), most = 0, gap = 0;
         for (int step_i = 0; step_i < static_cast<int>(3 * rate); ++step_i) {
             const ingot::StepReport report = ingot::step(*world, static_cast<scalar>(1 / rate));
             ASSERT_EQ(report.bodies_frozen, 0);
             ASSERT_EQ(report.contacts_lost, 0);
-            const double now = energy_of(*world, built, g);
+            const double now = energy_of(*world, built);
             most = std::max(most, now - before);
             before = now;
             gap = std::max(gap, worst_gap(*world, built));
@@ -75,14 +64,14 @@ TEST(Figures, hang_on_platforms) {
     for (int run_i = 0; run_i < ingot_reference::draws(20); ++run_i) {
         RandomInput random(static_cast<uint64_t>(run_i));
         const auto world = std::make_unique<ingot::World<Platform>>();
-        ASSERT_EQ(world->set_gravity({0, 0, static_cast<scalar>(-g)}), ingot::Status::ok);
+        ASSERT_TRUE(weigh(*world));
         ingot::BodyDef platform;
         platform.immovable = true;
         platform.shape = ingot::Box{{scalar(0.2), scalar(0.2), scalar(0.1)}};
         platform.state.A = ingot_reference::to_matrix(random.rotation());
         ingot::BodyId last = world->add(platform).value;
         ASSERT_EQ(world->set_kinematic(last), ingot::Status::ok);
-        ASSERT_EQ(world->set_velocity(last, vector_of(random.vector(1)), vector_of(random.direction() * random.real(0, 6))), ingot::Status::ok);
+        ASSERT_EQ(world->set_velocity(last, to_vector(random.vector(1)), to_vector(random.direction() * random.real(0, 6))), ingot::Status::ok);
         Built built;
         for (int i = 0; i < 3; ++i) {
             ingot::BodyDef link;
@@ -108,7 +97,7 @@ TEST(Figures, hang_on_platforms) {
 /// What is joined falls asleep as one, and wakes as one.
 TEST(Figures, sleep_and_wake_as_one) {
     const auto world = std::make_unique<HeapWorld>();
-    add_ground(*world);
+    ASSERT_TRUE(add_ground(*world) && weigh(*world));
     ingot::BodyDef box;
     box.mass = ingot::principal(ingot::solid_box(500, {scalar(0.2), scalar(0.2), scalar(0.2)})).value;
     box.shape = ingot::Box{{scalar(0.2), scalar(0.2), scalar(0.2)}};
@@ -137,7 +126,7 @@ TEST(Figures, sleep_and_wake_as_one) {
 /// Saved in the midst of it, a heap goes on to the same bits.
 TEST(Figures, go_on_from_a_snapshot) {
     const auto world = std::make_unique<HeapWorld>(), other = std::make_unique<HeapWorld>();
-    add_ground(*world);
+    ASSERT_TRUE(add_ground(*world) && weigh(*world));
     Built built;
     for (int i = 0; i < 3; ++i)
         add_ragdoll(*world, {scalar(0.2) * static_cast<scalar>(i), 0, scalar(0.5) + static_cast<scalar>(i)},

@@ -5,23 +5,22 @@
 #include <cmath>
 #include <memory>
 
-#include "figure_worlds.h"
 #include "joints/energy_momentum_reference.h"
 #include "joints/figure_measures.h"
 #include "joints/pendulum_tables.h"
+#include "random_trees.h"
 #include "reference/draws.h"
+#include "scene_in_world.h"
 
 namespace {
 
+using namespace figures;
 using namespace ingot_figures;
-using ingot_reference::RandomInput;
-
-constexpr double eps = static_cast<double>(ingot::epsilon), rates[] = {30, 60, 120, 240, 1000};
 
 struct Swinging : ingot::Scene {
     static constexpr int max_bodies = 24, max_joints = 24;
     static constexpr bool translates = true;
-    using joints = ingot::Joints<ingot::BallJoint, ingot::HingeJoint, ingot::SliderJoint, ingot::UniversalJoint, ingot::FixedJoint>;
+    using joints = AllJoints;
     using figure_motion = ingot::EnergyMomentum<>;
 };
 struct SwingingByFour : Swinging {
@@ -29,6 +28,17 @@ struct SwingingByFour : Swinging {
 };
 struct SnappingInHeat : Swinging {
     using figure_motion = ingot::EnergyMomentum<ingot::Snap::lose>;
+};
+
+/// A figure, and a world of its own.
+template <class Scene>
+struct FigureWorld {
+    ingot::World<Scene> world;
+    Built built;
+
+    explicit FigureWorld(const FigureScene& scene) : built(add_scene(world, scene)) {}
+    bool sound() const { return built.sound; }
+    FigureState state() const { return state_of(world, built); }
 };
 
 /// No figure was left to the substeps.
@@ -238,7 +248,7 @@ TEST(FreeFigures, take_a_blow_as_a_whole) {
         const int struck = random.integer(0, scene.body_count() - 1);
         const Vector3d p = momentum(scene, of.state()), L = angular_momentum(scene, of.state());
         const Vector3d j = random.vector(scene.body(struck).M), r = of.state().body(struck).r_CM;
-        ASSERT_EQ(of.world.apply_central_impulse(of.bodies[static_cast<std::size_t>(struck)], ingot_reference::to_vector(j)), ingot::Status::ok);
+        ASSERT_EQ(of.world.apply_central_impulse(of.built.bodies[static_cast<std::size_t>(struck)], to_vector(j)), ingot::Status::ok);
         const double unit = kinetic_energy(scene, of.state());
         ASSERT_TRUE(swing(of, 60));
         const FigureState state = of.state();

@@ -8,22 +8,20 @@
 
 #include "joints/constrained_reference.h"
 #include "joints/figure_scenes.h"
-#include "kernel_scene.h"
+#include "random_trees.h"
 #include "reference/draws.h"
-#include "reference/random_input.h"
+#include "scene_in_world.h"
 
 namespace {
 
-using namespace kernel_scene;
+using namespace figures;
 using namespace ingot_figures;
 using ingot::Status;
-using ingot_reference::RandomInput;
 
 struct Driven : ingot::Scene {
     static constexpr int max_bodies = 16, max_joints = 16;
     static constexpr bool translates = true;
-    using joints = ingot::Joints<ingot::BallJoint, ingot::HingeJoint, ingot::SliderJoint, ingot::UniversalJoint, ingot::FixedJoint,
-                                 ingot::WithDrives>;
+    using joints = AllJointsWith<ingot::WithDrives>;
 };
 using DrivenWorld = ingot::World<Driven>;
 
@@ -31,14 +29,11 @@ using DrivenWorld = ingot::World<Driven>;
 struct Workshop : Driven {
     static constexpr int max_manifolds = 64, max_pairs = 200;
     static constexpr bool sleeps = true, rolling_resistance = true, surface_velocities = true, kinematic_bodies = true;
-    using joints = ingot::Joints<ingot::BallJoint, ingot::HingeJoint, ingot::SliderJoint, ingot::UniversalJoint, ingot::FixedJoint, ingot::WithLimits,
-                                 ingot::WithDrives>;
+    using joints = AllJointsWith<ingot::WithLimits, ingot::WithDrives>;
     using shapes = ingot::Shapes<ingot::Sphere, ingot::Capsule, ingot::Box>;
 };
 using WorkshopWorld = ingot::World<Workshop>;
 
-constexpr double rates[] = {30, 60, 120, 240, 1000};
-constexpr double epsilon = static_cast<double>(ingot::epsilon);
 constexpr int substeps = 4;  // of a step, see Effort
 scalar number(double x) { return static_cast<scalar>(x); }
 
@@ -85,7 +80,7 @@ TEST(JointDrives, servos_carry_by_their_stiffness) {
         for (int step_i = 0; step_i < 240; ++step_i) ASSERT_TRUE(ingot::step(*world, scalar(1) / 60).clean());
         const double angle = static_cast<double>(world->joint_angle(built.joints[0]).value);
         const double load = 9.81 / 2 * std::cos(angle);
-        EXPECT_NEAR(-angle, load / stiffness, 0.01 * load / stiffness + 2 * epsilon);
+        EXPECT_NEAR(-angle, load / stiffness, 0.01 * load / stiffness + 2 * eps);
         EXPECT_NEAR(static_cast<double>(world->drive_torque(built.joints[0]).value), load, 0.01 * load);
     }
 }
@@ -109,7 +104,7 @@ TEST(JointDrives, tuned_ones_have_the_poles_of_the_exact_motion) {
                 e[2] = rotor.angle() - 1;
                 // Roundings of an angle near 1; 1 % of the damping and of the frequency are far more.
                 if (step_i < 2) continue;
-                EXPECT_NEAR(e[2], sum * e[1] - product * e[0], 64 * epsilon + 1e-5 * std::abs(e[0])) << hertz << " Hz, " << zeta;
+                EXPECT_NEAR(e[2], sum * e[1] - product * e[0], 64 * eps + 1e-5 * std::abs(e[0])) << hertz << " Hz, " << zeta;
             }
         }
 }
@@ -124,8 +119,8 @@ TEST(JointDrives, keep_to_their_torque) {
             double before = 0;
             for (int step_i = 0; step_i < 480; ++step_i) {
                 rotor.step(rate);
-                ASSERT_LE(std::abs(rotor.torque()), limit * (1 + 8 * epsilon));
-                const double rounding = 64 * epsilon * std::max(std::abs(rotor.speed()), std::abs(before)) + 1e-12;
+                ASSERT_LE(std::abs(rotor.torque()), limit * (1 + 8 * eps));
+                const double rounding = 64 * eps * std::max(std::abs(rotor.speed()), std::abs(before)) + 1e-12;
                 ASSERT_NEAR(rotor.speed() - before, rotor.torque() / (J * rate), rounding + 1e-4 * std::abs(rotor.torque()) / (J * rate));
                 before = rotor.speed();
             }
@@ -179,7 +174,7 @@ TEST(JointDrives, ball_servos_go_where_they_are_told) {
         const Built built = add_scene(*world, scene);
         const Vector3d target = random.direction() * random.real(0, 2.9);
         const ingot::SpringDrive servo = {1000000, number(random.integer(0, 1) * 2000.0)};
-        ASSERT_EQ(world->set_ball_drive(built.joints[0], servo, vector_of(target)), Status::ok);
+        ASSERT_EQ(world->set_ball_drive(built.joints[0], servo, to_vector(target)), Status::ok);
         for (int step_i = 0; step_i < 4; ++step_i) ASSERT_TRUE(ingot::step(*world, scalar(1) / 60).clean());
         const Eigen::Matrix3d there = Eigen::AngleAxisd(target.norm(), target.normalized()).toRotationMatrix() * body.A;
         const Eigen::Matrix3d A = ingot_reference::to_eigen(world->state(built.bodies[0]).value.A);
@@ -189,28 +184,11 @@ TEST(JointDrives, ball_servos_go_where_they_are_told) {
 
 /// A tree whose joints all have servos towards where they begin, thrown.
 FigureScene driven_tree(RandomInput& random, bool tied, double stiffness) {
-    FigureScene scene;
-    const int count = random.integer(2, 8);
-    for (int body_i = 0; body_i < count; ++body_i) {
-        const int parent = body_i == 0 ? the_world : random.integer(0, body_i - 1);
-        const Vector3d P = parent == the_world ? Vector3d(0, 0, 0) : Vector3d(scene.body(parent).r_CM + random.direction() * 0.4);
-        scene.add(box(random.real(1, 20), Vector3d(random.real(0.1, 0.3), random.real(0.1, 0.3), random.real(0.1, 0.3)), P + random.direction() * 0.4,
-                      random.rotation()));
-        if (parent == the_world && !tied) continue;
-        constexpr FigureJointKind kinds[] = {FigureJointKind::ball, FigureJointKind::hinge, FigureJointKind::slider};
-        FigureJoint joint;
-        joint.kind = kinds[random.integer(0, 2)];
-        joint.body_A = parent;
-        joint.body_B = body_i;
-        joint.anchor = P;
-        joint.axis_A = joint.axis_B = random.direction();
+    return turning_tree(random, 8, tied, 2, 3, [&](FigureJoint& joint) {
         joint.servo.stiffness = stiffness * random.real(0.5, 2);
         joint.servo.damping = joint.servo.stiffness * random.real(0, 0.1);
         if (joint.kind == FigureJointKind::hinge) joint.servo.target_rate = random.real(-1, 1);
-        scene.join(joint);
-    }
-    add_motion(scene, {0, 0, 0}, random.direction() * random.real(0, 2));
-    return scene;
+    });
 }
 
 template <class World>
@@ -242,7 +220,7 @@ TEST(JointDrives, follow_the_exact_motion) {
             const Built built = add_scene(*world, scene);
             ASSERT_TRUE(set_servos(*world, scene, built));
             for (int step_i = 0; step_i < steps; ++step_i) ASSERT_TRUE(ingot::step(*world, number(0.25 / steps)).clean());
-            const FigureState state = state_of(*world, built, 0);
+            const FigureState state = state_of(*world, built);
             error[fold] = 0;
             for (int i = 0; i < scene.body_count(); ++i)
                 error[fold] = std::max(error[fold], (state.body(i).r_CM - exact.state().body(i).r_CM).norm());
@@ -268,11 +246,11 @@ TEST(JointDrives, springs_make_no_energy) {
         const double begin = energy(rows, start_of(scene)), unit = mass(scene) * 9.81;
         for (int step_i = 0; step_i < static_cast<int>(rate); ++step_i) {
             ASSERT_TRUE(ingot::step(*world, number(1 / rate)).clean());
-            const FigureState state = state_of(*world, built, 0);
+            const FigureState state = state_of(*world, built);
             // Springs of stiffness k feel the roundings of angles and places; see swinging_figures_test.cpp for the rest.
-            const double rounding = scene.joint_count() * 2 * stiffness * std::pow(16 * epsilon, 2);
+            const double rounding = scene.joint_count() * 2 * stiffness * std::pow(16 * eps, 2);
             ASSERT_LE(energy(rows, state), begin + 0.01 * (unit + kinetic_energy(scene, state)) + rounding) << run_i << ", " << rate << " Hz";
-            ASSERT_LE(worst_gap(*world, built), 2 * static_cast<double>(ingot::limits::joint_gap) + 64 * epsilon) << run_i;
+            ASSERT_LE(worst_gap(*world, built), held) << run_i;
         }
     }
 }
@@ -290,9 +268,9 @@ TEST(JointDrives, react_on_the_parent) {
         double L = 0;
         for (int i = 0; i < scene.body_count(); ++i) L += scene.body(i).M * (start.body(i).v_CM.norm() + 1);
         for (int step_i = 0; step_i < 60; ++step_i) ASSERT_TRUE(ingot::step(*world, scalar(1) / 60).clean());
-        const FigureState end = state_of(*world, built, 1);
-        EXPECT_LE((momentum(scene, end) - momentum(scene, start)).norm(), mass(scene) * 1280 * epsilon) << run_i;
-        EXPECT_LE((angular_momentum(scene, end) - angular_momentum(scene, start)).norm(), (1e-3 + 640 * epsilon) * L) << run_i;
+        const FigureState end = state_of(*world, built);
+        EXPECT_LE((momentum(scene, end) - momentum(scene, start)).norm(), mass(scene) * 1280 * eps) << run_i;
+        EXPECT_LE((angular_momentum(scene, end) - angular_momentum(scene, start)).norm(), (1e-3 + 640 * eps) * L) << run_i;
     }
 }
 

@@ -9,22 +9,20 @@
 
 #include "joints/constrained_reference.h"
 #include "joints/figure_scenes.h"
-#include "kernel_scene.h"
+#include "random_trees.h"
 #include "reference/draws.h"
-#include "reference/random_input.h"
+#include "scene_in_world.h"
 
 namespace {
 
-using namespace kernel_scene;
+using namespace figures;
 using namespace ingot_figures;
 using ingot::Status;
-using ingot_reference::RandomInput;
 
 struct Limited : ingot::Scene {
     static constexpr int max_bodies = 16, max_joints = 16;
     static constexpr bool translates = true;
-    using joints = ingot::Joints<ingot::BallJoint, ingot::HingeJoint, ingot::SliderJoint, ingot::UniversalJoint, ingot::FixedJoint,
-                                 ingot::WithLimits>;
+    using joints = AllJointsWith<ingot::WithLimits>;
 };
 using LimitedWorld = ingot::World<Limited>;
 
@@ -39,44 +37,20 @@ struct Factory : LimitedHeap {
     static constexpr bool rolling_resistance = true, surface_velocities = true, kinematic_bodies = true;
 };
 
-constexpr double rates[] = {30, 60, 120, 240, 1000};
-constexpr double epsilon = static_cast<double>(ingot::epsilon);
-
 /// What a limit may be exceeded by: its slack, which is below what sweeps leave where many limits lean on each other, 1e-6; and what the rounding of
 /// orientations and of places a few metres away does to what is measured.
-constexpr double slack = std::max(2 * static_cast<double>(ingot::limits::limit_slack), 1e-6) + 16 * epsilon;
-
-/// As of joints without limits: see swinging_figures_test.cpp.
-constexpr double held = 2 * static_cast<double>(ingot::limits::joint_gap) + 64 * epsilon;
+constexpr double slack = std::max(2 * static_cast<double>(ingot::limits::limit_slack), 1e-6) + 16 * eps;
 
 /// A tree whose joints all have limits, at the start between them.
 FigureScene limited_tree(RandomInput& random, bool tied) {
-    FigureScene scene;
-    const int count = random.integer(2, 9);
-    for (int body_i = 0; body_i < count; ++body_i) {
-        const int parent = body_i == 0 ? the_world : random.integer(0, body_i - 1);
-        const Vector3d P = parent == the_world ? Vector3d(0, 0, 0) : Vector3d(scene.body(parent).r_CM + random.direction() * 0.4);
-        scene.add(box(random.real(1, 20), Vector3d(random.real(0.1, 0.3), random.real(0.1, 0.3), random.real(0.1, 0.3)), P + random.direction() * 0.4,
-                      random.rotation()));
-        if (parent == the_world && !tied) continue;
-        constexpr FigureJointKind kinds[] = {FigureJointKind::ball, FigureJointKind::hinge, FigureJointKind::slider, FigureJointKind::universal};
-        FigureJoint joint;
-        joint.kind = kinds[random.integer(0, 3)];
-        joint.body_A = parent;
-        joint.body_B = body_i;
-        joint.anchor = P;
-        joint.axis_A = joint.axis_B = random.direction();
-        if (joint.kind == FigureJointKind::universal) joint.axis_B = square_to(joint.axis_A);
+    return turning_tree(random, 9, tied, 4, 4, [&](FigureJoint& joint) {
         joint.lower = -random.real(0.02, 0.5);
         joint.upper = random.real(0.02, 0.5);
         joint.cone = random.real(0.1, 0.6);
         joint.twist_lower = -random.real(0.02, 0.5);
         joint.twist_upper = random.real(0.02, 0.5);
         joint.restitution = random.integer(0, 2) * 0.4;
-        scene.join(joint);
-    }
-    add_motion(scene, {0, 0, 0}, random.direction() * random.real(0, 4));
-    return scene;
+    });
 }
 
 TEST(JointLimits, end_where_they_say) {
@@ -91,7 +65,7 @@ TEST(JointLimits, end_where_they_say) {
         for (int step_i = 0; step_i < static_cast<int>(rate); ++step_i) {
             ASSERT_TRUE(ingot::step(*world, static_cast<scalar>(1 / rate)).clean()) << run_i;
             ASSERT_LE(worst_gap(*world, built), held) << run_i << ", " << rate << " Hz, step " << step_i;
-            ASSERT_LE(worst_excess(rows, state_of(*world, built, 0)), slack) << run_i << ", " << rate << " Hz, step " << step_i;
+            ASSERT_LE(worst_excess(rows, state_of(*world, built)), slack) << run_i << ", " << rate << " Hz, step " << step_i;
         }
     }
 }
@@ -101,7 +75,7 @@ TEST(JointLimits, end_where_they_say) {
 TEST(JointLimits, give_back_what_restitution_says) {
     for (const double e : {0.0, 0.5, 1.0})
         for (const double rate : rates) {
-            const double theta_0 = 1.2, stop = -0.3, g = 9.81, rise = 3 * g * (std::cos(stop) - std::cos(theta_0));
+            const double theta_0 = 1.2, stop = -0.3, rise = 3 * g * (std::cos(stop) - std::cos(theta_0));
             const FigureScene scene = pendulum_with_stop(theta_0, stop, e);
             const auto world = std::make_unique<LimitedWorld>();
             const Built built = add_scene(*world, scene);
@@ -128,29 +102,26 @@ TEST(JointLimits, carry_what_leans_on_them) {
         const Built built = add_scene(*world, pendulum_with_stop(pi / 2, 0.4, 0.3));
         for (int step_i = 0; step_i < 6 * rate; ++step_i) ASSERT_TRUE(ingot::step(*world, static_cast<scalar>(1 / rate)).clean());
         EXPECT_NEAR(static_cast<double>(world->joint_angle(built.joints[0]).value), 0.4 - pi / 2, slack) << rate << " Hz";
-        EXPECT_NEAR(static_cast<double>(world->joint_rate(built.joints[0]).value), 0, 64 * epsilon) << rate << " Hz";
+        EXPECT_NEAR(static_cast<double>(world->joint_rate(built.joints[0]).value), 0, 64 * eps) << rate << " Hz";
     }
 }
 
 /// Of a figure that floats, limits change neither momentum; energy does not grow, and with e = 0 it shrinks.
 TEST(JointLimits, keep_momentum) {
     for (const double e : {0.0, 1.0}) {
-        FigureScene scene = ragdoll_11();
-        scene.g.setZero();
-        for (FigureJoint& joint : scene.joints) joint.restitution = e;
-        set_rate(scene, 3, 8);  // an elbow
+        const FigureScene scene = floating_ragdoll(e);
         const auto world = std::make_unique<LimitedWorld>();
         const Built built = add_scene(*world, scene);
         ASSERT_TRUE(built.sound);
         const JointRows rows(scene);
         const FigureState start = start_of(scene);
         for (int step_i = 0; step_i < 120; ++step_i) ASSERT_TRUE(ingot::step(*world, scalar(1) / 120).clean());
-        const FigureState end = state_of(*world, built, 1);
+        const FigureState end = state_of(*world, built);
         double L = 0;  // the sum of what its bodies have
         for (int body_i = 0; body_i < scene.body_count(); ++body_i) L += scene.body(body_i).M * start.body(body_i).v_CM.norm();
         const double E = kinetic_energy(scene, start);
-        EXPECT_LE((momentum(scene, end) - momentum(scene, start)).norm(), mass(scene) * 64 * epsilon * 11);
-        EXPECT_LE((angular_momentum(scene, end) - angular_momentum(scene, start)).norm(), (1e-3 + 640 * epsilon) * L);
+        EXPECT_LE((momentum(scene, end) - momentum(scene, start)).norm(), mass(scene) * 64 * eps * 11);
+        EXPECT_LE((angular_momentum(scene, end) - angular_momentum(scene, start)).norm(), (1e-3 + 640 * eps) * L);
         EXPECT_LE(kinetic_energy(scene, end), (e == 1 ? 1.02 : 0.999) * E);
     }
 }
@@ -170,7 +141,7 @@ TEST(JointLimits, of_hinges_go_on_over_turns) {
             ASSERT_TRUE(ingot::step(*world, scalar(1) / 60).clean());
             const double free = 25.0 * step_i / 60, angle = static_cast<double>(world->joint_angle(built.joints[0]).value);
             // The rate is right to 1e-4 of itself, and so is when it gets to its limit.
-            const double allowed = free < 40 * (1 + 1e-4) ? step_i * 64 * epsilon + 1e-4 * free : 40 * 8 * epsilon + slack;
+            const double allowed = free < 40 * (1 + 1e-4) ? step_i * 64 * eps + 1e-4 * free : 40 * 8 * eps + slack;
             ASSERT_NEAR(angle, sign * std::min(free, 40.0), allowed) << step_i;
         }
     }
@@ -187,7 +158,7 @@ TEST(JointLimits, hold_in_a_heap) {
     for (int step_i = 0; step_i < 150; ++step_i) {
         const ingot::StepReport report = ingot::step(*world, scalar(1) / 60);
         ASSERT_EQ(report.bodies_frozen, 0);
-        const FigureState state = state_of(*world, built, 0);
+        const FigureState state = state_of(*world, built);
         excess = std::max(excess, worst_excess(rows, state));
         gap = std::max(gap, worst_gap(*world, built));
         const double now = energy(rows, state);
@@ -242,7 +213,7 @@ TEST(JointLimits, go_with_materials_and_kinematic_bodies) {
     for (int step_i = 0; step_i < 90; ++step_i) {
         ASSERT_EQ(ingot::step(*world, scalar(1) / 60).bodies_frozen, 0);
         ASSERT_LE(worst_gap(*world, built), 5e-5);
-        ASSERT_LE(worst_excess(rows, state_of(*world, built, 0)), slack);
+        ASSERT_LE(worst_excess(rows, state_of(*world, built)), slack);
     }
 }
 

@@ -4,12 +4,11 @@
 
 #include <memory>
 
-#include "figures.h"
 #include "joints/constrained_reference.h"
 #include "joints/constrained_step_reference.h"
 #include "joints/figure_scenes.h"
-#include "joints/scene_in_world.h"
 #include "reference/draws.h"
+#include "scene_in_world.h"
 
 namespace {
 
@@ -28,12 +27,6 @@ struct Touching : Swinging {
     using shapes = ingot::Shapes<ingot::Sphere, ingot::Capsule, ingot::Box>;
 };
 
-constexpr double rates[] = {30, 60, 120, 240, 1000};
-constexpr double g = 9.81, eps = static_cast<double>(ingot::epsilon);
-
-/// As of trees: see swinging_figures_test.
-constexpr double held = 2 * static_cast<double>(ingot::limits::joint_gap) + 64 * eps;
-
 /// Joins two bodies of a figure, or one and the world, once more, where they are.
 template <class World>
 void add_loop(World& world, RandomInput& random, const Built& figure, Built& built) {
@@ -43,10 +36,10 @@ void add_loop(World& world, RandomInput& random, const Built& figure, Built& bui
     ingot::JointDef joint;
     joint.body_A = figure.bodies[static_cast<size_t>(first)];
     if (second >= 0) joint.body_B = figure.bodies[static_cast<size_t>(second)];
-    joint.P = world.state(joint.body_A).value.r_CM + vector_of(random.direction());
+    joint.P = world.state(joint.body_A).value.r_CM + to_vector(random.direction());
     const Eigen::Vector3d axis = random.direction();
-    joint.axis = vector_of(axis);
-    joint.axis_B = vector_of(axis.cross(random.direction()).normalized());
+    joint.axis = to_vector(axis);
+    joint.axis_B = to_vector(axis.cross(random.direction()).normalized());
     joint.joint = kinds[random.integer(0, 4)];
     const auto id = world.add_joint(joint);
     built.sound = built.sound && id.ok();
@@ -60,7 +53,7 @@ TEST(Loops, hold_whatever_hangs_on_them) {
     for (int run_i = 0; run_i < ingot_reference::draws(120); ++run_i) {
         const double rate = rates[random.integer(0, 4)], ratio = run_i % 2 == 0 ? 1 : 1000;
         const auto world = std::make_unique<SwingingWorld>();
-        ASSERT_EQ(world->set_gravity({0, 0, static_cast<scalar>(-g)}), ingot::Status::ok);
+        ASSERT_TRUE(weigh(*world));
         const Drawn drawn = {random.integer(3, 13), random.real(0.3, 1), ratio, random.real(0, 4), random.integer(0, 1) == 1};
         Built built, beside;
         add_figure(*world, random, drawn, {0, 0, 0}, built);
@@ -104,16 +97,16 @@ TEST(Loops, velocities_are_the_nearest_that_they_allow) {
         for (int i = 0; i < links; ++i)
             scene.join(run_i % 3 == 0 ? hinge(i, (i + 1) % links, corner(i + 1), random.direction()) : ball(i, (i + 1) % links, corner(i + 1)));
         const auto world = std::make_unique<SwingingWorld>();
-        const InWorld in = bring<false>(*world, scene);
-        ASSERT_TRUE(in.sound);
+        const Built built = add_scene(*world, scene);
+        ASSERT_TRUE(built.sound);
         const JointRows rows(scene);
-        const FigureState start = state_of(*world, in);
+        const FigureState start = state_of(*world, built);
         std::vector<StepRow> locked;
         for (int joint_i = 0; joint_i < scene.joint_count(); ++joint_i)
             for (const StepRow& row : locked_rows(rows, start, joint_i, JointTarget{})) locked.push_back(row);
         const FigureState exact = with_velocities(start, solve_step(step_bodies(scene, start), locked));
         ASSERT_TRUE(ingot::step(*world, static_cast<scalar>(h)).clean());
-        const FigureState state = state_of(*world, in);
+        const FigureState state = state_of(*world, built);
         // Links turn by up to 10 rad/s: their speeds change by (10 rad/s)^2 times 1 m in a second. Places are rounded, and looked at over a substep.
         const double allowed = 100 * h + 64 * eps / h;
         for (int body_i = 0; body_i < links; ++body_i) {
@@ -145,14 +138,14 @@ double error_of(const Machine& machine, double rate, double& gap) {
         scene.body(i).omega -= a.segment<3>(6 * i + 3) * half;
     }
     const auto world = std::make_unique<SwingingWorld>();
-    const InWorld in = bring<false>(*world, scene);
-    EXPECT_TRUE(in.sound) << machine.name;
+    const Built built = add_scene(*world, scene);
+    EXPECT_TRUE(built.sound) << machine.name;
     for (int step_i = 0; step_i < static_cast<int>(std::lround(machine.time * rate)); ++step_i) {
         EXPECT_TRUE(ingot::step(*world, static_cast<scalar>(1 / rate)).clean()) << machine.name;
-        gap = std::max(gap, worst_joint_gap(*world, in));
+        gap = std::max(gap, worst_gap(*world, built));
     }
     exact.advance_to(machine.time);
-    const FigureState state = state_of(*world, in);
+    const FigureState state = state_of(*world, built);
     double worst = 0;
     for (int i = 0; i < scene.body_count(); ++i) worst = std::max(worst, (state.body(i).r_CM - exact.state().body(i).r_CM).norm());
     return worst;
@@ -174,10 +167,10 @@ TEST(Loops, hinges_in_a_line_are_one) {
     FigureState states[3];
     for (int hinges = 1; hinges <= 3; ++hinges) {
         const auto world = std::make_unique<SwingingWorld>();
-        const InWorld in = bring<false>(*world, door(hinges));
-        ASSERT_TRUE(in.sound);
+        const Built built = add_scene(*world, door(hinges));
+        ASSERT_TRUE(built.sound);
         for (int step_i = 0; step_i < 120; ++step_i) ASSERT_TRUE(ingot::step(*world, scalar(1) / 60).clean());
-        states[hinges - 1] = state_of(*world, in);
+        states[hinges - 1] = state_of(*world, built);
     }
     const double rounding = 480 * 16 * eps;  // of 480 substeps
     for (int hinges = 2; hinges <= 3; ++hinges)
@@ -192,16 +185,16 @@ TEST(Loops, a_bridge_carries_what_falls_on_it) {
             if (INGOT_TEST_BRIEF && (rate == 120 || box_factor == 20)) continue;
             const auto world = std::make_unique<ingot::World<Touching>>();
             const FigureScene scene = bridge(30, 10, box_factor);
-            const InWorld in = bring<true>(*world, scene);
-            ASSERT_TRUE(in.sound);
+            const Built built = add_scene(*world, scene);
+            ASSERT_TRUE(built.sound);
             double gap = 0;
             for (int step_i = 0; step_i < static_cast<int>(3 * rate); ++step_i) {
                 const ingot::StepReport report = ingot::step(*world, static_cast<scalar>(1 / rate));
                 ASSERT_EQ(report.bodies_frozen + report.contacts_lost + report.joints_lost, 0);
-                gap = std::max(gap, worst_joint_gap(*world, in));
+                gap = std::max(gap, worst_gap(*world, built));
             }
             EXPECT_LE(gap, 1.5e-4) << rate << " Hz, boxes of " << box_factor;
-            const FigureState state = state_of(*world, in);
+            const FigureState state = state_of(*world, built);
             for (const BodyMotion& body : state.bodies) EXPECT_GT(body.r_CM.z(), 1) << rate << " Hz, boxes of " << box_factor;
         }
 }
@@ -215,7 +208,7 @@ TEST(Loops, what_cannot_be_is_bounded) {
     for (const ingot::Joint& kind : {kinds[0], kinds[1], kinds[3]})
         for (const double rate : {30.0, 60.0, 240.0}) {
             const auto world = std::make_unique<ingot::World<Drawing>>();
-            ASSERT_EQ(world->set_gravity({0, 0, static_cast<scalar>(-g)}), ingot::Status::ok);
+            ASSERT_TRUE(weigh(*world));
             Built built;
             const int links = 10;
             for (int i = 0; i < links + 2; ++i) {
@@ -272,11 +265,7 @@ TEST(Loops, take_no_notice_of_others) {
             (void)ingot::step(*alone, scalar(1) / 60);
             (void)ingot::step(*beside, scalar(1) / 60);
         }
-        for (size_t i = 0; i < of_alone.bodies.size(); ++i) {
-            const ingot::BodyState a = alone->state(of_alone.bodies[i]).value, b = beside->state(of_beside.bodies[i]).value;
-            ASSERT_EQ(ingot_reference::to_eigen(a.r_CM), ingot_reference::to_eigen(b.r_CM)) << run_i;
-            ASSERT_EQ(ingot_reference::to_eigen(a.L), ingot_reference::to_eigen(b.L)) << run_i;
-        }
+        ASSERT_TRUE(are_same(*alone, *beside, of_alone.bodies, of_beside.bodies)) << run_i;
     }
 }
 

@@ -22,13 +22,11 @@ struct SwingingPit : Pit {
     using figure_motion = ingot::EnergyMomentum<>;
 };
 struct LimitedPit : Pit {
-    using joints = ingot::Joints<ingot::BallJoint, ingot::HingeJoint, ingot::SliderJoint, ingot::UniversalJoint, ingot::FixedJoint,
-                                 ingot::WithLimits>;
+    using joints = AllJointsWith<ingot::WithLimits>;
 };
 
 struct DrivenPit : Pit {
-    using joints = ingot::Joints<ingot::BallJoint, ingot::HingeJoint, ingot::SliderJoint, ingot::UniversalJoint, ingot::FixedJoint,
-                                 ingot::WithLimits, ingot::WithDrives>;
+    using joints = AllJointsWith<ingot::WithLimits, ingot::WithDrives>;
 };
 
 struct LoopedPit : Pit {
@@ -56,14 +54,9 @@ void close_some_loops(World& world, Built& built) {
 template <class Scene>
 bool run(const char* name) {
     const auto world = std::make_unique<ingot::World<Scene>>();
-    (void)world->set_gravity({0, 0, scalar(-9.81)});
-    ingot::BodyDef ground;
-    ground.immovable = true;
-    ground.shape = ingot::HalfSpace{{0, 0, 1}, 0};
-    ground.friction = scalar(0.6);
-    (void)world->add(ground);
     RandomInput random(11);
     Built built;
+    built.sound = add_ground(*world) && weigh(*world);
     for (int i = 0; i < 5; ++i)
         add_ragdoll(*world, {scalar(0.3) * static_cast<scalar>(i % 2), 0, scalar(0.3) + static_cast<scalar>(i)},
                     ingot_reference::to_matrix(random.rotation()), built);

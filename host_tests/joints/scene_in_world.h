@@ -4,91 +4,96 @@
 
 #include <ingot/ingot.h>
 
-#include <vector>
-
+#include "figures.h"
 #include "joints/figure.h"
 #include "reference/kernel_types.h"
 
 namespace ingot_figures {
 
-struct InWorld {
-    std::vector<ingot::BodyId> bodies;
-    std::vector<ingot::JointId> joints;
-    bool sound = true;  ///< no call was refused
-};
+using figures::Built;
 
-inline ingot::Joint joint_kind(FigureJointKind kind) {
-    switch (kind) {
-        case FigureJointKind::ball: return ingot::BallJoint{};
-        case FigureJointKind::hinge: return ingot::HingeJoint{};
-        case FigureJointKind::slider: return ingot::SliderJoint{};
-        case FigureJointKind::universal: return ingot::UniversalJoint{};
+/// An end of the reference, which may be infinite.
+inline ingot::scalar end_of(double end) {
+    return end == infinity ? ingot::unlimited : end == -infinity ? -ingot::unlimited : static_cast<ingot::scalar>(end);
+}
+
+/// Kinds: ball, hinge, slider, universal, fixed; with their limits.
+inline ingot::Joint kernel_joint(const FigureJoint& joint) {
+    const ingot::scalar lower = end_of(joint.lower), upper = end_of(joint.upper), e = static_cast<ingot::scalar>(joint.restitution);
+    switch (joint.kind) {
+        case FigureJointKind::ball:
+            return ingot::BallJoint{end_of(joint.cone), end_of(joint.twist_lower), end_of(joint.twist_upper), e,
+                                    ingot_reference::to_vector(joint.axis_A)};
+        case FigureJointKind::hinge: return ingot::HingeJoint{lower, upper, e};
+        case FigureJointKind::slider: return ingot::SliderJoint{lower, upper, e};
+        case FigureJointKind::universal: return ingot::UniversalJoint{{lower, upper}, {}, e};
         case FigureJointKind::fixed: return ingot::FixedJoint{};
         default: return {};
     }
 }
 
-/// The world has the shapes of the scene, or none.
-template <bool with_shapes, class World>
-InWorld bring(World& world, const FigureScene& scene) {
+/// With its shape, where the world's scene has shapes.
+template <class Scene>
+ingot::BodyDef definition_of(const FigureBody& body) {
     using namespace ingot_reference;
-    InWorld in;
-    in.sound = world.set_gravity(to_vector(scene.g)) == ingot::Status::ok;
+    ingot::BodyDef def;
+    def.state.r_CM = to_vector(body.r_CM);
+    def.state.A = to_matrix(body.A);
+    def.immovable = body.M == 0;
+    if (!def.immovable) {
+        def.mass = to_mass(body.M, body.I_body);
+        def.state.v_CM = to_vector(body.v_CM);
+        def.state.L = to_vector(body.A * body.I_body.cwiseProduct(body.A.transpose() * body.omega));
+    }
+    if constexpr (ingot::has_shapes<Scene>) {
+        const ingot::Vector half = to_vector(body.half_extent);
+        if (body.shape == FigureShape::box) def.shape = ingot::Box{half};
+        if (body.shape == FigureShape::sphere) def.shape = ingot::Sphere{half.x};
+        if (body.shape == FigureShape::capsule) def.shape = ingot::Capsule{half.x, half.z};
+        def.friction = static_cast<ingot::scalar>(body.friction);
+        def.restitution = static_cast<ingot::scalar>(body.restitution);
+    }
+    return def;
+}
+
+/// Bodies and joints of a scene as it starts.
+template <class Scene>
+Built add_scene(ingot::World<Scene>& world, const FigureScene& scene) {
+    using ingot_reference::to_vector;
+    Built built;
+    built.sound = world.set_gravity(to_vector(scene.g)) == ingot::Status::ok;
     for (const FigureBody& body : scene.bodies) {
-        ingot::BodyDef def;
-        def.immovable = body.M == 0;
-        if (body.M > 0) def.mass = to_mass(body.M, body.I_body);
-        const Vector3d L = body.A * body.I_body.cwiseProduct(body.A.transpose() * body.omega);
-        def.state = {to_vector(body.r_CM), to_vector(body.v_CM), to_matrix(body.A), def.immovable ? ingot::Vector{} : to_vector(L)};
-        if constexpr (with_shapes) {
-            const auto s = [&](double x) { return static_cast<ingot::scalar>(x); };
-            if (body.shape == FigureShape::sphere) def.shape = ingot::Sphere{s(body.half_extent.x())};
-            if (body.shape == FigureShape::capsule) def.shape = ingot::Capsule{s(body.half_extent.x()), s(body.half_extent.z())};
-            if (body.shape == FigureShape::box) def.shape = ingot::Box{to_vector(body.half_extent)};
-            def.friction = s(body.friction);
-            def.restitution = s(body.restitution);
-        }
-        const auto id = world.add(def);
-        in.sound = in.sound && id.ok();
-        in.bodies.push_back(id.value);
+        const auto id = world.add(definition_of<Scene>(body));
+        built.sound = built.sound && id.ok();
+        built.bodies.push_back(id.value);
     }
     for (const FigureJoint& joint : scene.joints) {
+        const auto body_of = [&](int body_i) { return body_i == the_world ? ingot::BodyId{} : built.bodies[static_cast<std::size_t>(body_i)]; };
         ingot::JointDef def;
-        if (joint.body_A != the_world) def.body_A = in.bodies[static_cast<size_t>(joint.body_A)];
-        def.body_B = in.bodies[static_cast<size_t>(joint.body_B)];
-        def.joint = joint_kind(joint.kind);
+        def.body_A = body_of(joint.body_A);
+        def.body_B = body_of(joint.body_B);
+        def.joint = kernel_joint(joint);
         def.P = to_vector(joint.anchor);
-        def.axis = to_vector(joint.axis_A);
-        def.axis_B = to_vector(joint.axis_B);
+        def.axis = to_vector(joint.kind == FigureJointKind::ball ? joint.axis_B : joint.axis_A);
+        if (joint.kind == FigureJointKind::universal) def.axis_B = to_vector(joint.axis_B);
         const auto id = world.add_joint(def);
-        in.sound = in.sound && id.ok();
-        in.joints.push_back(id.value);
+        built.sound = built.sound && id.ok();
+        built.joints.push_back(id.value);
     }
-    return in;
+    return built;
 }
 
-template <class World>
-FigureState state_of(const World& world, const InWorld& in) {
-    using namespace ingot_reference;
+/// As the reference has it.
+template <class Scene>
+FigureState state_of(const ingot::World<Scene>& world, const Built& built) {
+    using ingot_reference::to_eigen;
     FigureState state;
-    for (const ingot::BodyId id : in.bodies) {
+    for (const ingot::BodyId id : built.bodies) {
         const ingot::BodyState body = world.state(id).value;
-        BodyMotion motion;
-        motion.r_CM = to_eigen(body.r_CM);
-        motion.q = Quaterniond(to_eigen(body.A)).normalized();
-        motion.v_CM = to_eigen(body.v_CM);
-        motion.omega = to_eigen(world.omega(id).value);
-        state.bodies.push_back(motion);
+        state.bodies.push_back(
+            {to_eigen(body.r_CM), Quaterniond(to_eigen(body.A)).normalized(), to_eigen(body.v_CM), to_eigen(world.omega(id).value)});
     }
     return state;
-}
-
-/// m, of all its joints, as the world tells it.
-template <class World>
-double worst_joint_gap(const World& world, const InWorld& in) {
-    double worst = 0;
-    for (const ingot::JointId id : in.joints) worst = std::max(worst, static_cast<double>(world.joint_gap(id).value));
-    return worst;
 }
 
 }  // namespace ingot_figures
