@@ -40,7 +40,7 @@ set(narrow_phase_shares manifold manifold_points box_axes contact_geometry conta
 set(query_shares candidates shapes_of_tree query_filter ray_on_shapes cast_ray)
 set(impulse_shares contact collide_shapes contact_rows impulse impact_step impact_times find_contacts solve_impacts)
 set(joint_shares joints joint_record joint_lists limit_record drives)
-set(figure_shares spatial figure_row figure_view ground tree_passes joint_sides displace_rows cursor_moves joint_row measure_joint row_compliance
+set(figure_shares spatial figure_row figure_view ground tree_passes joint_sides row_motion displace_rows cursor_moves joint_row measure_joint row_compliance
   build_figures factor_figures keep_figures move_figures respond_figures cursor joint_motions joint_rows joint_drives driven_motion
   push_rows loop_view find_loops factor_loops close_loops)
 set(energy_momentum_shares energy_momentum tangent at_node newton_row newton_pass fit_velocities advance_figure swing_freely)

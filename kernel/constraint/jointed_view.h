@@ -69,38 +69,28 @@ struct LoopedViewOf : View {
 using LoopedView = LoopedViewOf<SolverView>;
 using LoopedMaterialView = LoopedViewOf<RollingBeltView>;
 
-/// The same where joints have rows of their own: limits.
-template <class View>
+/// The same where joints have rows of their own. Rows: JointRowView, of limits; or DrivenRowView, of limits and drives.
+template <class View, class Rows>
 struct RowedViewOf : JointedViewOf<View> {
-    static constexpr bool has_joint_rows = true;
-    JointRowView joint_rows;
+    static constexpr bool has_joint_rows = true, has_drives = Rows::has_drives;
+    Rows joint_rows;
 };
-using RowedView = RowedViewOf<SolverView>;
-using RowedMaterialView = RowedViewOf<RollingBeltView>;
-
-/// The same where joints may have drives.
-template <class View>
-struct DrivenViewOf : RowedViewOf<View> {
-    static constexpr bool has_drives = true;
-};
-using DrivenView = DrivenViewOf<SolverView>;
-using DrivenMaterialView = DrivenViewOf<RollingBeltView>;
+using RowedView = RowedViewOf<SolverView, JointRowView>;
+using RowedMaterialView = RowedViewOf<RollingBeltView, JointRowView>;
+using DrivenView = RowedViewOf<SolverView, DrivenRowView>;
+using DrivenMaterialView = RowedViewOf<RollingBeltView, DrivenRowView>;
 
 template <class View>
 struct WithoutRows {
     using Type = View;
 };
-template <class View>
-struct WithoutRows<RowedViewOf<View>> {
-    using Type = JointedViewOf<View>;
-};
-template <class View>
-struct WithoutRows<DrivenViewOf<View>> {
+template <class View, class Rows>
+struct WithoutRows<RowedViewOf<View, Rows>> {
     using Type = JointedViewOf<View>;
 };
 /// The view for stages of contacts, to which rows of joints are nothing.
 template <class View>
-INGOT_INLINE typename WithoutRows<View>::Type& contacts_of(View& solver) {
+INGOT_INLINE typename WithoutRows<View>::Type& without_rows(View& solver) {
     return solver;
 }
 

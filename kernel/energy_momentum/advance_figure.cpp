@@ -3,6 +3,7 @@
 
 #include "../base/limits.h"
 #include "../figure/factor_figures.h"
+#include "../figure/row_motion.h"
 #include "at_node.h"
 #include "fit_velocities.h"
 
@@ -110,7 +111,7 @@ void take_end(Progress<width>& at, const NewtonStep<width>& step) {
         write(of.all, row.j, read(of.all, row.j) + read(of.all, of.newton.f).v);
         at.most_turn_sq = max(at.most_turn_sq, length_sq(theta));
     }
-    refresh_spins(step.figures);
+    set_spins(step.figures);
 }
 
 /// f, N and N m: what joints pushed with in the last step.
@@ -160,7 +161,7 @@ template <unsigned width>
 void advance_figures(FigureView& view, const EnergyMomentumView& scheme, bool was_seen, int halvings, FigureAdvance (&advances)[width]) {
     Progress<width> at = {view, scheme, {view, view.groups[0]}, (1u << width) - 1u, {}, {}, {}, {}};
     view.elapsed = 0;
-    refresh_spins(at.figures);
+    set_spins(at.figures);
     if (!was_seen) fit_to_joints(view, at.figures);
     begin_progress(at);
     recall_forces(at);

@@ -5,6 +5,7 @@
 #include "../figure/factor_figures.h"
 #include "../figure/joint_sides.h"
 #include "../figure/move_figures.h"
+#include "../figure/row_motion.h"
 #include "../math/sqrt.h"
 
 #pragma GCC diagnostic push
@@ -14,16 +15,6 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
-template <unsigned width, class T = typename AllLanes<width>::T>
-Vec3<T> moment_of(const FigureRows<width>& figures, const FigureRow<width>& row, const Vec3<T>& w) {
-    const Mat3<T> A = read(figures.all, row.A);
-    return A * scaled(read(figures.all, row.I_body), transpose_times(A, w));
-}
-/// The change that pass_impulses found, at the centre of mass.
-template <unsigned width, class T = typename AllLanes<width>::T>
-Spatial<T> change_of(const FigureRows<width>& figures, const FigureRow<width>& row) {
-    return twist_at(read(figures.all, row.change), read(figures.all, row.c));
-}
 template <unsigned width, class T = typename AllLanes<width>::T>
 Spatial<T> velocity_at_joint(const FigureRows<width>& figures, const FigureRow<width>& row) {
     return twist_at(Spatial<T>{read(figures.all, row.w), read(figures.all, row.v)}, -read(figures.all, row.c));
@@ -49,10 +40,10 @@ template <unsigned width, class Mask, class T = typename AllLanes<width>::T>
 void take_change(const FigureRows<width>& figures, Mask takes) {
     for (int row_i = 0; row_i < figures.count(); ++row_i) {  // bound: max_bodies
         FigureRow<width>& row = figures[row_i];
-        const Spatial<T> u = change_of(figures, row);
+        const Spatial<T> u = change_of_centre(figures.all, row);
         const Vec3<T> v = read(figures.all, row.v), L = read(figures.all, row.L);
         write(figures.all, row.v, select(takes, v + u.v, v));
-        write(figures.all, row.L, select(takes, L + moment_of(figures, row, u.w), L));
+        write(figures.all, row.L, select(takes, L + momentum_of_spin(figures.all, row, u.w), L));
     }
 }
 
@@ -104,10 +95,10 @@ KineticShares<T> kinetic_shares_of(const FigureRows<width>& figures, const Vec3<
     T kinetic{}, taken{};
     for (int row_i = 0; row_i < figures.count(); ++row_i) {  // bound: max_bodies
         const FigureRow<width>& row = figures[row_i];
-        const Spatial<T> u = change_of(figures, row);
+        const Spatial<T> u = change_of_centre(figures.all, row);
         const T M = figures.all.get(row.M);
         kinetic = kinetic + M * length_sq(read(figures.all, row.v) - v_of_centre) + dot(read(figures.all, row.w), read(figures.all, row.L));
-        taken = taken + M * length_sq(u.v) + dot(u.w, moment_of(figures, row, u.w));  // at right angles to what is left
+        taken = taken + M * length_sq(u.v) + dot(u.w, momentum_of_spin(figures.all, row, u.w));  // at right angles to what is left
     }
     return {kinetic * splat<T>(scalar(0.5)), taken * splat<T>(scalar(0.5))};
 }
@@ -116,7 +107,7 @@ template <unsigned width, class Mask, class T = typename AllLanes<width>::T>
 void scale_motion(const FigureRows<width>& figures, const WholeMotion<T>& whole, Mask scales, T s) {
     for (int row_i = 0; row_i < figures.count(); ++row_i) {  // bound: max_bodies
         FigureRow<width>& row = figures[row_i];
-        const Vec3<T> v = read(figures.all, row.v), L = read(figures.all, row.L), L_whole = moment_of(figures, row, whole.w);
+        const Vec3<T> v = read(figures.all, row.v), L = read(figures.all, row.L), L_whole = momentum_of_spin(figures.all, row, whole.w);
         const Vec3<T> v_whole = whole.v + cross(whole.w, read(figures.all, row.r) - whole.r);
         write(figures.all, row.v, select(scales, v_whole + (v - v_whole) * s, v));
         write(figures.all, row.L, select(scales, L_whole + (L - L_whole) * s, L));
@@ -126,43 +117,18 @@ void scale_motion(const FigureRows<width>& figures, const WholeMotion<T>& whole,
 }  // namespace
 
 template <unsigned width>
-void refresh_spins(const FigureRows<width>& figures) {
-    using T = typename AllLanes<width>::T;
-    for (int row_i = 0; row_i < figures.count(); ++row_i) {  // bound: max_bodies
-        FigureRow<width>& row = figures[row_i];
-        const Mat3<T> A = read(figures.all, row.A);
-        const Vec3<T> L = transpose_times(A, read(figures.all, row.L)), I = read(figures.all, row.I_body);
-        write(figures.all, row.w, A * Vec3<T>{L.x / I.x, L.y / I.y, L.z / I.z});
-    }
-}
-
-template <unsigned width>
 void take_up_roundings(const FigureRows<width>& figures) {
-    using T = typename AllLanes<width>::T;
-    const Ground<T> ground = ground_of(figures, figures.all);
     for (int row_i = 0; row_i < figures.count(); ++row_i) {  // bound: max_bodies
-        const FigureNode& node = figures.node(row_i);
-        if (node.kind == JointKind::none) continue;
+        const JointKind kind = figures.node(row_i).kind;
+        if (kind == JointKind::none) continue;
         FigureRow<width>& row = figures[row_i];
-        const auto own = [&](auto part) { return figures.gathered(row_i, [&](const FigureNode& of) { return figures.own_frame(of).*part; }); };
-        const auto its = [&](auto part) { return figures.gathered(row_i, [&](const FigureNode& of) { return figures.frame_of_parent(of).*part; }); };
-        const Mat3<T> A_parent = node.parent == no_node ? ground.A : read(figures.all, figures[node.parent].A);
-        const Vec3<T> r_parent = node.parent == no_node ? ground.r : read(figures.all, figures[node.parent].r), r = read(figures.all, row.r);
-        Mat3<T> A = read(figures.all, row.A);
-        JointSides<T> sides{};
-        if (node.kind != JointKind::ball) {
-            sides.axis = A * own(&JointFrame::axis);
-            sides.axis_of_parent = A_parent * its(&JointFrame::axis);
-            if (locks_turns(node.kind)) {
-                sides.side = A * own(&JointFrame::side);
-                sides.side_of_parent = A_parent * its(&JointFrame::side);
-            }
-            A = A + cross(twist_back(node.kind, sides).w, A);
-            A = A + polar_correction(A);
-            write(figures.all, row.A, A);
+        const auto back = [&] { return twist_back(kind, sides_now(figures, figures.all, row_i, locks_turns(kind))); };
+        if (kind != JointKind::ball) {
+            auto A = read(figures.all, row.A);
+            A = A + cross(back().w, A);
+            write(figures.all, row.A, A + polar_correction(A));
         }
-        sides.gap = (r - r_parent) + (A * own(&JointFrame::anchor) - A_parent * its(&JointFrame::anchor));
-        write(figures.all, row.r, r + twist_back(node.kind, sides).v);
+        write(figures.all, row.r, read(figures.all, row.r) + back().v);
     }
 }
 
@@ -171,12 +137,12 @@ void fit_to_joints(const FigureView& view, const FigureRows<width>& figures) {
     place_joints(view);
     factor_figures(view, NoLoops{}, 0);
     push_figures(view, NoLoops{}, false);
-    refresh_spins(figures);
+    set_spins(figures);
     place_joints(view);
     factor_figures(view, NoLoops{}, 0);
     find_change(view, figures);
     take_change(figures, figures.all_lanes());
-    refresh_spins(figures);
+    set_spins(figures);
 }
 
 template <unsigned width>
@@ -197,18 +163,16 @@ void take_hidden_energy(const FigureView& view, const FigureRows<width>& figures
         const T gain = min(splat<T>(1) + energy.taken / select(scales, left, splat<T>(1)), splat<T>(limits::snap_gain_max));
         scale_motion(figures, whole, scales, sqrt(select(scales, gain, splat<T>(1))));
     }
-    refresh_spins(figures);
+    set_spins(figures);
 }
 
 template void fit_to_joints(const FigureView& view, const FigureRows<1>& figures);
 template void take_hidden_energy(const FigureView& view, const FigureRows<1>& figures, Snap snap);
 template void take_up_roundings(const FigureRows<1>& figures);
-template void refresh_spins(const FigureRows<1>& figures);
 #if INGOT_LANES > 1
 template void fit_to_joints(const FigureView& view, const FigureRows<lanes>& figures);
 template void take_hidden_energy(const FigureView& view, const FigureRows<lanes>& figures, Snap snap);
 template void take_up_roundings(const FigureRows<lanes>& figures);
-template void refresh_spins(const FigureRows<lanes>& figures);
 #endif
 
 } }  // namespace ingot

@@ -23,8 +23,4 @@ void take_hidden_energy(const FigureView& view, const FigureRows<width>& figures
 template <unsigned width>
 void take_up_roundings(const FigureRows<width>& figures);
 
-/// rad/s, of each row from its L.
-template <unsigned width>
-void refresh_spins(const FigureRows<width>& figures);
-
 } }  // namespace ingot

@@ -10,40 +10,25 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
-/// A body as its figure has it, or what cannot move.
-struct SideBody {
-    Vector r, v, w, turn;
-    Matrix A;
-};
-SideBody side_of(const FigureView& view, Index node_i, Index ground_slot, scalar h) {
-    if (node_i == no_node) {
-        const Ground<scalar> ground = ground_at(view, ground_slot);
-        return {ground.r, ground.v, ground.w, ground.w * h, ground.A};
-    }
-    return at_node(view, node_i, [](const auto& rows, const auto& at, int row_i) {
-        const auto& row = rows[row_i];
-        return SideBody{read(at, row.r), read(at, row.v), read(at, row.w), read(at, row.turn), read(at, row.A)};
-    });
-}
-
-/// Both sides of a joint as they are, and by how much they move in a substep of h seconds.
-JointSides<scalar> sides_of(const SideBody& child, const SideBody& other, const JointFrame& of_child, const JointFrame& of_other) {
-    return {(child.r - other.r) + (child.A * of_child.anchor - other.A * of_other.anchor), child.A * of_child.axis, other.A * of_other.axis,
-            child.A * of_child.side, other.A * of_other.side};
-}
+/// Both bodies of a joint, and how they move in a substep of h seconds.
 struct LoopSides {
-    SideBody child, other;
+    SideMotion<scalar> child, other;
     const JointFrame &of_child, &of_other;
+
+    JointSides<scalar> now() const { return sides_at(child, of_child, other, of_other); }
 };
-LoopSides bodies_of(const FigureView& view, const LoopJoint& loop, scalar h) {
+LoopSides sides_of(const FigureView& view, const LoopJoint& loop, scalar h) {
     const JointRecord& record = view.lists.joints[loop.joint];
-    return {side_of(view, loop.child, no_body, h), side_of(view, loop.other, loop.ground, h), loop.is_A ? record.frame_A : record.frame_B,
-            loop.is_A ? record.frame_B : record.frame_A};
+    const auto motion_of = [&](Index node_i) {
+        return at_node(view, node_i, [](const auto& rows, const auto& at, int row_i) { return motion_of_row(at, rows[row_i]); });
+    };
+    return {motion_of(loop.child), loop.other == no_node ? motion_of_ground(ground_at(view, loop.ground), h) : motion_of(loop.other),
+            loop.is_A ? record.frame_A : record.frame_B, loop.is_A ? record.frame_B : record.frame_A};
 }
 
 /// The twist, times seconds, that takes back what the sides move against each other in a substep.
 Spatial<scalar> back_of_motion(JointKind kind, const LoopSides& of, bool is_exact, scalar h) {
-    const JointSides<scalar> now = sides_of(of.child, of.other, of.of_child, of.of_other);
+    const JointSides<scalar> now = of.now();
     const Turning<scalar, bool> child = {of.child.turn, of.child.w * h, is_exact}, other = {of.other.turn, of.other.w * h, is_exact};
     const Vector turned = child.shift(of.child.A * of.of_child.anchor) - other.shift(of.other.A * of.of_other.anchor);
     const Vector moved = (of.child.v - of.other.v) * h + turned;
@@ -74,7 +59,7 @@ const Spatial<scalar>* X_at(const FigureView& view, const LoopView& loops, const
 /// Pulls on their bodies are kept, for the tension of the next substep and for the joints at the end of the step.
 void note_loop_impulses(const FigureView& view, const LoopView& loops) {
     for_looped_figures(view, loops, [&](const LoopFigure& of) {
-        for_joints(loops, of, [](LoopJoint& loop) {
+        for_loop_joints(loops, of, [](LoopJoint& loop) {
             loop.given = {};
             for (int row = 0; row < loop.row_count; ++row)  // bound: rows_of_joint_max
                 if (!loop.is_turn[row]) loop.given = loop.given + loop.direction[row] * loop.j[row];
@@ -86,14 +71,15 @@ void note_loop_impulses(const FigureView& view, const LoopView& loops) {
 
 void aim_loops(const FigureView& view, const LoopView& loops, const LoopFigure& of, scalar h) {
     const bool is_exact = view.figures[of.figure].resolved;
-    for_joints(loops, of, [&](LoopJoint& loop) { set_targets(loop, back_of_motion(loop.kind, bodies_of(view, loop, h), is_exact, h) * (1 / h)); });
+    for_loop_joints(loops, of, [&](LoopJoint& loop) {
+        set_targets(loop, back_of_motion(loop.kind, sides_of(view, loop, h), is_exact, h) * (1 / h));
+    });
 }
 
 scalar aim_pushes(const FigureView& view, const LoopView& loops, const LoopFigure& of) {
     scalar most = 0;
-    for_joints(loops, of, [&](LoopJoint& loop) {
-        const LoopSides sides = bodies_of(view, loop, 0);
-        const Spatial<scalar> back = twist_back(loop.kind, sides_of(sides.child, sides.other, sides.of_child, sides.of_other));
+    for_loop_joints(loops, of, [&](LoopJoint& loop) {
+        const Spatial<scalar> back = twist_back(loop.kind, sides_of(view, loop, 0).now());
         set_targets(loop, back);
         most = max(most, max(length_sq(back.v), length_sq(back.w)));
     });
@@ -105,7 +91,7 @@ void find_lacks(const FigureView& view, const LoopView& loops, const LoopFigure&
     const uint8_t* const order = loops.order + of.first_row;
     scalar* const z = loops.z + of.first_row;
     scalar lacks[limits::loop_rows_max];
-    for_joints(loops, of, [&](const LoopJoint& loop) {
+    for_loop_joints(loops, of, [&](const LoopJoint& loop) {
         const Spatial<scalar> of_child = change_of(view, loop.child);
         const Spatial<scalar> of_other = loop.other == no_node ? Spatial<scalar>{} : change_of(view, loop.other);
         for (int row = 0; row < loop.row_count; ++row)  // bound: rows_of_joint_max
@@ -142,7 +128,7 @@ void keep_lacks(const FigureView& view, const LoopView& loops) {
             j[order[i]] = j_i;
             z[i] = 0;
         }
-        for_joints(loops, of, [&](LoopJoint& loop) {
+        for_loop_joints(loops, of, [&](LoopJoint& loop) {
             for (int row = 0; row < loop.row_count; ++row) loop.j[row] += j[loop.first_row + row];  // bound: rows_of_joint_max
         });
     });
@@ -150,7 +136,7 @@ void keep_lacks(const FigureView& view, const LoopView& loops) {
 
 void add_loop_impulses(const FigureView& view, const LoopView& loops) {
     for_looped_figures(view, loops, [&](const LoopFigure& of) {
-        for_joints(loops, of, [&](const LoopJoint& loop) {
+        for_loop_joints(loops, of, [&](const LoopJoint& loop) {
             Spatial<scalar> on_child{}, on_other{};
             for (int row = 0; row < loop.row_count; ++row) {  // bound: rows_of_joint_max
                 on_child = on_child + loop.rows[row].on_child * loop.j[row];
@@ -233,7 +219,7 @@ void keep_loops(const FigureView& view, const LoopView& loops, int doublings) {
     for_looped_figures(view, loops, [&](const LoopFigure& of) {
         const Figure& figure = view.figures[of.figure];
         if (figure.doublings > doublings) return;
-        for_joints(loops, of, [&](const LoopJoint& loop) {
+        for_loop_joints(loops, of, [&](const LoopJoint& loop) {
             JointRecord& joint = view.lists.joints[loop.joint];
             joint.j = loop.given * (loop.is_A ? -scale : scale);
             joint.resolved = figure.resolved ? 1 : 0;

@@ -2,6 +2,7 @@
 #include "cursor.h"
 
 #include "cursor_moves.h"
+#include "row_motion.h"
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpsabi"  // see lanes.h
@@ -41,7 +42,7 @@ void bring_cursor(const FigureView& view, const Spatial6Rows<1>* responses, Inde
 
 Spatial<scalar> change_at_cursor(const FigureView& view, Index node_i) {
     return at_node(view, node_i, [](const auto& rows, const auto& at, int row_i) {
-        return twist_at(read(at, rows[row_i].change), read(at, rows[row_i].c));
+        return change_of_centre(at, rows[row_i]);
     });
 }
 

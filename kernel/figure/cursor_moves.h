@@ -22,9 +22,7 @@ void climb(const FigureRows<width>& rows, const OneLane<width>& at, const Spatia
 template <unsigned width>
 void descend(const FigureRows<width>& rows, const OneLane<width>& at, int row_i) {
     FigureRow<width>& row = rows[row_i];
-    const FigureNode& node = rows.node(row_i, at.lane_i);
-    const Spatial<scalar> of_parent = twist_at(read(at, rows[node.parent].change), read(at, row.d));
-    write(at, row.change, change_of_child(at, row, node.kind, of_parent));
+    write(at, row.change, change_of_child(at, row, rows.node(row_i, at.lane_i).kind, change_of_parent(rows, at, row_i)));
 }
 
 } }  // namespace ingot

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "joint_sides.h"
+#include "row_motion.h"
 #include "tree_passes.h"
 
 #pragma GCC diagnostic push
@@ -48,18 +49,12 @@ void pass_from_none(const FigureRows<width>& rows) {
     pass_down(rows);
 }
 
-/// The change at the centre of mass.
-template <unsigned width>
-Spatial<typename AllLanes<width>::T> change_of_centre(const FigureRows<width>& rows, const FigureRow<width>& row) {
-    return twist_at(read(rows.all, row.change), read(rows.all, row.c));
-}
-
 /// Displaces the lanes that are `off` by `change`.
 template <unsigned width, class M, class T = typename AllLanes<width>::T>
 void move_by_change(const FigureRows<width>& rows, M off) {
     for (int row_i = 0; row_i < rows.count(); ++row_i) {  // bound: max_bodies
         FigureRow<width>& row = rows[row_i];
-        const Spatial<T> u = change_of_centre(rows, row), none{};
+        const Spatial<T> u = change_of_centre(rows.all, row), none{};
         const Mat3<T> A = read(rows.all, row.A);
         write(rows.all, row.r, read(rows.all, row.r) + select(off, u.v, none.v));
         write(rows.all, row.turned, read(rows.all, row.turned) + select(off, u.w, none.w));

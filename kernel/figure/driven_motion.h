@@ -13,14 +13,14 @@ struct DriveError {
 };
 
 /// The rotation vector of a rotation, up to half a turn.
-INGOT_INLINE Vector turn_of(const Matrix& A) {
+INGOT_INLINE Vector rotation_vector_of(const Matrix& A) {
     const Quaternion q = quaternions::from_rotation(A);
     const Vector v = {q.x, q.y, q.z};
     const scalar sine = sqrt(length_sq(v));
     return sine > 0 ? v * (2 * arctangent(sine, q.w) / sine) : Vector{};
 }
 /// The rotation of a rotation vector.
-INGOT_INLINE Matrix turn_by(const Vector& turn) {
+INGOT_INLINE Matrix rotation_by(const Vector& turn) {
     const scalar angle = sqrt(length_sq(turn));
     return angle > 0 ? axis_angle(turn * (1 / angle), angle) : identity_matrix<scalar>();
 }
@@ -36,7 +36,7 @@ INGOT_INLINE Matrix times_transposed(const Matrix& a, const Matrix& b) { return 
 
 /// Of a ball joint: three of them, in world axes. elapsed: s, of the step.
 template <unsigned width>
-void ball_errors(const FigureRows<width>& rows, const OneLane<width>& at, const JointRowView& all, int row_i, DriveError (&errors)[3]) {
+void ball_errors(const FigureRows<width>& rows, const OneLane<width>& at, const DrivenRowView& all, int row_i, DriveError (&errors)[3]) {
     const FigureNode& node = rows.node(row_i, at.lane_i);
     const DriveRecord* const of = drives_of(node, all);
     const JointSides<scalar> sides = sides_now(rows, at, row_i, true);
@@ -47,7 +47,7 @@ void ball_errors(const FigureRows<width>& rows, const OneLane<width>& at, const 
     const Vector target_rate = vector(&JointDrive::target_rate), target = vector(&JointDrive::target) + target_rate * rows.view.elapsed;
     const Vector feedforward = vector(&JointDrive::feedforward);
     const scalar sign = node.is_A ? scalar(-1) : scalar(1);
-    const Vector off = turn_of(times_transposed(node.is_A ? parent : own, turn_by(target) * (node.is_A ? own : parent))) * sign;
+    const Vector off = rotation_vector_of(times_transposed(node.is_A ? parent : own, rotation_by(target) * (node.is_A ? own : parent))) * sign;
     const Vector rate = free_rates_now(rows, at, row_i) - target_rate * sign;
     errors[0] = {off.x, rate.x, feedforward.x * sign};
     errors[1] = {off.y, rate.y, feedforward.y * sign};
@@ -56,7 +56,7 @@ void ball_errors(const FigureRows<width>& rows, const OneLane<width>& at, const 
 
 /// Of a direction of another joint.
 template <unsigned width>
-DriveError error_of(const FigureRows<width>& rows, const OneLane<width>& at, const JointRowView& all, int row_i, int direction_i) {
+DriveError error_of(const FigureRows<width>& rows, const OneLane<width>& at, const DrivenRowView& all, int row_i, int direction_i) {
     const FigureNode& node = rows.node(row_i, at.lane_i);
     const JointDrive& drive = drive_of(node, all, direction_i);
     const scalar sign = of_record(node, direction_i).sign;

@@ -63,15 +63,15 @@ void stiffen(const FigureRows<width>& rows, const At& at, FigureRow<width>& row,
     mark_stiff(rows, at, is_stiff);
 }
 
-void stiffen_loops(const FigureView&, const NoLoops&, scalar) {}
-void stiffen_loops(const FigureView& view, const LoopView& loops, scalar h) {
-    const auto stiffen_node = [&](Index node_i, const Vector& j, const Vector& arm) {
-        at_node(view, node_i, [&](const auto& rows, const auto& at, int row_i) { stiffen(rows, at, rows[row_i], j, arm, h); });
-    };
-    for_looped_figures(view, loops, [&](const LoopFigure& of) {
-        for_joints(loops, of, [&](const LoopJoint& loop) {
-            stiffen_node(loop.child, loop.given, loop.arm);
-            if (loop.other != no_node) stiffen_node(loop.other, -loop.given, loop.arm_of_other);
+template <unsigned width>
+void stiffen_loops(const FigureRows<width>&, const NoLoops&, scalar) {}
+template <unsigned width>
+void stiffen_loops(const FigureRows<width>& rows, const LoopView& loops, scalar h) {
+    for_looped(rows, loops, [&](const LoopFigure& of, int lane_i) {
+        const int first = rows.figure(lane_i).first_node;
+        for_loop_joints(loops, of, [&](const LoopJoint& loop) {
+            stiffen(rows, rows.one(lane_i), rows[loop.child - first], loop.given, loop.arm, h);
+            if (loop.other != no_node) stiffen(rows, rows.one(lane_i), rows[loop.other - first], -loop.given, loop.arm_of_other, h);
         });
     });
 }
@@ -84,13 +84,13 @@ struct NoDrives {
     }
 };
 struct Drives {
-    const JointRowView& all;
+    const DrivenRowView& all;
 
     template <unsigned width, class T>
     T resisted(const FigureRows<width>& rows, int row_i, int direction_i, T D) const {
         scalar resist[width];
         for (int lane_i = 0; lane_i < static_cast<int>(width); ++lane_i) {  // bound: lanes
-            const DriveMotion& motion = all.drive_motions[rows.node(row_i, lane_i).joint * all.drives_of_joint + direction_i];
+            const DriveMotion& motion = drive_motion(rows.node(row_i, lane_i), all, direction_i);
             resist[lane_i] = motion.saturated ? 0 : motion.resist;
         }
         return D + rows.all.get(resist);
@@ -140,9 +140,13 @@ INGOT_INLINE void begin_rows(const FigureRows<width>& rows, scalar h) {
     }
 }
 
-template <unsigned width, class Resist>
-void factor_from_ends(const FigureRows<width>& rows, const Resist& drives) {
-    for (int row_i = rows.count() - 1; row_i >= 0; --row_i) factor_row(rows, row_i, drives);  // bound: max_bodies
+template <class Loops, class Resist>
+void factor_all(const FigureView& view, const Loops& loops, const Resist& drives, scalar h) {
+    for_groups(view, [&](const auto& rows) {
+        begin_rows(rows, h);
+        stiffen_loops(rows, loops, h);
+        for (int row_i = rows.count() - 1; row_i >= 0; --row_i) factor_row(rows, row_i, drives);  // bound: max_bodies
+    });
 }
 
 }  // namespace
@@ -155,17 +159,10 @@ void place_joints(const FigureView& view) {
 
 template <class Loops>
 void factor_figures(const FigureView& view, const Loops& loops, scalar h) {
-    for_groups(view, [h](const auto& rows) { begin_rows(rows, h); });
-    stiffen_loops(view, loops, h);
-    for_groups(view, [](const auto& rows) { factor_from_ends(rows, NoDrives{}); });
+    factor_all(view, loops, NoDrives{}, h);
 }
 
-void factor_driven_figures(const FigureView& view, const JointRowView& all, scalar h) {
-    for_groups(view, [&](const auto& rows) {
-        begin_rows(rows, h);
-        factor_from_ends(rows, Drives{all});
-    });
-}
+void factor_figures(const FigureView& view, const DrivenRowView& all, scalar h) { factor_all(view, NoLoops{}, Drives{all}, h); }
 
 // The linker takes the one that the scene calls.
 template void factor_figures(const FigureView&, const NoLoops&, scalar);

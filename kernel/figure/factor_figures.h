@@ -20,6 +20,6 @@ template <class Loops>
 void factor_figures(const FigureView& view, const Loops& loops, scalar h);
 
 /// The same of joints that may have drives, which resist a change of their rates. Needs: prepare_drives.
-void factor_driven_figures(const FigureView& view, const JointRowView& all, scalar h);
+void factor_figures(const FigureView& view, const DrivenRowView& all, scalar h);
 
 } }  // namespace ingot

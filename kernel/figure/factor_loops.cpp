@@ -125,7 +125,7 @@ scalar free_compliance(const FigureView& view, Index node_i, const Spatial<scala
 /// C in the place of L. free: of each row, what it would give way without joints.
 void couple_rows(const FigureView& view, const LoopView& loops, const LoopFigure& of, scalar* L, scalar* free) {
     const Index first = view.figures[of.figure].first_node;
-    for_joints(loops, of, [&](const LoopJoint& loop) {
+    for_loop_joints(loops, of, [&](const LoopJoint& loop) {
         const Spatial<scalar>* const of_child = loops.X_of(of, loop.child - first);
         const Spatial<scalar>* const of_other = loop.other == no_node ? nullptr : loops.X_of(of, loop.other - first);
         for (int row = 0; row < loop.row_count; ++row) {  // bound: rows_of_joint_max
@@ -205,7 +205,7 @@ void solve_triangle(const scalar* L, const LoopFigure& of, const uint8_t* order,
 /// Rows that are left out give nothing.
 void drop_impulses(const LoopView& loops, const LoopFigure& of, const uint8_t* order) {
     for (int i = of.rank; i < of.row_count; ++i)  // bound: limits::loop_rows_max
-        for_joints(loops, of, [&](LoopJoint& loop) {
+        for_loop_joints(loops, of, [&](LoopJoint& loop) {
             const int row = order[i] - loop.first_row;
             if (row >= 0 && row < loop.row_count) loop.j[row] = 0;
         });
@@ -215,14 +215,14 @@ void drop_impulses(const LoopView& loops, const LoopFigure& of, const uint8_t* o
 
 void place_loops(const FigureView& view, const LoopView& loops) {
     for_looped_figures(view, loops, [&](const LoopFigure& of) {
-        for_joints(loops, of, [&](LoopJoint& loop) { place_loop(view, loop); });
+        for_loop_joints(loops, of, [&](LoopJoint& loop) { place_loop(view, loop); });
     });
 }
 
 void factor_loops(const FigureView& view, const LoopView& loops) {
     for_groups(view, [&](const auto& rows) {
         for_looped(rows, loops, [&](LoopFigure& of, int lane_i) {
-            for_joints(loops, of, [&](const LoopJoint& loop) {
+            for_loop_joints(loops, of, [&](const LoopJoint& loop) {
                 for (int row = 0; row < loop.row_count; ++row) answer_row(rows, {lane_i}, loops, of, loop, row);  // bound: rows_of_joint_max
             });
             scalar* const L = loops.L + of.first_entry;

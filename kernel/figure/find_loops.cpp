@@ -105,7 +105,7 @@ int find_loops(const FigureView& view, LoopView& loops) {
 void load_loops(const FigureView& view, const LoopView& loops) {
     for_looped_figures(view, loops, [&](const LoopFigure& of) {
         const scalar share = 1 / static_cast<scalar>(1 << view.figures[of.figure].doublings);
-        for_joints(loops, of, [&](LoopJoint& loop) {
+        for_loop_joints(loops, of, [&](LoopJoint& loop) {
             const Vector on_B = view.lists.joints[loop.joint].j * share;
             loop.given = loop.is_A ? -on_B : on_B;
             for (scalar& j : loop.j) j = 0;

@@ -45,16 +45,17 @@ Ground<scalar> ground_of(const FigureRows<width>& rows, const OneLane<width>& at
 /// Of each lane.
 template <unsigned width, class T = typename AllLanes<width>::T>
 Ground<T> ground_of(const FigureRows<width>& rows, const AllLanes<width>&) {
-    FigureRow<width> at_hand;  // its numbers are collected here, lane by lane
+    if constexpr (width == 1) return ground_of(rows, OneLane<1>{0});
+    scalar r[3][width], A[9][width], v[3][width], w[3][width];
     for (int lane_i = 0; lane_i < static_cast<int>(width); ++lane_i) {  // bound: lanes
         const OneLane<width> at{lane_i};
         const Ground<scalar> ground = ground_of(rows, at);
-        write(at, at_hand.r, ground.r);
-        write(at, at_hand.A, ground.A);
-        write(at, at_hand.v, ground.v);
-        write(at, at_hand.w, ground.w);
+        write(at, r, ground.r);
+        write(at, A, ground.A);
+        write(at, v, ground.v);
+        write(at, w, ground.w);
     }
-    return {read(rows.all, at_hand.r), read(rows.all, at_hand.A), read(rows.all, at_hand.v), read(rows.all, at_hand.w)};
+    return {read(rows.all, r), read(rows.all, A), read(rows.all, v), read(rows.all, w)};
 }
 
 } }  // namespace ingot

@@ -15,7 +15,7 @@ namespace {
 
 /// Calls each(rows, at, row_i) for every joint of the batch that has a drive.
 template <class Each>
-void for_driven(const FigureView& view, const JointRowView& all, const Each& each) {
+void for_driven(const FigureView& view, const DrivenRowView& all, const Each& each) {
     for_joints(view, [&](const auto& rows, const auto& at, int row_i) {
         const FigureNode& node = rows.node(row_i, at.lane_i);
         bool driven = false;
@@ -64,12 +64,10 @@ void set_gains(const JointDrive& drive, DriveMotion& motion, scalar h) {
 
 /// What the drives of a joint have given in the solve: pull - R dq of each, without the digits that this loses where R is much more than the inertia.
 template <unsigned width>
-void given_by_drives(const FigureRows<width>& rows, const OneLane<width>& at, const JointRowView& all, int row_i, scalar (&given)[3]) {
+void given_by_drives(const FigureRows<width>& rows, const OneLane<width>& at, const DrivenRowView& all, int row_i, scalar (&given)[3]) {
     const FigureRow<width>& row = rows[row_i];
     const FigureNode& node = rows.node(row_i, at.lane_i);
-    Spatial<scalar> u{}, P = read(at, row.impulse), s[3];
-    if (node.parent != no_node) u = twist_at(read(at, rows[node.parent].change), read(at, row.d));
-    u = u + read(at, row.bias);
+    Spatial<scalar> u = change_of_parent(rows, at, row_i) + read(at, row.bias), P = read(at, row.impulse), s[3];
     const Vector drive = read(at, row.drive);
     const int free = free_directions(at, row, node.kind, s);
     scalar pressed[3];
@@ -97,14 +95,14 @@ bool is_beyond(JointKind kind, const scalar (&given)[3], int direction_i, scalar
 
 }  // namespace
 
-void name_driven_balls(const FigureView& view, const JointRowView& all) {
+void name_driven_balls(const FigureView& view, const DrivenRowView& all) {
     for (int node_i = 0; node_i < view.node_count; ++node_i) {  // bound: max_bodies
         FigureNode& node = view.nodes[node_i];
         if (node.kind == JointKind::ball && drives_of(node, all)->drive.kind != DriveKind::none) node.kind = JointKind::driven_ball;
     }
 }
 
-void begin_drives(const FigureView& view, const JointRowView& all) {
+void begin_drives(const FigureView& view, const DrivenRowView& all) {
     for_driven(view, all, [&](const auto& rows, const auto& at, int row_i, const FigureNode& node) {
         const int count = driven_directions(node.kind);
         scalar K[3] = {}, sum = 0;
@@ -121,7 +119,7 @@ void begin_drives(const FigureView& view, const JointRowView& all) {
     });
 }
 
-void prepare_drives(const FigureView& view, const JointRowView& all, scalar h) {
+void prepare_drives(const FigureView& view, const DrivenRowView& all, scalar h) {
     for_joints(view, [&](const auto& rows, const auto& at, int row_i) {
         const FigureNode& node = rows.node(row_i, at.lane_i);
         for (int i = 0; i < driven_directions(node.kind); ++i) {  // bound: 3
@@ -132,7 +130,7 @@ void prepare_drives(const FigureView& view, const JointRowView& all, scalar h) {
     });
 }
 
-void aim_drive(const FigureView& view, const JointRowView& all, JointRow& row, scalar h) {
+void aim_drive(const FigureView& view, const DrivenRowView& all, JointRow& row, scalar h) {
     at_node(view, row.node, [&](const auto& rows, const auto& at, int row_i) {
         const FigureNode& node = rows.node(row_i, at.lane_i);
         DriveMotion& motion = drive_motion(node, all, row.direction_i);
@@ -168,7 +166,7 @@ void aim_drive(const FigureView& view, const JointRowView& all, JointRow& row, s
     });
 }
 
-bool saturate_drives(const FigureView& view, JointRowView& all) {
+bool saturate_drives(const FigureView& view, const DrivenRowView& all) {
     bool some = false;
     for (int i = 0; i < all.count; ++i) {  // bound: the rows of joint_row_capacity
         const JointRow& row = all.list[i];
@@ -189,7 +187,7 @@ bool saturate_drives(const FigureView& view, JointRowView& all) {
     return some;
 }
 
-void note_drives(const FigureView& view, const JointRowView& all) {
+void note_drives(const FigureView& view, const DrivenRowView& all) {
     for (int i = 0; i < all.count; ++i) {
         const JointRow& row = all.list[i];
         if (!row.is_drive) continue;
@@ -209,7 +207,7 @@ void note_drives(const FigureView& view, const JointRowView& all) {
     }
 }
 
-void keep_drives(const FigureView& view, const JointRowView& all, int doublings) {
+void keep_drives(const FigureView& view, const DrivenRowView& all, int doublings) {
     for_driven(view, all, [&](const auto& rows, const auto& at, int row_i, const FigureNode& node) {
         if (rows.figure(at.lane_i).doublings > doublings) return;
         DriveRecord* const of = drives_of(node, all);

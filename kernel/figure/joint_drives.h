@@ -5,7 +5,7 @@
 //
 //     j = h (feedforward - k (e + h (v + dq - target_rate)) - d (v + dq - target_rate)) = pull - R dq,      R = h d + h^2 k
 //
-// R stands beside the inertia D where the free direction is eliminated (factor_driven_figures), and pull is the drive: so it is solved exactly, with
+// R stands beside the inertia D where the free direction is eliminated (factor_figures), and pull is the drive: so it is solved exactly, with
 // all of the figure, whatever its stiffness. A drive that turns out to be beyond its largest torque is a row from then on in this substep, of
 // compliance 1/R and with bounds, and the substep is solved again.
 //
@@ -18,24 +18,24 @@
 namespace ingot { inline namespace INGOT_ABI {
 
 /// The batch begins: what drives move. Needs: factor_figures without drives, responses.
-void begin_drives(const FigureView& view, const JointRowView& all);
+void begin_drives(const FigureView& view, const DrivenRowView& all);
 
-/// What drives resist in a substep of h seconds. Before factor_driven_figures.
-void prepare_drives(const FigureView& view, const JointRowView& all, scalar h);
+/// What drives resist in a substep of h seconds. Before factor_figures with them.
+void prepare_drives(const FigureView& view, const DrivenRowView& all, scalar h);
 
 /// What a drive gives if its rate does not change; of a saturated one the row. Needs: begin_solve, measure_joints.
-void aim_drive(const FigureView& view, const JointRowView& all, JointRow& row, scalar h);
+void aim_drive(const FigureView& view, const DrivenRowView& all, JointRow& row, scalar h);
 
 /// Marks the drives that are beyond their largest torque. True where there are some more: the substep is solved again. Needs: pass_impulses.
-bool saturate_drives(const FigureView& view, JointRowView& all);
+bool saturate_drives(const FigureView& view, const DrivenRowView& all);
 
 /// What drives have given in the substep. Needs: pass_impulses.
-void note_drives(const FigureView& view, const JointRowView& all);
+void note_drives(const FigureView& view, const DrivenRowView& all);
 
 /// Mean torques of the step, and targets that go on: of figures that do not begin it again. Before keep_figures. doublings: of the batch.
-void keep_drives(const FigureView& view, const JointRowView& all, int doublings);
+void keep_drives(const FigureView& view, const DrivenRowView& all, int doublings);
 
 /// Ball joints that have a drive, of the figures of the step. After build_figures.
-void name_driven_balls(const FigureView& view, const JointRowView& all);
+void name_driven_balls(const FigureView& view, const DrivenRowView& all);
 
 } }  // namespace ingot

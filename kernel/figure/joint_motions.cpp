@@ -3,6 +3,7 @@
 
 #include "../base/limits.h"
 #include "measure_joint.h"
+#include "row_motion.h"
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpsabi"  // see lanes.h
@@ -34,20 +35,6 @@ void measure_row(const FigureRows<width>& rows, const JointRowView& all, int row
         for (int i = 0; i < 2; ++i) motion.value[i] = values[i][lane_i];
     }
 }
-
-/// omega of the bodies, as they are.
-template <unsigned width, class T = typename AllLanes<width>::T>
-void set_spins(const FigureRows<width>& rows) {
-    for (int row_i = 0; row_i < rows.count(); ++row_i) {  // bound: max_bodies
-        FigureRow<width>& row = rows[row_i];
-        const Mat3<T> A = read(rows.all, row.A);
-        const Vec3<T> I = read(rows.all, row.I_body), L_body = transpose_times(A, read(rows.all, row.L));
-        write(rows.all, row.w, A * Vec3<T>{L_body.x / I.x, L_body.y / I.y, L_body.z / I.z});
-    }
-}
-
-/// How many directions of a joint may end.
-int limits_of(const FigureNode& node, const JointRowView& all) { return all.limits == nullptr ? 0 : limited_directions(node.kind); }
 
 /// Of a joint as its record has it.
 JointMotion recalled(const FigureNode& node, const JointRowView& all, scalar share) {

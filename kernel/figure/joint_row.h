@@ -48,20 +48,32 @@ struct JointRow {
 
 /// Without its capacities.
 struct JointRowView {
+    static constexpr bool has_drives = false;
+
     LimitRecord* limits;         ///< by joint; null: there are none
     AngleRecord* angles;         ///< by joint
     JointMotion* motions;        ///< by joint, of the step at hand
-    JointRow* list;              ///< of the substep, figure by figure; room for every direction that may end
+    JointRow* list;              ///< of the substep, figure by figure; room for every direction that may end, and for every drive
     Spatial6Rows<1>* responses;  ///< of every node, as FigureView::rows
-    DriveRecord* drives;         ///< by joint, drives_of_joint each; null: there are none
+    int count;                   ///< of the list
+};
+/// Of joints that may have drives.
+struct DrivenRowView : JointRowView {
+    static constexpr bool has_drives = true;
+
+    DriveRecord* drives;         ///< by joint, drives_of_joint each
     DriveMotion* drive_motions;  ///< beside them
     int drives_of_joint;
-    int count;
 };
 
+/// How many directions of a joint may end.
+INGOT_INLINE int limits_of(const FigureNode& node, const JointRowView& all) {
+    return all.limits == nullptr ? 0 : limited_directions(node.kind);
+}
+
 /// The drives of a joint, and what they do in the step: as many as it can have at most.
-INGOT_INLINE DriveRecord* drives_of(const FigureNode& node, const JointRowView& all) { return all.drives + node.joint * all.drives_of_joint; }
-INGOT_INLINE DriveMotion& drive_motion(const FigureNode& node, const JointRowView& all, int direction_i) {
+INGOT_INLINE DriveRecord* drives_of(const FigureNode& node, const DrivenRowView& all) { return all.drives + node.joint * all.drives_of_joint; }
+INGOT_INLINE DriveMotion& drive_motion(const FigureNode& node, const DrivenRowView& all, int direction_i) {
     return all.drive_motions[node.joint * all.drives_of_joint + direction_i];
 }
 

@@ -39,7 +39,7 @@ void list_row(const FigureRows<width>& rows, const OneLane<width>& at, JointRowV
 
 /// Adds a row for each driven direction of a joint.
 template <unsigned width>
-void list_drives(const FigureRows<width>& rows, const OneLane<width>& at, JointRowView& all, int row_i) {
+void list_drives(const FigureRows<width>& rows, const OneLane<width>& at, DrivenRowView& all, int row_i) {
     const FigureNode& node = rows.node(row_i, at.lane_i);
     for (int i = 0; i < driven_directions(node.kind); ++i) {  // bound: 3
         if (!is_driven(node, all, i)) continue;
@@ -51,17 +51,11 @@ void list_drives(const FigureRows<width>& rows, const OneLane<width>& at, JointR
     }
 }
 
-/// Where a direction will be at the end of the substep, if nothing acts any more.
-template <unsigned width>
-scalar value_ahead(const FigureRows<width>& rows, const OneLane<width>& at, const JointRowView& all, int row_i, JointRow& row, scalar h) {
-    const FigureNode& node = rows.node(row_i, at.lane_i);
-    const JointSides<scalar> sides = sides_ahead(rows, at, row_i, h, rows.figure(at.lane_i).resolved, true);
-    if (is_ball(node.kind)) row.along = along_direction(node.kind, row.direction_i, sides);
-    const scalar ahead = measure(node.kind, sides).of[row.direction_i];
-    if (node.kind != JointKind::hinge) return ahead;
-    row.rate = dot(row.along, free_rates_now(rows, at, row_i));
+/// Where a direction will be at the end of the substep, as the sides are ahead. value: where it is.
+scalar value_ahead(JointKind kind, const JointSides<scalar>& sides, const JointRow& row, scalar value, scalar h) {
+    const scalar ahead = measure(kind, sides).of[row.direction_i];
     int32_t turns = 0;
-    return nearest_turn(ahead, value_of(node, all.motions[node.joint], row.direction_i) + h * row.rate, turns);
+    return kind == JointKind::hinge ? nearest_turn(ahead, value + h * row.rate, turns) : ahead;
 }
 
 /// By how much a rate may change downwards, where the joint is `room` above its end, `room_ahead` if nothing acts. leave: rad/s, m/s, from the end.
@@ -75,9 +69,11 @@ void aim_row(const FigureRows<width>& rows, const OneLane<width>& at, const Join
     const FigureNode& node = rows.node(row_i, at.lane_i);
     const JointMotion& motion = all.motions[node.joint];
     const JointRange ends = ends_of(node, row.direction_i, all.limits[node.joint].limits);
-    const scalar value = value_of(node, motion, row.direction_i), ahead = value_ahead(rows, at, all, row_i, row, h);
-    const scalar leave = motion.leave[row.direction_i];
+    const JointSides<scalar> sides = sides_ahead(rows, at, row_i, h, rows.figure(at.lane_i).resolved, true);
+    if (is_ball(node.kind)) row.along = along_direction(node.kind, row.direction_i, sides);
     row.rate = dot(row.along, free_rates_now(rows, at, row_i));
+    const scalar value = value_of(node, motion, row.direction_i), ahead = value_ahead(node.kind, sides, row, value, h);
+    const scalar leave = motion.leave[row.direction_i];
     row.K = compliance_of(rows, at, all, row_i, row.along);
     row.lower = -unlimited;
     row.upper = unlimited;
@@ -105,8 +101,7 @@ void note_row(const FigureRows<width>& rows, const OneLane<width>& at, const Joi
     const FigureNode& node = rows.node(row_i, at.lane_i);
     JointMotion& motion = all.motions[node.joint];
     const LimitRecord& limit = all.limits[node.joint];
-    Spatial<scalar> u = read(at, row.change);
-    if (node.parent != no_node) u = u - twist_at(read(at, rows[node.parent].change), read(at, row.d));
+    const Spatial<scalar> u = read(at, row.change) - change_of_parent(rows, at, row_i);
     const scalar free = of.rate + dot(of.along, free_rates(at, row, node.kind, u)) - of.K * of.j;  // without the limit
     motion.j[of.direction_i] = of.rests ? of.j : 0;
     motion.leave[of.direction_i] = 0;
@@ -120,49 +115,39 @@ void note_row(const FigureRows<width>& rows, const OneLane<width>& at, const Joi
 
 }  // namespace
 
-void list_joint_rows(const FigureView& view, JointRowView& all, scalar h) {
+template <class Rows>
+void list_joint_rows(const FigureView& view, Rows& all, scalar h) {
     all.count = 0;
     for_joints(view, [&](const auto& rows, const auto& at, int row_i) {
-        const int directions = limited_directions(rows.node(row_i, at.lane_i).kind);
+        const int directions = limits_of(rows.node(row_i, at.lane_i), all);
         for (int i = 0; i < directions; ++i) list_row(rows, at, all, row_i, i, h);  // bound: 2
+        if constexpr (Rows::has_drives) list_drives(rows, at, all, row_i);
     });
 }
 
-void list_driven_rows(const FigureView& view, JointRowView& all, scalar h) {
-    all.count = 0;
-    for_joints(view, [&](const auto& rows, const auto& at, int row_i) {
-        const int directions = all.limits == nullptr ? 0 : limited_directions(rows.node(row_i, at.lane_i).kind);
-        for (int i = 0; i < directions; ++i) list_row(rows, at, all, row_i, i, h);  // bound: 2
-        list_drives(rows, at, all, row_i);
-    });
-}
-
-void aim_driven_rows(const FigureView& view, JointRowView& all, scalar h) {
+template <class Rows>
+void aim_joint_rows(const FigureView& view, const Rows& all, scalar h) {
     for (int i = 0; i < all.count; ++i) {  // bound: rows_of_joint max_joints
         JointRow& row = all.list[i];
-        if (row.is_drive)
-            aim_drive(view, all, row, h);
-        else
-            at_node(view, row.node, [&](const auto& rows, const auto& at, int row_i) { aim_row(rows, at, all, row_i, row, h); });
+        if constexpr (Rows::has_drives) {
+            if (row.is_drive) {
+                aim_drive(view, all, row, h);
+                continue;
+            }
+        }
+        at_node(view, row.node, [&](const auto& rows, const auto& at, int row_i) { aim_row(rows, at, all, row_i, row, h); });
     }
     give_joint_rows(view, all);
 }
 
-void note_driven_rows(const FigureView& view, const JointRowView& all, scalar h) {
+template <class Rows>
+void note_joint_rows(const FigureView& view, const Rows& all, scalar h) {
     for (int i = 0; i < all.count; ++i) {  // bound: rows_of_joint max_joints
         const JointRow& row = all.list[i];
         if (row.is_drive) continue;
         at_node(view, row.node, [&](const auto& rows, const auto& at, int row_i) { note_row(rows, at, all, row_i, row, h); });
     }
-    note_drives(view, all);
-}
-
-void aim_joint_rows(const FigureView& view, JointRowView& all, scalar h) {
-    for (int i = 0; i < all.count; ++i) {  // bound: rows_of_joint max_joints
-        JointRow& row = all.list[i];
-        at_node(view, row.node, [&](const auto& rows, const auto& at, int row_i) { aim_row(rows, at, all, row_i, row, h); });
-    }
-    give_joint_rows(view, all);
+    if constexpr (Rows::has_drives) note_drives(view, all);
 }
 
 void give_joint_rows(const FigureView& view, const JointRowView& all) {
@@ -177,12 +162,14 @@ void give_joint_rows(const FigureView& view, const JointRowView& all) {
     }
 }
 
-void note_joint_rows(const FigureView& view, const JointRowView& all, scalar h) {
-    for (int i = 0; i < all.count; ++i) {  // bound: rows_of_joint max_joints
-        const JointRow& row = all.list[i];
-        at_node(view, row.node, [&](const auto& rows, const auto& at, int row_i) { note_row(rows, at, all, row_i, row, h); });
-    }
-}
+// The linker takes the one that the scene calls.
+#define INGOT_ROWS(Rows)                                                    \
+    template void list_joint_rows(const FigureView&, Rows&, scalar);        \
+    template void aim_joint_rows(const FigureView&, const Rows&, scalar);   \
+    template void note_joint_rows(const FigureView&, const Rows&, scalar)
+INGOT_ROWS(JointRowView);
+INGOT_ROWS(DrivenRowView);
+#undef INGOT_ROWS
 
 } }  // namespace ingot
 

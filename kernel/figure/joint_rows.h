@@ -13,16 +13,19 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
+// Rows: JointRowView; or DrivenRowView, where drives have rows too: see joint_drives.h.
+
 /// Which joints are near their limits, and how fast they are before forces act. Needs: place_joints, measure_joints.
-void list_joint_rows(const FigureView& view, JointRowView& all, scalar h);
+template <class Rows>
+void list_joint_rows(const FigureView& view, Rows& all, scalar h);
 
 /// What the rows ask for, and how the figures answer them. Those that rest get the impulses of the substep before. Needs: begin_solve, responses.
-void aim_joint_rows(const FigureView& view, JointRowView& all, scalar h);
+template <class Rows>
+void aim_joint_rows(const FigureView& view, const Rows& all, scalar h);
 
-/// The same of joints that may have drives: these have rows too, see joint_drives.h.
-void list_driven_rows(const FigureView& view, JointRowView& all, scalar h);
-void aim_driven_rows(const FigureView& view, JointRowView& all, scalar h);
-void note_driven_rows(const FigureView& view, const JointRowView& all, scalar h);
+/// What joints remember of the solve: loads where they rest, and speeds with which they leave what they have met. Needs: changes of all bodies.
+template <class Rows>
+void note_joint_rows(const FigureView& view, const Rows& all, scalar h);
 
 /// One visit. Returns by how much the rate was changed, rad/s or m/s. The figure's cursor is at the parent then, or at the root.
 scalar visit_joint_row(const FigureView& view, const JointRowView& all, JointRow& row);
@@ -33,9 +36,6 @@ void settle_joint_rows(const FigureView& view, const JointRowView& all, scalar s
 
 /// Gives the impulses of all rows as they stand to the drives of their joints. Needs: drives that are those of nothing else.
 void give_joint_rows(const FigureView& view, const JointRowView& all);
-
-/// What joints remember of the solve: loads where they rest, and speeds with which they leave what they have met. Needs: changes of all bodies.
-void note_joint_rows(const FigureView& view, const JointRowView& all, scalar h);
 
 /// Joints that are beyond their limits are pushed back; those that the step began with so, by no more than limits::limit_return h. Measures first:
 /// gone: s, since that was done last.

@@ -53,44 +53,46 @@ INGOT_INLINE Spatial<T> twist_back(JointKind kind, const JointSides<T>& of) {
     return back;
 }
 
-/// The parent of a node: a body of its figure, or the ground.
+/// A side of a joint: a body of a figure, or the ground.
 template <class T>
-struct ParentMotion {
+struct SideMotion {
     Vec3<T> r;
     Mat3<T> A;
     Vec3<T> v, w, turn;  ///< turn: rad, in the substep
 };
-template <unsigned width, class At, class T = typename At::T>
-INGOT_INLINE ParentMotion<T> parent_of(const FigureRows<width>& rows, const At& at, const FigureNode& node, scalar h) {
-    if (node.parent == no_node) {
-        const Ground<T> ground = ground_of(rows, at);
-        return {ground.r, ground.A, ground.v, ground.w, ground.w * splat<T>(h)};
-    }
-    const FigureRow<width>& row = rows[node.parent];
+template <class T>
+INGOT_INLINE SideMotion<T> motion_of_ground(const Ground<T>& ground, scalar h) {
+    return {ground.r, ground.A, ground.v, ground.w, ground.w * splat<T>(h)};
+}
+template <class At, class T = typename At::T>
+INGOT_INLINE SideMotion<T> motion_of_row(const At& at, const FigureRow<At::width>& row) {
     return {read(at, row.r), read(at, row.A), read(at, row.v), read(at, row.w), read(at, row.turn)};
 }
+/// Of the parent of a node. h: s, of the substep.
+template <unsigned width, class At, class T = typename At::T>
+INGOT_INLINE SideMotion<T> motion_of_parent(const FigureRows<width>& rows, const At& at, const FigureNode& node, scalar h) {
+    return node.parent == no_node ? motion_of_ground(ground_of(rows, at), h) : motion_of_row(at, rows[node.parent]);
+}
 
-/// Where the sides are. with_sides: JointSides::side too.
+/// Where the sides of one joint are.
+inline JointSides<scalar> sides_at(const SideMotion<scalar>& child, const JointFrame& of_child, const SideMotion<scalar>& parent,
+                                   const JointFrame& of_parent) {
+    return {(child.r - parent.r) + (child.A * of_child.anchor - parent.A * of_parent.anchor), child.A * of_child.axis, parent.A * of_parent.axis,
+            child.A * of_child.side, parent.A * of_parent.side};
+}
+
+/// The same of a row. with_sides: JointSides::side too.
 template <unsigned width, class At, class T = typename At::T>
 INGOT_INLINE JointSides<T> sides_now(const FigureRows<width>& rows, const At& at, int row_i, bool with_sides) {
     const FigureRow<width>& row = rows[row_i];
     const FigureNode& node = rows.node(row_i);
-    Vec3<T> r_parent;
-    Mat3<T> A_parent;
-    if (node.parent == no_node) {
-        const Ground<T> ground = ground_of(rows, at);
-        r_parent = ground.r;
-        A_parent = ground.A;
-    } else {
-        r_parent = read(at, rows[node.parent].r);
-        A_parent = read(at, rows[node.parent].A);
-    }
+    const SideMotion<T> parent = motion_of_parent(rows, at, node, 0);
     const Mat3<T> A = read(at, row.A);
     const auto own = [&](auto part) { return A * rows.gathered(at, row_i, [&](const FigureNode& of) { return rows.own_frame(of).*part; }); };
     const auto of_parent = [&](auto part) {
-        return A_parent * rows.gathered(at, row_i, [&](const FigureNode& of) { return rows.frame_of_parent(of).*part; });
+        return parent.A * rows.gathered(at, row_i, [&](const FigureNode& of) { return rows.frame_of_parent(of).*part; });
     };
-    JointSides<T> sides = {(read(at, row.r) - r_parent) + (own(&JointFrame::anchor) - of_parent(&JointFrame::anchor)), {}, {}, {}, {}};
+    JointSides<T> sides = {(read(at, row.r) - parent.r) + (own(&JointFrame::anchor) - of_parent(&JointFrame::anchor)), {}, {}, {}, {}};
     if (node.kind != JointKind::ball || with_sides) {
         sides.axis = own(&JointFrame::axis);
         sides.axis_of_parent = of_parent(&JointFrame::axis);
@@ -109,7 +111,7 @@ INGOT_INLINE JointSides<T> sides_ahead(const FigureRows<width>& rows, const At& 
     const FigureRow<width>& row = rows[row_i];
     const FigureNode& node = rows.node(row_i);
     const T h_lane = splat<T>(h);
-    const ParentMotion<T> of = parent_of(rows, at, node, h);
+    const SideMotion<T> of = motion_of_parent(rows, at, node, h);
     const Turning<T, M> own = {read(at, row.turn), read(at, row.w) * h_lane, is_exact}, parent = {of.turn, of.w * h_lane, is_exact};
     const Vec3<T> arm = -read(at, row.c), arm_of_parent = read(at, row.arm_of_parent);
     JointSides<T> sides = {(read(at, row.r) - of.r) + (arm - arm_of_parent) + (read(at, row.v) - of.v) * h_lane +

@@ -37,7 +37,7 @@ void see_tension_of_loops(const FigureRows<width>& rows, const LoopView& loops, 
             const Vector I = at_node(rows.view, node_i, moments);
             tensions[lane_i] = max(tensions[lane_i], dot(j, arm) * h / min(I.x, min(I.y, I.z)));
         };
-        for_joints(loops, of, [&](const LoopJoint& loop) {
+        for_loop_joints(loops, of, [&](const LoopJoint& loop) {
             see(loop.child, loop.given * scale, loop.arm);
             if (loop.other != no_node) see(loop.other, loop.given * -scale, loop.arm_of_other);
         });

@@ -85,7 +85,7 @@ struct LoopView {
 
 /// Calls each(loop) for the joints of a figure that close its loops.
 template <class Each>
-INGOT_INLINE void for_joints(const LoopView& loops, const LoopFigure& of, const Each& each) {
+INGOT_INLINE void for_loop_joints(const LoopView& loops, const LoopFigure& of, const Each& each) {
     for (Index loop_i = of.first_joint; loop_i != no_loop; loop_i = loops.joints[loop_i].next) each(loops.joints[loop_i]);  // bound: max_loops
 }
 /// Calls each(of, lane_i) where a figure of a group has loops.

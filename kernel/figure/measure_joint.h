@@ -103,11 +103,11 @@ INGOT_INLINE DirectionOfRecord of_record(const FigureNode& node, int direction_i
 }
 
 /// Of a direction; of a ball joint the drive of all.
-INGOT_INLINE const JointDrive& drive_of(const FigureNode& node, const JointRowView& all, int direction_i) {
+INGOT_INLINE const JointDrive& drive_of(const FigureNode& node, const DrivenRowView& all, int direction_i) {
     return drives_of(node, all)[is_ball(node.kind) ? 0 : of_record(node, direction_i).direction_i].drive;
 }
 
-INGOT_INLINE bool is_driven(const FigureNode& node, const JointRowView& all, int direction_i) {
+INGOT_INLINE bool is_driven(const FigureNode& node, const DrivenRowView& all, int direction_i) {
     return drive_of(node, all, direction_i).kind != DriveKind::none;
 }
 

@@ -18,8 +18,7 @@ template <unsigned width, class T = typename AllLanes<width>::T>
 void predict_turn(const FigureRows<width>& rows, FigureRow<width>& row, scalar h) {
     const Mat3<T> A = read(rows.all, row.A);
     const Vec3<T> I = read(rows.all, row.I_body), L_body = transpose_times(A, read(rows.all, row.L));
-    const Vec3<T> w_body = {L_body.x / I.x, L_body.y / I.y, L_body.z / I.z}, torque = cross(L_body, w_body);
-    const Vec3<T> rate = {torque.x / I.x, torque.y / I.y, torque.z / I.z};
+    const Vec3<T> w_body = unscaled(I, L_body), rate = unscaled(I, cross(L_body, w_body));
     write(rows.all, row.w, A * w_body);
     write(rows.all, row.turn, A * (w_body * splat<T>(h) + rate * splat<T>(h * h / 2)));
 }
@@ -47,7 +46,7 @@ void note_joint_impulse(const FigureRows<width>& rows, int row_i) {
     const FigureNode& node = rows.node(row_i);
     Spatial<T> f = read(rows.all, row.sent);
     if (node.parent != no_node) {
-        const Spatial<T> u = twist_at(read(rows.all, rows[node.parent].change), read(rows.all, row.d));
+        const Spatial<T> u = change_of_parent(rows, rows.all, row_i);
         const Spatial6<T> M = read(rows.all, row.inertia);
         f.v = f.v - (node.kind == JointKind::ball ? M.C * u.v : (M * u).v);
     }
@@ -60,10 +59,9 @@ void end_rows(const FigureRows<width>& rows, scalar h) {
     for (int row_i = 0; row_i < rows.count(); ++row_i) {
         FigureRow<width>& row = rows[row_i];
         if (rows.node(row_i).kind != JointKind::none) note_joint_impulse(rows, row_i);
-        const Spatial<T> u = change_of_centre(rows, row);
-        const Mat3<T> A = read(rows.all, row.A);
+        const Spatial<T> u = change_of_centre(rows.all, row);
         write(rows.all, row.v, read(rows.all, row.v) + u.v);
-        write(rows.all, row.L, read(rows.all, row.L) + A * scaled(read(rows.all, row.I_body), transpose_times(A, u.w)));
+        write(rows.all, row.L, read(rows.all, row.L) + momentum_of_spin(rows.all, row, u.w));
         most = max(most, length_sq(u.w));
     }
     scalar changes[width];
@@ -96,7 +94,7 @@ FigureEnergies<T> figure_energies_of(const FigureRows<width>& rows) {
         const FigureRow<width>& row = rows[row_i];
         const Mat3<T> A = read(rows.all, row.A);
         const Vec3<T> I = read(rows.all, row.I_body), v = read(rows.all, row.v), w = transpose_times(A, read(rows.all, row.w));
-        const Spatial<T> u = change_of_centre(rows, row);
+        const Spatial<T> u = change_of_centre(rows.all, row);
         const Vec3<T> w_after = w + transpose_times(A, u.w);
         const T M = rows.all.get(row.M), half = splat<T>(scalar(0.5));
         sum.before = sum.before + (M * length_sq(v) + dot(scaled(I, w), w)) * half;
@@ -111,7 +109,7 @@ template <unsigned width>
 void leave_out_targets(const FigureRows<width>& rows, const LoopView& loops, unsigned gains) {
     for_looped(rows, loops, [&](const LoopFigure& of, int lane_i) {
         if ((gains >> lane_i & 1u) == 0) return;
-        for_joints(loops, of, [](LoopJoint& loop) {
+        for_loop_joints(loops, of, [](LoopJoint& loop) {
             for (scalar& target : loop.target) target = 0;
         });
     });
@@ -223,7 +221,7 @@ void begin_displacing(const FigureView& view) {
 }
 
 void end_displacing(const FigureView& view) {
-    for_groups(view, [](const auto& rows) { displace_group(rows); });
+    for_groups(view, [](const auto& rows) { move_by_change(rows, rows.all_lanes()); });
 }
 
 template <class Loops>

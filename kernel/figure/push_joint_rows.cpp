@@ -24,7 +24,7 @@ bool pushes(const JointRow& row) { return row.lower > limits::limit_slack || row
 
 /// Lists the rows of a lane that are near to their ends; drops them again where none is beyond. False then.
 template <unsigned width>
-bool list_pushes(const FigureRows<width>& rows, const OneLane<width>& at, JointRowView& all, const WayBack& way) {
+bool list_limits(const FigureRows<width>& rows, const OneLane<width>& at, JointRowView& all, const WayBack& way) {
     const int count = all.count;
     bool some = false;
     for (int row_i = 0; row_i < rows.count(); ++row_i) {  // bound: max_bodies
@@ -49,7 +49,7 @@ bool list_pushes(const FigureRows<width>& rows, const OneLane<width>& at, JointR
 }
 
 /// Needs: factor_figures, and where bodies are now.
-void aim_pushes(const FigureView& view, JointRowView& all) {
+void aim_limits(const FigureView& view, JointRowView& all) {
     for (int i = 0; i < all.count; ++i) {  // bound: limits_of_joint max_joints
         JointRow& row = all.list[i];
         at_node(view, row.node, [&](const auto& rows, const auto& at, int row_i) {
@@ -64,12 +64,12 @@ void aim_pushes(const FigureView& view, JointRowView& all) {
 
 /// One push of the lanes of a group that have something beyond its end, or a gap that such a push has left. False: there is none.
 template <unsigned width>
-bool push_group(const FigureRows<width>& rows, JointRowView& all, const WayBack& way) {
+bool push_limits(const FigureRows<width>& rows, JointRowView& all, const WayBack& way) {
     using T = typename AllLanes<width>::T;
     scalar flags[width];
     all.count = 0;
     for (int lane_i = 0; lane_i < static_cast<int>(width); ++lane_i)  // bound: lanes
-        flags[lane_i] = list_pushes(rows, rows.one(lane_i), all, way) ? 1 : 0;
+        flags[lane_i] = list_limits(rows, rows.one(lane_i), all, way) ? 1 : 0;
     if (all.count == 0 && !way.again) return false;
     T gap_sq{};
     for (int row_i = 0; row_i < rows.count(); ++row_i) {  // bound: max_bodies
@@ -81,7 +81,7 @@ bool push_group(const FigureRows<width>& rows, JointRowView& all, const WayBack&
     if (!any(off)) return false;
     clear_impulses(rows);
     pass_from_none(rows);
-    aim_pushes(rows.view, all);
+    aim_limits(rows.view, all);
     settle_joint_rows(rows.view, all, limits::limit_slack / 4);
     for (int row_i = 0; row_i < rows.count(); ++row_i) write(rows.all, rows[row_i].impulse, rows.no_twist());
     pass_from_none(rows);
@@ -97,7 +97,7 @@ void push_joint_rows(const FigureView& view, JointRowView& all, scalar h, scalar
     for (int push_i = 0; push_i < limits::limit_pushes && some; ++push_i) {
         const WayBack way = {limits::limit_return * h, push_i > 0};
         some = false;
-        for_groups(view, [&](const auto& rows) { some = push_group(rows, all, way) || some; });
+        for_groups(view, [&](const auto& rows) { some = push_limits(rows, all, way) || some; });
         if (some) measure_joints(view, all, 0);
     }
 }

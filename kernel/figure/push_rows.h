@@ -101,11 +101,6 @@ void push_group(const FigureRows<width>& rows, const Loops& loops, bool again) {
     if (!again) slow_what_cannot_be(rows, loops, most);
 }
 
-template <unsigned width>
-void displace_group(const FigureRows<width>& rows) {
-    move_by_change(rows, rows.all_lanes());
-}
-
 } }  // namespace ingot
 
 #pragma GCC diagnostic pop

@@ -9,10 +9,8 @@ namespace {
 
 /// A as the parent, B as the child.
 JointSides<scalar> sides_of(const JointRecord& joint, const JointPair& bodies) {
-    const Matrix& A = bodies.A.A;
-    const Matrix& B = bodies.B.A;
-    const Vector gap = (bodies.B.r_CM - bodies.A.r_CM) + (B * joint.frame_B.anchor - A * joint.frame_A.anchor);
-    return {gap, B * joint.frame_B.axis, A * joint.frame_A.axis, B * joint.frame_B.side, A * joint.frame_A.side};
+    const auto motion_of = [](const JointBody& body) { return SideMotion<scalar>{body.r_CM, body.A, body.v_CM, body.omega, {}}; };
+    return sides_at(motion_of(bodies.B), joint.frame_B, motion_of(bodies.A), joint.frame_A);
 }
 
 }  // namespace

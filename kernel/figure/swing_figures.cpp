@@ -5,9 +5,9 @@
 #include "build_figures.h"
 #include "close_loops.h"
 #include "factor_figures.h"
-#include "joint_drives.h"
 #include "factor_loops.h"
 #include "find_loops.h"
+#include "joint_drives.h"
 #include "joint_motions.h"
 #include "joint_rows.h"
 #include "keep_figures.h"
@@ -51,8 +51,10 @@ void factor_now(const FigureView& view, const LoopView& loops, scalar h) {
     factor_loops(view, loops);
 }
 
-/// Of joints that have nothing but what they lock.
-struct NoRows {
+// What joints have beside what they lock, and what a batch does for it: `begin` it, `factor` figures and `list` rows as a substep begins, `solve` it,
+// `push` what is off its place after the drift, and `keep` what the joints remember.
+
+struct NothingBeside {
     static constexpr bool closes = false;
     static constexpr NoLoops loops = {};
     static void begin(const FigureView&, scalar) {}
@@ -63,8 +65,8 @@ struct NoRows {
     static void keep(const FigureView&, int) {}
 };
 
-/// Of joints some of which close loops.
-struct WithLoops {
+/// Some joints close loops.
+struct LoopsBeside {
     static constexpr bool closes = true;
     const LoopView& loops;
 
@@ -78,19 +80,53 @@ struct WithLoops {
     void keep(const FigureView& view, int doublings) const { keep_loops(view, loops, doublings); }
 };
 
-/// Of joints whose free directions may end.
-struct WithRows {
+/// Free directions may end, and may be driven. Rows: JointRowView, or DrivenRowView.
+template <class Rows>
+struct RowsBeside {
     static constexpr bool closes = false;
     static constexpr NoLoops loops = {};
-    JointRowView& all;
+    Rows& all;
 
-    void begin(const FigureView& view, scalar) const { begin_joint_motions(view, all); }
-    static void factor(const FigureView& view, scalar h) { factor_now(view, loops, h); }
+    void begin(const FigureView& view, [[maybe_unused]] scalar h) const {
+        begin_joint_motions(view, all);
+        if constexpr (Rows::has_drives) {
+            factor_now(view, loops, h);
+            respond_figures(view, all.responses);
+            begin_drives(view, all);
+        }
+    }
+    void factor(const FigureView& view, scalar h) const {
+        place_joints(view);
+        if constexpr (Rows::has_drives) {
+            prepare_drives(view, all, h);
+            factor_figures(view, all, h);
+        } else {
+            factor_figures(view, loops, h);
+        }
+    }
     void list(const FigureView& view, scalar h) const {
         respond_figures(view, all.responses);
         list_joint_rows(view, all, h);
     }
     void solve(const FigureView& view, scalar h) const {
+        solve_once(view, h);
+        if constexpr (Rows::has_drives)
+            for (int round = 1; round < limits::drive_rounds && saturate_drives(view, all); ++round) {
+                factor_figures(view, all, h);
+                respond_figures(view, all.responses);
+                begin_solve(view, loops, h);
+                solve_once(view, h);
+            }
+        note_joint_rows(view, all, h);
+    }
+    void push(const FigureView& view, scalar h) const { push_joint_rows(view, all, h, h); }
+    void keep(const FigureView& view, int doublings) const {
+        keep_joint_motions(view, all, doublings);
+        if constexpr (Rows::has_drives) keep_drives(view, all, doublings);
+    }
+
+private:
+    void solve_once(const FigureView& view, scalar h) const {
         aim_joint_rows(view, all, h);
         begin_passing(view);
         pass_impulses(view);
@@ -98,100 +134,48 @@ struct WithRows {
         settle_joint_rows(view, all, limits::settled_speed);
         begin_passing(view);  // from the impulses alone: what a figure gets depends on no rounding of the sweeps
         pass_impulses(view);
-        note_joint_rows(view, all, h);
-    }
-    void push(const FigureView& view, scalar h) const { push_joint_rows(view, all, h, h); }
-    void keep(const FigureView& view, int doublings) const { keep_joint_motions(view, all, doublings); }
-};
-
-/// Of joints that may have drives as well.
-struct DrivenRows {
-    static constexpr bool closes = false;
-    static constexpr NoLoops loops = {};
-    JointRowView& all;
-
-    void begin(const FigureView& view, scalar h) const {
-        begin_joint_motions(view, all);
-        factor_now(view, loops, h);
-        respond_figures(view, all.responses);
-        begin_drives(view, all);
-    }
-    void factor(const FigureView& view, scalar h) const {
-        place_joints(view);
-        prepare_drives(view, all, h);
-        factor_driven_figures(view, all, h);
-    }
-    void list(const FigureView& view, scalar h) const {
-        respond_figures(view, all.responses);
-        list_driven_rows(view, all, h);
-    }
-    void solve(const FigureView& view, scalar h) const {
-        solve_once(view, h);
-        for (int round = 1; round < limits::drive_rounds && saturate_drives(view, all); ++round) {
-            factor_driven_figures(view, all, h);
-            respond_figures(view, all.responses);
-            begin_solve(view, loops, h);
-            solve_once(view, h);
-        }
-        note_driven_rows(view, all, h);
-    }
-    void push(const FigureView& view, scalar h) const { push_joint_rows(view, all, h, h); }
-    void keep(const FigureView& view, int doublings) const {
-        keep_joint_motions(view, all, doublings);
-        keep_drives(view, all, doublings);
-    }
-
-private:
-    void solve_once(const FigureView& view, scalar h) const {
-        aim_driven_rows(view, all, h);
-        begin_passing(view);
-        pass_impulses(view);
-        settle_joint_rows(view, all, limits::settled_speed);
-        begin_passing(view);  // see WithRows
-        pass_impulses(view);
     }
 };
 
-template <class Rows>
-void swing_substep(FigureView& view, const Rows& joint_rows, scalar h) {
-    constexpr bool closes = Rows::closes;
-    if constexpr (!closes) joint_rows.factor(view, h);
-    joint_rows.list(view, h);
+template <class Beside>
+void swing_substep(FigureView& view, const Beside& beside, scalar h) {
+    if constexpr (!Beside::closes) beside.factor(view, h);
+    beside.list(view, h);
     for_groups(view, [&](const auto& rows) { kick_rows(rows, h); });
-    begin_solve(view, joint_rows.loops, h);
-    joint_rows.solve(view, h);
+    begin_solve(view, beside.loops, h);
+    beside.solve(view, h);
     end_solve(view, h);
     drift_figures(view, h);
     view.elapsed += h;
-    if constexpr (closes) factor_now(view, joint_rows.loops, h);
-    push_figures(view, joint_rows.loops, false);
-    joint_rows.push(view, h);
+    if constexpr (Beside::closes) factor_now(view, beside.loops, h);
+    push_figures(view, beside.loops, false);
+    beside.push(view, h);
 }
 
-template <class Rows>
-void swing(FigureView& view, const Rows& joint_rows, int substeps) {
+template <class Beside>
+void swing(FigureView& view, const Beside& beside, int substeps) {
     for (int doublings = 0; doublings <= limits::doublings_max; ++doublings) {
         group_figures(view, doublings);
         if (view.group_count == 0) continue;
         const int count = substeps << doublings;
+        const scalar h = view.h / static_cast<scalar>(count);
         view.elapsed = 0;
-        joint_rows.begin(view, view.h / static_cast<scalar>(count));
-        for (int substep_i = 0; substep_i < count; ++substep_i)  // bound: Effort::substeps_max, times eight
-            swing_substep(view, joint_rows, view.h / static_cast<scalar>(count));
-        ask_for_doublings(view, joint_rows.loops, view.h / static_cast<scalar>(substeps), doublings);
-        joint_rows.keep(view, doublings);
+        beside.begin(view, h);
+        for (int substep_i = 0; substep_i < count; ++substep_i) swing_substep(view, beside, h);  // bound: Effort::substeps_max, times eight
+        ask_for_doublings(view, beside.loops, view.h / static_cast<scalar>(substeps), doublings);
+        beside.keep(view, doublings);
         keep_figures(view, doublings);
     }
 }
 
 }  // namespace
 
-void swing_figures(FigureView& view, const NoLoops&, int substeps) { swing(view, NoRows{}, substeps); }
-void swing_figures(FigureView& view, const LoopView& loops, int substeps) { swing(view, WithLoops{loops}, substeps); }
-void swing_figures(FigureView& view, JointRowView& rows, int substeps) { swing(view, WithRows{rows}, substeps); }
-void swing_driven_figures(FigureView& view, JointRowView& rows, int substeps) {
+void swing_figures(FigureView& view, const NoLoops&, int substeps) { swing(view, NothingBeside{}, substeps); }
+void swing_figures(FigureView& view, const LoopView& loops, int substeps) { swing(view, LoopsBeside{loops}, substeps); }
+void swing_figures(FigureView& view, JointRowView& rows, int substeps) { swing(view, RowsBeside<JointRowView>{rows}, substeps); }
+void swing_figures(FigureView& view, DrivenRowView& rows, int substeps) {
     name_driven_balls(view, rows);
-    swing(view, DrivenRows{rows}, substeps);
+    swing(view, RowsBeside<DrivenRowView>{rows}, substeps);
 }
 
 } }  // namespace ingot

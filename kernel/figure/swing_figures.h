@@ -3,8 +3,8 @@
 #pragma once
 
 #include "build_figures.h"
-#include "joint_row.h"
 #include "find_loops.h"
+#include "joint_row.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -18,10 +18,8 @@ void swing_figures(FigureView& view, const NoLoops&, int substeps);
 /// The same where some joints close loops.
 void swing_figures(FigureView& view, const LoopView& loops, int substeps);
 
-/// The same of joints that may have limits.
+/// The same of joints that may have limits; or drives, too.
 void swing_figures(FigureView& view, JointRowView& rows, int substeps);
-
-/// The same of joints that may have drives, too.
-void swing_driven_figures(FigureView& view, JointRowView& rows, int substeps);
+void swing_figures(FigureView& view, DrivenRowView& rows, int substeps);
 
 } }  // namespace ingot

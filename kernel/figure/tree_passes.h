@@ -87,6 +87,13 @@ INGOT_INLINE Spatial<T> change_of_child(const At& at, const FigureRow<At::width>
     return twist_through(at, row, kind, of_parent + read(at, row.bias), read(at, row.impulse), read(at, row.drive));
 }
 
+/// The change of the parent's twist, at q of the row; none of the ground's.
+template <unsigned width, class At, class T = typename At::T>
+INGOT_INLINE Spatial<T> change_of_parent(const FigureRows<width>& rows, const At& at, int row_i) {
+    const Index parent = rows.node(row_i).parent;
+    return parent == no_node ? Spatial<T>{} : twist_at(read(at, rows[parent].change), read(at, rows[row_i].d));
+}
+
 /// Of the root of what floats: nothing holds it.
 template <class At, class T = typename At::T>
 INGOT_INLINE Spatial<T> twist_of_floating(const At& at, const FigureRow<At::width>& row) {
@@ -123,9 +130,7 @@ void pass_down(const FigureRows<width>& rows) {
             write(rows.all, row.change, twist_of_floating(rows.all, row));
             continue;
         }
-        Spatial<typename AllLanes<width>::T> of_parent{};
-        if (node.parent != no_node) of_parent = twist_at(read(rows.all, rows[node.parent].change), read(rows.all, row.d));
-        write(rows.all, row.change, change_of_child(rows.all, row, node.kind, of_parent));
+        write(rows.all, row.change, change_of_child(rows.all, row, node.kind, change_of_parent(rows, rows.all, row_i)));
     }
 }
 

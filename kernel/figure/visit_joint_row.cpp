@@ -25,8 +25,7 @@ template <unsigned width>
 scalar visit(const FigureRows<width>& rows, const OneLane<width>& at, const JointRowView& all, int row_i, JointRow& of) {
     FigureRow<width>& row = rows[row_i];
     const FigureNode& node = rows.node(row_i, at.lane_i);
-    Spatial<scalar> of_parent{};
-    if (node.parent != no_node) of_parent = twist_at(read(at, rows[node.parent].change), read(at, row.d));
+    const Spatial<scalar> of_parent = change_of_parent(rows, at, row_i);
     const Spatial<scalar> u = change_of_child(at, row, node.kind, of_parent);
     const scalar change = dot(of.along, free_rates(at, row, node.kind, u - of_parent));
     const scalar j = impulse_within(of, change - of.K * of.j), more = j - of.j;

@@ -40,6 +40,11 @@ template <class T>
 INGOT_INLINE constexpr Vec3<T> scaled(const Vec3<T>& diagonal, const Vec3<T>& b) {
     return {diagonal.x * b.x, diagonal.y * b.y, diagonal.z * b.z};
 }
+/// The inverse of a diagonal matrix times b.
+template <class T>
+INGOT_INLINE constexpr Vec3<T> unscaled(const Vec3<T>& diagonal, const Vec3<T>& b) {
+    return {b.x / diagonal.x, b.y / diagonal.y, b.z / diagonal.z};
+}
 
 /// Component by component.
 template <class T>

@@ -131,11 +131,8 @@ struct JointedFlight {
         swing_freely(now);
         FigureView figures = now.storage.figures(now.h);
         build_figures(figures);
-        if constexpr (has_joint_drives<S>) {
-            JointRowView rows = now.storage.joint_row_view();
-            swing_driven_figures(figures, rows, S::effort.substeps);
-        } else if constexpr (has_joint_limits<S>) {
-            JointRowView rows = now.storage.joint_row_view();
+        if constexpr (has_joint_rows<S>) {
+            auto rows = now.storage.joint_row_view();
             swing_figures(figures, rows, S::effort.substeps);
         } else {
             auto loops = now.storage.loops();

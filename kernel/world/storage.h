@@ -11,6 +11,10 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
+/// What joints of a scene have beside what they lock.
+template <class S>
+using JointRowViewOf = If<has_joint_drives<S>, DrivenRowView, JointRowView>;
+
 template <class S>
 struct Storage : features::All::Memory<S> {
     RotationTile rotation[features::tile_capacity<S>] = {};
@@ -39,15 +43,14 @@ struct Storage : features::All::Memory<S> {
         view.h = h;
         return view;
     }
-    /// What joints have beside what they lock.
-    JointRowView joint_row_view() {
-        JointRowView view{};
+    JointRowViewOf<S> joint_row_view() {
+        JointRowViewOf<S> view{};
         view.angles = this->joint_angles;
         view.motions = this->joint_motions;
         view.list = this->joint_rows;
         view.responses = this->responses;
         this->show_limits(view);
-        this->show_drives(view);
+        if constexpr (has_joint_drives<S>) this->show_drives(view);
         return view;
     }
     /// Who may meet whom, sensors apart: by filters, and by joints.
@@ -136,8 +139,8 @@ struct Storage : features::All::Memory<S> {
     auto jointed_contact_solver() {
         auto plain = plain_contact_solver();
         using Plain = decltype(plain);
-        using Rowed = If<has_joint_drives<S>, DrivenViewOf<Plain>, RowedViewOf<Plain>>;
-        using Jointed = If<has_joint_rows<S>, Rowed, If<has_loops<S>, LoopedViewOf<Plain>, JointedViewOf<Plain>>>;
+        using Unrowed = If<has_loops<S>, LoopedViewOf<Plain>, JointedViewOf<Plain>>;
+        using Jointed = If<has_joint_rows<S>, RowedViewOf<Plain, JointRowViewOf<S>>, Unrowed>;
         If<S::kinematic_bodies, KinematicViewOf<Jointed>, Jointed> view{};
         static_cast<Plain&>(view) = plain;
         view.jointed = this->jointed_bodies(figures(0));

@@ -45,10 +45,7 @@ struct SeesJoints : Contacts {
             place_joints(jointed.figures);
             prepare_drives(jointed.figures, rows(), h);
             factor_driven(bodies, h);
-            list_driven_rows(jointed.figures, rows(), h);
-            return;
-        }
-        if (!jointed.is_fresh) {
+        } else if (!jointed.is_fresh) {
             if constexpr (!closes) factor_jointed(this->view, jointed, this->view.loops);
             Contacts::refresh(bodies);
         }
@@ -59,13 +56,15 @@ struct SeesJoints : Contacts {
         read_velocities(this->view, jointed);
         begin_solve(jointed.figures, this->view.loops, h);
         if constexpr (closes) forget_lacks(jointed.figures, this->view.loops);
-        if constexpr (Whole::has_drives) {
-            solve_driven(step, h, report);
-        } else {
-            if constexpr (Whole::has_joint_rows) aim_joint_rows(jointed.figures, rows(), h);
-            Contacts::solve_velocities(step, h, report);
-            if constexpr (Whole::has_joint_rows) note_joint_rows(jointed.figures, rows(), h);
-        }
+        solve_with_rows(step, h, report);
+        // Again where drives turn out to be at their largest torque: figures answer contacts otherwise then.
+        if constexpr (Whole::has_drives)
+            for (int round = 1; round < limits::drive_rounds && saturate_drives(jointed.figures, rows()); ++round) {
+                factor_driven(step.bodies, h);
+                begin_solve(jointed.figures, this->view.loops, h);
+                solve_with_rows(step, h, report);
+            }
+        if constexpr (Whole::has_joint_rows) note_joint_rows(jointed.figures, rows(), h);
         end_solve(jointed.figures, h);
     }
     void drift(const BodyView& bodies, scalar h) {
@@ -108,25 +107,17 @@ private:
     static constexpr bool closes = decltype(Whole::loops)::closes;
     JointedBodies& jointed;
 
-    JointRowView& rows() { return this->whole.joint_rows; }
+    auto& rows() { return this->whole.joint_rows; }
 
+    void solve_with_rows(const ContactStep& step, scalar h, StepReport& report) {
+        if constexpr (Whole::has_joint_rows) aim_joint_rows(jointed.figures, rows(), h);
+        Contacts::solve_velocities(step, h, report);
+    }
     void factor_driven(const BodyView& bodies, scalar h) {
-        factor_driven_figures(jointed.figures, rows(), h);
+        factor_figures(jointed.figures, rows(), h);
         respond_figures(jointed.figures, jointed.responses);
         Contacts::refresh(bodies);
     }
-    /// Again where drives turn out to be at their largest torque: figures answer contacts otherwise then.
-    void solve_driven(const ContactStep& step, scalar h, StepReport& report) {
-        for (int round = 1; ; ++round) {  // bound: limits::drive_rounds
-            aim_driven_rows(jointed.figures, rows(), h);
-            Contacts::solve_velocities(step, h, report);
-            if (round == limits::drive_rounds || !saturate_drives(jointed.figures, rows())) break;
-            factor_driven(step.bodies, h);
-            begin_solve(jointed.figures, this->view.loops, h);
-        }
-        note_driven_rows(jointed.figures, rows(), h);
-    }
-
     /// Of the islands of the batch: those of the others stand.
     void forget_doublings() {
         for (int island_i = 0; island_i < this->view.island_count; ++island_i)  // bound: max_bodies

@@ -7,6 +7,7 @@
 #include "../../figure/factor_loops.h"
 #include "../../figure/respond_figures.h"
 #include "../../figure/move_figures.h"
+#include "../../figure/row_motion.h"
 #include "../../figure/tree_passes.h"
 
 #pragma GCC diagnostic push
@@ -35,8 +36,8 @@ void for_jointed(const JointedBodies& jointed, const ContactBlock& block, uint16
 
 /// The change of a body's twist by the solve, at its centre of mass.
 template <class Loops, class At>
-Spatial<scalar> change_of_centre(const JointedBodies& jointed, [[maybe_unused]] const Loops& loops, const At& at, const FigureRow<At::width>& row,
-                                 [[maybe_unused]] Index node) {
+Spatial<scalar> change_with_loops(const JointedBodies& jointed, [[maybe_unused]] const Loops& loops, const At& at, const FigureRow<At::width>& row,
+                                  [[maybe_unused]] Index node) {
     Spatial<scalar> u = read(at, row.change);
     if constexpr (Loops::closes) u = u + twist_of_loops(jointed.figures, loops, node);
     return twist_at(u, read(at, row.c));
@@ -46,10 +47,9 @@ template <class Loops>
 void write_velocity(const JointedBodies& jointed, const Loops& loops, SolverBody& body, Index node) {
     at_node(jointed.figures, node, [&](const auto& rows, const auto& at, int row_i) {
         const auto& row = rows[row_i];
-        const Spatial<scalar> u = change_of_centre(jointed, loops, at, row, node);
-        const Matrix A = read(at, row.A);
+        const Spatial<scalar> u = change_with_loops(jointed, loops, at, row, node);
         put_three(body.v_CM, read(at, row.v) + u.v);
-        put_three(body.L, read(at, row.L) + A * scaled(read(at, row.I_body), transpose_times(A, u.w)));
+        put_three(body.L, read(at, row.L) + momentum_of_spin(at, row, u.w));
     });
 }
 
@@ -58,7 +58,7 @@ void write_displacement(const JointedBodies& jointed, const Loops& loops, const 
     const Vector begin = r_CM_of(bodies, jointed.figures.nodes[node].slot);
     at_node(jointed.figures, node, [&](const auto& rows, const auto& at, int row_i) {
         const auto& row = rows[row_i];
-        const Spatial<scalar> u = change_of_centre(jointed, loops, at, row, node);
+        const Spatial<scalar> u = change_with_loops(jointed, loops, at, row, node);
         put_three(body.dp, (read(at, row.r) - begin) + u.v);
         put_three(body.dth, read(at, row.turned) + u.w);
     });

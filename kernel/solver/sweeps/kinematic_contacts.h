@@ -57,7 +57,7 @@ struct SeesKinematic : Contacts {
     }
 
 private:
-    auto& contacts() { return contacts_of(static_cast<PlainViewOf<View>&>(all)); }
+    auto& contacts() { return without_rows(static_cast<PlainViewOf<View>&>(all)); }
 
     View& all;
 };

@@ -90,7 +90,7 @@ void select_live(SolverView& solver) {
 template <class Whole>
 void solve_velocities(Whole& whole) {
     using View = typename WithoutRows<Whole>::Type;
-    View& solver = contacts_of(whole);
+    View& solver = without_rows(whole);
     select_live(solver);
     begin_sweeps(solver);
     if constexpr (View::articulates) pass_contact_impulses(solver);

@@ -21,7 +21,7 @@ struct DrivenJoints : Feature {
         DriveRecord joint_drives[drive_capacity] = {};
         DriveMotion drive_motions[drive_capacity] = {};
 
-        void show_drives(JointRowView& view) {
+        void show_drives(DrivenRowView& view) {
             view.drives = joint_drives;
             view.drive_motions = drive_motions;
             view.drives_of_joint = S::joints::drives_of_joint();
@@ -30,9 +30,7 @@ struct DrivenJoints : Feature {
         const DriveRecord& drive_of(int joint_i, int direction_i) const { return const_cast<Memory*>(this)->drive_of(joint_i, direction_i); }
     };
     template <class S>
-    struct Memory<S, false> {
-        static void show_drives(JointRowView&) {}
-    };
+    struct Memory<S, false> {};
 
     /// What is driven to a target that moves does not rest.
     template <class S>
