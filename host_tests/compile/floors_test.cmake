@@ -43,7 +43,7 @@ set(joint_shares joints joint_record joint_lists limit_record drives)
 set(figure_shares spatial figure_row figure_view ground tree_passes joint_sides row_motion displace_rows cursor_moves joint_row measure_joint row_compliance
   build_figures factor_figures keep_figures move_figures respond_figures cursor joint_motions joint_rows joint_drives driven_motion
   push_rows loop_view find_loops factor_loops close_loops)
-set(energy_momentum_shares energy_momentum tangent at_node newton_row newton_pass fit_velocities advance_figure swing_freely)
+set(energy_momentum_shares energy_momentum tangent at_node newton_row newton_pass fit_to_joints advance_figure swing_freely)
 set(constraint_shares belts without_joints jointed_response jointed_view prepare_responses block_bodies block_rows block_solve contact contact_block flight friction impact_note kinematic_motion_at kinematic_view laws
   material_view normals response rolling
   row_flight row_pair rows solver_body solver_view surface_materials torsion visit)

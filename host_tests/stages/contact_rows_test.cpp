@@ -57,7 +57,7 @@ struct Rows {
     }
     void prepare() {
         ingot::refresh_inv_I_world(tiles.view());
-        ingot::prepare_contact_rows(view(), tiles.view());
+        for (ingot::Contact& c : contacts) ingot::prepare_contact_row<false>(c, tiles.view());
     }
     V v(int slot) { return to_eigen<Real>(ingot::lane_of(tiles.translation(slot).v_CM, slot % ingot::lanes)); }
     V L(int slot) { return to_eigen<Real>(ingot::lane_of(tiles.rotation(slot).L, slot % ingot::lanes)); }

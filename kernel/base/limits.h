@@ -259,19 +259,22 @@ inline constexpr scalar limit_reach = scalar(0.02);
 inline constexpr scalar limit_return = 1;                ///< rad/s, with which a joint that is far beyond its limit goes back
 inline constexpr int limit_sweeps_max = 128;              ///< over the limits of a figure that touches nothing, in a substep
 inline constexpr int limit_pushes = 4;                   ///< the same where they are pushed back
+
 // Figures that move by the energy-momentum step (energy_momentum/).
-/// Shares of what is in a balance, of the size of a body; rad. What is off by less than the first is off by roundings of its own terms, a dozen of
-/// them. What is off by less than the second is so after one move more, which takes the square of it.
+/// Shares of what is in a balance, and of the size of a body; rad. What is off by less than newton_settled is off by a dozen roundings of its own
+/// terms:
+/// passes end. What is off by less than newton_close is off by less than that after one move more, which squares it.
 inline constexpr scalar newton_settled = 12 * epsilon, newton_close = INGOT_DOUBLE ? scalar(1e-9) : 64 * epsilon;
-/// rad, that a body turns in a step at most, before it is cut.
+/// rad; the step of a figure with a body that turns further is cut in halves.
 inline constexpr scalar newton_turn = scalar(0.85);
-inline constexpr int newton_halvings_max = 3;  ///< of a step
-inline constexpr int newton_passes_max = 12, newton_steep_passes_max = 16;  ///< of a step or a part of it; where masses differ by newton_steep_ratio
+inline constexpr int newton_halvings_max = 3;  ///< of a step; then the substeps take the figure
+inline constexpr int newton_passes_max = 12;        ///< of a step, or of a part of it; then it is cut
+inline constexpr int newton_steep_passes_max = 16;  ///< the same where masses differ by newton_steep_ratio
 inline constexpr scalar newton_steep_ratio = 1000;
-inline constexpr int newton_easy_passes = 8;   ///< of a step that was cut: the next begins with parts twice as long
+inline constexpr int newton_easy_passes = 8;   ///< where no part took more, the next step begins with parts twice as long
 /// Of the kinetic energy of a figure: so much may be in velocities that its joints do not allow.
 inline constexpr scalar hidden_share = scalar(1e-4);
-/// Of the kinetic energy of a figure but for its motion as a whole, by which that of a snap may raise it.
+/// By this factor the energy of a snap may raise the kinetic energy of a figure, its motion as a whole excepted.
 inline constexpr scalar snap_gain_max = 4;
 
 // Drives of joints.

@@ -127,6 +127,10 @@ INGOT_INLINE Vector r_CM_of(const BodyView& bodies, int slot) {
     const Place at = place_of(slot);
     return lane_of(bodies.translation[at.tile].r_CM, at.lane);
 }
+INGOT_INLINE Vector v_CM_of(const BodyView& bodies, int slot) {
+    const Place at = place_of(slot);
+    return lane_of(bodies.translation[at.tile].v_CM, at.lane);
+}
 
 /// True for a body that can move: neither immovable nor frozen.
 INGOT_INLINE bool is_dynamic(const BodyView& bodies, int slot) {

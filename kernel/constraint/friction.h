@@ -22,8 +22,8 @@ namespace ingot { inline namespace INGOT_ABI {
 struct FrictionRows : RowPair {
     Levers levers[2];
     LaneRow reference[2];  ///< slow mean of j
-    LaneRow given[2];      ///< N s, before the slip turns round in this substep: see reversal_share
-    LaneRow share;         ///< of the substep, that is before
+    LaneRow given[2];      ///< N s, before the slip turns round in this substep: beside j until the substep ends
+    LaneRow share;         ///< see reversal_share
     uint16_t sliding;      ///< bit per lane: it slid in the substep before
     bool turns_round;      ///< the slip of some lane turns round in this substep
 };

@@ -46,19 +46,25 @@ INGOT_INLINE T impulse_after_impact(T j, T j_before, T allowance, T K) {
     return min(j, splat<T>(2) * j_before + allowance / K);
 }
 
-/// Whether friction of this square slides: it is as large as it can be.
+/// Whether a point meets by more than forces explain, so that its impulse in the substep before says nothing of this one. u: m/s, n.(v_A - v_B);
+/// target: m/s, that u is to reach; allowance: as above.
+template <class T>
+INGOT_INLINE auto is_impact(T u, T target, T allowance) {
+    return u - target < -allowance;
+}
+
+/// Whether friction slides, by its square: it is as large as it can be.
 template <class T>
 INGOT_INLINE auto is_on_cone(T friction_sq, T limit) {
     return friction_sq >= splat<T>(limits::sliding_share_sq) * limit * limit;
 }
 
-/// When a slip turns round: as a share of the substep. 0: it goes on. u_0: the slip as the substep begins; along: u_0 . u_1, with u_1 the slip at its
-/// end if friction went on as before. Until then friction is against u_0, and free again afterwards, so its impulse is, with e along u_0,
+/// When a slip turns round, as a share of the substep; 0: it does not. u_0: m/s, the slip as the substep begins; along: u_0 . u_1, where u_1 is the
+/// slip at the end if friction goes on as before. Friction is against u_0 until then, and free again afterwards. So its impulse, with e along u_0, is
 ///
 ///     j = -share mu N e + i,   |i| <= (1 - share) mu N
 ///
-/// and the first part comes early: its displacement is that of both parts spread evenly over the substep, and displacement_of_reversal. With one
-/// circle for the whole substep, what slides up a slope and back is off by 2 mu N share in its impulse from then on.
+/// With one circle for the whole substep, the impulse of what slides up a slope and back would be off by 2 mu N share for good.
 template <class T>
 INGOT_INLINE T reversal_share(T u_0_sq, T along, T unit) {
     const T least = splat<T>(limits::reversal_speed) * unit;
@@ -66,8 +72,9 @@ INGOT_INLINE T reversal_share(T u_0_sq, T along, T unit) {
     return select(turns_round, u_0_sq / select(turns_round, u_0_sq - along, splat<T>(1)), T{});
 }
 
-/// Along friction, kg m; given: N s, before the reversal, j: N s, of the substep of h seconds. It is for bodies with no other contact, which would
-/// have a part in it. Impulse: T, or a vector of them.
+/// By how much further friction takes a body than if it acted evenly all through the substep, times the mass: kg m. For its first part acts first.
+/// given: N s, before the reversal; j: N s, of the whole substep of h seconds. Impulse: T, or a vector of them.
+/// Only for bodies with no other contact: that would have a part in it.
 template <class T, class Impulse>
 INGOT_INLINE Impulse displacement_of_reversal(const Impulse& given, const Impulse& j, T share, T h) {
     return (given - j * share) * (h * splat<T>(scalar(0.5)));

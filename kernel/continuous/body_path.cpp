@@ -10,12 +10,11 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
-constexpr scalar turn_max = 500;  ///< rad in a step, of a path; no method follows a body that far
-static_assert(turn_max == limits::kinematic_turn_max);
-
+/// No method follows a body that turns further in a step.
 Vector turn_in_range(const Vector& turn) {
+    constexpr scalar most = limits::kinematic_turn_max;
     const scalar angle_sq = length_sq(turn);
-    return angle_sq > turn_max * turn_max ? turn * (turn_max / sqrt(angle_sq)) : turn;
+    return angle_sq > most * most ? turn * (most / sqrt(angle_sq)) : turn;
 }
 
 Matrix turned_by(const Matrix& A, const Vector& turn) {
@@ -62,7 +61,7 @@ bool begins_fast(const BodyView& bodies, const BodyShapes& shapes, scalar h, int
 }
 
 bool kinematic_begins_fast(const BodyView& bodies, const BodyShapes& shapes, scalar h, int slot) {
-    const Vector way = lane_of(bodies.translation[place_of(slot).tile].v_CM, place_of(slot).lane) * h, turn = omega_of(bodies, slot) * h;
+    const Vector way = v_CM_of(bodies, slot) * h, turn = omega_of(bodies, slot) * h;
     return is_fast(extent_of(shapes, slot), sqrt(length_sq(way)), sqrt(length_sq(turn)));
 }
 

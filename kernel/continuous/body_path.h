@@ -11,7 +11,7 @@ namespace ingot { inline namespace INGOT_ABI {
 enum class PathKind : uint8_t {
     free,       ///< it falls free
     on_fixed,   ///< what it touches cannot move or is kinematic: it can be solved again, for any part of its path
-    in_pair,    ///< so it is with its partner, and with what both touch that cannot move
+    in_pair,    ///< the same of it together with its partner
     in_island,  ///< the contacts of the step have moved it together with others, and it cannot be taken from them
     standing,   ///< it stays where it is, and waits for the next step
 };
@@ -27,12 +27,12 @@ struct BodyPath {
     Vector turn;        ///< rad in a whole step
     scalar from, until;
     scalar next;      ///< when it first meets something, or where its path has to be laid on; never: neither
-    scalar due;       ///< followed: `next`, as FollowedBodies has it
+    scalar due;       ///< followed: `next` as FollowedBodies has it in order
     Index next_slot;  ///< whom it meets; its own slot: nobody, the path ends
     Index partner;    ///< in_pair: the slot of the other
     Index place;      ///< followed: in FollowedBodies::queue
     Index next_stray;                ///< 1 + slot of the next of FollowedBodies; 0: none
-    uint16_t version, next_version;  ///< how often it has been laid anew in this step; and so that of whom it meets, when this was found
+    uint16_t version, next_version;  ///< how often it has been laid anew in this step; version of whom it meets, as that was found
     PathKind kind;
     uint8_t impacts;   ///< followed in this step
     bool fast;         ///< at the begin of the step: it may get beyond something in it, and has manifolds with what it touches alone
@@ -48,11 +48,11 @@ inline constexpr scalar never = 2;
 struct BodyExtent {
     scalar least;   ///< m; the least half extent of any of them
     scalar radius;  ///< m; of the ball about the centre of mass that holds them all
-    scalar reach;   ///< m; how far the surface gets by a turn of a radian, at most: nowhere, of a ball about the centre of mass
+    scalar reach;   ///< m; how far the surface gets by a turn of a radian, at most; of a ball about the centre of mass 0
 };
 BodyExtent extent_of(const BodyShapes& shapes, int slot);
 
-/// Of a turn of a body, rad, what its surface notices: nothing of a ball's, and not that of a capsule or a cylinder about its axis.
+/// The part of a turn, rad, that moves the surface of a body: none of a ball's, and of a capsule or a cylinder all but that about its axis.
 Vector seen_turn(const BodyShapes& shapes, int slot, const Matrix& A, const Vector& turn);
 
 /// A shape on the path of its body.
@@ -79,7 +79,7 @@ PathFrame frame_on_path(const BodyPath& path, scalar t);
 bool begins_fast(const BodyView& bodies, const BodyShapes& shapes, scalar h, int slot);
 /// The same of one that shows the motion of a kinematic body.
 bool kinematic_begins_fast(const BodyView& bodies, const BodyShapes& shapes, scalar h, int slot);
-/// And where it begins, with what acts on it. Whether it is fast stays as it is known.
+/// The path of a body as the step begins: as if nothing acted on it any more. BodyPath::fast stays.
 void begin_path(const BodyView& bodies, scalar h, int slot, BodyPath& path);
 
 /// The motion of a body at one time.
@@ -89,12 +89,11 @@ struct PathPoint {
     Matrix A;
 };
 
-/// What turns does so steadily for a short while only: by `most`, rad, or, where it turns so far in a step that this would make too many parts, by a
-/// path_parts_max-th of its turn.
-/// Returns: when the path ends, if it begins with that turn at `from`.
+/// When a path ends that begins at `from` with a turn, rad in a step. A body turns steadily for a short while only: by `most`, rad; or by a
+/// path_parts_max-th of its turn, where there would be more parts than that.
 scalar end_of_path(const Vector& turn, scalar from, scalar most);
 
-/// The bodies that a step follows through their paths, as a heap: the one that meets something first comes first. And those that are outside of the
+/// The bodies that a step follows through their paths, as a heap: the one that meets something first comes first. And a list of those outside of the
 /// bounds that the step began with.
 struct FollowedBodies {
     BodyPath* paths;
@@ -135,10 +134,11 @@ private:
 /// limits::contact_margin to spare.
 bool leaves_bounds(const PathPoint& begin, const Vector& way, const Vector& turn, const BodyExtent& extent, scalar unit);
 
-/// The path from one point to another, as it turns in the mean of both, and what that leaves to the other's A. fall: m in a step, squared.
+/// Lays the path from one point to another: a parabola with this fall, m in a step squared, and the mean of both turns, put right so that it ends
+/// with the A of the end.
 void lay_path(const PathPoint& begin, scalar from, const PathPoint& end, scalar until, const Vector& fall, BodyPath& path);
 
-/// The path of a kinematic body as the step begins is what it goes, whoever it meets.
+/// Whether the path, as the step begins, is that of a kinematic body: it goes so, whoever it meets.
 INGOT_INLINE bool is_kinematic_path(const BodyView& bodies, const BodyPath& path, int slot) {
     return !is_dynamic(bodies, slot) && length_sq(path.way) + length_sq(path.turn) > 0;
 }

@@ -31,7 +31,8 @@ bool FastPairs::meets_hard(const BodyPair& pair, const Manifold& manifold) const
 
 namespace {
 
-/// Bodies that touch, joined by FastPairs::paths: of_a_set is their union-find, see island/disjoint_sets.h.
+/// Sets of bodies that touch: the union-find of island/disjoint_sets.h, with BodyPath::partner for the parent; `presses` of its root: the set is
+/// soft.
 struct TouchingBodies {
     const FastPairs& fast;
 

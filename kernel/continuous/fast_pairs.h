@@ -13,12 +13,12 @@ namespace ingot { inline namespace INGOT_ABI {
 struct FastPairs {
     BodyView bodies;
     BodyShapes shapes;
-    BodyPath* paths;  ///< by body slot; until paths begin, what joins bodies: see leave_to_flights
+    BodyPath* paths;  ///< by body slot; before paths begin, leave_to_flights has its sets of bodies in them
     scalar h;
 
     bool has(const BodyPair& pair) const { return is_fast({pair.body_A}) || is_fast({pair.body_B}); }
-    /// Touching bodies that would get through each other's skin in the step, or turn their faces away: what they do is over in a moment of
-    /// it. Others slide or rest, or a slow body among others is hit: these are solved together.
+    /// Whether touching bodies would get through each other's skin in the step, or would turn away the faces with which they touch: what they do is
+    /// over in a moment of it. Others slide or rest, or a slow body is hit: they are solved together.
     bool meets_hard(const BodyPair& pair, const Manifold& manifold) const;
 
 private:

@@ -11,16 +11,16 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// Where two shapes have just come to touch. It is known better than a search among what touches would find it: there rounding turns it.
+/// Where two shapes have just come to touch, as the search for that time has found it. Found anew there, rounding would turn its normal.
 struct MetPoint {
     ShapePair pair;
     Vector n, P;
 };
 /// How far the bodies of a sub-world may be from what they have contacts with.
 struct PairReach {
-    bool touching;        ///< they have to touch: what is further is no plane yet, a body may pass by
-    scalar h;             ///< s; else it is what they can travel in this time
-    const MetPoint* met;  ///< the contact of one pair; null: of none it is known
+    bool touching;        ///< they have to touch: a body may pass by what is further
+    scalar h;             ///< s; else they may be as far as they travel in this time
+    const MetPoint* met;  ///< the contact of one pair, where it is known; else null
 };
 
 /// Kinematic bodies of a sub-world as they are at time t, and how they move: see body/kinematic_motion.h.
@@ -150,7 +150,7 @@ void hide_internal_edges([[maybe_unused]] const Collision& collision, [[maybe_un
     }
 }
 
-/// How fast the points of a manifold approach each other: of the fastest.
+/// The fastest of the points of a manifold that approach each other, and its speed.
 INGOT_INLINE ImpactNote note_of(const BodyView& two, const BodyPair& places, const Manifold& manifold) {
     const FlightState A = flight_state(two, places.body_A), B = flight_state(two, places.body_B);
     const Vector omega_A = omega_of(two, places.body_A), omega_B = omega_of(two, places.body_B);

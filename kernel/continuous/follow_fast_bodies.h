@@ -8,7 +8,7 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// Bodies that the contacts of the step have moved together with others that can move.
+/// Marks bodies that the contacts of the step have moved together with others that can move.
 template <class Collision>
 void mark_islands(const Collision& collision) {
     for (int i = 0; i < collision.solved.count; ++i) {  // bound: max_manifolds
@@ -48,7 +48,7 @@ void lay_path_of_step(const Collision& collision, int slot, PairRoom<Collision>&
     if (path.fast || (in_contact && is_fast_path(path, extent_of(collision.shapes, slot)))) collision.lists->follow(slot);
 }
 
-/// What comes first to a body happens.
+/// Lets happen what comes first to a body.
 template <class Collision>
 void go_on(const Collision& collision, int slot, PairRoom<Collision>& room) {
     const int other = collision.paths[slot].next_slot;
@@ -76,10 +76,10 @@ void go_on(const Collision& collision, int slot, PairRoom<Collision>& room) {
 /// Impact by impact in the order of time, two bodies that meet are taken back to that time, and for a moment go on together, with restitution,
 /// friction, forces, what else their surfaces have, and all that is fixed around them. Then each goes on alone: free, or along what it touches that
 /// cannot move; two that press on each other and hardly move against each other go on together.
-/// A body that the contacts of the step have moved together with others is not taken from them: whoever meets it waits there for the next step,
-/// which finds both touching, as does whoever meets one that waits or sleeps, and as it does itself; so do those that a body has after
-/// limits::impacts_of_body_max. Only what meets at the very begin is not left waiting, lest it wait for ever. They are counted in
-/// report.impacts_deferred: the rest of the step is lost to them, and no energy or momentum.
+/// A body that the contacts of the step have moved together with others is not taken from them: it waits where it meets another, and so does the
+/// other, for the next step, which finds both touching. So does whoever meets one that waits or sleeps, and whoever meets one that has had
+/// limits::impacts_of_body_max impacts. Only what meets at the very begin of the step does not wait, or it might wait for ever. Those who wait are
+/// counted in report.impacts_deferred: the rest of the step is lost to them, but no energy or momentum.
 /// What was made fast by the contacts of this step is seen too: all goes by the ways that bodies have gone.
 /// Of bodies of several shapes the first pair of shapes that meets counts, and all that touch then are solved together; those that find no room
 /// among limits::pair_manifolds_max are counted in report.contacts_lost.

@@ -28,7 +28,7 @@ void put_in_tree([[maybe_unused]] const Collision& collision, [[maybe_unused]] i
         collision.shapes.for_shapes(slot, [&](ShapeSlot shape) { trees::put_in_place(collision.tree, shape.number, box, true); });
     }
 }
-/// Ends that, when all is where it stays: the search for pairs knows the fat AABBs.
+/// Ends that, once all bodies are where they stay: the search for pairs goes by fat AABBs.
 template <class Collision>
 void return_to_bounds([[maybe_unused]] const Collision& collision) {
     if constexpr (is_tree<typename Collision::TreeType>)
@@ -53,8 +53,8 @@ void for_others_near(const Collision& collision, int slot, const Each& each) {
     });
 }
 
-/// Who is not met. A kinematic body meets only what its motion can change: what cannot move, and what rests, is passed. Whom it has met as often as
-/// may be it meets in the next step. One that stands waits for those that come to it.
+/// Whether a body does not look for another. A kinematic body passes what it cannot move, as it is fixed or rests, and leaves whom it has met
+/// limits::impacts_of_body_max times to the next step. One that stands lets others come to it.
 template <class Collision>
 bool is_passed_by(const Collision& collision, int slot, int other) {
     const bool stands = collision.paths[slot].kind == PathKind::standing;
@@ -72,8 +72,9 @@ bool is_solved(const Collision& collision, int slot, int other, ShapeSlot A, Sha
     return (path.kind == PathKind::in_pair || path.kind == PathKind::on_fixed) && !is_dynamic(collision.bodies, other);
 }
 
-/// Whether two shapes that touch at time t, on their paths as they are, close in: there are points, and none that an edge inside a floor makes, which
-/// would be deeper by the gap of an impact by the time `rest` later. met: where they touch, if they have just come to it; else null.
+/// Whether two shapes that touch at time t go on into each other, on their paths as they are: whether a point of their contact would be deeper by the
+/// gap of an impact after the time `rest`. Points that an edge inside a floor makes are none. met: where they touch, if they have just come to touch;
+/// else null.
 template <class Collision>
 bool closes_in(const Collision& collision, int slot, int other, const ShapePair& pair, scalar t, scalar rest, const MetPoint* met,
                PairRoom<Collision>& room) {
@@ -109,7 +110,7 @@ bool closes_in(const Collision& collision, int slot, int other, const ShapePair&
     }
     const scalar least = min(least_half_extent(collision.shapes.surface(pair.A).shape, collision.shapes.hull(pair.A)),
                              least_half_extent(collision.shapes.surface(pair.B).shape, collision.shapes.hull(pair.B)));
-    // Who has met others so often already, as in a heap that is hit, leaves the rest to their skins.
+    // In a heap that is hit bodies meet again and again: those with many impacts may get as deep as their skins.
     const auto is_often_hit = [](const BodyPath& path) { return path.impacts > limits::impacts_of_body_max / 2; };
     const scalar gap = min(limits::impact_gap * least, limits::impact_gap_max * collision.shapes.surfaces.unit);
     return closing * rest > (is_often_hit(*paths[0]) || is_often_hit(*paths[1]) ? limits::skin_share * least : gap);
@@ -179,7 +180,7 @@ void note_passed_sensors([[maybe_unused]] const Collision& collision, [[maybe_un
     }
 }
 
-/// The first that comes to a body. What it meets, meets it: so of two bodies whose paths have not changed nothing has to be found anew.
+/// Finds what comes first to a body. Two that meet need not both find it: so nothing is found anew for a body whose path has not changed.
 template <class Collision>
 void find_next(const Collision& collision, int slot, PairRoom<Collision>& room) {
     BodyPath& path = collision.paths[slot];

@@ -12,8 +12,8 @@ struct PartingPlane {
     bool found;  ///< false where even the middle of A is inside B
 };
 
-/// Where they overlap, n is that of the nearest points of B and of what is left of A without a skin: the thinnest skin of three that parts them, and
-/// else of a ball about the middle of A. It is the shortest way out for faces, and near it for edges.
+/// Where they overlap, A loses a skin, the thinnest of three that parts them, and n is that of the nearest points of B and of what is left of A;
+/// where none does, of a ball about the middle of A. It is the shortest way out for faces, and near it for edges.
 /// Needs:   an A that is no half space; what closest_points says of the two.
 /// Cost:    one search for nearest points where they overlap by a quarter of A's least half extent or less, up to four where deeper.
 PartingPlane parting_plane(const PlacedShape& A, const PlacedShape& B, const Nearest& nearest);

@@ -11,7 +11,7 @@ INGOT_INLINE scalar sum_of_components(const Vector& v) { return abs(v.x) + abs(v
 /// What is looked for on the paths of two shapes.
 struct ImpactSearch {
     scalar unit;    ///< m; of lengths in limits.h
-    scalar since;   ///< both paths have begun by then, or are looked at from where the later one begins
+    scalar since;   ///< from then on, or from where the later path begins, if that is later
     scalar latest;  ///< what is later does not count
     scalar touch;   ///< m; so far apart they touch at the begin, if contacts have been solved for what is so near; 0: none have
 };

@@ -5,7 +5,7 @@
 #include "../figure/factor_figures.h"
 #include "../figure/row_motion.h"
 #include "at_node.h"
-#include "fit_velocities.h"
+#include "fit_to_joints.h"
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpsabi"  // see lanes.h
@@ -18,7 +18,7 @@ namespace {
 constexpr scalar suzuki = scalar(0.41449077179437573714), suzuki_back = scalar(-0.65796308717750294857);
 constexpr scalar parts_of_order_2[] = {1}, parts_of_order_4[] = {suzuki, suzuki, suzuki_back, suzuki, suzuki};
 
-/// The step of a group on its way.
+/// How far a group has come in its step.
 template <unsigned width_of_rows>
 struct Progress {
     static constexpr unsigned width = width_of_rows;
@@ -28,9 +28,10 @@ struct Progress {
     const EnergyMomentumView& scheme;
     FigureRows<width> figures;
     unsigned good;           ///< a bit a lane: figures whose passes have found an end so far
-    int passes_max[width];   ///< of one solve
-    int passes[width], most_passes[width];  ///< so far; of a solve
-    T most_turn_sq;          ///< rad^2, of a body in a part of the step
+    int passes_max[width];   ///< of one part, that may be
+    int passes[width];       ///< so far, in all parts
+    int most_passes[width];  ///< so far, in one part
+    T most_turn_sq;          ///< rad^2, so far, of one body in one part
 
     NewtonRow<width>& newton(int row_i) const { return newton_row(figures, scheme.rows, row_i); }
 };
@@ -51,11 +52,14 @@ void begin_progress(Progress<width>& at) {
     }
 }
 
-/// What one look at the end of a figure means: whether it moves once more, and whether it is looked at again.
+/// What a look at the end of a figure means.
 struct Verdict {
-    bool moves, goes_on, fails;
+    bool moves;    ///< once more
+    bool goes_on;  ///< and is looked at again
+    bool fails;    ///< passes find no end
 };
-/// The last move is not looked at: what it leaves is the square of what was there, but for a factor that the passes before have shown.
+/// Newton's method squares what is off, but for a factor, and the look before has shown the factor. A move that leaves no more than roundings by that
+/// is the last, and is not looked at. misfit, before: squares, of this look and the one before.
 Verdict verdict_on(scalar misfit, scalar before, int pass_i, int passes_max) {
     constexpr scalar settled = limits::newton_settled * limits::newton_settled, close = limits::newton_close * limits::newton_close;
     if (misfit <= settled) return {false, false, false};
@@ -66,7 +70,7 @@ Verdict verdict_on(scalar misfit, scalar before, int pass_i, int passes_max) {
     return {!is_last, !is_last, is_last};
 }
 
-/// Passes until nothing is left to a move but roundings, of each figure for itself.
+/// Passes, for each figure until its moves would be roundings.
 template <unsigned width>
 void solve(Progress<width>& at, const NewtonStep<width>& step) {
     begin_passes(step);
@@ -91,7 +95,7 @@ void solve(Progress<width>& at, const NewtonStep<width>& step) {
     }
 }
 
-/// The rows are at the end of a solved step from now on.
+/// Takes the rows to the end of the part that has been solved.
 template <unsigned width>
 void take_end(Progress<width>& at, const NewtonStep<width>& step) {
     using T = typename AllLanes<width>::T;
@@ -114,7 +118,7 @@ void take_end(Progress<width>& at, const NewtonStep<width>& step) {
     set_spins(step.figures);
 }
 
-/// f, N and N m: what joints pushed with in the last step.
+/// NewtonRow::f, as forces, N and N m: what joints pushed with in the last step.
 template <unsigned width>
 void recall_forces(const Progress<width>& at) {
     using T = typename AllLanes<width>::T;
@@ -131,7 +135,7 @@ void recall_forces(const Progress<width>& at) {
         write(at.figures.all, at.figures[row_i].j, Vec3<T>{});
     }
 }
-/// Impulses of a step of so many seconds, or forces again.
+/// NewtonRow::f from forces to impulses, and back.
 template <unsigned width>
 void scale_impulses(const Progress<width>& at, scalar s) {
     using T = typename AllLanes<width>::T;

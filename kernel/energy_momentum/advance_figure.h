@@ -7,14 +7,14 @@
 namespace ingot { inline namespace INGOT_ABI {
 
 struct FigureAdvance {
-    bool solved;   ///< rows hold the end of the step; else nothing of them counts
-    int passes;
+    bool solved;  ///< rows hold the end of the step; else nothing in them counts
+    int passes;   ///< of all parts
     int halvings_to_begin_with;  ///< of the next step
 };
 
-/// A try of the step in parts, 2^halvings. view.groups holds one group, loaded. was_seen: bodies are where the last such step left them.
-/// Gives of each figure what has become of it: not solved, if its passes found no end, or it turned too far in a part of which there could be more.
-/// Bound: passes, 2^halvings times limits::newton_steep_passes_max, five times that for order 4.
+/// Tries the step in 2^halvings parts. view.groups holds one group, loaded. was_seen: bodies are where their last such step left them.
+/// A figure is not solved if its passes found no end, or if it turned by more than limits::newton_turn in a part and more halvings are allowed.
+/// Bound: 2^halvings times limits::newton_steep_passes_max passes, five times that for order 4.
 template <unsigned width>
 void advance_figures(FigureView& view, const EnergyMomentumView& scheme, bool was_seen, int halvings, FigureAdvance (&advances)[width]);
 

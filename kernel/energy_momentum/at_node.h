@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rows of a body in a step, and what they say.
+// A body of a figure in a step: its rows, and what follows from them.
 #pragma once
 
 #include "../math/sqrt.h"
@@ -11,15 +11,15 @@
 namespace ingot { inline namespace INGOT_ABI {
 
 template <class T>
-INGOT_INLINE Vec3<T> half_of_sum(const Vec3<T>& a, const Vec3<T>& b) {
+INGOT_INLINE Vec3<T> mean_of(const Vec3<T>& a, const Vec3<T>& b) {
     return (a + b) * splat<T>(scalar(0.5));
 }
 template <class T>
-INGOT_INLINE T size_of(const Vec3<T>& a) {
+INGOT_INLINE T length_of(const Vec3<T>& a) {
     return sqrt(length_sq(a));
 }
 
-/// Rows of a body, and what they say.
+/// Arms and places at the begin, at the end (_1) and in the mean of the step; q: see NewtonRow.
 template <unsigned width_of_rows>
 struct AtNode {
     static constexpr unsigned width = width_of_rows;
@@ -41,12 +41,13 @@ struct AtNode {
     AtNode parent() const { return {step, node.parent}; }
 
     T M() const { return all.get(row.M); }
+    /// From the centre of mass to q.
     Vec3<T> own_arm() const { return -read(all, row.c); }
     Vec3<T> s_1() const { return read(all, newton.s_1); }
     Vec3<T> e_1() const { return read(all, newton.e_1); }
-    Vec3<T> mean_own_arm() const { return half_of_sum(own_arm(), s_1()); }
-    Vec3<T> mean_arm_of_parent() const { return half_of_sum(read(all, newton.e_0), e_1()); }
-    /// From the parent's q to where the joint acts on the parent.
+    Vec3<T> mean_own_arm() const { return mean_of(own_arm(), s_1()); }
+    Vec3<T> mean_arm_of_parent() const { return mean_of(read(all, newton.e_0), e_1()); }
+    /// From the parent's q to where the joint acts on the parent: at the end, and in the mean.
     Vec3<T> end_from(const AtNode& of_parent) const { return e_1() - of_parent.s_1(); }
     Vec3<T> mean_from(const AtNode& of_parent) const { return mean_arm_of_parent() - of_parent.mean_own_arm(); }
 
@@ -61,12 +62,11 @@ struct AtNode {
         write(all, newton.N[2], N.C);
         write(all, newton.N[3], N.D);
     }
-    /// Adds to what is kept.
     template <class Value, class Kept>
     void add(Kept& kept, const Value& value) const {
         write(all, kept, read(all, kept) + value);
     }
-    void add_size(scalar (&kept)[width], T value) const { all.put(kept, all.get(kept) + value); }
+    void add(scalar (&kept)[width], T value) const { all.put(kept, all.get(kept) + value); }
 };
 
 /// L at the end: R (2/h I_0 theta - L). Needs: turn.

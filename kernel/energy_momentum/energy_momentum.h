@@ -13,7 +13,7 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// What becomes of the energy of a snap, as of a slack chain that is pulled taut: of motion that joints do not allow.
+/// What becomes of the energy of a snap, as when a slack chain is pulled taut: that of the motion which the joints do not allow.
 enum class Snap : uint8_t {
     keep,  ///< it goes back to all that the joints do allow, as if nothing had been lost: energy stays to rounding
     lose,  ///< it is gone, as if it had become heat and sound: energy never grows
@@ -24,13 +24,13 @@ struct ArticulatedSubsteps {
     static constexpr bool is_implicit = false;
 };
 
-/// Figures that touch nothing move by the energy-momentum step; others, in scenes with contacts, by the substeps of their contacts, and so do figures
-/// that close loops. For chains, tops and pendulums whose way matters; what spins fast, or snaps, is cut into up to eight steps.
+/// Figures that touch nothing move by the energy-momentum step; those that touch something, and those that close loops, by substeps. For chains, tops
+/// and pendulums whose way matters; the step of a figure that spins fast, or snaps, is cut into up to eight.
 ///
 /// order: 2, or 4: five steps for one, of which the third goes back in time (Suzuki 1990). For smooth motion in double, at 30 to 120 Hz.
-/// Cost:  two to four passes a step, of about 700 flops a ball joint; of order 4 five times that. A step of which passes find no end is cut, into
-///        eighths at most; after that the substeps take the figure: see StepReport::figures. Figures of one form that were added one after the other
-///        go side by side, a lane each.
+/// Cost:  two to four passes a step, of about 700 flops a ball joint; of order 4 five times that. A step whose passes do not settle is cut, into
+///        eighths at most; then the substeps take the figure: see StepReport::figures. Figures of one form that were added one after the other go
+///        side by side, a lane each.
 template <Snap snap_of_scene = Snap::keep, int order_of_scene = 2>
 struct EnergyMomentum {
     static_assert(order_of_scene == 2 || order_of_scene == 4,

@@ -10,6 +10,7 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
+/// What is known as the step begins, and where the body would be without its joints.
 template <unsigned width, class T = typename AllLanes<width>::T>
 void guess_row(const AtNode<width>& at) {
     NewtonRow<width>& newton = at.newton;
@@ -37,7 +38,7 @@ void guess_row(const AtNode<width>& at) {
     write(at.all, newton.e_0, e_0);
 }
 
-/// How its own inertia, and forces that act on it now, answer a turn of the end.
+/// The balances of the body alone, and how that of its spin answers a turn of the end.
 template <unsigned width, class T = typename AllLanes<width>::T>
 void begin_body(const AtNode<width>& at) {
     NewtonRow<width>& newton = at.newton;
@@ -70,8 +71,8 @@ INGOT_INLINE Vec3<T> change_of_cross(const Turned<T>& a, const Turned<T>& b) {
     return cross(a.change, b.end()) + cross(a.start, b.change);
 }
 
-/// What a joint lacks at the end beyond what it lacks now, which is a rounding of places: of changes alone, so that it has all their digits. `apart`:
-/// of its sides.
+/// How much further off a joint would be at the end than at the begin, where it is off by a rounding of places. It is a sum of changes alone, so it
+/// has all of their digits. apart: m, by how much its sides part.
 template <unsigned width, class T = typename AllLanes<width>::T>
 Spatial<T> change_of_back(const AtNode<width>& at, const Vec3<T>& apart, const Mat3<T>& own_turn, const Mat3<T>& turn_of_parent) {
     const auto own = [&](const Vec3<T>& of) { return Turned<T>{of, own_turn * of}; };
@@ -99,25 +100,25 @@ Spatial<T> change_of_back(const AtNode<width>& at, const Vec3<T>& apart, const M
     return back;
 }
 
-/// What a joint gives goes to both bodies, and its arms turn as they do.
+/// What a joint gives enters the balances of both bodies; as its arms turn with them, it gives another moment: N.
 template <unsigned width, class T = typename AllLanes<width>::T>
 void give_to_sides(const AtNode<width>& at) {
     NewtonRow<width>& newton = at.newton;
     const Spatial<T> f = read(at.all, newton.f);
-    const T load = size_of(f.v), moment = size_of(f.w), half = splat<T>(scalar(0.5));
-    at.add_size(newton.load, load);
-    at.add_size(newton.moment, moment + load * size_of(at.s_1()));
+    const T load = length_of(f.v), moment = length_of(f.w), half = splat<T>(scalar(0.5));
+    at.add(newton.load, load);
+    at.add(newton.moment, moment + load * length_of(at.s_1()));
     write(at.all, newton.lack, read(at.all, newton.lack) - impulse_from(f, at.mean_own_arm()));
     write(at.all, newton.N[0], read(at.all, newton.N[0]) - tilde_tilde(f.v, at.s_1()) * half);
     if (!at.has_parent()) return;
     const AtNode<width> parent = at.parent();
-    parent.add_size(parent.newton.load, load);
-    parent.add_size(parent.newton.moment, moment + load * size_of(at.e_1()));
+    parent.add(parent.newton.load, load);
+    parent.add(parent.newton.moment, moment + load * length_of(at.e_1()));
     parent.add(parent.newton.lack, impulse_from(f, at.mean_arm_of_parent()));
     parent.add(parent.newton.N[0], tilde_tilde(f.v, at.e_1()) * half);
 }
 
-/// Both sides of a joint at the end.
+/// Both sides of a joint at the end, and what it does there.
 template <unsigned width, class T = typename AllLanes<width>::T>
 void end_joint(const AtNode<width>& at) {
     NewtonRow<width>& newton = at.newton;
@@ -138,18 +139,18 @@ void end_joint(const AtNode<width>& at) {
     give_to_sides(at);
 }
 
-/// The square of the largest of: what balances lack, as a share of what is in them; gaps, as a share of the size of a body; rad.
+/// The square of the largest of: what balances are off by, as a share of what is in them; gaps, as a share of the size of the body; angles, rad.
 template <unsigned width, class T = typename AllLanes<width>::T>
 T misfit_of(const AtNode<width>& at) {
     const NewtonRow<width>& newton = at.newton;
     const Vec3<T> I = read(at.all, at.row.I_body);
     const T M = at.M(), rate = splat<T>(1 / abs(at.step.h)), size_sq = max(I.x, max(I.y, I.z)) / M + length_sq(read(at.all, at.row.c));
-    // The least is what roundings of dr and theta make, of a body at rest.
+    // What is in a balance is no less than what roundings of dr and theta make of a body at rest.
     const T least = M * size_sq * rate * splat<T>(epsilon);
-    const T going = M * rate * size_of(read(at.all, newton.dr));
-    const T momentum = at.all.get(newton.load) + size_of(read(at.all, newton.kick)) + going + least / sqrt(size_sq);
-    const T turning = size_of(read(at.all, newton.I_0) * read(at.all, newton.theta)) * rate;
-    const T spin = at.all.get(newton.moment) + size_of(read(at.all, newton.spin)) + turning + least;
+    const T going = M * rate * length_of(read(at.all, newton.dr));
+    const T momentum = at.all.get(newton.load) + length_of(read(at.all, newton.kick)) + going + least / sqrt(size_sq);
+    const T turning = length_of(read(at.all, newton.I_0) * read(at.all, newton.theta)) * rate;
+    const T spin = at.all.get(newton.moment) + length_of(read(at.all, newton.spin)) + turning + least;
     const Spatial<T> lack = read(at.all, newton.lack), back = read(at.all, newton.back);
     const T misfit = max(length_sq(lack.v) / (momentum * momentum), length_sq(lack.w) / (spin * spin));
     if (!at.has_joint()) return misfit;

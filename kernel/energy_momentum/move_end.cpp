@@ -13,13 +13,13 @@ template <class T>
 INGOT_INLINE Vec3<T> change_of_theta(const Vec3<T>& theta, const Vec3<T>& phi) {
     return phi - cross(theta, phi) * splat<T>(scalar(0.5)) + theta * (dot(theta, phi) * splat<T>(scalar(0.25)));
 }
-/// k, of which k . (change of theta) is spoken, as it is of a turn of the end.
+/// The other way: k' . phi is k . (change of theta).
 template <class T>
 INGOT_INLINE Vec3<T> seen_from_end(const Vec3<T>& theta, const Vec3<T>& k) {
     return k + cross(theta, k) * splat<T>(scalar(0.5)) + theta * (dot(theta, k) * splat<T>(scalar(0.25)));
 }
 
-/// From the centre of mass to q, where a body with nothing on it has the mass alone off its diagonal.
+/// Takes the balance of a body, and how it answers a change of the end, from the centre of mass to q.
 template <unsigned width, class T = typename AllLanes<width>::T>
 void move_to_joint(const AtNode<width>& at) {
     const T m = at.M() * splat<T>(2 / at.step.h), zero{};
@@ -29,14 +29,14 @@ void move_to_joint(const AtNode<width>& at) {
     write(at.all, at.newton.lack, impulse_from(read(at.all, at.newton.lack), -mean));
 }
 
-/// A free direction: S of changes at the end, W of balances in the mean. `turned`: of what W turns with, the row that this adds; with the child, or
-/// with the parent.
+/// A direction in which a joint is free.
 template <class T>
 struct FreeDirection {
-    Spatial<T> S, W;
-    Vec3<T> by_child, by_parent;
+    Spatial<T> S;                 ///< of changes at the end
+    Spatial<T> W;                 ///< of balances in the mean of the step: W . f = 0
+    Vec3<T> by_child, by_parent;  ///< what a turn of either body adds to W . f, because W turns with it
 };
-/// Of a joint that is no ball: returns how many.
+/// Of a joint that is no ball. Returns how many there are.
 template <unsigned width, class T = typename AllLanes<width>::T>
 int free_directions_of(const AtNode<width>& at, FreeDirection<T> (&free)[2]) {
     const T half = splat<T>(scalar(0.5));
@@ -44,7 +44,7 @@ int free_directions_of(const AtNode<width>& at, FreeDirection<T> (&free)[2]) {
     const Vec3<T> n_of_parent = read(at.all, at.newton.axis_of_parent_1);
     const Spatial<T> f = read(at.all, at.newton.f);
     const auto about = [&](const Vec3<T>& end, const Vec3<T>& start) {
-        return FreeDirection<T>{{end, none}, {half_of_sum(start, end), none}, none, none};
+        return FreeDirection<T>{{end, none}, {mean_of(start, end), none}, none, none};
     };
     switch (at.node.kind) {
         case JointKind::hinge:
@@ -52,7 +52,7 @@ int free_directions_of(const AtNode<width>& at, FreeDirection<T> (&free)[2]) {
             free[0].by_child = cross(n, f.w) * half;
             return 1;
         case JointKind::slider: {
-            // Neither along the axis nor along its mean, but so that no force across it does work as the body slides and turns at once.
+            // W is neither the axis at an end nor their mean: along it no force does work as the body slides and turns at once.
             const Vec3<T> theta = read(at.all, at.newton.theta);
             free[0] = {{none, n}, {none, n_0 + cross(theta, n_0) * half}, seen_from_end(theta, cross(n_0, f.v)) * half, none};
             return 1;
@@ -81,7 +81,7 @@ void invert(T (&D)[2][2], int count) {
     D[1][0] = -D[1][0] * s;
 }
 
-/// Takes the free turns of a ball out: what is left is between forces and shifts alone.
+/// Takes the free turns of a ball out, and those of a root that floats: what is left is between forces and shifts.
 template <unsigned width, class T = typename AllLanes<width>::T>
 void eliminate_ball(const AtNode<width>& at) {
     Tangent<T> N = at.N();
@@ -95,6 +95,7 @@ void eliminate_ball(const AtNode<width>& at) {
     write(at.all, at.newton.N[3], N.D);
     write(at.all, at.newton.lack, lack);
 }
+/// Adds what is left of a body on a ball to its parent.
 template <unsigned width, class T = typename AllLanes<width>::T>
 void send_of_ball(const AtNode<width>& at, const AtNode<width>& parent) {
     const Vec3<T> end = at.end_from(parent), mean = at.mean_from(parent);
@@ -105,7 +106,7 @@ void send_of_ball(const AtNode<width>& at, const AtNode<width>& parent) {
     parent.add(parent.newton.lack, Spatial<T>{cross(mean, sent), sent});
 }
 
-/// What its parent has of a joint that is no ball; free: its first direction.
+/// The same of a body on another joint. free: its first direction.
 template <unsigned width, class T = typename AllLanes<width>::T>
 void send_of_free(const AtNode<width>& at, const AtNode<width>& parent, Tangent<T> sent, Spatial<T> lack, const FreeDirection<T>& free) {
     const Spatial<T> back = read(at.all, at.newton.back);
@@ -122,7 +123,7 @@ void send_of_free(const AtNode<width>& at, const AtNode<width>& parent, Tangent<
     parent.add(parent.newton.lack, impulse_from(lack + sent * back, mean));
 }
 
-/// Takes the free directions of any other joint out, and hands on what they do to the parent.
+/// Takes the free directions of any other joint out, and adds what is left to the parent.
 template <unsigned width, class T = typename AllLanes<width>::T>
 void eliminate_free(const AtNode<width>& at) {
     NewtonRow<width>& newton = at.newton;
@@ -168,7 +169,8 @@ void eliminate_row(const AtNode<width>& at) {
     if (at.has_parent()) send_of_ball(at, at.parent());
 }
 
-/// Its change, taken at q, which replaces what it lacked of its joint, and is taken where `moves`. of_parent: that of its parent, at q.
+/// The change of a body, at q: it goes into `back`, for what hangs on the body, and in lanes that move into the end. of_parent: the change of its
+/// parent, taken at q.
 template <unsigned width, class Mask, class T = typename AllLanes<width>::T>
 void move_row(const AtNode<width>& at, const Spatial<T>& of_parent, Mask moves) {
     NewtonRow<width>& newton = at.newton;

@@ -15,8 +15,9 @@ namespace {
 
 bool has_bit(const uint16_t* of_tiles, Place at) { return (of_tiles[at.tile] >> at.lane & 1u) != 0; }
 
-/// Numbers of the motion of a figure as one, by all their bits.
-class Seen {
+/// A hash of the motion of a figure: FNV-1a, a word at a time. One world compares its own, so the order of bytes does not matter, and a fourth of the
+/// multiplications of state_hash do. A change of one word changes it; of other changes one in 2^32 is missed.
+class MotionHash {
 public:
     void operator()(const Vector& v) {
         (*this)(v.x);
@@ -28,6 +29,7 @@ public:
         (*this)(A.c1);
         (*this)(A.c2);
     }
+    /// Never 0: see FigureMemory::seen.
     uint32_t number() const { return number_ == 0 ? 1 : number_; }
 
 private:
@@ -40,6 +42,7 @@ private:
     uint32_t number_ = 0x811c9dc5u;
 };
 
+/// The figures of a step: each is tried in as few parts as may do, those of one form together, and again in twice as many where it finds no end.
 class FreeFigures {
 public:
     FreeFigures(FigureView& of_view, const EnergyMomentumView& of_scheme, StepReport& of_step)
@@ -58,9 +61,10 @@ private:
     const EnergyMomentumView& scheme_;
     StepReport& report_;
 
-    /// Figure::doublings of those that begin with so many halvings, which go side by side; and of those that have been moved, or are left.
+    /// Figure::doublings of those to be tried now, by which group_figures finds them. was_seen: they are where their last step by this scheme left
+    /// them.
     static int key_of(int halvings, bool was_seen) { return 2 * halvings + (was_seen ? 1 : 0); }
-    static constexpr uint8_t no_key = 255;
+    static constexpr uint8_t no_key = 255;  ///< of those that have been moved, or are left to the substeps
 
     FigureMemory& memory_of(const Figure& figure) const { return scheme_.of_body[view_.nodes[figure.first_node].slot]; }
 
@@ -83,7 +87,7 @@ private:
         for_bodies(figure, [&](const FigureNode& node) { some = some || has_bit(scheme_.touching, place_of(node.slot)); });
         return some;
     }
-    /// Each of its joints is the way from a body to its parent, and of a kind that passes know.
+    /// All of its joints are of the tree, and of kinds that the passes know.
     bool is_tree(const Figure& figure) const {
         bool tree = true;
         for_bodies(figure, [&](const FigureNode& node) {
@@ -99,14 +103,14 @@ private:
         const FigureNode& node = view_.nodes[view_.node_of[slot]];
         return node.slot == slot && node.joint == joint_i;
     }
-    /// Ground that moves is another in every step.
+    /// Ground that moves is elsewhere in every step.
     bool is_at_rest(Index ground) const {
         if (ground == no_body) return true;
         const Place at = place_of(ground);
         const Vector v = lane_of(view_.bodies.translation[at.tile].v_CM, at.lane), L = lane_of(view_.bodies.rotation[at.tile].L, at.lane);
         return length_sq(v) + length_sq(L) == 0;
     }
-    /// So many that no body turns further than limits::newton_turn in a part of the step, if that can be.
+    /// As many as keep the turn of each body in a part of the step within limits::newton_turn, if the most there are do.
     int halvings_for_turns(const Figure& figure) const {
         scalar most = 0;
         for_bodies(figure, [&](const FigureNode& node) { most = max(most, length_sq(omega_of(view_.bodies, node.slot))); });
@@ -117,19 +121,19 @@ private:
         return halvings;
     }
     uint32_t seen(const Figure& figure) const {
-        Seen bits;
+        MotionHash hash;
         const auto add = [&](Index slot) {
             const Place at = place_of(slot);
             const RotationTile& rotation = view_.bodies.rotation[at.tile];
             const TranslationTile& translation = view_.bodies.translation[at.tile];
-            bits(lane_of(translation.r_CM, at.lane));
-            bits(lane_of(translation.v_CM, at.lane));
-            bits(lane_of(rotation.A, at.lane));
-            bits(lane_of(rotation.L, at.lane));
+            hash(lane_of(translation.r_CM, at.lane));
+            hash(lane_of(translation.v_CM, at.lane));
+            hash(lane_of(rotation.A, at.lane));
+            hash(lane_of(rotation.L, at.lane));
         };
         for_bodies(figure, [&](const FigureNode& node) { add(node.slot); });
         if (figure.ground != no_body) add(figure.ground);
-        return bits.number();
+        return hash.number();
     }
 
     void try_all(int halvings, bool was_seen) {
@@ -155,7 +159,7 @@ private:
         for (int lane_i = 0; lane_i < rows.lane_count; ++lane_i)
             if (advances[lane_i].solved) keep(rows, lane_i);
     }
-    /// As the substeps have them.
+    /// Joints show the impulses of a substep, whoever has moved them.
     template <unsigned width>
     void write_impulses(const FigureRows<width>& rows) const {
         const auto share = splat<typename AllLanes<width>::T>(1 / static_cast<scalar>(scheme_.substeps));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Numbers of six without symmetry: what a small change (w, v) of the end of a step does to the balance of (moment, force) over it.
+// 6x6 matrices without symmetry: what a small change (w, v) of the end of a step does to the balances (moment, force) of the step.
 //
-// Changes are taken where things are at the end of the step, balances at the mean of both ends. So a matrix is moved from a point to another by two
-// arms: `end` for its columns, `mean` for its rows.
+// Changes are taken at the end of the step, balances at the mean of its begin and end. So a matrix is taken from one point to another by two arms:
+// `end` for its columns, `mean` for its rows.
 #pragma once
 
 #include "../figure/spatial.h"
@@ -53,14 +53,14 @@ template <class T>
 INGOT_INLINE Tangent<T> minus_outer(const Tangent<T>& N, const Spatial<T>& a, const Spatial<T>& k) {
     return {plus_outer(N.A, -a.w, k.w), plus_outer(N.B, -a.w, k.v), plus_outer(N.C, -a.v, k.w), plus_outer(N.D, -a.v, k.v)};
 }
-/// Of a point that is `end` further at the end of the step and `mean` further in the mean, as it is here.
+/// As it is here, of a point that is further by `end` at the end of the step and by `mean` in the mean.
 template <class T>
 INGOT_INLINE Tangent<T> tangent_from(const Tangent<T>& N, const Vec3<T>& end, const Vec3<T>& mean) {
     const Mat3<T> A = N.A - times_tilde(N.B, end), C = N.C - times_tilde(N.D, end);
     return {A + cross(mean, C), N.B + cross(mean, N.D), C, N.D};
 }
 
-/// A matrix of three with its factors L U, rows in the order of their pivots: the largest first.
+/// A 3x3 matrix by its factors L U, with the largest of a column as its pivot.
 template <class T>
 class Factored3 {
 public:

@@ -8,7 +8,7 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
-/// Of the one rather than of the other there is no room.
+/// Whether a is dropped rather than b where there is room for one.
 bool gives_way(const BodyView* bodies, const Contact& a, const Contact& b) {
     const auto on_fixed = [bodies](const Contact& c) {
         return bodies != nullptr && (!is_dynamic(*bodies, c.body_A) || !is_dynamic(*bodies, c.body_B));
@@ -16,9 +16,9 @@ bool gives_way(const BodyView* bodies, const Contact& a, const Contact& b) {
     return on_fixed(a) == on_fixed(b) ? a.separation > b.separation : on_fixed(b);
 }
 
-/// Where impulses are read, one that was given along another normal is told by itself.
+/// Whether a contact that is found again is a new one: where impulses are read, those along another normal are told apart.
 bool is_told_apart(const ContactView& contacts, const Contact& c, const Vector& n) {
-    constexpr scalar rounding = 16 * epsilon;
+    constexpr scalar rounding = 16 * epsilon;  // of n
     return contacts.places != nullptr && *contacts.count < contacts.capacity && c.j_total > 0 && length_sq(c.n - n) > rounding * rounding;
 }
 
@@ -106,7 +106,7 @@ struct Gap {
 scalar when_met(const Gap& gap, scalar touch, scalar still, const ContactSink& sink, scalar rest) {
     const bool touches = gap.s <= touch;
     if (touches && gap.u <= still && (gap.s <= 0 || !(gap.u < -sink.slow))) return 0;
-    const scalar never = touches && gap.u > 0 ? scalar(0) : limits::unbounded;  // what touches is told of
+    const scalar never = touches && gap.u > 0 ? scalar(0) : limits::unbounded;  // what touches is a contact, even if it leaves
     const scalar s = max(gap.s, scalar(0)), root_sq = gap.u * gap.u - 2 * gap.a * s;  // what is too deep comes back to where it is
     if (root_sq < 0 || (gap.u >= 0 && gap.a >= 0)) return never;
     const scalar root = sqrt(root_sq), t = gap.u < 0 ? 2 * s / (root - gap.u) : (gap.u + root) / -gap.a;  // the form that loses no digits
@@ -118,7 +118,7 @@ scalar when_met(const Gap& gap, scalar touch, scalar still, const ContactSink& s
 void collide_sphere_sphere(const Placed& A, const Placed& B, ContactSink& sink) {
     const Vector way = A.r_CM - B.r_CM, v = A.v - B.v, a = A.a - B.a;
     const scalar reach = A.shape.size.x + B.shape.size.x, inv_reach = 1 / reach;
-    // Half of what the square of the distance exceeds that of the reach by: a gap near the impact, and without forces a parabola all the way.
+    // (distance^2 - reach^2) / (2 reach): near the impact the distance of the surfaces, and without forces a parabola all the way.
     const Gap gap = {(length_sq(way) * inv_reach - reach) / 2, dot(way, v) * inv_reach, (length_sq(v) + dot(way, a)) * inv_reach};
     scalar t = when_met(gap, limits::flatness * reach, sink.still, sink, sink.rest);
     if (!(t < limits::unbounded)) return;
@@ -127,7 +127,7 @@ void collide_sphere_sphere(const Placed& A, const Placed& B, ContactSink& sink) 
         const scalar distance = sqrt(length_sq(d)), s = distance - reach;
         const Vector n = distance > epsilon * reach ? d * (1 / distance) : Vector{1, 0, 0};
         const scalar u = dot(n, v + a * t);
-        // With forces Newton's method makes it right; three figures are right already.
+        // Forces bend it: Newton's method finds the time, of which three digits are right already.
         if (!(t > 0) || !(u < 0) || pass_i == limits::meeting_passes) return sink.add(sink.find(n, 0), n, {}, {}, s, t, 0);
         t = min(max(t - s / u, scalar(0)), sink.rest);
     }
@@ -142,7 +142,7 @@ void collide_sphere_half_space(const Placed& A, const Placed& B, ContactSink& si
 
 namespace {
 
-/// A corner of a box on its way, from the centre: c + omega x c t + omega x (omega x c) t^2 / 2. So it has gone since the step began.
+/// A corner of a box on its way, seen from the centre: c + omega x c t + omega x (omega x c) t^2 / 2, as since the step began.
 struct BoxCorner {
     Vector c, rate, bend;
 
@@ -182,8 +182,8 @@ void collide_box_half_space(const Placed& A, const Placed& B, ContactSink& sink)
     if (!(first < limits::unbounded)) return;
     for (const Gap& gap : gaps) deepest = min(deepest, gap.at(first));
 
-    // All corners as deep as the deepest but for the margin come together, so no rounding parts them, and so do those that follow at once: a box that
-    // falls flat does not begin to turn. Others are found after the impact of the first, or here, where these only touch.
+    // Corners as deep as the deepest but for the margin come together, and so do those that follow at once. So no rounding parts them, and a box that
+    // falls flat does not begin to turn. Later ones are found after the impact of the first; or here, if the first touches already.
     const scalar least = deepest > 0 ? deepest + margin : margin;
     for (int corner_i = 0; corner_i < 8; ++corner_i) {
         const Gap& gap = gaps[corner_i];

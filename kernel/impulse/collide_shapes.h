@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tests of pairs of shapes. Each adds the points where A and B overlap or touch, with n from B to A.
+// Tests of pairs of shapes. Each adds the points where A and B overlap, touch, or meet in the rest of the step, with n from B to A.
 #pragma once
 
 #include "../body/body_tiles.h"
@@ -8,7 +8,7 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// A shape, where it is, and how it flies from there: on a parabola. Of a box omega turns the corners.
+/// A shape, where it is, and how it flies on: on a parabola. The corners of a box turn by omega.
 struct Placed {
     Shape shape;
     Vector r_CM;
@@ -30,7 +30,7 @@ struct ContactPlace {
     scalar tolerance;  ///< m/s, of what there is of the pair
 };
 
-/// m/s; corners that a force with this acceleration, m s^-2, brings back within the time `together`, s, have not left. Else what a solve leaves of
+/// m/s; corners that leave no faster have not left, as this acceleration, m s^-2, brings them back within `together`, s. Else what a solve leaves of
 /// their speeds would make a tall box rock.
 INGOT_INLINE scalar corners_still(scalar acceleration, scalar together) { return -acceleration * together / 2; }
 
@@ -43,21 +43,21 @@ struct ContactSink {
     const BodyView* bodies = nullptr;  ///< who cannot move; null: depth alone counts
     scalar now = 0;                    ///< s, from the begin of the step to where the shapes are
     scalar rest = 0;                   ///< s, of the step from there
-    scalar slow = scalar_max;          ///< m/s; what touches and approaches no faster has met already, and so has what leaves no faster than
-    scalar still = scalar_max;         ///< m/s, this
-    scalar together = 0;               ///< s; corners of a box that come no later after the first come with it, and stay if they are back by then
+    scalar slow = scalar_max;          ///< m/s; what touches and approaches no faster has met already
+    scalar still = scalar_max;         ///< m/s; what touches and leaves no faster has met already
+    scalar together = 0;               ///< s; corners of a box that come no later after the first come with it: see corners_still too
     bool is_again = false;             ///< some of its contacts may be there already
 
-    /// Of a corner of the two bodies, found again; else behind their others, or beyond the last.
+    /// The place of the contact of this corner, if it is there; else behind the others of the two bodies, or behind all.
     ContactPlace find(const Vector& n, int corner) const;
-    /// A contact of a pair that has others stands behind them.
+    /// Moves the contacts from a place on, for one more of a pair that has others.
     void make_room(int index) const;
     /// when: s from `now`.
     void add(ContactPlace place, const Vector& n, const Vector& lever_A, const Vector& lever_B, scalar separation, scalar when, int corner);
 };
 
-/// They meet where they touch already, or within the rest of the step: then the contact is as it will be. What touches and is fast meets when it is
-/// all the way there; what leaves, when it comes back.
+/// The contact of two that touch, or that meet within the rest of the step; then it is as it will be. What touches and is fast meets once the gap is
+/// closed; what leaves meets when it comes back.
 /// Centres at one place, to the rounding of the radii, have no normal: the x axis of the world is taken.
 void collide_sphere_sphere(const Placed& A, const Placed& B, ContactSink& sink);
 void collide_sphere_half_space(const Placed& A, const Placed& B, ContactSink& sink);

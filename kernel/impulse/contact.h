@@ -5,7 +5,7 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// One point where two bodies touch: geometry from find_contacts, the row from contact_rows, its impulse from solve_impacts or
+/// One point where two bodies touch, or meet in the step: geometry from find_contacts, the row from contact_rows, its impulse from solve_impacts or
 /// solve_contact_forces.
 ///
 /// A and B are body slots, n points from B to A. With k = inv_I_world (r x n) and symmetric inertia, n.(omega x r) = L.k:
@@ -17,12 +17,12 @@ struct Contact {
     bool touches : 1;    ///< since `when`; else its bodies are on their way
     bool is_new : 1;     ///< found, and no row yet
     bool at_hand : 1;    ///< it meets in the impact at hand
-    uint8_t corner;      ///< of a box, which; else 0
-    uint8_t impacts;     ///< it has had in this step, at different times
+    uint8_t corner;      ///< of a box: which; else 0
+    uint8_t impacts;     ///< at different times of this step
     Vector n;            ///< unit normal, from B to A
     Vector lever_A;      ///< r_AP x n, m; exactly zero for a sphere, whose normal passes through its centre
     Vector lever_B;      ///< r_BP x n, m
-    scalar separation;   ///< m, when it was found to touch; negative where the shapes overlap
+    scalar separation;   ///< m, as they meet; negative where the shapes overlap
     scalar when;         ///< s, from the begin of the step: of its impact to come, or since when it touches; limits::unbounded: neither
     scalar e;            ///< restitution of the pair
     Vector k_A, k_B;     ///< inv_I_world lever; zero for an immovable body

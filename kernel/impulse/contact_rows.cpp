@@ -63,16 +63,9 @@ void prepare_contact_row(Contact& c, const BodyView& bodies) {
     c.tolerance = c.j = 0;
 }
 
-template <bool sees_kinematic>
-void prepare_contact_rows(const ContactView& contacts, const BodyView& bodies) {
-    // bound: max_contacts
-    for (int contact_i = 0; contact_i < *contacts.count; ++contact_i) prepare_contact_row<sees_kinematic>(contacts.contacts[contact_i], bodies);
-}
 // The linker takes the one that the scene calls.
 template void prepare_contact_row<false>(Contact&, const BodyView&);
 template void prepare_contact_row<true>(Contact&, const BodyView&);
-template void prepare_contact_rows<false>(const ContactView&, const BodyView&);
-template void prepare_contact_rows<true>(const ContactView&, const BodyView&);
 
 int manifold_end(const ContactView& contacts, int first) {
     const Contact& c = contacts.contacts[first];
@@ -159,7 +152,7 @@ void extrapolate(Contact& c, scalar beta, const BodyView& bodies) {
 /// they agreed already. `kept`: visits that contacts after it need in this sweep.
 template <class Left>
 int settle_manifold(Contact* first, int count, scalar slack, const BodyView& bodies, Left& left, int kept) {
-    // bound: 4: contacts of one pair, Manifold::points_max a pair
+    // bound: max_contacts: those of one pair: of a box up to its 8 corners, and where impulses are read a corner may have several
     for (int contact_i = 0; contact_i < count; ++contact_i) first[contact_i].direction = 0;
     scalar size_before = 0, beta = 0;
     for (int sweep_i = 1; sweep_i <= limits::contact_sweeps_max && (sweep_i == 1 ? left.take(count) : left.take_spare(count, kept)); ++sweep_i) {
@@ -185,7 +178,7 @@ int settle_manifold(Contact* first, int count, scalar slack, const BodyView& bod
 
 template <class Left>
 SweepOutcome solve_active_contacts(const ContactView& contacts, const BodyView& bodies, Left& left) {
-    for (int contact_i = 0; contact_i < *contacts.count; ++contact_i) contacts.contacts[contact_i].j = 0;
+    for (int contact_i = 0; contact_i < *contacts.count; ++contact_i) contacts.contacts[contact_i].j = 0;  // bound: max_contacts
     int sweeps = 0;
     for (int sweep_i = 0; sweep_i < limits::contact_sweeps_max && left.some(); ++sweep_i) {
         // Rows that rounding keeps from the last digit are taken as they are.

@@ -14,12 +14,9 @@ struct NormalSpeed {
     scalar magnitude;
 };
 
-/// Fills k_A, k_B and inv_K = 1 / (n.n (inv_M_A + inv_M_B) + k_A.lever_A + k_B.lever_B) (Hecker 1997, Fig. 4) of all contacts.
+/// Fills k_A, k_B and inv_K = 1 / (n.n (inv_M_A + inv_M_B) + k_A.lever_A + k_B.lever_B) (Hecker 1997, Fig. 4).
 /// n.n stands for the rounding of n: with it an elastic impact keeps the energy whatever the last bit of n.
 /// sees_kinematic: of a kinematic body, whose tiles show L = -omega, the row reads omega.lever by k = -lever; it takes no impulse.
-template <bool sees_kinematic = false>
-void prepare_contact_rows(const ContactView& contacts, const BodyView& bodies);
-/// The same of one contact.
 template <bool sees_kinematic>
 void prepare_contact_row(Contact& contact, const BodyView& bodies);
 
@@ -41,7 +38,7 @@ NormalSpeed normal_speed(const Contact& contact, const BodyMotionNow& A, const B
 /// is marked bad, and the answer is false.
 bool apply_impulse(const Contact& contact, scalar j, const BodyView& bodies);
 
-/// An impulse of the time t acts from the begin of the step: takes the way back that it made until then.
+/// In the tiles an impulse acts from the begin of the step: takes back the way that one of the time t has made by then. See impact_step.h.
 void take_back(const Contact& contact, scalar j, scalar t, const BodyView& bodies);
 
 struct SweepOutcome {

@@ -20,7 +20,7 @@ void collide_pair(const Placed& A, const Placed& B, ContactSink& sink, StepRepor
     count(report.pairs_untested);
 }
 
-/// Contacts of two slots that touch at the time `now` of the step, or meet after it.
+/// Contacts of two slots that touch at the time `now` of the step, or meet after it. is_again: see ContactSink.
 template <class Shapes>
 void find_contact(const ImpactStep& step, const ContactView& contacts, int slot_A, int slot_B, scalar now, bool is_again, StepReport& report) {
     ContactSink sink = sink_of(step, contacts, slot_A, slot_B, now, is_again, report);
@@ -45,7 +45,6 @@ void find_contacts(const ImpactStep& step, const ContactView& contacts, StepRepo
         for (int slot_B = next_touchable(step.bodies, surfaces, step.ways, slot_A, slot_A + 1); slot_B < surfaces.slot_count;
              slot_B = next_touchable(step.bodies, surfaces, step.ways, slot_A, slot_B + 1))
             find_contact<Shapes>(step, contacts, slot_A, slot_B, 0, false, report);
-    report.contacts = *contacts.count;
 }
 
 } }  // namespace ingot

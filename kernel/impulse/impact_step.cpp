@@ -14,7 +14,7 @@ Ways ways_in(const ImpactStep& step) {
     scalar a_sq = 0, v_sq = 0;
     for (int slot = 0; slot < step.surfaces.slot_count; ++slot) {  // bound: max_bodies
         a_sq = max(a_sq, length_sq(acceleration_in(step, slot)));
-        v_sq = max(v_sq, length_sq(lane_of(step.bodies.translation[place_of(slot).tile].v_CM, place_of(slot).lane)));
+        v_sq = max(v_sq, length_sq(v_CM_of(step.bodies, slot)));
     }
     const scalar fall = sqrt(a_sq) * step.h * step.h;  // of two, half of it each
     return {step.h, fall, 2 * sqrt(v_sq) * step.h + fall};
@@ -22,9 +22,8 @@ Ways ways_in(const ImpactStep& step) {
 
 Placed placed_at(const ImpactStep& step, int slot, scalar t) {
     Placed body = placed(step.bodies, step.surfaces, slot);
-    const Place at = place_of(slot);
     body.a = acceleration_in(step, slot);
-    body.v = lane_of(step.bodies.translation[at.tile].v_CM, at.lane);
+    body.v = v_CM_of(step.bodies, slot);
     body.r_CM += (body.v + body.a * (t / 2)) * t;
     body.v += body.a * t;
     return body;

@@ -25,24 +25,25 @@ struct ImpactStep {
     scalar rest_speed;  ///< m/s; slower impacts are contacts at rest
     Ways ways = {};     ///< within h
 
-    /// m/s; what leaves no faster comes back at once, and rests.
+    /// m/s; what touches and leaves no faster is taken to rest.
     scalar still() const { return rest_speed * limits::still_share; }
 };
 
 /// m s^-2, of a body by forces; 0 of what cannot move.
 Vector acceleration_in(const ImpactStep& step, int slot);
 
+/// ImpactStep::ways. Cost: a look at every body.
 Ways ways_in(const ImpactStep& step);
 
-/// A body at the time t of the step, and how it flies on. A is that of the begin.
+/// A body at the time t of the step, and how it flies on. Its A is that of the begin.
 Placed placed_at(const ImpactStep& step, int slot, scalar t);
-/// The same of one whose turning counts, a box.
+/// The same of one whose turn counts, as of a box.
 Placed turning_at(const ImpactStep& step, int slot, scalar t);
 
-/// Where contacts of two slots are put that are found from the time `now` on. A half space is B. is_again: some may be there already.
+/// Where the contacts of two slots go, found from the time `now` on. A half space is B. is_again: see ContactSink.
 ContactSink sink_of(const ImpactStep& step, const ContactView& contacts, int slot_A, int slot_B, scalar now, bool is_again, StepReport& report);
 
-/// n.(v_AP - v_BP) at a time of the step. Its rounding is that of the speeds that it is a sum of: what is held to rest is a difference of them.
+/// n.(v_AP - v_BP) at a time of the step. Its rounding is that of the speeds it is the sum of, even where they cancel.
 struct SpeedInStep : NormalSpeed {
     scalar change;  ///< m/s, by forces since the begin
 };

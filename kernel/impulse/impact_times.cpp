@@ -20,7 +20,7 @@ bool share_a_body(const BodyView& bodies, const Contact& a, const Contact& b) {
     return is_in_both(a.body_A) || is_in_both(a.body_B);
 }
 
-/// What was to meet at this time and did not, because its body is held elsewhere, is as near as it was: it is held as well.
+/// What was to meet at this time and took no impulse, because its body is held elsewhere, is as near as it was: it is held as well.
 bool misses(const Contact& c) { return c.at_hand && !(c.j_impact > 0); }
 
 void await_impact(const ImpactStep& step, Contact& c, scalar now, StepReport& report) {

@@ -7,7 +7,7 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// After an impact at the time `now` the contacts of a body are others.
+/// Finds the contacts of a body anew, once an impact at the time `now` has changed its way.
 template <class Shapes>
 [[gnu::noinline, gnu::cold]] void look_again(const ImpactStep& step, const ContactView& contacts, int slot, scalar now, StepReport& report) {
     forget_times(contacts, slot);
@@ -25,7 +25,7 @@ template <class Shapes>
 template <class Shapes, bool sees_kinematic, bool reads_places, class Left>
 void follow_impacts(const ImpactStep& step, const ContactView& contacts, Left& left, StepReport& report) {
     scalar now = 0;
-    // bound: limits::impacts_in_step_max max_contacts: each impact counts for one of them, and more
+    // bound: limits::impacts_in_step_max max_contacts: each turn but the last counts in Contact::impacts of one at least
     for (;;) {
         if constexpr (reads_places) note_new_places(step, contacts);
         take_in_new<sees_kinematic>(step, contacts, now, report);

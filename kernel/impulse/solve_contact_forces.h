@@ -8,8 +8,8 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// Adds the forces with which touching bodies hold each other up during the step: after them no contact approaches. What touches since later in the
-/// step is where it would be if they had begun then.
+/// Adds the forces with which touching bodies hold each other up during the step: after them no contact approaches. Bodies that touch only since a
+/// time within the step get to where forces from then on would take them.
 ///
 /// Comes after integrate_v and integrate_L. The impulses found change v_CM and L, and enter F_T and tau_T divided by h, so
 /// that integrate_r and the rotation take them for what they are: forces that acted all step long.

@@ -19,7 +19,7 @@ struct Wave {
     int begin_pair(Contact* first, int count, bool bounce) const {
         int approaching = 0;
         scalar fastest = 0;
-        // bound: 4: contacts of one pair, Manifold::points_max a pair
+        // bound: max_contacts: those of one pair
         for (int contact_i = 0; contact_i < count; ++contact_i) {
             Contact& c = first[contact_i];
             c.active = false;
@@ -27,8 +27,8 @@ struct Wave {
             const SpeedInStep speed = speed_at(step, c, now);
             c.tolerance = tolerance_of(c, speed);
             c.active = speed.u < -c.tolerance;
-            c.target = -speed.change;  // at rest then, as of the begin of the step
-            c.change = -c.e * speed.u;
+            c.target = -speed.change;  // at the begin of the step, of what is to be at rest now
+            c.change = -c.e * speed.u;  // kept here until the pair is known to bounce
             approaching += c.active ? 1 : 0;
             fastest = -speed.u > fastest ? -speed.u : fastest;
         }

@@ -25,7 +25,6 @@ INGOT_INLINE constexpr uint16_t bits(bool m) { return m ? 1 : 0; }
 
 using lane = scalar;
 using mask = bool;
-inline constexpr bool lane_is_scalar = true;
 
 INGOT_INLINE lane load(const scalar* from) { return *from; }
 INGOT_INLINE void store(scalar* to, lane value) { *to = value; }
@@ -35,7 +34,6 @@ INGOT_INLINE mask mask_from_bits(uint16_t b) { return (b & 1u) != 0; }
 
 typedef scalar lane __attribute__((vector_size(sizeof(scalar) * lanes)));
 using mask = decltype(lane{} < lane{});
-inline constexpr bool lane_is_scalar = false;
 
 INGOT_INLINE lane load(const scalar* from) {
     lane value;

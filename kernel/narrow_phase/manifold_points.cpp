@@ -74,7 +74,7 @@ Choice spanning(const Candidate* candidates, int count, scalar tolerance, const 
 
 void keep_points(const Candidate* candidates, int count, const ContactFrame& frame, scalar tolerance, const Before& before, Manifold& manifold) {
     Choice choice;
-    choice.count = count;
+    choice.count = count;  // number by number: a table of them would be copied by a call
     for (int i = 0; i < Manifold::points_max; ++i) choice.chosen[i] = i;
     if (count > Manifold::points_max) choice = spanning(candidates, count, tolerance, before);
     manifold.n = frame.n;

@@ -30,18 +30,18 @@ struct SurfaceView {
     }
 };
 
-/// How far bodies come nearer to each other within a step; nothing: they are looked at as they stand.
+/// How much nearer two bodies come to each other within a step, at most. As it is here: they are looked at where they stand.
 struct Ways {
-    scalar h = 0;     ///< s
-    scalar fall = 0;  ///< m, of two by forces, at most
-    scalar most = 0;  ///< m, of any two
+    scalar h = 0;     ///< s, of the step
+    scalar fall = 0;  ///< m, by forces alone
+    scalar most = 0;  ///< m, in all, any two
 };
 
 /// The first slot from `from` on whose body may touch the body of slot_A; slot_count if there is none.
 ///
 /// Two bodies cannot touch when neither moves, one has no shape, or the spheres that hold the shapes (the sphere and the half space) are
-/// apart by more than limits::flatness and than they come nearer. Most pairs are told apart by their first coordinate. Asked slot after slot, because
-/// what A is then is looked up once for many B: 40 % of the step of 64 balls on a Cortex-M4F.
+/// apart by more than limits::flatness and than they come nearer. Most pairs are told apart by their first coordinate. Asked slot after slot: so A is
+/// looked up once for many B, which saved 40 % of the step of 64 balls on a Cortex-M4F.
 int next_touchable(const BodyView& bodies, const SurfaceView& surfaces, const Ways& ways, int slot_A, int from);
 
 } }  // namespace ingot

@@ -46,7 +46,7 @@ struct HybridContacts : SweptContacts<PlainViewOf<View>, notes_impulses, bounces
         ingot::solve_velocities(this->view);
         if (direct.some_chosen) solve_after_sweeps(whole, direct, step.bodies, h, report);
         this->end_velocities(step.bodies, h);
-        if (this->some_reverse) direct.loaded_island = -1;
+        if (this->some_reverse) direct.loaded_island = -1;  // and are as wide as before
     }
     void solve_positions(const ContactStep& step, scalar h) {
         if (!direct.some_chosen) return Swept::solve_positions(step, h);

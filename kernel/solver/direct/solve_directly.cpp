@@ -59,17 +59,20 @@ void keep_free_motion(const SolverView& solver, const Direct& direct) {
 
 template <class Direct>
 void add_to_free_motion(const SolverView& solver, const Direct& direct) {
-    const auto add = [&](Index body_i, const Vector& impulse, const Vector& turning) {
+    const auto add = [&](Index body_i, const Vector& impulse, const Vector& moment) {
         FreeMotion& motion = direct.free_motion[body_i];
         const scalar inv_M = solver.bodies[body_i].v_CM[3];
-        const scalar linear[3] = {impulse.x, impulse.y, impulse.z}, angular[3] = {turning.x, turning.y, turning.z};
-        for (int axis = 0; axis < 3; ++axis) motion.v_CM[axis] += linear[axis] * inv_M;
-        for (int axis = 0; axis < 3; ++axis) motion.L[axis] += angular[axis];
+        const scalar linear[3] = {impulse.x, impulse.y, impulse.z}, angular[3] = {moment.x, moment.y, moment.z};
+        for (int axis = 0; axis < 3; ++axis) {
+            motion.v_CM[axis] += linear[axis] * inv_M;
+            motion.L[axis] += angular[axis];
+        }
     };
     for (int block_i = 0; block_i < solver.block_count; ++block_i) {  // bound: max_manifolds, rounded up to whole blocks
         const ContactBlock& block = solver.blocks[block_i];
         const FrictionRows& friction = block.friction;
-        for (int lane_i = 0; friction.turns_round && lane_i < lanes; ++lane_i)
+        if (!friction.turns_round) continue;
+        for (int lane_i = 0; lane_i < lanes; ++lane_i)
             for (int axis = 0; axis < 2; ++axis) {
                 const scalar j = friction.given[axis][lane_i];
                 const Vector impulse = lane_of(axis == 0 ? block.t_1 : block.t_2, lane_i) * j;

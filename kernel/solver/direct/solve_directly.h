@@ -14,7 +14,7 @@ void begin_direct_batch(const SolverView& solver, Direct& direct);
 /// After the forces of a substep, before its warm start: how bodies of chosen islands move without contacts.
 template <class Direct>
 void keep_free_motion(const SolverView& solver, const Direct& direct);
-/// Adds what friction gives before a slip turns round: it is not solved for.
+/// After the warm start: adds what friction gives before a slip turns round (begin_reversals), which is not solved for.
 template <class Direct>
 void add_to_free_motion(const SolverView& solver, const Direct& direct);
 

@@ -41,7 +41,7 @@ void take_in_point_body(PointBody& body, const BodyView& bodies, const Vector& g
     if (!is_valid(body.begin)) return mark_lane_bad(bodies.rotation[at.tile].bad, at.lane);
     body.r_CM = lane_of(translation.r_CM, at.lane);
     body.inv_M = inv_M;
-    body.displacement.linear = body.displacement.angular = body.displacement.moment = {};
+    body.displacement.linear = body.displacement.angular = body.displacement.moment = {};  // as a whole it would be a call of memset
     body.root = static_cast<Index>(slot);
 }
 

@@ -8,14 +8,15 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
-/// True where points meet in this substep by more than forces explain, or did in the one before: there friction does not go on as before.
+/// True where there is an impact in this substep, or was one in the substep before: there friction does not go on as before.
 template <class View>
 bool is_hit(const VisitOf<View>& visit, scalar h) {
     bool hit = visit.pair.A.hit || visit.pair.B.hit;
     const NormalMotion motion = normal_motion(visit, relative_motion(pair_in(visit), &PointBody::velocity, visit.contact.middle));
-    const scalar fall = 2 * h * sqrt(max(pull_sq_on(visit.pair.A), pull_sq_on(visit.pair.B)));
+    const scalar allowance = allowance_of(visit.pair, h);
     // bound: 4: Manifold::points_max
-    for (int point_i = 0; point_i < visit.count(); ++point_i) hit = hit || motion.at(visit.P(point_i)) - visit.contact.target[point_i] < -fall;
+    for (int point_i = 0; point_i < visit.count(); ++point_i)
+        hit = hit || is_impact(motion.at(visit.P(point_i)), visit.contact.target[point_i], allowance);
     return hit;
 }
 /// Of one manifold: see begin_point_reversals.

@@ -49,7 +49,7 @@ struct PointContact {
     scalar K[Manifold::points_max];       ///< kg^-1, of the normals
     scalar K_friction;                    ///< kg^-1, at the middle, across n: no less than 3/4 of the greatest
     scalar target[Manifold::points_max];  ///< m/s, that A may approach B with in the substep, at least
-    Vector before_reversal;               ///< against the slip, which turns round in the substep: its share of it; 0: it goes on. See reversal_share
+    Vector before_reversal;               ///< against the slip, as long as reversal_share; zero: the slip does not turn round in the substep
     PointImpulses change, along;  ///< of the sweep; conjugate gradients: the direction so far
 };
 

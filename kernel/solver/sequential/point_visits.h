@@ -44,9 +44,12 @@ INGOT_SHARED Vector across(const Vector& n, const Vector& v) { return v - n * do
 /// Of gravity and forces, m^2 s^-4.
 scalar pull_sq_on(const PointBody& body) { return body.inv_M > 0 ? length_sq(body.forces.linear) : 0; }
 
+/// m/s, that forces explain of a change of speed in a substep of h seconds: twice that of the larger.
+[[maybe_unused]] scalar allowance_of(const PointPair& pair, scalar h) { return 2 * h * sqrt(max(pull_sq_on(pair.A), pull_sq_on(pair.B))); }
+
 /// Cuts the impulses of normals on bodies that were hit: of an impact no more is kept than gravity explains.
 [[maybe_unused]] void cut_impulses_of_hit(const PointVisit& visit, scalar h) {
-    const scalar allowance = 2 * h * sqrt(max(pull_sq_on(visit.pair.A), pull_sq_on(visit.pair.B)));
+    const scalar allowance = allowance_of(visit.pair, h);
     for (int point_i = 0; point_i < visit.count(); ++point_i) {
         scalar& j = visit.record.j[point_i];
         j = impulse_after_impact(j, visit.record.j_before[point_i], allowance, compliance_of_point(visit, point_i));
@@ -83,7 +86,8 @@ scalar round_of_normals(const Visit& visit, RelativeVelocity& relative, scalar i
     return largest;
 }
 
-/// The same where the slip turns round in the substep.
+/// Friction within its circle; where the slip turns round in the substep, within the smaller circle about what is given before that: see
+/// reversal_share.
 INGOT_SHARED Vector clamp_friction(const PointContact& contact, const Vector& f, scalar limit) {
     const scalar share_sq = length_sq(contact.before_reversal);
     if (share_sq == 0) return clamp_length(f, limit);
@@ -168,7 +172,7 @@ void round_of_pushes(const VisitOf<View>& visit, PointsOff& off) {
     }
 }
 
-/// Number by number: as a whole it would be a call.
+/// Number by number: cleared as a whole it would be a call of memset.
 INGOT_INLINE void clear(PointImpulses& impulses) {
     for (scalar& j : impulses.j) j = 0;
     impulses.friction = {};

@@ -24,10 +24,10 @@ bool predict_point_bounces(const View& solver, scalar h);
 template <class View>
 void warm_start(const View& solver);
 
-/// After the warm start: finds contacts that slide and whose slip turns round within this substep. True if there are some.
+/// After the warm start: finds contacts whose slip turns round within this substep. True if there are some. h: s, of the substep.
 template <class View>
 bool begin_point_reversals(const View& solver, scalar h);
-/// Once their velocities are solved: displaces bodies by what the order of friction before and after makes. h: s, of the substep.
+/// Once their velocities are solved: displaces bodies by displacement_of_reversal.
 template <class View>
 void end_point_reversals(const View& solver, scalar h);
 

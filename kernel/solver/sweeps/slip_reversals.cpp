@@ -14,9 +14,9 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
-/// Of surfaces against each other, along t_1 and t_2.
+/// m/s, of surfaces against each other.
 struct Slip {
-    lane u[2];
+    lane u[2];  ///< along t_1 and t_2
 };
 template <class View>
 Slip slip_of(const View& solver, int block_i, const BodyPairLanes& pair) {
@@ -36,19 +36,19 @@ lane load_of_normals(const ContactBlock& block) {
     return N;
 }
 
-/// Lanes that the substep before has hit, or that meet in this one by more than forces explain: there friction does not go on as before.
+/// Lanes with an impact in this substep, or in the one before: there friction does not go on as before.
 mask hit_lanes(const SolverView& solver, const ContactBlock& block, const BodyPairLanes& now, scalar h) {
     mask hit = now.last[1] + now.last[3] > lane{};
     const lane pull = max(gather(solver.bodies, block.body_A, &SolverBody::dp).at[3], gather(solver.bodies, block.body_B, &SolverBody::dp).at[3]);
-    const lane approach = dot(load(block.n), now.linear_A - now.linear_B);
+    const lane approach = dot(load(block.n), now.linear_A - now.linear_B), allowance = splat<lane>(2 * h) * pull;
     for (int row = 0; row < block.rows; ++row) {  // bound: 4: block_rows
-        const lane beyond = row_speed(block.row[row].levers, approach, now) - load(block.row[row].target);
-        hit = either(hit, both(is_used(block, row), beyond < splat<lane>(-2 * h) * pull));
+        const lane u = row_speed(block.row[row].levers, approach, now);
+        hit = either(hit, both(is_used(block, row), is_impact(u, load(block.row[row].target), allowance)));
     }
     return hit;
 }
 
-/// Kept out of begin_reversals, which looks at every block: few slide.
+/// Of one block, of which a lane slides. Kept out of begin_reversals, which looks at every block.
 template <class View>
 INGOT_RARE bool begin_reversals_of(const View& solver, int block_i, scalar h) {
     ContactBlock& block = solver.blocks[block_i];
@@ -77,7 +77,7 @@ INGOT_RARE bool begin_reversals_of(const View& solver, int block_i, scalar h) {
     return true;
 }
 
-/// What the pair of each lane has on record.
+/// Friction of the pair of each lane, as its record has it: that of the block is less while its slip turns round.
 lane friction_of_records(const SolverView& solver, const ContactBlock& block) {
     scalar mu[lanes];
     for (int lane_i = 0; lane_i < lanes; ++lane_i)
@@ -85,7 +85,7 @@ lane friction_of_records(const SolverView& solver, const ContactBlock& block) {
     return load(mu);
 }
 
-/// Friction with one circle again, in lanes whose normals carry less than was foreseen. True if their islands are to be swept again.
+/// Of one block: see take_back_reversals. In lanes whose normals carry less than was foreseen, friction has one circle again.
 bool take_back_reversals_of(const SolverView& solver, ContactBlock& block) {
     FrictionRows& friction = block.friction;
     const lane mu = friction_of_records(solver, block), share = load(friction.share);
@@ -102,11 +102,13 @@ bool take_back_reversals_of(const SolverView& solver, ContactBlock& block) {
     store(friction.share, select(lost, lane{}, share));
     store(block.mu, select(lost, mu, load(block.mu)));
     bool again = false;
+    const uint16_t lost_lanes = bits(lost);
     for (int lane_i = 0; lane_i < lanes; ++lane_i)
-        if ((bits(lost) >> lane_i & 1u) != 0 && sweep_again(solver, solver.islands[block.island[lane_i]])) again = true;
+        if ((lost_lanes >> lane_i & 1u) != 0 && sweep_again(solver, solver.islands[block.island[lane_i]])) again = true;
     return again;
 }
 
+/// Of one block: see end_reversals. Only bodies with no other contact are displaced: see displacement_of_reversal.
 void end_reversals_of(const SolverView& solver, ContactBlock& block, scalar h) {
     FrictionRows& friction = block.friction;
     friction.turns_round = false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fit_velocities.h"
+#include "fit_to_joints.h"
 
 #include "../base/limits.h"
 #include "../figure/factor_figures.h"
@@ -85,10 +85,11 @@ WholeMotion<T> motion_of_whole(const FigureRows<width>& figures) {
     return whole;
 }
 
-/// J; by what the velocities of rows say, and by the change that was found. Of what floats without the motion of its centre.
+/// J, without the motion of the centre of mass of what floats.
 template <class T>
 struct KineticShares {
-    T kinetic, taken;
+    T kinetic;  ///< by the velocities of rows
+    T taken;    ///< of that, by the change that was found: what is left is at right angles to it
 };
 template <unsigned width, class T = typename AllLanes<width>::T>
 KineticShares<T> kinetic_shares_of(const FigureRows<width>& figures, const Vec3<T>& v_of_centre) {
@@ -103,6 +104,7 @@ KineticShares<T> kinetic_shares_of(const FigureRows<width>& figures, const Vec3<
     return {kinetic * splat<T>(scalar(0.5)), taken * splat<T>(scalar(0.5))};
 }
 
+/// What bodies do beside the motion of the whole becomes s times as fast.
 template <unsigned width, class Mask, class T = typename AllLanes<width>::T>
 void scale_motion(const FigureRows<width>& figures, const WholeMotion<T>& whole, Mask scales, T s) {
     for (int row_i = 0; row_i < figures.count(); ++row_i) {  // bound: max_bodies
@@ -122,13 +124,15 @@ void take_up_roundings(const FigureRows<width>& figures) {
         const JointKind kind = figures.node(row_i).kind;
         if (kind == JointKind::none) continue;
         FigureRow<width>& row = figures[row_i];
-        const auto back = [&] { return twist_back(kind, sides_now(figures, figures.all, row_i, locks_turns(kind))); };
+        auto sides = sides_now(figures, figures.all, row_i, locks_turns(kind));
         if (kind != JointKind::ball) {
             auto A = read(figures.all, row.A);
-            A = A + cross(back().w, A);
-            write(figures.all, row.A, A + polar_correction(A));
+            A = A + cross(twist_back(kind, sides).w, A);
+            A = A + polar_correction(A);
+            write(figures.all, row.A, A);
+            sides.gap = sides_now(figures, figures.all, row_i, false).gap;
         }
-        write(figures.all, row.r, read(figures.all, row.r) + back().v);
+        write(figures.all, row.r, read(figures.all, row.r) + twist_back(kind, sides).v);
     }
 }
 
