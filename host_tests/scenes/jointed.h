@@ -55,7 +55,6 @@ struct DoublePendulum : Hinged<2> {
     static constexpr const char* name = "double_pendulum";
     static constexpr const char* title = "a pendulum of two rods";
     static constexpr int golden_steps = 600;
-    static constexpr int demo_steps = 600;  ///< ten seconds
 };
 inline ingot::Status set_up(ingot::World<DoublePendulum>& world) {
     using ingot::scalar;
@@ -69,7 +68,6 @@ struct ArmOfSix : Hinged<6> {
     static constexpr const char* name = "arm_6";
     static constexpr const char* title = "a robot's arm of six hinges falls";
     static constexpr int golden_steps = 300;
-    static constexpr int demo_steps = 600;
 };
 inline ingot::Status set_up(ingot::World<ArmOfSix>& world) {
     using ingot::scalar;

@@ -6,14 +6,9 @@
 #include "contact/materials.h"
 #include "contact/piles.h"
 #include "contact/stacks.h"
+#include "well_but_for_impacts.h"
 
 namespace scenes {
-
-/// Of scenes in which things hit each other: islands that are hit are not settled in the same step, and nothing else is amiss.
-inline bool well_but_for_impacts(ingot::StepReport report) {
-    report.sweeps_unfinished = 0;
-    return report.clean();
-}
 
 /// What they share. Pairs are as many as manifolds and half again: bodies that touch are near others.
 template <int bodies, int manifolds>

@@ -247,7 +247,7 @@ inline constexpr int pushes_max = 9;                     ///< of the bodies of a
 inline constexpr scalar joint_gap = scalar(2e-5);        ///< m, rad; a joint that is further off after a push is pushed again
 
 // Limits of joints. What is an angle is so many metres of a travel.
-inline constexpr scalar joint_turns_max = 1000;          ///< rad; limits of a hinge: in float an angle of so many turns has 6e-5 rad left
+inline constexpr scalar joint_angle_max = 1000;          ///< rad; limits of a hinge: in float an angle of so many turns has 6e-5 rad left
 inline constexpr scalar turns_max = scalar(1e9);         ///< of a hinge that has been turned; then its angle begins again
 inline constexpr scalar joint_swing_max = 3;             ///< rad; limits of what has no more than a turn
 inline constexpr scalar joint_cone_min = scalar(0.01);   ///< rad; half of a cone: in a narrower one the axis has no direction to turn back to

@@ -14,7 +14,7 @@ bool is_within(const JointRange& range, scalar lower, scalar upper) {
 }
 
 bool is_in_range(JointKind kind, const JointLimits& limits) {
-    const scalar turns = limits::joint_turns_max, swing = limits::joint_swing_max;
+    const scalar turns = limits::joint_angle_max, swing = limits::joint_swing_max;
     const JointRange& first = limits.range[0];
     const JointRange& second = limits.range[1];
     switch (kind) {

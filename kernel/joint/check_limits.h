@@ -7,7 +7,7 @@
 namespace ingot { inline namespace INGOT_ABI {
 
 /// Errors: not_finite, bad_joint (lower above upper), out_of_range (an end that is beyond what the kind's may be: see the kinds,
-///         limits::joint_turns_max, limits::position_max), bad_restitution.
+///         limits::joint_angle_max, limits::position_max), bad_restitution.
 Status check_limits(JointKind kind, const JointLimits& limits);
 
 /// Whether some direction ends.
