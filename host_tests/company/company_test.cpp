@@ -125,7 +125,7 @@ void crowd(const Engine& engine) {
     for (const char* name : {"tower_20", "heavy_on_light"}) {
         const Party watched = party(name);
         Gathering two;
-        two.guests = {{watched, {}}, {crowd_of_balls(by_effort(5, 8, 8)), {30, 0, 0}}};
+        two.guests = {{watched, {}}, {crowd_of_balls(by_effort(4, 5, 8)), {30, 0, 0}}};
         two.slots = std::strcmp(name, "tower_20") == 0 ? Slots::last_party_first : Slots::shuffled;
         expect_same(engine, two, {0}, {scalar(1) / 60}, by_effort(60, 90, 1200));
         if (by_effort(true, true, false)) continue;

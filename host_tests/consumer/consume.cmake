@@ -20,7 +20,7 @@ if(HOW STREQUAL "find_package")
     endif()
   endforeach()
 else()
-  list(APPEND how -DINGOT_SOURCE=${SOURCE} -DINGOT_SCALAR=${SCALAR} -DINGOT_LANES=${LANES} -DINGOT_KERNEL_LEVEL=O1)
+  list(APPEND how -DINGOT_SOURCE=${SOURCE} -DINGOT_SCALAR=${SCALAR} -DINGOT_LANES=${LANES} -DINGOT_KERNEL_LEVEL=O0)
 endif()
 
 # The user is careless: the whole project is compiled with -ffast-math, which ingot must undo for itself and for who links it.
