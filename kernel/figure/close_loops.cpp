@@ -81,7 +81,7 @@ scalar aim_pushes(const FigureView& view, const LoopView& loops, const LoopFigur
     for_loop_joints(loops, of, [&](LoopJoint& loop) {
         const Spatial<scalar> back = twist_back(loop.kind, sides_of(view, loop, 0).now());
         set_targets(loop, back);
-        most = max(most, max(length_sq(back.v), length_sq(back.w)));
+        most = max(most, max(length_sq(back.v) * (1 / (view.unit * view.unit)), length_sq(back.w)));
     });
     return most;
 }

@@ -11,13 +11,13 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// What a joint is off by, as the bias of a push. Returns the square of the largest, m or rad, of each lane.
+/// What a joint is off by, as the bias of a push. Returns the square of the largest, rad or units of length, of each lane.
 template <unsigned width, class T = typename AllLanes<width>::T>
 T set_push(const FigureRows<width>& rows, int row_i) {
     const JointKind kind = rows.node(row_i).kind;
     const Spatial<T> back = twist_back(kind, sides_now(rows, rows.all, row_i, locks_turns(kind)));
     write(rows.all, rows[row_i].bias, back);
-    return max(length_sq(back.v), length_sq(back.w));
+    return max(length_sq(back.v) * splat<T>(1 / (rows.view.unit * rows.view.unit)), length_sq(back.w));
 }
 
 template <unsigned width>

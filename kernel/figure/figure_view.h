@@ -21,6 +21,8 @@ struct FigureNode {
     JointKind kind;  ///< of its joint; none: it has none
     bool is_A;       ///< the body is A of its joint
 };
+/// What lengths of limits.h are of, where a joint goes along its free direction: m of a slider, rad of others.
+INGOT_INLINE scalar unit_of_travel(JointKind kind, scalar unit) { return kind == JointKind::slider ? unit : scalar(1); }
 INGOT_INLINE bool is_ball(JointKind kind) { return kind == JointKind::ball || kind == JointKind::driven_ball; }
 
 /// A tree: nodes [first_node .. first_node + node_count), depth first.
@@ -60,6 +62,7 @@ struct FigureView {
     scalar elapsed;       ///< s, since the step began
     Vector gravity;       ///< m/s^2
     scalar h;             ///< s, of the step
+    scalar unit;          ///< m; of lengths and speeds in limits.h: Scene::length_unit
 };
 
 /// A group as its rows are worked on.

@@ -76,7 +76,8 @@ void begin_joint_motions(const FigureView& view, const JointRowView& all) {
         for (int i = 0; i < limits_of(node, all); ++i) {  // bound: 2
             const JointRange ends = ends_of(node, i, all.limits[node.joint].limits);
             const scalar value = value_of(node, motion, i);
-            motion.returns[i] = ends.lower - value > limits::limit_slack || value - ends.upper > limits::limit_slack;
+            const scalar slack = limits::limit_slack * unit_of_travel(node.kind, rows.view.unit);
+            motion.returns[i] = ends.lower - value > slack || value - ends.upper > slack;
         }
     });
 }

@@ -24,7 +24,7 @@ void list_row(const FigureRows<width>& rows, const OneLane<width>& at, JointRowV
     if (ends.lower > -unlimited || ends.upper < unlimited) {
         row.along = along_direction(node.kind, direction_i, sides_now(rows, at, row_i, true));
         row.rate_begin = dot(row.along, free_rates_now(rows, at, row_i));
-        const scalar reach = limits::limit_reach + 2 * h * abs(row.rate_begin);
+        const scalar reach = limits::limit_reach * unit_of_travel(node.kind, rows.view.unit) + 2 * h * abs(row.rate_begin);
         is_near = is_near || value - ends.lower < reach || ends.upper - value < reach;
     }
     if (!is_near) {
@@ -58,10 +58,11 @@ scalar value_ahead(JointKind kind, const JointSides<scalar>& sides, const JointR
     return kind == JointKind::hinge ? nearest_turn(ahead, value + h * row.rate, turns) : ahead;
 }
 
-/// By how much a rate may change downwards, where the joint is `room` above its end, `room_ahead` if nothing acts. leave: rad/s, m/s, from the end.
-scalar rate_to_end(scalar room, scalar room_ahead, scalar rate, scalar leave, scalar h) {
+/// By how much a rate may change downwards, where the joint is `room` above its end, `room_ahead` if nothing acts. leave: rad/s, m/s, from the end;
+/// slack: rad, m.
+scalar rate_to_end(scalar room, scalar room_ahead, scalar rate, scalar leave, scalar slack, scalar h) {
     if (leave > 0) return leave - rate;
-    return room <= limits::limit_slack ? -rate : -room_ahead / h;
+    return room <= slack ? -rate : -room_ahead / h;
 }
 
 template <unsigned width>
@@ -73,14 +74,14 @@ void aim_row(const FigureRows<width>& rows, const OneLane<width>& at, const Join
     if (is_ball(node.kind)) row.along = along_direction(node.kind, row.direction_i, sides);
     row.rate = dot(row.along, free_rates_now(rows, at, row_i));
     const scalar value = value_of(node, motion, row.direction_i), ahead = value_ahead(node.kind, sides, row, value, h);
-    const scalar leave = motion.leave[row.direction_i];
+    const scalar leave = motion.leave[row.direction_i], slack = limits::limit_slack * unit_of_travel(node.kind, rows.view.unit);
     row.K = compliance_of(rows, at, all, row_i, row.along);
     row.lower = -unlimited;
     row.upper = unlimited;
-    if (ends.upper < unlimited) row.upper = -rate_to_end(ends.upper - value, ends.upper - ahead, -row.rate, -leave, h);
-    if (ends.lower > -unlimited) row.lower = rate_to_end(value - ends.lower, ahead - ends.lower, row.rate, leave, h);
+    if (ends.upper < unlimited) row.upper = -rate_to_end(ends.upper - value, ends.upper - ahead, -row.rate, -leave, slack, h);
+    if (ends.lower > -unlimited) row.lower = rate_to_end(value - ends.lower, ahead - ends.lower, row.rate, leave, slack, h);
     row.lower = min(row.lower, row.upper);
-    row.rests = leave == 0 && (value - ends.lower <= limits::limit_slack || ends.upper - value <= limits::limit_slack);
+    row.rests = leave == 0 && (value - ends.lower <= slack || ends.upper - value <= slack);
     row.j = row.j_sweep = row.rests ? motion.j[row.direction_i] : 0;
     row.direction = 0;
     if (!(row.K > 0)) row.K = row.j = row.j_sweep = 0;

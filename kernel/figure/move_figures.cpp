@@ -150,7 +150,7 @@ void hold_back_targets(const FigureRows<width>& rows, const Loops& loops, scalar
     const FigureEnergies<T> energies = figure_energies_of(rows);
     T M_all{};
     for (int row_i = 0; row_i < rows.count(); ++row_i) M_all = M_all + rows.all.get(rows[row_i].M);
-    const scalar gap_speed = limits::joint_gap / h;
+    const scalar gap_speed = limits::joint_gap * rows.view.unit / h;
     const T allowed = energies.before * splat<T>(limits::target_gain) + M_all * splat<T>(gap_speed * gap_speed);
     const auto gains = both(doubtful, energies.after > allowed);
     if (!any(gains)) return;

@@ -12,15 +12,15 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
-/// How far a joint is pushed back that is so far beyond its end, rad or m.
+/// How far a joint is pushed back that is so far beyond its end, rad or units of length.
 struct WayBack {
     scalar most;  ///< where it returns from further away
     bool again;   ///< such a one has had its share
 
-    scalar of(scalar beyond, bool returns) const { return beyond <= most || !returns ? beyond : again ? 0 : most; }
+    scalar of(scalar beyond, scalar unit, bool returns) const { return beyond <= most * unit || !returns ? beyond : again ? 0 : most * unit; }
 };
 
-bool pushes(const JointRow& row) { return row.lower > limits::limit_slack || row.upper < -limits::limit_slack; }
+bool pushes(const JointRow& row, scalar unit) { return row.lower > limits::limit_slack * unit || row.upper < -limits::limit_slack * unit; }
 
 /// Lists the rows of a lane that are near to their ends; drops them again where none is beyond. False then.
 template <unsigned width>
@@ -32,15 +32,15 @@ bool list_limits(const FigureRows<width>& rows, const OneLane<width>& at, JointR
         for (int i = 0; i < limited_directions(node.kind); ++i) {  // bound: 2
             const JointRange ends = ends_of(node, i, all.limits[node.joint].limits);
             const JointMotion& motion = all.motions[node.joint];
-            const scalar value = value_of(node, motion, i);
-            if (value - ends.lower > limits::limit_reach && ends.upper - value > limits::limit_reach) continue;
+            const scalar value = value_of(node, motion, i), unit = unit_of_travel(node.kind, rows.view.unit), reach = limits::limit_reach * unit;
+            if (value - ends.lower > reach && ends.upper - value > reach) continue;
             JointRow row{};
             row.node = static_cast<Index>(rows.figure(at.lane_i).first_node + row_i);
             row.direction_i = static_cast<uint8_t>(i);
             row.most = scalar_max;
-            row.lower = way.of(ends.lower - value, motion.returns[i]);
-            row.upper = -way.of(value - ends.upper, motion.returns[i]);
-            some = some || pushes(row);
+            row.lower = way.of(ends.lower - value, unit, motion.returns[i]);
+            row.upper = -way.of(value - ends.upper, unit, motion.returns[i]);
+            some = some || pushes(row, unit);
             all.list[all.count++] = row;
         }
     }

@@ -25,7 +25,7 @@ T with_loops(const FigureRows<width>& rows, const LoopView& loops, T most) {
     return rows.all.get(by_lane);
 }
 
-/// Lanes to push, of figures whose joints are off by `most`, m or rad, squared; before: the same before the last push. A figure that is good is left
+/// Lanes to push, of figures whose joints are off by `most`, units of length or rad, squared; before: the same before the last push. A figure that is good is left
 /// alone, so that what it does does not depend on who is beside it. Pushes of loops do not get better once they have got worse: they are ended.
 template <unsigned width, class T>
 auto lanes_to_push(const FigureRows<width>&, const NoLoops&, T most, T, bool again) {

@@ -51,13 +51,16 @@ scalar visit_joint_row(const FigureView& view, const JointRowView& all, JointRow
 
 void settle_joint_rows(const FigureView& view, const JointRowView& all, scalar settled) {
     const auto figure_of = [&](int i) { return view.nodes[all.list[i].node].figure; };
+    const auto visited = [&](JointRow& row) {
+        return abs(visit_joint_row(view, all, row)) / unit_of_travel(view.nodes[row.node].kind, view.unit);
+    };
     for (int begin = 0, end = 0; begin < all.count; begin = end) {  // bound: limits_of_joint max_joints
         while (end < all.count && figure_of(end) == figure_of(begin)) ++end;  // bound: limits_of_joint max_joints
         scalar most = scalar_max;
         for (int sweep_i = 0; sweep_i < limits::limit_sweeps_max && most > settled; ++sweep_i) {
             most = 0;
             for (int i = begin; i < end; ++i)  // bound: limits_of_joint max_joints; down and up the tree in turn
-                most = max(most, abs(visit_joint_row(view, all, all.list[sweep_i % 2 == 0 ? i : begin + end - 1 - i])));
+                most = max(most, visited(all.list[sweep_i % 2 == 0 ? i : begin + end - 1 - i]));
             if (end == begin + 1) break;  // one row is solved by one visit
         }
     }

@@ -88,6 +88,7 @@ struct Figures : Feature {
             view.node_of = node_of;
             view.end_at = end_at;
             view.joint_slots = joint_slots_used;
+            view.unit = S::length_unit;
             return view;
         }
         template <class Filters>

@@ -213,7 +213,8 @@ struct Manifolds : Feature {
                       "a scene holds up to 65535 pairs, twice max_manifolds unless it says otherwise: set max_pairs");
         static_assert(!stacks<S> || S::max_bodies <= index_max, "bodies with contacts are up to 65535: set max_bodies");
         static_assert(!stacks<S> || !S::rotation::as_printed, "Listing 1 has no contacts with friction: name another rotation, or max_contacts");
-        static_assert(stacks<S> || S::length_unit == 1, "length_unit is for contacts with friction: set max_manifolds, or length_unit = 1");
+        static_assert(stacks<S> || has_joints<S> || S::length_unit == 1,
+                      "length_unit is for contacts with friction and for joints: set max_manifolds or max_joints, or length_unit = 1");
         static_assert(!stacks<S> || S::translates, "bodies that touch move: set translates = true, or max_manifolds = 0");
         return check_solver<S>();
     }
