@@ -53,7 +53,7 @@ set(events_shares contact_events pair_rules)
 set(continuous_shares body_path fast_pairs parting_plane time_of_impact pair_sub_world pair_contacts continuous_collision find_pair_contacts solve_pair
   lay_paths next_impact resolve_impact)
 # swept_contacts has the stages of a substep, for block_sweeps and hybrid_islands to conduct; plan_islands begins a batch.
-set(solver_sweeps_shares block_sweeps swept_contacts jointed_contacts jointed_visits conjugate_gradients diverged_islands gaining_islands kinematic_contacts move_bodies note_impulses order_manifolds
+set(solver_sweeps_shares block_sweeps swept_contacts jointed_contacts jointed_visits conjugate_gradients diverged_islands gaining_figures gaining_islands kinematic_contacts move_bodies note_impulses order_manifolds
   passive_bounces plan_islands predict_contacts sequence_impacts slip_reversals solve_velocities sweep_joint_rows sweep_positions sweep_velocities warm_start)
 # solve_sequentially conducts the stages of its substeps, and sequential_impulses names it to scenes.
 set(solver_sequential_shares kinematic_points point_view point_visit point_visits point_reversals point_rows sequential_contacts move_point_bodies sweep_points solve_sequentially)

@@ -175,6 +175,7 @@ inline constexpr int level_passes_max = 32;                                ///< 
 /// than this part of what it would have without contacts is swept again, so many times at most.
 inline constexpr scalar gaining_residual = scalar(1e-4), gaining_speed = scalar(0.25);
 inline constexpr scalar gain_allowed = scalar(1e-6);
+inline constexpr scalar figure_gain_allowed = scalar(1e-4);  ///< the same of islands with joints, found from the energies of three shares
 inline constexpr int gaining_rounds = 8;
 /// An island whose heaviest body has so many times the mass of its lightest, and whose sweeps end at their bound with a residual of this share of the
 /// speed that its heavy bodies would have without contacts, is being crushed: its impulses are dropped. Heavy: the heaviest is no more than
@@ -242,7 +243,8 @@ inline constexpr int loop_rows_max = 24;
 inline constexpr scalar loop_compliance = INGOT_DOUBLE ? scalar(1e-10) : scalar(1e-6);
 inline constexpr scalar loop_gap = INGOT_DOUBLE ? scalar(5e-10) : scalar(2e-5);  ///< m, rad; joint_gap of figures with loops
 inline constexpr scalar parted_gap = scalar(1e-3);       ///< m, rad, that pushes leave of a figure with loops: what asks for more cannot be
-inline constexpr scalar push_turn = scalar(0.1);         ///< rad, of any body by one push of a figure with loops
+inline constexpr scalar push_turn = scalar(0.1);         ///< rad, of any body by one push of a figure with loops, or by those of contacts
+inline constexpr scalar throw_speed = 4 * push_speed_max;  ///< m/s, of any body of a figure by pushes of contacts: levers make more of them
 inline constexpr int pushes_max = 9;                     ///< of the bodies of a figure, to where its joints want them, in a substep
 inline constexpr scalar joint_gap = scalar(2e-5);        ///< m, rad; a joint that is further off after a push is pushed again
 

@@ -98,20 +98,18 @@ scalar speed_after(scalar e, scalar v, scalar a, scalar room, scalar h) {
 
 template <unsigned width>
 void note_row(const FigureRows<width>& rows, const OneLane<width>& at, const JointRowView& all, int row_i, const JointRow& of, scalar h) {
-    const FigureRow<width>& row = rows[row_i];
     const FigureNode& node = rows.node(row_i, at.lane_i);
     JointMotion& motion = all.motions[node.joint];
     const LimitRecord& limit = all.limits[node.joint];
-    const Spatial<scalar> u = read(at, row.change) - change_of_parent(rows, at, row_i);
-    const scalar free = of.rate + dot(of.along, free_rates(at, row, node.kind, u)) - of.K * of.j;  // without the limit
+    const bool leaves = motion.leave[of.direction_i] != 0;  // what throws it back is no end that it meets
     motion.j[of.direction_i] = of.rests ? of.j : 0;
     motion.leave[of.direction_i] = 0;
     const scalar e = limit.limits.restitution;
-    if (of.rests || of.j == 0 || !(e > 0)) return;
+    if (of.rests || leaves || of.j == 0 || !(e > 0)) return;
     const JointRange ends = ends_of(node, of.direction_i, limit.limits);
     const scalar side = of.j > 0 ? scalar(1) : scalar(-1), value = value_of(node, motion, of.direction_i);
     const scalar room = of.j > 0 ? value - ends.lower : ends.upper - value;
-    motion.leave[of.direction_i] = side * speed_after(e, -side * free, side * (of.rate_begin - free) / h, max(room, 0), h);
+    motion.leave[of.direction_i] = side * speed_after(e, -side * of.rate, side * (of.rate_begin - of.rate) / h, max(room, 0), h);
 }
 
 }  // namespace

@@ -162,6 +162,24 @@ void hold_back_targets(const FigureRows<width>& rows, const Loops& loops, scalar
     leave_out_targets(rows, loops, bits(gains));
 }
 
+/// Where joints hardly let bodies part, a push that parts them would throw the rest of the figure: it is shortened to limits::throw_speed and
+/// limits::push_turn, of all of the figure, so that joints hold as they did.
+template <unsigned width>
+void shorten_throws(const FigureRows<width>& rows, scalar h) {
+    using T = typename AllLanes<width>::T;
+    const scalar way = limits::throw_speed * rows.view.unit * h;
+    const T of_way = splat<T>(1 / (way * way)), of_turn = splat<T>(1 / (limits::push_turn * limits::push_turn)), one = splat<T>(1);
+    T most{};
+    for (int row_i = 0; row_i < rows.count(); ++row_i) {  // bound: max_bodies
+        const Spatial<T> u = change_of_centre(rows.all, rows[row_i]);
+        most = max(most, max(length_sq(u.v) * of_way, length_sq(u.w) * of_turn));
+    }
+    const auto is_thrown = most > one;
+    if (!any(is_thrown)) return;
+    const T share = select(is_thrown, sqrt(one / max(most, one)), one);
+    for (int row_i = 0; row_i < rows.count(); ++row_i) write(rows.all, rows[row_i].change, read(rows.all, rows[row_i].change) * share);
+}
+
 }  // namespace
 
 template <class Loops>
@@ -220,8 +238,11 @@ void begin_displacing(const FigureView& view) {
     });
 }
 
-void end_displacing(const FigureView& view) {
-    for_groups(view, [](const auto& rows) { move_by_change(rows, rows.all_lanes()); });
+void end_displacing(const FigureView& view, scalar h) {
+    for_groups(view, [h](const auto& rows) {
+        shorten_throws(rows, h);
+        move_by_change(rows, rows.all_lanes());
+    });
 }
 
 template <class Loops>

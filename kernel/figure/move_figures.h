@@ -34,6 +34,6 @@ void push_figures(const FigureView& view, const Loops& loops, bool again);
 
 /// Contacts displace figures in between, see cursor.h: from nothing to a displacement of every body.
 void begin_displacing(const FigureView& view);
-void end_displacing(const FigureView& view);
+void end_displacing(const FigureView& view, scalar h);
 
 } }  // namespace ingot

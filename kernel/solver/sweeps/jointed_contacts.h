@@ -46,7 +46,7 @@ struct SeesJoints : Contacts {
             prepare_drives(jointed.figures, rows(), h);
             factor_driven(bodies, h);
         } else if (!jointed.is_fresh) {
-            if constexpr (!closes) factor_jointed(this->view, jointed, this->view.loops);
+            factor_jointed(this->view, jointed, this->view.loops);
             Contacts::refresh(bodies);
         }
         jointed.is_fresh = false;
@@ -71,8 +71,11 @@ struct SeesJoints : Contacts {
         Contacts::drift(bodies, h);
         drift_figures(jointed.figures, h);
         jointed.figures.elapsed += h;
-        // Pushes of loops meet their figures as they are.
-        if constexpr (closes) factor_jointed(this->view, jointed, this->view.loops);
+        // Pushes of loops meet their figures as they are, and so do those of contacts.
+        if constexpr (closes) {
+            factor_jointed(this->view, jointed, this->view.loops);
+            Contacts::refresh(bodies);
+        }
         push_figures(jointed.figures, this->view.loops, false);
         if constexpr (closes) write_velocities(this->view, jointed);  // pushes may have slowed them
         if constexpr (Whole::has_joint_rows) measure_joints(jointed.figures, rows(), h);
@@ -84,7 +87,7 @@ struct SeesJoints : Contacts {
         Contacts::solve_positions(step, h);
         take_cursors_away(jointed.figures, jointed.responses);
         if constexpr (closes) close_all_loops(jointed.figures, this->view.loops);
-        end_displacing(jointed.figures);
+        end_displacing(jointed.figures, h);
         push_figures(jointed.figures, this->view.loops, true);
         if constexpr (Whole::has_joint_rows) push_joint_rows(jointed.figures, rows(), h, 0);
         write_displacements(this->view, jointed, step.bodies);

@@ -110,10 +110,10 @@ void solve_velocities(Whole& whole) {
         if constexpr (Whole::has_joint_rows) extrapolate_joint_rows(solver, solver.jointed, whole.joint_rows);
         if constexpr (View::articulates) pass_contact_impulses(solver);
     }
-    if constexpr (Whole::has_joint_rows)
-        pass_contact_impulses(solver);  // from the impulses alone: an island is not told how long others of the batch go on
-    else if constexpr (View::articulates)
+    if constexpr (View::articulates) {
+        if constexpr (!decltype(solver.loops)::closes) pass_contact_impulses(solver);  // from the impulses alone: none knows how long others go on
         end_passing(solver);
+    }
     if constexpr (View::articulates) end_jointed_sweeps(solver, solver.jointed);
 }
 

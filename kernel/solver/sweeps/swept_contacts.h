@@ -4,6 +4,7 @@
 #include "../conduct_substeps.h"
 #include "../../constraint/prepare_blocks.h"
 #include "diverged_islands.h"
+#include "gaining_figures.h"
 #include "gaining_islands.h"
 #include "jointed_visits.h"
 #include "move_bodies.h"
@@ -95,8 +96,9 @@ protected:
 private:
     /// Solves again where sweeps that did not settle give energy, and where bounces do: each time these are lower.
     void solve_passively(const BodyView& bodies, scalar h) {
-        if constexpr (View::articulates) excuse_jointed(view);
         if constexpr (Whole::has_drives) excuse_driven(view, view.jointed, whole.joint_rows);
+        if constexpr (View::articulates && !View::has_belts) hold_gaining_figures(whole, bodies, h);
+        if constexpr (View::articulates) excuse_jointed(view);
         // Belts do give energy.
         if constexpr (!View::has_belts)
             for (int round = 0; round < limits::gaining_rounds && find_gaining_islands(view, bodies, h); ++round) ingot::solve_velocities(whole);
