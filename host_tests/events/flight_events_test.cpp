@@ -128,4 +128,42 @@ TYPED_TEST(Flight, past_a_sensor_or_not_as_far_is_not_told) {
     }
 }
 
+template <class Search>
+struct Gate : ingot::Scene {
+    static constexpr int max_bodies = 24, max_manifolds = 8, max_pairs = 64, max_overlaps = 3;
+    static constexpr bool translates = true, continuous = true;
+    using broad_phase = Search;
+    using shapes = ingot::Shapes<ingot::Sphere, ingot::Box>;
+};
+
+/// A shot passes twelve sensors in a step, of which three have room: those that were added first, however they lie and whoever finds them.
+template <class Search>
+void expect_first_are_told() {
+    static ingot::World<Gate<Search>> world;
+    world = {};
+    BodyDef flying;
+    flying.shape = ingot::Sphere{radius};
+    flying.mass = ingot::principal(ingot::solid_sphere(1000, radius)).value;
+    flying.state.v_CM = {60 * scalar(6.5), 0, 0};
+    ASSERT_TRUE(world.add(flying).ok());
+    BodyId first[3];
+    for (int i = 0; i < 12; ++i) {
+        BodyDef def;
+        def.immovable = def.sensor = true;
+        def.shape = ingot::Box{{scalar(0.1), 1, 1}};
+        def.state.r_CM = {scalar(1 + i * 5 % 12) / 2, 0, 0};
+        const BodyId id = world.add(def).value;
+        if (i < 3) first[i] = id;
+    }
+    EXPECT_EQ(ingot::step(world, h).overlaps_lost, 9);
+    ASSERT_EQ(world.overlap_count(), 3);
+    for (int i = 0; i < 3; ++i) EXPECT_EQ(world.overlap(i).value.sensor, first[i]) << i;
+}
+
+TEST(FlightOfAShot, through_more_sensors_than_have_room_tells_of_the_first) {
+    expect_first_are_told<ingot::AllPairs>();
+    expect_first_are_told<ingot::SortedTree>();
+    expect_first_are_told<ingot::QueryTree>();
+}
+
 }  // namespace

@@ -176,6 +176,11 @@ struct Twins {
         const ingot::StepReport a = ingot::step(*all, h), b = ingot::step(*tree, h);
         EXPECT_EQ(a.status, b.status);
         EXPECT_EQ(all->state_hash(), tree->state_hash()) << "steps are the same, too";
+        for (const auto counter : {&ingot::StepReport::bodies_frozen, &ingot::StepReport::contacts, &ingot::StepReport::contacts_lost,
+                                   &ingot::StepReport::pairs_untested, &ingot::StepReport::impacts_deferred, &ingot::StepReport::sweeps,
+                                   &ingot::StepReport::overlaps_lost, &ingot::StepReport::sweeps_unfinished})
+            EXPECT_EQ(a.*counter, b.*counter) << "and what they tell";
+        EXPECT_EQ(a.residual, b.residual);
     }
     /// Both begin again from what was saved; and ids go on.
     void reload() {

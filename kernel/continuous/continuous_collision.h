@@ -150,20 +150,22 @@ const BodyPath& path_of(const Collision& collision, int slot, [[maybe_unused]] B
     return collision.paths[slot];
 }
 
-/// Calls each(shape slot) for the shapes of other bodies whose fat AABBs come into a box; without a tree for all that can move.
+/// Calls each(shape slot) for the shapes of other bodies whose fat AABBs come into a box; without a tree for all that can move. In any order: whoever
+/// asks has to do the same whatever it is, and whoever else that is further away is among them.
 template <class Collision, class Each>
 void for_shapes_in_box(const Collision& collision, int slot, const TreeBox& box, const Each& each) {
     const auto of_others = [&](int shape) {
-        if (collision.shapes.body_of({shape}) != slot) each(ShapeSlot{shape});
+        const int body = collision.shapes.body_of({shape});
+        if (body == slot) return;
+        // The boxes of a tree that queries go by may be larger.
+        const bool stays_in_bounds = !is_dynamic(collision.bodies, body);
+        if (!stays_in_bounds || trees::overlap(trees::box_of(collision.floor.bounds, shape), box)) each(ShapeSlot{shape});
     };
     if constexpr (is_tree<typename Collision::TreeType>)
         for_near_shapes(collision.tree, box, of_others);
     else
         for (int body = 0; body < collision.shapes.body_count(); ++body)  // bound: max_bodies
-            collision.shapes.for_shapes(body, [&](ShapeSlot shape) {
-                const bool stays_in_bounds = !is_dynamic(collision.bodies, body);
-                if (!stays_in_bounds || trees::overlap(trees::box_of(collision.floor.bounds, shape.number), box)) of_others(shape.number);
-            });
+            collision.shapes.for_shapes(body, [&](ShapeSlot shape) { of_others(shape.number); });
 }
 
 } }  // namespace ingot

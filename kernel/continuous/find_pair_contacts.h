@@ -21,20 +21,18 @@ struct PairReach {
     bool touching;        ///< they have to touch: a body may pass by what is further
     scalar h;             ///< s; else they may be as far as they travel in this time
     const MetPoint* met;  ///< the contact of one pair, where it is known; else null
+    int kinematic = -1;   ///< the slot of a kinematic body that is met, which always has room; -1: none is
 };
 
-/// Kinematic bodies of a sub-world as they are at time t, and how they move: see body/kinematic_motion.h.
+/// A kinematic body in its place in the sub-world, as it is at the time of the sub-world, and how it moves: see body/kinematic_motion.h.
 template <class Collision>
-void show_kinematic([[maybe_unused]] const Collision& collision, [[maybe_unused]] scalar t, [[maybe_unused]] PairRoom<Collision>& room) {
-    if constexpr (Collision::SceneTraits::sees_kinematic) {
-        for (int i = 0; i < room.two.kinematic_count; ++i) {  // bound: limits::pair_kinematic_max
-            const int place = room.two.first_kinematic + i;
-            const BodyPath& path = collision.paths[room.two.kinematic[i]];
-            const PathFrame at = frame_on_path(path, t);
-            put_state(room.two.bodies(), place, {at.r_CM, {}, {}, at.A});
-            show_kinematic_motion(room.two.bodies(), place, path.way * (1 / collision.clock.h), path.turn * (1 / collision.clock.h));
-        }
-    }
+void show_kinematic(const Collision& collision, PairRoom<Collision>& room, int i, int slot) {
+    const BodyPath& path = collision.paths[slot];
+    const PathFrame at = frame_on_path(path, room.at);
+    const int place = room.two.first_kinematic + i;
+    room.two.put_kinematic(collision.shapes, i, slot);
+    put_state(room.two.bodies(), place, {at.r_CM, {}, {}, at.A});
+    show_kinematic_motion(room.two.bodies(), place, path.way * (1 / collision.clock.h), path.turn * (1 / collision.clock.h));
 }
 template <class Collision>
 void hide_kinematic(PairRoom<Collision>& room) {
@@ -70,8 +68,8 @@ void find_contact(const Collision& collision, PairRoom<Collision>& room, const P
     if (found.count != 0) room.contacts.take(found, pair, places, collision.report->contacts_lost);
 }
 
-/// Calls each(shape) for the shapes near a mover of bodies that no impulse moves: what is fixed, and what is kinematic, each in its place in the
-/// sub-world.
+/// Calls each(shape, place) for the shapes near a mover of bodies that no impulse moves. All that is kinematic is at first_kinematic, while it is
+/// looked at: who is near depends on the search, and takes no place by that. See place_kinematic.
 template <class Collision, class Each>
 void for_unmoved_near(const Collision& collision, PairRoom<Collision>& room, int which, const PairReach& reach, const Each& each) {
     const FlightState at = room.two.state(which);
@@ -83,12 +81,11 @@ void for_unmoved_near(const Collision& collision, PairRoom<Collision>& room, int
         const int other = collision.shapes.body_of(shape);
         if (is_dynamic(collision.bodies, other) || collision.shapes.surface(shape).shape.kind == ShapeKind::none) return;
         int place = room.two.fixed;
-        if (is_kinematic(collision, other)) {
-            const int known = room.two.kinematic_count;
-            place = room.two.place_of_kinematic(collision.shapes, other);
-            if (place < 0) return count(collision.report->contacts_lost);
-            if (room.two.kinematic_count > known) show_kinematic(collision, room.at, room);
-        }
+        if constexpr (Collision::SceneTraits::sees_kinematic)
+            if (is_kinematic(collision, other)) {
+                place = room.two.first_kinematic;
+                show_kinematic(collision, room, 0, other);
+            }
         each(shape, place);
     });
 }
@@ -150,6 +147,43 @@ void hide_internal_edges([[maybe_unused]] const Collision& collision, [[maybe_un
     }
 }
 
+/// Kinematic bodies that have contacts get places of their own: the one that is met, then those that are deepest. The contacts of others are lost.
+template <class Collision>
+void place_kinematic([[maybe_unused]] const Collision& collision, [[maybe_unused]] PairRoom<Collision>& room, [[maybe_unused]] int met) {
+    if constexpr (Collision::SceneTraits::sees_kinematic) {
+        auto& contacts = room.contacts;
+        hide_kinematic_motion(room.two.bodies(), room.two.first_kinematic);  // of who was looked at last
+        const auto body_of = [&](int place) { return collision.shapes.body_of(contacts.shapes[place].B); };
+        const auto waits = [&](int place) {
+            return contacts.pairs[place].body_B >= room.two.first_kinematic && room.two.place_of_kinematic(body_of(place)) < 0;
+        };
+        const auto is_before = [&](int place_A, int place_B) {
+            if (body_of(place_A) == met || body_of(place_B) == met) return body_of(place_A) == met && body_of(place_B) != met;
+            return depth_of(contacts.records[place_A].manifold) > depth_of(contacts.records[place_B].manifold);
+        };
+        // bound: limits::pair_kinematic_max
+        while (room.two.kinematic_count < limits::pair_kinematic_max) {
+            int next = -1;
+            for (int place = 0; place < contacts.count; ++place)  // bound: limits::pair_manifolds_max
+                if (waits(place) && (next < 0 || is_before(place, next))) next = place;
+            if (next < 0) break;
+            show_kinematic(collision, room, room.two.kinematic_count, body_of(next));
+            ++room.two.kinematic_count;
+        }
+        // bound: limits::pair_manifolds_max
+        for (int place = contacts.count - 1; place >= 0; --place) {
+            if (contacts.pairs[place].body_B < room.two.first_kinematic) continue;
+            const int kinematic = room.two.place_of_kinematic(body_of(place));
+            if (kinematic >= 0) {
+                contacts.pairs[place].body_B = static_cast<Index>(kinematic);
+            } else {
+                contacts.drop(place);
+                count(collision.report->contacts_lost);
+            }
+        }
+    }
+}
+
 /// The fastest of the points of a manifold that approach each other, and its speed.
 INGOT_INLINE ImpactNote note_of(const BodyView& two, const BodyPair& places, const Manifold& manifold) {
     const FlightState A = flight_state(two, places.body_A), B = flight_state(two, places.body_B);
@@ -170,6 +204,7 @@ INGOT_INLINE ImpactNote note_of(const BodyView& two, const BodyPair& places, con
 template <class Collision>
 void find_pair_contacts(const Collision& collision, PairRoom<Collision>& room, const PairReach& reach) {
     room.contacts.count = 0;
+    room.two.kinematic_count = 0;
     if (room.two.count == 2)
         collision.shapes.for_shapes(room.slots[0], [&](ShapeSlot A) {
             collision.shapes.for_shapes(room.slots[1], [&](ShapeSlot B) {
@@ -184,6 +219,7 @@ void find_pair_contacts(const Collision& collision, PairRoom<Collision>& room, c
             });
         });
     hide_internal_edges(collision, room);
+    place_kinematic(collision, room, reach.kinematic);
     // bound: limits::pair_manifolds_max
     for (int place = 0; place < room.contacts.count; ++place) {
         const ShapePair& of = room.contacts.shapes[place];

@@ -62,7 +62,7 @@ void go_on(const Collision& collision, int slot, PairRoom<Collision>& room) {
         const int waiting = wait_at_impact(collision, slot, other, t, room, changed);
         if (t < 1 - limits::last_moment) count(collision.report->impacts_deferred, waiting);
     }
-    for (int i = 0; i < changed.count; ++i) follow_anew(collision, changed.slots[i], room);  // bound: ChangedPaths::room
+    follow_anew(collision, changed, room);
     if (changed.count > 0 && !changed.has(slot)) find_next(collision, slot, room);
     if (changed.count > 0) return;
     collision.paths[slot].next = never;  // nobody is left to wait

@@ -88,10 +88,14 @@ bool closes_in(const Collision& collision, int slot, int other, const ShapePair&
         if (which < room.two.count) put_state(room.two.bodies(), which, {at[which].r_CM, paths[which]->way, paths[which]->L, at[which].A});
     }
     room.at = t;
+    StepReport& report = *collision.report;
+    const Index lost = report.contacts_lost, untested = report.pairs_untested;
     if (two_move)
         find_contact(collision, room, {true, 0, met}, pair, {0, 1, no_record});
     else
-        find_pair_contacts(collision, room, {true, 0, met});
+        find_pair_contacts(collision, room, {true, 0, met, other});
+    report.contacts_lost = lost;  // who only looks loses nothing
+    report.pairs_untested = untested;
     const int place = room.contacts.find(pair);
     if (place < 0) return false;
     const auto way_of = [&](int which, const Vector& P) {

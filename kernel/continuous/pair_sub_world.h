@@ -98,14 +98,16 @@ struct PairSubWorld {
             set_lane(rotation[at.tile].tau_T, at.lane, tau_T[which]);
         }
     }
-    /// The place of a kinematic body, at which it is yet to be put; -1: there is no room for one more.
-    int place_of_kinematic(const BodyShapes& shapes, int slot) {
+    /// Kinematic body i, at first_kinematic + i, where it is yet to be put.
+    void put_kinematic(const BodyShapes& shapes, int i, int slot) {
+        kinematic[i] = static_cast<Index>(slot);
+        extents[first_kinematic + i] = extent_of(shapes, slot);
+    }
+    /// The place of a kinematic body; -1: it has none.
+    int place_of_kinematic(int slot) const {
         for (int i = 0; i < kinematic_count; ++i)  // bound: limits::pair_kinematic_max
             if (kinematic[i] == slot) return first_kinematic + i;
-        if (kinematic_count == kinematic_max) return -1;
-        kinematic[kinematic_count] = static_cast<Index>(slot);
-        extents[first_kinematic + kinematic_count] = extent_of(shapes, slot);
-        return first_kinematic + kinematic_count++;
+        return -1;
     }
 };
 

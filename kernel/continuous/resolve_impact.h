@@ -6,13 +6,18 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// A body whose path has changed may be anywhere, and is followed from then on.
+/// Bodies whose paths have changed may be anywhere, and are followed from then on. All are where they can be found before one of them looks: else
+/// who finds whom would depend on the search.
 template <class Collision>
-void follow_anew(const Collision& collision, int slot, PairRoom<Collision>& room) {
-    if (!is_valid(collision, slot)) return;
-    put_in_tree(collision, slot);
-    collision.lists->follow(slot);
-    find_next(collision, slot, room);
+void follow_anew(const Collision& collision, const ChangedPaths& changed, PairRoom<Collision>& room) {
+    // bound: ChangedPaths::room
+    for (int i = 0; i < changed.count; ++i) {
+        if (!is_valid(collision, changed.slots[i])) continue;
+        put_in_tree(collision, changed.slots[i]);
+        collision.lists->follow(changed.slots[i]);
+    }
+    for (int i = 0; i < changed.count; ++i)  // bound: ChangedPaths::room
+        if (is_valid(collision, changed.slots[i])) find_next(collision, changed.slots[i], room);
 }
 
 /// Ends the path of a body at time t, with the motion that it has there, and that of its partner, which goes on alone. At its end the tiles have that
@@ -111,9 +116,7 @@ void hit(const Collision& collision, const int (&slots)[2], int kinematic, scala
     for (const int slot : slots)
         if (slot >= 0) begin_part(collision, slot, flight_state(collision.bodies, slot), t);
     gather_pair(collision, slots[0], slots[1], room);
-    if (kinematic >= 0) (void)room.two.place_of_kinematic(collision.shapes, kinematic);
-    show_kinematic(collision, t, room);
-    find_pair_contacts(collision, room, {true, 0, nullptr});
+    find_pair_contacts(collision, room, {true, 0, nullptr, kinematic});
     give_impulses(collision, room);
     for (int which = 0; which < room.two.count; ++which)  // bound: PairSubWorld::movers_max
         put_state(collision.bodies, room.slots[which], room.two.state(which));

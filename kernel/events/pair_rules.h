@@ -62,7 +62,8 @@ struct SensorView {
     }
 };
 
-/// Who passes through sensors within a step, in flight: it comes to those that are in one, once. Needs overlaps in the order of their keys.
+/// Who passes through sensors within a step, in flight: it comes to those that are in one, once. Where there is no room the last have none, in the
+/// order of keys, in which the step itself has noted those that it found. Needs overlaps in that order.
 template <class Filters>
 struct PassedSensors {
     static constexpr bool some = true;
@@ -82,9 +83,12 @@ struct PassedSensors {
         // bound: max_overlaps
         while (place > 0 && list.pairs[place - 1].key() > passing.key()) --place;
         if (place > 0 && list.pairs[place - 1].key() == passing.key()) return;
-        if (*list.count == list.capacity) return count(*sensors.lost);
+        const bool full = *list.count == list.capacity;
+        if (full) count(*sensors.lost);
+        if (place == list.capacity) return;
+        if (!full) ++*list.count;
         // bound: max_overlaps
-        for (int i = (*list.count)++; i > place; --i) write_pair(list.pairs[i], list.pairs[i - 1]);
+        for (int i = *list.count - 1; i > place; --i) write_pair(list.pairs[i], list.pairs[i - 1]);
         write_pair(list.pairs[place], passing);
     }
 };
