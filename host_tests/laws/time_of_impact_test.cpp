@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 struct Balls : ingot::Scene {
     static constexpr int max_bodies = 32;
     static constexpr bool translates = true;
-    static constexpr int max_contacts = 128;
+    static constexpr int max_contacts = 512;  // more than 26 balls have pairs, with each other and six walls
     using solver = ingot::FrictionlessImpacts;
     using shapes = ingot::Shapes<ingot::Sphere, ingot::HalfSpace>;
 };
@@ -159,41 +159,106 @@ TEST(TimeOfImpact, an_impact_goes_through_a_row_in_its_own_time) {
     }
 }
 
-/// Balls that fly about in a closed room, elastic: none gets into another or into a wall, and energy stays, in each step.
-///
-/// Known to fail in double at 30 Hz: a ball gets 56 mm into another. Not understood yet.
-TEST(TimeOfImpact, a_cloud_of_balls_keeps_its_energy_and_its_distances) {
-    if (sizeof(scalar) == 8) GTEST_SKIP() << "an impact is missed in double";
-    RandomInput random(354);
-    for (int i = 0; i < draws(12); ++i) {
-        World& world = empty_world();
+/// A light ball between two heavy ones has more impacts than a step follows, or their impulses more than its sweeps find.
+bool reaches_bound(ingot::StepReport report) {
+    const bool some = report.impacts_deferred > 0 || report.sweeps_unfinished > 0;
+    report.impacts_deferred = report.sweeps_unfinished = 0;
+    return some && report.clean();
+}
+
+/// Balls that fly about in a closed room.
+struct Cloud {
+    std::vector<Known> balls{};
+    std::vector<double> radii{};
+    double fastest = 0;
+
+    Cloud(World& world, RandomInput& random) {
         for (int wall_i = 0; wall_i < 6; ++wall_i)
             (void)add(world, half_space(Vector3d::Unit(wall_i / 2) * (wall_i % 2 == 0 ? 1 : -1), -1.2, 1));
-        std::vector<Known> balls;
-        std::vector<double> radii;
-        for (int ball_i = 0; ball_i < 26; ++ball_i) {
-            const Vector3d cell(ball_i % 3 - 1, ball_i / 3 % 3 - 1, ball_i / 9 - 1);
-            radii.push_back(random.real(0.1, 0.35));
-            balls.push_back(add(world, ball(std::exp(random.real(-2, 2)), radii.back(), 0.8 * cell, random.vector(6), 1)));
-        }
-        const double rate = rates[i % 6];
-        long double before = kinetic_energy(world, balls);
-        for (int step_i = 0; step_i < rate; ++step_i) {
-            const ingot::StepReport report = ingot::step(world, static_cast<scalar>(1 / rate));
-            ASSERT_TRUE(report.clean());
-            const long double now = kinetic_energy(world, balls);
-            // Speeds of impacts are met to contact_roundings; in each of them the energy of two bodies is changed by that.
-            ASSERT_NEAR(static_cast<double>(now / before), 1, 4 * ingot::limits::contact_roundings * 2 * u * (1 + report.impact_waves));
-            before = now;
-            for (std::size_t a = 0; a < balls.size(); ++a) {
-                const Vector3d r = position(world, balls[a]);
-                const double rounding = 64 * u;  // of places within 1.2 m, in a few impacts a step
-                ASSERT_LE(r.cwiseAbs().maxCoeff() + radii[a], 1.2 + rounding) << "step " << step_i << " at " << rate;
-                for (std::size_t b = 0; b < a; ++b)
-                    ASSERT_GE((r - position(world, balls[b])).norm(), radii[a] + radii[b] - rounding) << "step " << step_i << " at " << rate;
-            }
+        const int count = random.integer(2, 26);
+        const double most = random.real(0.05, 0.39), speed = random.real(0.5, 12);
+        const bool alike = random.integer(0, 3) == 0;
+        for (int ball_i = 0; ball_i < count; ++ball_i) {
+            const Vector3d cell(ball_i % 3 - 1, ball_i / 3 % 3 - 1, ball_i / 9 - 1), v = random.vector(speed);
+            radii.push_back(alike ? most : random.real(most / 4, most));
+            balls.push_back(add(world, ball(std::exp(random.real(-2, 2)), radii.back(), 0.8 * cell, v, 1)));
+            fastest = std::max(fastest, v.norm());
         }
     }
+    /// m; how deep they are in each other or in a wall.
+    double depth(const World& world) const {
+        double deepest = -1;
+        for (std::size_t a = 0; a < balls.size(); ++a) {
+            const Vector3d r = position(world, balls[a]);
+            deepest = std::max(deepest, r.cwiseAbs().maxCoeff() + radii[a] - 1.2);
+            for (std::size_t b = 0; b < a; ++b) deepest = std::max(deepest, radii[a] + radii[b] - (r - position(world, balls[b])).norm());
+        }
+        return deepest;
+    }
+};
+
+/// Elastic, of any number, sizes, masses and speeds, at any rate: none gets into another or into a wall, and energy stays, in each step. A light ball
+/// that heavy ones throw is faster than any was as the step began.
+TEST(TimeOfImpact, a_cloud_of_balls_keeps_its_energy_and_its_distances) {
+    RandomInput random(354);
+    for (int i = 0; i < draws(600); ++i) {
+        World& world = empty_world();
+        const Cloud cloud(world, random);
+        const double rate = rates[i % 6];
+        long double before = kinetic_energy(world, cloud.balls);
+        for (int step_i = 0; step_i < rate; ++step_i) {
+            const ingot::StepReport report = ingot::step(world, static_cast<scalar>(1 / rate));
+            ASSERT_TRUE(report.clean() || reaches_bound(report));
+            const long double now = kinetic_energy(world, cloud.balls);
+            // Speeds of impacts are met to contact_roundings; in each of them the energy of two bodies is changed by that.
+            const double off = 4 * ingot::limits::contact_roundings * 2 * u * (1 + report.impact_waves);
+            ASSERT_LE(static_cast<double>(now / before), 1 + off) << "cloud " << i << " step " << step_i << " at " << rate;
+            ASSERT_GE(static_cast<double>(now / before), report.clean() ? 1 - off : 0) << "cloud " << i << " step " << step_i << " at " << rate;
+            before = now;
+            // Of places within 1.2 m and the way of a step, in each impact once more.
+            const double rounding = 2 * u * (32 + report.impact_waves) * (1.2 + cloud.fastest / rate);
+            ASSERT_LE(cloud.depth(world), rounding) << "cloud " << i << " step " << step_i << " at " << rate;
+        }
+    }
+}
+
+/// A light ball between two heavy ones that come nearer to each other is thrown to and fro more often than a step follows. That is told, and the
+/// balls get no energy, and no deeper into each other than what counts as touching lies apart, and 128 waves of 128 sweeps leave of the way that they
+/// have in a step: exp(-2 128^2 / 6000), 0.4 %, at the ratio of their masses.
+TEST(TimeOfImpact, what_is_squeezed_is_held_and_told) {
+    RandomInput random(355);
+    int told = 0;
+    for (int i = 0; i < draws(400); ++i) {
+        World& world = empty_world();
+        const double M = std::exp(random.real(3, 8)), R = random.real(0.1, 0.5), r = random.real(0.02, 0.3), v = random.real(0.5, 10);
+        const double gap = random.real(0.001, 0.3), rate = rates[i % 6];
+        const Vector3d n = random.direction(), aside = random.vector(i % 3 == 0 ? 0 : 0.01 * r);
+        const Known balls[] = {add(world, ball(M, R, aside - n * (R + r + gap), n * v, 1)),
+                               add(world, ball(M * random.real(0.5, 2), R, n * (R + r + gap), -n * v, 1)),
+                               add(world, ball(1, r, {0, 0, 0}, n * random.real(-1, 1), 1))};
+        const double radii[] = {R, R, r};
+        const auto energy = [&] { return kinetic_energy(world, std::vector<Known>(balls, balls + 3)); };
+        const auto depth = [&] {
+            double deepest = -1;
+            for (int a = 0; a < 3; ++a)
+                for (int b = 0; b < a; ++b)
+                    deepest = std::max(deepest, radii[a] + radii[b] - (position(world, balls[a]) - position(world, balls[b])).norm());
+            return deepest;
+        };
+        long double before = energy();
+        for (int step_i = 0; step_i < 2 + 1.5 * gap / v * rate + 20; ++step_i) {
+            const ingot::StepReport report = ingot::step(world, static_cast<scalar>(1 / rate));
+            ASSERT_TRUE(report.clean() || reaches_bound(report));
+            told += report.impacts_deferred > 0 ? 1 : 0;
+            const long double now = energy();
+            const double off = 4 * ingot::limits::contact_roundings * 2 * u * (1 + report.impact_waves);
+            ASSERT_LE(static_cast<double>(now / before), 1 + off) << i << " step " << step_i;
+            ASSERT_GE(static_cast<double>(now / before), report.clean() ? 1 - off : 0) << i << " step " << step_i;
+            before = now;
+            ASSERT_LE(depth(), 2 * static_cast<double>(ingot::limits::flatness) * (R + r) + 0.004 * 2 * v / rate) << i << " step " << step_i;
+        }
+    }
+    EXPECT_GT(told, draws(400) / 20);
 }
 
 }  // namespace

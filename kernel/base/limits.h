@@ -66,7 +66,8 @@ inline constexpr int polar_steps_max = 5;                  ///< of Rk4Polar, fro
 /// corners at once, and a body that is put down touching does not fall for one step.
 inline constexpr scalar flatness = scalar(1e-4);
 inline constexpr int impact_waves_max = 128;    ///< impacts that impacts cause at the same time; what is left is reported
-/// Of a contact, at different times of a step; in the second half of them it bounces no more, and then it is held. What that stops is reported.
+/// Of a contact, at different times of a step; in the second half of them it bounces no more, and then its bodies do not pass the plane between them
+/// any more. Both are reported.
 inline constexpr int impacts_in_step_max = 64;
 /// rad; corners are followed on their way for so long: further on they are off by more than a fiftieth of their lever.
 inline constexpr scalar corner_turn = scalar(0.5);

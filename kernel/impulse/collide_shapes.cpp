@@ -63,6 +63,7 @@ void ContactSink::add(ContactPlace place, const Vector& n, const Vector& lever_A
         if (!gives_way(bodies, contacts.contacts[place.index], next)) return;
     }
     Contact& contact = contacts.contacts[place.index];
+    if (place.is_known && stays(contact)) return;
     contact.n = n;
     contact.lever_A = lever_A;
     contact.lever_B = lever_B;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "../base/limits.h"
 #include "../math/vec3.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -35,6 +36,9 @@ struct Contact {
     scalar j_impact;     ///< N s; of the impact at hand
     scalar j_total;      ///< N s; given in this step
 };
+
+/// Whether a contact has had all the impacts of a step that it may have.
+INGOT_INLINE bool stays(const Contact& c) { return c.impacts >= limits::impacts_in_step_max; }
 
 /// The contacts of a step, without their capacity. Those of a pair stand together.
 struct ContactView {

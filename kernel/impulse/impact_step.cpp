@@ -20,6 +20,12 @@ Ways ways_in(const ImpactStep& step) {
     return {step.h, fall, 2 * sqrt(v_sq) * step.h + fall};
 }
 
+void raise_ways(ImpactStep& step, int slot) {
+    const Place at = place_of(slot);
+    const scalar v_sq = length_sq(lane_of(step.bodies.translation[at.tile].v_CM, at.lane));
+    step.ways.most = max(step.ways.most, 2 * sqrt(v_sq) * step.h + step.ways.fall);
+}
+
 Placed placed_at(const ImpactStep& step, int slot, scalar t) {
     Placed body = placed(step.bodies, step.surfaces, slot);
     body.a = acceleration_in(step, slot);

@@ -23,7 +23,7 @@ struct ImpactStep {
     Vector gravity;
     scalar h;           ///< s, of the step that is looked at; 0: impacts are of what touches as the step begins, and no others
     scalar rest_speed;  ///< m/s; slower impacts are contacts at rest
-    Ways ways = {};     ///< within h
+    Ways ways = {};     ///< within h: as fast as bodies have been in it so far
 
     /// m/s; what touches and leaves no faster is taken to rest.
     scalar still() const { return rest_speed * limits::still_share; }
@@ -34,6 +34,8 @@ Vector acceleration_in(const ImpactStep& step, int slot);
 
 /// ImpactStep::ways. Cost: a look at every body.
 Ways ways_in(const ImpactStep& step);
+/// An impact may have made a body faster than all were before it.
+void raise_ways(ImpactStep& step, int slot);
 
 /// A body at the time t of the step, and how it flies on. Its A is that of the begin.
 Placed placed_at(const ImpactStep& step, int slot, scalar t);

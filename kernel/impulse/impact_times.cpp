@@ -23,31 +23,30 @@ bool share_a_body(const BodyView& bodies, const Contact& a, const Contact& b) {
 /// What was to meet at this time and took no impulse, because its body is held elsewhere, is as near as it was: it is held as well.
 bool misses(const Contact& c) { return c.at_hand && !(c.j_impact > 0); }
 
-void await_impact(const ImpactStep& step, Contact& c, scalar now, StepReport& report) {
+void await_impact(const ImpactStep& step, Contact& c, scalar now) {
     const SpeedInStep speed = speed_at(step, c, c.when);
     const scalar tolerance = max(step.still(), tolerance_of(c, speed));
-    const bool comes = (c.when > now && !misses(c)) || speed.u < -tolerance, is_over = c.impacts >= limits::impacts_in_step_max;
-    if (comes && is_over) count(report.impacts_deferred);
+    const bool comes = (c.when > now && !misses(c)) || speed.u < -tolerance;
     scalar still = tolerance;
     if (step.surfaces.surfaces[c.body_A].shape.kind == ShapeKind::box) {
         const scalar acceleration = dot(c.n, acceleration_in(step, c.body_A) - acceleration_in(step, c.body_B));
         still = max(still, corners_still(acceleration, step.h * limits::corners_together));
     }
-    c.touches = comes ? is_over : speed.u <= still || misses(c);
+    c.touches = !comes && (speed.u <= still || misses(c));
     if (!comes && !c.touches) c.when = limits::unbounded;
 }
 
 }  // namespace
 
 template <bool sees_kinematic>
-void take_in_new(const ImpactStep& step, const ContactView& contacts, scalar now, StepReport& report) {
+void take_in_new(const ImpactStep& step, const ContactView& contacts, scalar now) {
     for_contacts(contacts, [&](Contact& c) {
         if (!c.is_new) return;
         c.is_new = false;
         const scalar tolerance = c.tolerance;
         prepare_contact_row<sees_kinematic>(c, step.bodies);
         c.tolerance = tolerance;  // the largest in the step
-        await_impact(step, c, now, report);
+        await_impact(step, c, now);
     });
 }
 
@@ -60,7 +59,7 @@ int first_impact(const ContactView& contacts) {
     return first;
 }
 
-bool gather_impact(const ImpactStep& step, const ContactView& contacts, int first) {
+bool gather_impact(const ImpactStep& step, const ContactView& contacts, int first, StepReport& report) {
     const scalar now = contacts.contacts[first].when, last = now + limits::together * step.h;
     for_contacts(contacts, [](Contact& c) {
         c.aside = true;
@@ -84,7 +83,9 @@ bool gather_impact(const ImpactStep& step, const ContactView& contacts, int firs
         if (c.aside || c.touches) return;
         c.at_hand = true;
         ++c.impacts;
-        bounce = bounce && c.impacts <= limits::impacts_in_step_max / 2;
+        constexpr int bounces = limits::impacts_in_step_max / 2;
+        if (c.impacts == bounces + 1 && c.e > 0 && speed_at(step, c, c.when).u < -step.rest_speed) count(report.impacts_deferred);
+        bounce = bounce && c.impacts <= bounces;
     });
     return bounce;
 }
@@ -123,9 +124,15 @@ int body_of_impact(const ImpactStep& step, const ContactView& contacts, int cont
     return slot;
 }
 
-void forget_times(const ContactView& contacts, int slot) {
+void forget_times(const ContactView& contacts, int slot, scalar now, StepReport& report) {
     for_contacts(contacts, [&](Contact& c) {
         if (c.body_A != slot && c.body_B != slot) return;
+        if (stays(c)) {
+            if (c.touches) return;
+            c.touches = true;
+            c.when = now;
+            return count(report.impacts_deferred);
+        }
         c.touches = false;
         c.when = limits::unbounded;
     });
@@ -140,8 +147,8 @@ void defer_impacts(const ContactView& contacts, StepReport& report) {
 }
 
 // The linker takes the one that the scene calls.
-template void take_in_new<false>(const ImpactStep&, const ContactView&, scalar, StepReport&);
-template void take_in_new<true>(const ImpactStep&, const ContactView&, scalar, StepReport&);
+template void take_in_new<false>(const ImpactStep&, const ContactView&, scalar);
+template void take_in_new<true>(const ImpactStep&, const ContactView&, scalar);
 template void hold_until(const ImpactStep&, const ContactView&, scalar, AnyVisits&, StepReport&);
 template void hold_until(const ImpactStep&, const ContactView&, scalar, VisitsLeft&, StepReport&);
 

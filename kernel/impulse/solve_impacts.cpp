@@ -26,10 +26,12 @@ struct Wave {
             if (c.aside) continue;
             const SpeedInStep speed = speed_at(step, c, now);
             c.tolerance = tolerance_of(c, speed);
-            c.active = speed.u < -c.tolerance;
+            const bool approaches = speed.u < -c.tolerance;
+            // A light ball between two heavy ones would pass on a little of their speeds in each wave.
+            c.active = approaches || (stays(c) && !(speed.u > c.tolerance));
             c.target = -speed.change;  // at the begin of the step, of what is to be at rest now
             c.change = -c.e * speed.u;  // kept here until the pair is known to bounce
-            approaching += c.active ? 1 : 0;
+            approaching += approaches ? 1 : 0;
             fastest = -speed.u > fastest ? -speed.u : fastest;
         }
         for (int contact_i = 0; bounce && fastest > step.rest_speed && contact_i < count; ++contact_i)
@@ -44,6 +46,16 @@ struct Wave {
             approaching += begin_pair(&contacts.contacts[first], end - first, bounce);
         }
         return approaching;
+    }
+    /// How many of those that approach would bounce.
+    int bouncing() const {
+        int bouncing = 0;
+        // bound: max_contacts
+        for (int contact_i = 0; contact_i < *contacts.count; ++contact_i) {
+            const Contact& c = contacts.contacts[contact_i];
+            bouncing += c.active && c.change > c.e * step.rest_speed ? 1 : 0;
+        }
+        return bouncing;
     }
     void end() const {
         // bound: max_contacts
@@ -71,6 +83,7 @@ void solve_impacts(const ImpactStep& step, const ContactView& contacts, scalar n
         wave.end();
         // Among close-packed bodies impacts go to and fro: in the second half of the waves they bounce no more.
         approaching = wave.begin(bounce && wave_i < limits::impact_waves_max / 2);
+        if (bounce && wave_i == limits::impact_waves_max / 2) count(report.impacts_deferred, wave.bouncing());
     }
     count(report.impacts_deferred, approaching);
 }

@@ -16,7 +16,9 @@ namespace ingot { inline namespace INGOT_ABI {
 /// energy of a wave changes by -(1 - e) j |u| / 2 summed: it never grows, and stays for e = 1.
 ///
 /// Contacts slower than rest_speed are at rest: they take e = 0; so do all in the second half of the waves, and all where `bounce` is false.
-/// Bound: limits::impact_waves_max waves, and as many visits to contacts as are left; contacts that then still approach count in impacts_deferred.
+/// One that has had its last impact is solved with those that approach, in all waves.
+/// Bound: limits::impact_waves_max waves, and as many visits to contacts as are left; contacts that then still approach count in impacts_deferred, as
+///        do those that would bounce in the second half.
 template <class Left>
 void solve_impacts(const ImpactStep& step, const ContactView& contacts, scalar now, bool bounce, Left& left, StepReport& report);
 

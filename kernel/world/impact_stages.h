@@ -34,7 +34,7 @@ template <class S>
 void resolve_impacts([[maybe_unused]] Step<S>& now) {
     if constexpr (collides<S>) {
         const ContactView contacts = now.storage.contact_view();
-        const ImpactStep step = impact_step_of(now);
+        ImpactStep step = impact_step_of(now);
         refresh_inv_I_world(now.bodies);  // Eq. 20
         find_contacts<typename S::shapes>(step, contacts, now.report);
         if constexpr (S::holds_crowds)
