@@ -160,6 +160,8 @@ CALL(set_ball_target)(World<Servoed>& world, JointId id, const Vector& target, c
 CALL(joint_drive)(const World<Servoed>& world, JointId id, int which) { return world.joint_drive(id, which); }
 CALL(drive_torque)(const World<Servoed>& world, JointId id, int which) { return world.drive_torque(id, which); }
 CALL(ball_torque)(const World<Servoed>& world, JointId id) { return world.ball_torque(id); }
+CALL(figure)(const World<Ragdolls>& world, BodyId id) { return world.figure(id); }
+CALL(figure_of_joint)(const World<Ragdolls>& world, JointId id) { return world.figure(id); }
 CALL(set_joint_limits)(World<LimitedRagdolls>& world, JointId id, const JointLimits& limits) { return world.set_joint_limits(id, limits); }
 CALL(joint_angle)(const World<LimitedRagdolls>& world, JointId id, int which) { return world.joint_angle(id, which); }
 CALL(joint_rate)(const World<LimitedRagdolls>& world, JointId id, int which) { return world.joint_rate(id, which); }
