@@ -108,6 +108,10 @@ struct LimitedRagdolls : Telling {
     static constexpr int max_joints = 8;
     using joints = Joints<BallJoint, HingeJoint, SliderJoint, WithLimits>;
 };
+struct BreakingRagdolls : Telling {
+    static constexpr int max_joints = 8;
+    using joints = Joints<BallJoint, HingeJoint, SliderJoint, WithLimits, WithBreaking>;
+};
 struct Ragdolls : Telling {
     static constexpr int max_joints = 8;
     using joints = Joints<BallJoint, HingeJoint>;
@@ -160,6 +164,20 @@ CALL(set_ball_target)(World<Servoed>& world, JointId id, const Vector& target, c
 CALL(joint_drive)(const World<Servoed>& world, JointId id, int which) { return world.joint_drive(id, which); }
 CALL(drive_torque)(const World<Servoed>& world, JointId id, int which) { return world.drive_torque(id, which); }
 CALL(ball_torque)(const World<Servoed>& world, JointId id) { return world.ball_torque(id); }
+CALL(step_breaking_joints_in_contact)(World<BreakingRagdolls>& world, scalar h) { return step(world, h); }
+CALL(joint_reaction)(const World<BreakingRagdolls>& world, JointId id) { return world.joint_reaction(id); }
+CALL(set_joint_strength)(World<BreakingRagdolls>& world, JointId id, const JointStrength& strength) {
+    return world.set_joint_strength(id, strength);
+}
+CALL(joint_strength)(const World<BreakingRagdolls>& world, JointId id) { return world.joint_strength(id); }
+CALL(set_joint_enabled)(World<BreakingRagdolls>& world, JointId id, bool enabled) { return world.set_joint_enabled(id, enabled); }
+CALL(is_joint_enabled)(const World<BreakingRagdolls>& world, JointId id) { return world.is_joint_enabled(id); }
+CALL(is_joint_broken)(const World<BreakingRagdolls>& world, JointId id) { return world.is_joint_broken(id); }
+CALL(broken_joints)(const World<BreakingRagdolls>& world) {
+    scalar sum = 0;
+    for (const JointBreak& broken : world.broken_joints()) sum += broken.reaction.force.x;
+    return sum;
+}
 CALL(figure)(const World<Ragdolls>& world, BodyId id) { return world.figure(id); }
 CALL(figure_of_joint)(const World<Ragdolls>& world, JointId id) { return world.figure(id); }
 CALL(set_joint_limits)(World<LimitedRagdolls>& world, JointId id, const JointLimits& limits) { return world.set_joint_limits(id, limits); }

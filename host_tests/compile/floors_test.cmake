@@ -39,11 +39,11 @@ set(narrow_phase_shares manifold manifold_points box_axes contact_geometry conta
   manifold_anchors find_manifolds normal_cone)
 set(query_shares candidates shapes_of_tree query_filter ray_on_shapes cast_ray)
 set(impulse_shares contact collide_shapes contact_rows impulse impact_step impact_times find_contacts solve_impacts)
-set(joint_shares joints joint_record joint_lists limit_record drives)
+set(joint_shares joints joint_record joint_lists limit_record drives reactions)
 set(figure_shares spatial figure_row figure_view ground tree_passes joint_sides row_motion displace_rows cursor_moves joint_row measure_joint row_compliance
   build_figures factor_figures keep_figures move_figures respond_figures cursor joint_motions joint_rows joint_drives driven_motion
-  push_rows loop_view find_loops factor_loops close_loops)
-set(energy_momentum_shares energy_momentum tangent at_node newton_row newton_pass fit_to_joints advance_figure swing_freely)
+  push_rows loop_view find_loops factor_loops close_loops note_reactions swing_figures swing_in_substeps)
+set(energy_momentum_shares energy_momentum tangent at_node newton_row newton_pass fit_to_joints advance_figure advance_parts free_figures note_part swing_freely)
 set(constraint_shares belts without_joints jointed_response jointed_view prepare_responses block_bodies block_rows block_solve contact contact_block flight friction impact_note kinematic_motion_at kinematic_view laws
   material_view normals response rolling
   row_flight row_pair rows solver_body solver_view surface_materials torsion visit)
@@ -53,7 +53,7 @@ set(events_shares contact_events pair_rules)
 set(continuous_shares body_path fast_pairs parting_plane time_of_impact pair_sub_world pair_contacts continuous_collision find_pair_contacts solve_pair
   lay_paths next_impact resolve_impact)
 # swept_contacts has the stages of a substep, for block_sweeps and hybrid_islands to conduct; plan_islands begins a batch.
-set(solver_sweeps_shares block_sweeps swept_contacts jointed_contacts jointed_visits conjugate_gradients diverged_islands gaining_figures gaining_islands kinematic_contacts move_bodies note_impulses order_manifolds
+set(solver_sweeps_shares block_sweeps swept_contacts conduct_sweeps jointed_contacts jointed_reactions jointed_visits conjugate_gradients diverged_islands gaining_figures gaining_islands kinematic_contacts move_bodies note_impulses order_manifolds
   passive_bounces plan_islands predict_contacts sequence_impacts slip_reversals solve_velocities sweep_joint_rows sweep_positions sweep_velocities warm_start)
 # solve_sequentially conducts the stages of its substeps, and sequential_impulses names it to scenes.
 set(solver_sequential_shares kinematic_points point_view point_visit point_visits point_reversals point_rows sequential_contacts move_point_bodies sweep_points solve_sequentially)

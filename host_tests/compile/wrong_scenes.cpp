@@ -348,10 +348,18 @@ struct Wrong : ingot::Scene {
     static constexpr int max_joints = 1;
     using joints = ingot::Joints<ingot::FixedJoint, ingot::WithDrives>;
 #endif
-#if defined(DRIVE_WITHOUT_DRIVES) || defined(LIMIT_WITHOUT_LIMITS)
+#if defined(DRIVE_WITHOUT_DRIVES) || defined(LIMIT_WITHOUT_LIMITS) || defined(REACTION_WITHOUT_REACTIONS)
     static constexpr bool translates = true;
     static constexpr int max_joints = 1;
     using joints = ingot::Joints<ingot::BallJoint>;
+#endif
+#ifdef STRENGTH_WITHOUT_BREAKING
+    static constexpr bool translates = true;
+    static constexpr int max_joints = 1;
+    using joints = ingot::Joints<ingot::BallJoint, ingot::WithReactions>;
+#endif
+#ifdef REACTIONS_WITHOUT_JOINTS
+    using joints = ingot::Joints<ingot::WithReactions>;
 #endif
 #ifdef FIGURE_MOTION_WITH_LIMITS
     static constexpr bool translates = true;
@@ -436,6 +444,12 @@ int main() {
 #endif
 #ifdef LIMIT_WITHOUT_LIMITS
     (void)world.set_joint_limits({}, {});
+#endif
+#ifdef REACTION_WITHOUT_REACTIONS
+    (void)world.joint_reaction({});
+#endif
+#ifdef STRENGTH_WITHOUT_BREAKING
+    (void)world.set_joint_strength({}, {});
 #endif
 #ifdef WORD_WITHOUT_USER_DATA
     (void)world.set_user_data(id, 1);

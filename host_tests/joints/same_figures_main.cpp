@@ -33,6 +33,28 @@ struct LoopedPit : Pit {
     static constexpr int max_loops = 3;
 };
 
+/// What is joined breaks.
+struct BreakingPit : Pit {
+    using joints = AllJointsWith<ingot::WithLimits, ingot::WithBreaking>;
+};
+struct BreakingSwings : SwingingPit {
+    using joints = AllJointsWith<ingot::WithBreaking>;
+};
+struct BreakingLoops : LoopedPit {
+    using joints = AllJointsWith<ingot::WithBreaking>;
+};
+template <class World>
+void weaken(World& world, RandomInput& random, const Built& built) {
+    for (const ingot::JointId id : built.joints)
+        (void)world.set_joint_strength(id, {static_cast<scalar>(random.real(100, 2000)), static_cast<scalar>(random.real(50, 1000))});
+}
+template <class World>
+void print_breaks(const World& world) {
+    for (const ingot::JointBreak& broken : world.broken_joints())
+        std::printf("    joint %d: %a N, %a N m\n", broken.joint.slot, static_cast<double>(broken.reaction.force.z),
+                    static_cast<double>(broken.reaction.torque.x));
+}
+
 /// Two of the ragdolls hold their own hands, and a figure that swings is tied once more.
 template <class World>
 void close_some_loops(World& world, Built& built) {
@@ -67,8 +89,10 @@ bool run(const char* name) {
             if (world->set_joint_drive(id, drive) != ingot::Status::ok) (void)world->set_ball_drive(id, drive);
         }
     if constexpr (Scene::max_loops > 0) close_some_loops(*world, built);
+    if constexpr (Scene::joints::may_break) weaken(*world, random, built);
     for (int step_i = 0; step_i < 120; ++step_i) {
         (void)ingot::step(*world, scalar(1) / 60);
+        if constexpr (Scene::joints::may_break) print_breaks(*world);
         std::printf("%s %d %016" PRIx64 "\n", name, step_i, world->state_hash());
     }
     return built.sound;
@@ -79,5 +103,6 @@ bool run(const char* name) {
 int main() {
     const bool plain = run<Pit>("substeps"), limited = run<LimitedPit>("limits"), driven = run<DrivenPit>("drives"),
                looped = run<LoopedPit>("loops"), swinging = run<SwingingPit>("energy_momentum");
-    return plain && limited && driven && looped && swinging ? 0 : 1;
+    const bool breaking = run<BreakingPit>("breaking"), swings = run<BreakingSwings>("breaking swings"), loops = run<BreakingLoops>("breaking loops");
+    return plain && limited && driven && looped && swinging && breaking && swings && loops ? 0 : 1;
 }

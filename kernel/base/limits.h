@@ -280,6 +280,10 @@ inline constexpr scalar hidden_share = scalar(1e-4);
 /// By this factor the energy of a snap may raise the kinetic energy of a figure, its motion as a whole excepted.
 inline constexpr scalar snap_gain_max = 4;
 
+/// m, rad; a joint that was broken, or switched off, works again where its sides are no further off each other. They are drawn together in a step:
+/// bodies that are further apart would be thrown about by what is left of that in their velocities.
+inline constexpr scalar mended_gap = scalar(0.05);
+
 // Drives of joints.
 inline constexpr scalar drive_gain_max = scalar(1e12);   ///< N m/rad, N m s/rad, N m; of a slider N/m, N s/m, N
 inline constexpr scalar drive_hertz_max = 1000;          ///< Hz, of what is tuned

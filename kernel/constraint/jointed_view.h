@@ -8,6 +8,7 @@
 
 #include "../figure/joint_row.h"
 #include "../figure/loop_view.h"
+#include "../figure/note_reactions.h"
 #include "material_view.h"
 #include "without_joints.h"
 
@@ -80,6 +81,24 @@ using RowedMaterialView = RowedViewOf<RollingBeltView, JointRowView>;
 using DrivenView = RowedViewOf<SolverView, DrivenRowView>;
 using DrivenMaterialView = RowedViewOf<RollingBeltView, DrivenRowView>;
 
+/// Any of these, of which it is told what joints bear.
+template <class View>
+struct ReactingViewOf : View {
+    ReactionView reactions;
+};
+template <class View>
+inline constexpr bool tells_reactions = false;
+template <class View>
+inline constexpr bool tells_reactions<ReactingViewOf<View>> = true;
+template <class View>
+struct WithoutReactions {
+    using Type = View;
+};
+template <class View>
+struct WithoutReactions<ReactingViewOf<View>> {
+    using Type = View;
+};
+
 template <class View>
 struct WithoutRows {
     using Type = View;
@@ -88,7 +107,11 @@ template <class View, class Rows>
 struct WithoutRows<RowedViewOf<View, Rows>> {
     using Type = JointedViewOf<View>;
 };
-/// The view for stages of contacts, to which rows of joints are nothing.
+template <class View>
+struct WithoutRows<ReactingViewOf<View>> {
+    using Type = typename WithoutRows<View>::Type;
+};
+/// The view for stages of contacts, to which rows of joints, and what these bear, are nothing.
 template <class View>
 INGOT_INLINE typename WithoutRows<View>::Type& without_rows(View& solver) {
     return solver;

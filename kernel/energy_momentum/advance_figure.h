@@ -2,6 +2,7 @@
 // A step of figures of one form, cut as often as it has to be.
 #pragma once
 
+#include "../figure/note_reactions.h"
 #include "newton_row.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -14,8 +15,10 @@ struct FigureAdvance {
 
 /// Tries the step in 2^halvings parts. view.groups holds one group, loaded. was_seen: bodies are where their last such step left them.
 /// A figure is not solved if its passes found no end, or if it turned by more than limits::newton_turn in a part and more halvings are allowed.
+/// reactions: ReactionView, of which it gives impulses of the step, or NoReactions.
 /// Bound: 2^halvings times limits::newton_steep_passes_max passes, five times that for order 4.
-template <unsigned width>
-void advance_figures(FigureView& view, const EnergyMomentumView& scheme, bool was_seen, int halvings, FigureAdvance (&advances)[width]);
+template <unsigned width, class Reactions>
+void advance_figures(FigureView& view, const EnergyMomentumView& scheme, Reactions reactions, bool was_seen, int halvings,
+                     FigureAdvance (&advances)[width]);
 
 } }  // namespace ingot

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "read_joint.h"
 
+#include "../math/sqrt.h"
 #include "measure_joint.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -23,6 +24,15 @@ JointReading joint_values(const JointRecord& joint, const JointPair& bodies) {
 scalar angle_over_turns(scalar angle, const AngleRecord& last) {
     int32_t turns = 0;
     return nearest_turn(angle, last.angle + static_cast<scalar>(last.turns) * whole_turn, turns);
+}
+
+scalar misfit_of(const JointRecord& joint, const JointPair& bodies) {
+    const JointSides<scalar> sides = sides_of(joint, bodies);
+    const bool holds_axis = joint.kind == JointKind::hinge || locks_turns(joint.kind);
+    if (holds_axis && !(dot(sides.axis, sides.axis_of_parent) > 0)) return scalar_max;
+    if (locks_turns(joint.kind) && !(dot(sides.side, sides.side_of_parent) > 0)) return scalar_max;
+    const Spatial<scalar> back = twist_back(joint.kind, sides);
+    return sqrt(max(length_sq(back.v), length_sq(back.w)));
 }
 
 JointReading joint_rates(const JointRecord& joint, const JointPair& bodies) {

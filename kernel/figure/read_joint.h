@@ -29,6 +29,9 @@ JointReading joint_values(const JointRecord& joint, const JointPair& bodies);
 /// The angle that is nearest to where the joint was last, over whole turns.
 scalar angle_over_turns(scalar angle, const AngleRecord& last);
 
+/// m, rad: how far the sides are off each other along what the joint locks. NaN, or scalar_max, where there is no short way back.
+scalar misfit_of(const JointRecord& joint, const JointPair& bodies);
+
 /// rad/s, m/s; 0 for the cone of a ball joint in whose middle the axis is.
 JointReading joint_rates(const JointRecord& joint, const JointPair& bodies);
 

@@ -81,6 +81,16 @@ struct WithDrives {
     static constexpr JointKind kind = JointKind::none;
 };
 
+/// Beside the kinds of a scene's joints: World::joint_reaction tells what they bear, see reactions.h.
+struct WithReactions {
+    static constexpr JointKind kind = JointKind::none;
+};
+
+/// Beside the kinds of a scene's joints: they tell what they bear, and may break: see World::set_joint_strength.
+struct WithBreaking {
+    static constexpr JointKind kind = JointKind::none;
+};
+
 /// How many free directions of a kind may have limits: see JointLimits.
 constexpr int limited_directions(JointKind kind) {
     switch (kind) {
@@ -121,6 +131,8 @@ struct Joints {
         ((most = driven_directions(Kinds::kind) > most ? driven_directions(Kinds::kind) : most), ...);
         return has_drives ? most : 0;
     }
+    static constexpr bool may_break = (is_same<Kinds, WithBreaking> || ...);
+    static constexpr bool has_reactions = may_break || (is_same<Kinds, WithReactions> || ...);
 };
 
 /// What World::add_joint needs to know. The bodies are joined as they are now: a hinge has the angle 0.

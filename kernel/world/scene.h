@@ -128,6 +128,10 @@ template <class S>
 inline constexpr bool has_joint_drives = has_joints<S> && S::joints::has_drives;
 template <class S>
 inline constexpr bool has_joint_rows = has_joint_limits<S> || has_joint_drives<S>;  ///< beside those of what joints lock
+template <class S>
+inline constexpr bool has_joint_reactions = has_joints<S> && S::joints::has_reactions;
+template <class S>
+inline constexpr bool has_joint_breaking = has_joints<S> && S::joints::may_break;
 /// Its figures move by the energy-momentum step where they touch nothing.
 template <class S>
 inline constexpr bool swings_freely = has_joints<S> && S::figure_motion::is_implicit;

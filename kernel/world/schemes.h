@@ -112,7 +112,7 @@ INGOT_INLINE void swing_freely([[maybe_unused]] Step<S>& now) {
         if constexpr (stacks<S>) storage.mark_touching(storage.moving_manifolds(), now.bodies.tile_count);
         FigureView figures = storage.figures(now.h);
         build_figures(figures);
-        swing_freely(figures, storage.energy_momentum_view(), now.report);
+        swing_freely(figures, storage.energy_momentum_view(), storage.reactions(), now.report);
     }
 }
 /// Bodies that have been moved so are no concern of kick and drift.
@@ -133,11 +133,11 @@ struct JointedFlight {
         build_figures(figures);
         if constexpr (has_joint_rows<S>) {
             auto rows = now.storage.joint_row_view();
-            swing_figures(figures, rows, S::effort.substeps);
+            swing_figures(figures, rows, now.storage.reactions(), S::effort.substeps);
         } else {
             auto loops = now.storage.loops();
             if constexpr (has_loops<S>) count(now.report.joints_lost, find_loops(figures, loops));
-            swing_figures(figures, loops, S::effort.substeps);
+            swing_figures(figures, loops, now.storage.reactions(), S::effort.substeps);
         }
         leave_swung(now);
         kick(now);
@@ -216,10 +216,11 @@ constexpr auto scheme_of_scene() {
 template <class S>
 using SchemeOf = decltype(scheme_of_scene<S>());
 
-/// From this state to the next, by the scheme of the scene.
+/// From this state to the next, by the scheme of the scene. Joints that have borne more than they can are broken then.
 template <class S>
 INGOT_INLINE void advance(Step<S>& now) {
     SchemeOf<S>::advance(now);
+    break_joints(now);
 }
 
 } }  // namespace ingot

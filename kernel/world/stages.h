@@ -34,6 +34,7 @@ void notice_field([[maybe_unused]] Step<S>& now) {
 template <class S>
 bool passes_asleep([[maybe_unused]] Step<S>& now) {
     begin_kinematic_motion(now);
+    if constexpr (has_joint_breaking<S>) features::BreakableJoints::begin_step(now.storage);
     if constexpr (S::sleeps) {
         auto& storage = now.storage;
         notice_field(now);
@@ -208,6 +209,12 @@ template <class S>
 void hold_what_has_no_room([[maybe_unused]] Step<S>& now) {
     if constexpr (stacks<S> && S::holds_crowds)
         if (now.report.contacts_lost != 0) hold_refused(now, surfaces_of(now), known_fast_pairs(now));
+}
+
+/// Joints that have borne more than they can.
+template <class S>
+void break_joints([[maybe_unused]] Step<S>& now) {
+    if constexpr (has_joint_breaking<S>) features::BreakableJoints::break_joints(now.storage);
 }
 
 /// Islands of which all was at rest for long enough sleep from now on.

@@ -140,12 +140,14 @@ struct Storage : features::All::Memory<S> {
         auto plain = plain_contact_solver();
         using Plain = decltype(plain);
         using Unrowed = If<has_loops<S>, LoopedViewOf<Plain>, JointedViewOf<Plain>>;
-        using Jointed = If<has_joint_rows<S>, RowedViewOf<Plain, JointRowViewOf<S>>, Unrowed>;
+        using Unread = If<has_joint_rows<S>, RowedViewOf<Plain, JointRowViewOf<S>>, Unrowed>;
+        using Jointed = If<has_joint_reactions<S>, ReactingViewOf<Unread>, Unread>;
         If<S::kinematic_bodies, KinematicViewOf<Jointed>, Jointed> view{};
         static_cast<Plain&>(view) = plain;
         view.jointed = this->jointed_bodies(figures(0));
         if constexpr (has_joint_rows<S>) view.joint_rows = joint_row_view();
         if constexpr (has_loops<S>) view.loops = this->loops();
+        if constexpr (has_joint_reactions<S>) view.reactions = this->reactions();
         if constexpr (S::kinematic_bodies) this->show_kinematic(view, this->kinematic);
         return view;
     }

@@ -106,13 +106,13 @@ private:
     Result<int> find_direction(JointId id, int which) const {
         const Result<int> joint = find(id);
         if (!joint.ok()) return joint;
-        const JointKind kind = storage_.joints[joint.value].kind;
+        const JointKind kind = this->kind_of(joint.value);
         const bool has = kind != JointKind::ball && which >= 0 && which < driven_directions(kind);
         return has ? joint : Result<int>{Status::not_in_scene, 0};
     }
     Result<int> find_ball(JointId id) const {
         const Result<int> joint = find(id);
-        if (!joint.ok() || storage_.joints[joint.value].kind == JointKind::ball) return joint;
+        if (!joint.ok() || this->kind_of(joint.value) == JointKind::ball) return joint;
         return {Status::not_in_scene, 0};
     }
     static Status set_targets(JointDrive (&of)[3], const Vector& target, const Vector& target_rate) {

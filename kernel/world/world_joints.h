@@ -87,7 +87,7 @@ public:
         static_assert(joints_only());
         const Result<int> joint = find(id);
         if (!joint.ok()) return {joint.status, 0};
-        return {Status::ok, gap_of(storage_.joints[joint.value], storage_.bodies())};
+        return {Status::ok, gap_of(record_of_slot(joint.value), storage_.bodies())};
     }
 
     /// Where the free directions of a joint end from now on; what is beyond goes back slowly. Wakes its bodies.
@@ -97,7 +97,7 @@ public:
         static_assert(S::joints::has_limits, "this scene's joints have no limits: name WithLimits among its joints");
         const Result<int> joint = find(id);
         if (!joint.ok()) return joint.status;
-        const JointKind kind = storage_.joints[joint.value].kind;
+        const JointKind kind = kind_of(joint.value);
         if (limited_directions(kind) == 0) return Status::not_in_scene;
         const Status status = check_limits(kind, limits);
         if (status != Status::ok) return status;
@@ -115,7 +115,7 @@ public:
         static_assert(joints_only());
         const Result<int> joint = find_turning(id, which);
         if (!joint.ok()) return {joint.status, 0};
-        const JointRecord& record = storage_.joints[joint.value];
+        const JointRecord& record = record_of_slot(joint.value);
         const scalar angle = joint_values(record, sides_of(record)).of[which];
         if constexpr (has_joint_rows<S>)
             if (record.kind == JointKind::hinge) return {Status::ok, angle_over_turns(angle, storage_.joint_angles[joint.value])};
@@ -126,7 +126,7 @@ public:
         static_assert(joints_only());
         const Result<int> joint = find_turning(id, which);
         if (!joint.ok()) return {joint.status, 0};
-        const JointRecord& record = storage_.joints[joint.value];
+        const JointRecord& record = record_of_slot(joint.value);
         return {Status::ok, joint_rates(record, sides_of(record)).of[which]};
     }
     /// How far a slider has gone along its axis, m, B against A. Errors: those of ids, not_in_scene (a kind that goes along no axis).
@@ -134,7 +134,7 @@ public:
         static_assert(joints_only());
         const Result<int> joint = find_sliding(id);
         if (!joint.ok()) return {joint.status, 0};
-        const JointRecord& record = storage_.joints[joint.value];
+        const JointRecord& record = record_of_slot(joint.value);
         return {Status::ok, joint_values(record, sides_of(record)).of[0]};
     }
     /// How fast it goes, m/s. Errors: those of joint_travel.
@@ -142,7 +142,7 @@ public:
         static_assert(joints_only());
         const Result<int> joint = find_sliding(id);
         if (!joint.ok()) return {joint.status, 0};
-        const JointRecord& record = storage_.joints[joint.value];
+        const JointRecord& record = record_of_slot(joint.value);
         return {Status::ok, joint_rates(record, sides_of(record)).of[0]};
     }
 
@@ -158,12 +158,13 @@ public:
         if (!slot.ok()) return {slot.status, {}};
         return {Status::ok, figure_at(static_cast<Index>(slot.value))};
     }
-    /// The same of the bodies of a joint. Errors: those of ids, frozen (it holds nothing that can move).
+    /// The same of the bodies of a joint. Errors: those of ids, not_in_scene (one that does nothing: ask for its bodies), frozen.
     Result<FigureInfo> figure(JointId id) const {
         static_assert(joints_only());
         const Result<int> joint = find(id);
         if (!joint.ok()) return {joint.status, {}};
         const JointRecord& record = storage_.joints[joint.value];
+        if (record.kind == JointKind::none) return {Status::not_in_scene, {}};
         const bool of_A = moves(record.body_A);
         if (!of_A && !moves(record.body_B)) return {Status::frozen, {}};
         return {Status::ok, figure_at(of_A ? record.body_A : record.body_B)};
@@ -178,32 +179,18 @@ protected:
         return {Status::ok, id.slot};
     }
 
-    void wake_sides(int joint_i) {
-        const JointRecord& joint = storage_.joints[joint_i];
-        if (moves(joint.body_A)) (void)touched(joint.body_A, Status::ok);
-        if (moves(joint.body_B)) (void)touched(joint.body_B, Status::ok);
+    JointKind kind_of(int joint_i) const { return features::Figures::kind_of(storage_, joint_i); }
+    /// Also as it was before it broke.
+    If<has_joint_breaking<S>, JointRecord, const JointRecord&> record_of_slot(int joint_i) const {
+        if constexpr (has_joint_breaking<S>) {
+            JointRecord record = storage_.joints[joint_i];
+            record.kind = kind_of(joint_i);
+            return record;
+        } else {
+            return storage_.joints[joint_i];
+        }
     }
 
-private:
-    Result<int> find_turning(JointId id, int which) const {
-        const Result<int> joint = find(id);
-        if (!joint.ok()) return joint;
-        const JointKind kind = storage_.joints[joint.value].kind;
-        const bool turns = kind != JointKind::slider && which >= 0 && which < limited_directions(kind);
-        return turns ? joint : Result<int>{Status::not_in_scene, 0};
-    }
-    Result<int> find_sliding(JointId id) const {
-        const Result<int> joint = find(id);
-        if (!joint.ok() || storage_.joints[joint.value].kind == JointKind::slider) return joint;
-        return {Status::not_in_scene, 0};
-    }
-    FigureInfo figure_at(Index slot) const {
-        uint8_t bits[(static_cast<unsigned>(S::max_bodies) + 7) / 8] = {};
-        Index room[features::Figures::Memory<S, true>::node_capacity + 1];
-        const FigureMarks marks = {bits, room};
-        mark_figure(storage_.bodies(), const_cast<Storage<S>&>(storage_).joint_lists(), slot, marks);  // a list that is only read
-        return figure_of(storage_.bodies(), marks, storage_.slots_used);
-    }
     JointBody side_of(Index slot) const {
         if (slot == no_body) return {};
         BodyState state = read_state(storage_.bodies(), slot);
@@ -216,25 +203,12 @@ private:
         return {state.r_CM, state.A, state.v_CM, omega};
     }
     JointPair sides_of(const JointRecord& joint) const { return {side_of(joint.body_A), side_of(joint.body_B)}; }
-    JointId id_of_joint(int joint_i) const { return {static_cast<Index>(joint_i), storage_.world_tag, storage_.joint_generation[joint_i]}; }
-    int free_joint() const {
-        int joint_i = 0;
-        // bound: max_joints; a slot whose counter is used up is not given out again
-        while (joint_i < storage_.joint_slots_used && (storage_.joint_lives(joint_i) || storage_.joint_generation[joint_i] == 0xfffffffeu)) ++joint_i;
-        return joint_i;
-    }
-    static Status check_limits_of([[maybe_unused]] JointKind kind, const JointLimits& limits) {
-        if constexpr (S::joints::has_limits) return check_limits(kind, limits);
-        return limits_something(limits) ? Status::not_in_scene : Status::ok;
+    void wake_sides(int joint_i) {
+        const JointRecord& joint = storage_.joints[joint_i];
+        if (moves(joint.body_A)) (void)touched(joint.body_A, Status::ok);
+        if (moves(joint.body_B)) (void)touched(joint.body_B, Status::ok);
     }
     bool moves(Index slot) const { return slot != no_body && is_dynamic(storage_.bodies(), slot); }
-    Status find_side(BodyId id, Index& slot) const {
-        if (id == BodyId{}) return Status::ok;
-        const Result<int> found = find(id);
-        if (!found.ok()) return found.status;
-        slot = static_cast<Index>(found.value);
-        return ingot::is_frozen(storage_.bodies(), slot) ? Status::frozen : Status::ok;
-    }
     /// What has no other joint closes no loop.
     bool hangs_on_others(Index slot, int joint_i) {
         bool hangs = !moves(slot);
@@ -250,6 +224,45 @@ private:
         build_figures(figures);
         auto loops = storage_.loops();
         return find_loops(figures, loops) == 0;
+    }
+
+private:
+    Result<int> find_turning(JointId id, int which) const {
+        const Result<int> joint = find(id);
+        if (!joint.ok()) return joint;
+        const JointKind kind = kind_of(joint.value);
+        const bool turns = kind != JointKind::slider && which >= 0 && which < limited_directions(kind);
+        return turns ? joint : Result<int>{Status::not_in_scene, 0};
+    }
+    Result<int> find_sliding(JointId id) const {
+        const Result<int> joint = find(id);
+        if (!joint.ok() || kind_of(joint.value) == JointKind::slider) return joint;
+        return {Status::not_in_scene, 0};
+    }
+    FigureInfo figure_at(Index slot) const {
+        uint8_t bits[(static_cast<unsigned>(S::max_bodies) + 7) / 8] = {};
+        Index room[features::Figures::Memory<S, true>::node_capacity + 1];
+        const FigureMarks marks = {bits, room};
+        mark_figure(storage_.bodies(), const_cast<Storage<S>&>(storage_).joint_lists(), slot, marks);  // a list that is only read
+        return figure_of(storage_.bodies(), marks, storage_.slots_used);
+    }
+    JointId id_of_joint(int joint_i) const { return {static_cast<Index>(joint_i), storage_.world_tag, storage_.joint_generation[joint_i]}; }
+    int free_joint() const {
+        int joint_i = 0;
+        // bound: max_joints; a slot whose counter is used up is not given out again
+        while (joint_i < storage_.joint_slots_used && (storage_.joint_lives(joint_i) || storage_.joint_generation[joint_i] == 0xfffffffeu)) ++joint_i;
+        return joint_i;
+    }
+    static Status check_limits_of([[maybe_unused]] JointKind kind, const JointLimits& limits) {
+        if constexpr (S::joints::has_limits) return check_limits(kind, limits);
+        return limits_something(limits) ? Status::not_in_scene : Status::ok;
+    }
+    Status find_side(BodyId id, Index& slot) const {
+        if (id == BodyId{}) return Status::ok;
+        const Result<int> found = find(id);
+        if (!found.ok()) return found.status;
+        slot = static_cast<Index>(found.value);
+        return ingot::is_frozen(storage_.bodies(), slot) ? Status::frozen : Status::ok;
     }
 };
 

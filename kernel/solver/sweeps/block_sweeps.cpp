@@ -1,20 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "block_sweeps.h"
-
-#include "kinematic_contacts.h"
-#include "jointed_contacts.h"
-#include "swept_contacts.h"
+#include "conduct_sweeps.h"
 
 namespace ingot { inline namespace INGOT_ABI {
-
-template <bool notes_impulses, bool bounces, class View>
-void solve_by_sweeps(View& view, const ContactStep& step, StepReport& report) {
-    using Plain = PlainViewOf<View>;
-    using Contacts = SweptContacts<Plain, notes_impulses, bounces>;
-    using Swept = If<Plain::articulates, SeesJoints<Contacts, Plain>, Contacts>;
-    If<sees_kinematic<View>, SeesKinematic<Swept, View>, Swept> contacts(view);
-    conduct_substeps(contacts, step, report);
-}
 
 // The linker takes the one that the scene calls.
 #define INGOT_VIEW(View)                                                                 \

@@ -10,6 +10,7 @@
 #include "gravity_shares.h"
 #include "joint_drives.h"
 #include "joint_limits.h"
+#include "joint_reactions.h"
 #include "joints.h"
 #include "kinematic_bodies.h"
 #include "materials.h"
@@ -25,7 +26,7 @@ namespace ingot { inline namespace INGOT_ABI { namespace features {
 using All = FeatureList<Rotation, Translation, Compensation, EnergyReturn, FieldOfForce, Surfaces, Compounds, Impacts, Manifolds, Unsettled,
                         RollingResistance, Belts, Filters, Sensors, Continuous, Events, ToldEvents, Sleep, GravityShares, TouchAside, SteadyField,
                          UserData, BodyForces, BodyDamping, ReadsContacts, CompensatedSums, KinematicBodies, WorkBudget, ContactEffort, Figures,
-                         MovingJoints, LimitedJoints, DrivenJoints, LoopJoints, FigureMotion>;
+                         MovingJoints, LimitedJoints, DrivenJoints, LoopJoints, FigureMotion, ReadReactions, BreakableJoints>;
 
 static_assert(All::bits_differ(SnapshotPart::doubles | SnapshotPart::anchors | SnapshotPart::pointwise));  // of a snapshot's parts
 

@@ -7,6 +7,7 @@
 #include "../../joint/check_joint.h"
 #include "../../joint/check_drive.h"
 #include "../../joint/check_limits.h"
+#include "../../joint/reactions.h"
 #include "../../constraint/jointed_view.h"
 #include "../../island/islands.h"
 #include "manifolds.h"
@@ -17,7 +18,7 @@ namespace features {
 
 /// Bits of a snapshot's parts, of what joints may have.
 struct JointPart {
-    static constexpr uint32_t limits = 1u << 31, drives = 1u << 21;
+    static constexpr uint32_t limits = 1u << 31, drives = 1u << 21, reactions = 1u << 23;
 };
 
 /// What a body answers with its figure.
@@ -130,10 +131,20 @@ struct Figures : Feature {
         for (int kind = 1; kind <= static_cast<int>(JointKind::fixed); ++kind) some = some || S::joints::has(static_cast<JointKind>(kind));
         return some;
     }
+    /// Of a joint that does nothing for now too; none: nothing is in the slot.
+    template <class S>
+    static JointKind kind_of(const Storage<S>& storage, int joint_i) {
+        const JointKind kind = storage.joints[joint_i].kind;
+        if constexpr (has_joint_breaking<S>)
+            if (kind == JointKind::none) return storage.joint_breaking[joint_i].kind;
+        return kind;
+    }
     template <class S>
     static void take_out(Storage<S>& storage, int joint_i) {
-        storage.joint_lists().unlink(joint_i);
+        if (kind_of(storage, joint_i) == storage.joints[joint_i].kind) storage.joint_lists().unlink(joint_i);
         storage.joints[joint_i] = {};
+        if constexpr (has_joint_reactions<S>) storage.joint_reactions[joint_i] = {};
+        if constexpr (has_joint_breaking<S>) write_record(storage.joint_breaking[joint_i], {});
         if constexpr (has_joint_limits<S>) storage.joint_limits[joint_i] = {};
         if constexpr (has_joint_rows<S>) storage.joint_angles[joint_i] = {};
         if constexpr (has_joint_drives<S>)
@@ -157,7 +168,7 @@ struct Figures : Feature {
     static void before_removal(Storage<S>& storage, int slot) {
         for (int joint_i = 0; joint_i < storage.joint_slots_used; ++joint_i) {  // bound: max_joints
             const JointRecord& joint = storage.joints[joint_i];
-            if (joint.kind != JointKind::none && (joint.body_A == slot || joint.body_B == slot)) take_out(storage, joint_i);
+            if (kind_of(storage, joint_i) != JointKind::none && (joint.body_A == slot || joint.body_B == slot)) take_out(storage, joint_i);
         }
     }
 
@@ -171,6 +182,9 @@ struct Figures : Feature {
         uint32_t turns;
         DriveRecord drives[3];
         uint8_t drive_kind[3];
+        JointReaction reaction;
+        BreakRecord breaking;
+        uint8_t phase;
 
         template <class Each>
         constexpr void numbers(Each& each, uint32_t parts) {
@@ -194,6 +208,13 @@ struct Figures : Feature {
                 each("joint.turns", turns);
             }
             if ((parts & JointPart::drives) != 0) numbers_of_drives(each);
+            if ((parts & JointPart::reactions) != 0) {
+                each("joint.reaction.force", reaction.force);
+                each("joint.reaction.torque", reaction.torque);
+                each("joint.strength.force", breaking.strength.force);
+                each("joint.strength.torque", breaking.strength.torque);
+                each("joint.phase", phase);
+            }
         }
         template <class Each>
         constexpr void numbers_of_limits(Each& each) {
@@ -225,7 +246,12 @@ struct Figures : Feature {
         void take(const Storage<S>& storage, int joint_i) {
             generation = storage.joint_generation[joint_i];
             joint = storage.joints[joint_i];
-            kind = static_cast<uint8_t>(joint.kind);
+            kind = static_cast<uint8_t>(kind_of(storage, joint_i));
+            if constexpr (has_joint_reactions<S>) reaction = storage.joint_reactions[joint_i];
+            if constexpr (has_joint_breaking<S>) {
+                breaking = storage.joint_breaking[joint_i];
+                phase = static_cast<uint8_t>(breaking.phase);
+            }
             if constexpr (has_joint_limits<S>) limit = storage.joint_limits[joint_i];
             if constexpr (has_joint_rows<S>) {
                 angle = storage.joint_angles[joint_i];
@@ -243,7 +269,26 @@ struct Figures : Feature {
             storage.joint_generation[joint_i] = generation;
             storage.joints[joint_i] = joint;
             storage.joints[joint_i].kind = static_cast<JointKind>(kind);
+            if constexpr (has_joint_reactions<S>) storage.joint_reactions[joint_i] = reaction;
+            if constexpr (has_joint_breaking<S>) {
+                const JointKind kept = phase == 0 ? JointKind::none : static_cast<JointKind>(kind);
+                write_record(storage.joint_breaking[joint_i], {breaking.strength, kept, static_cast<JointPhase>(phase)});
+                if (phase != 0) {
+                    storage.joints[joint_i].kind = JointKind::none;
+                    return put_beside(storage, joint_i);
+                }
+            }
             if (kind != 0) storage.joint_lists().link(joint_i);
+            put_beside(storage, joint_i);
+        }
+        /// Without breaking all of its numbers are those of a joint that works and is as strong as can be.
+        template <class S>
+        bool is_valid_reaction() const {
+            if (!is_finite(reaction.force) || !is_finite(reaction.torque) || check_strength(breaking.strength) != Status::ok) return false;
+            return phase <= static_cast<uint8_t>(has_joint_breaking<S> && (generation & 1u) != 0 ? JointPhase::breaks : JointPhase::works);
+        }
+        template <class S>
+        void put_beside(Storage<S>& storage, int joint_i) const {
             if constexpr (has_joint_limits<S>) storage.joint_limits[joint_i] = limit;
             if constexpr (has_joint_rows<S>) storage.joint_angles[joint_i] = {angle.angle, static_cast<int32_t>(turns)};
             for (int i = 0; i < drives_of<S>(); ++i)  // bound: 3
@@ -258,6 +303,8 @@ struct Figures : Feature {
         bool is_valid(const EntryContext& context) const {
             JointRecord read = joint;
             read.kind = static_cast<JointKind>(kind);
+            if constexpr (has_joint_reactions<S>)
+                if (!is_valid_reaction<S>()) return false;
             if ((generation & 1u) == 0) return kind == 0;
             if constexpr (has_joint_limits<S>)
                 if (!ingot::is_valid(limit, read.kind)) return false;

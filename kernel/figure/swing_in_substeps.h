@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+// swing_figures, for the files that compile it: see swing_figures.h.
+#pragma once
+
+#include "../base/limits.h"
+#include "build_figures.h"
+#include "close_loops.h"
+#include "factor_figures.h"
+#include "factor_loops.h"
+#include "find_loops.h"
+#include "joint_drives.h"
+#include "joint_motions.h"
+#include "joint_rows.h"
+#include "keep_figures.h"
+#include "move_figures.h"
+#include "respond_figures.h"
+#include "swing_figures.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+namespace {
+
+/// Forces of h seconds.
+template <unsigned width>
+void kick_rows(const FigureRows<width>& rows, scalar h) {
+    const BodyView& bodies = rows.view.bodies;
+    const auto h_lane = splat<typename AllLanes<width>::T>(h);
+    for (int row_i = 0; row_i < rows.count(); ++row_i) {  // bound: max_bodies
+        FigureRow<width>& row = rows[row_i];
+        const auto a = rows.gathered(row_i, [&](const FigureNode& node) {
+            const Place at = place_of(node.slot);
+            return lane_of(bodies.translation[at.tile].F_T, at.lane) * bodies.translation[at.tile].inv_M[at.lane] + rows.view.gravity;
+        });
+        const auto tau = rows.gathered(row_i, [&](const FigureNode& node) {
+            const Place at = place_of(node.slot);
+            return lane_of(bodies.rotation[at.tile].tau_T, at.lane);
+        });
+        write(rows.all, row.v, read(rows.all, row.v) + a * h_lane);
+        write(rows.all, row.L, read(rows.all, row.L) + tau * h_lane);
+    }
+}
+
+/// Figures as they are now. Those of a scene with loops are factored as the batch begins, and again after each drift: pushes meet them as they are
+/// then. The others are factored as each substep begins.
+void factor_now(const FigureView& view, const NoLoops& loops, scalar h) {
+    place_joints(view);
+    factor_figures(view, loops, h);
+}
+void factor_now(const FigureView& view, const LoopView& loops, scalar h) {
+    place_joints(view);
+    place_loops(view, loops);
+    factor_figures(view, loops, h);
+    factor_loops(view, loops);
+}
+
+// What joints have beside what they lock, and what a batch does for it: `begin` it, `factor` figures and `list` rows as a substep begins, `solve` it,
+// `push` what is off its place after the drift, and `keep` what the joints remember.
+
+struct NothingBeside {
+    static constexpr bool closes = false;
+    static constexpr NoLoops loops = {};
+    static void begin(const FigureView&, scalar) {}
+    static void factor(const FigureView& view, scalar h) { factor_now(view, loops, h); }
+    static void list(const FigureView&, scalar) {}
+    static void solve(const FigureView& view, scalar) { pass_impulses(view); }
+    static void push(const FigureView&, scalar) {}
+    static void keep(const FigureView&, int) {}
+};
+
+/// Some joints close loops.
+struct LoopsBeside {
+    static constexpr bool closes = true;
+    const LoopView& loops;
+
+    void begin(const FigureView& view, scalar h) const {
+        load_loops(view, loops);
+        factor_now(view, loops, h);
+    }
+    static void list(const FigureView&, scalar) {}
+    void solve(const FigureView& view, scalar) const { solve_loops(view, loops); }
+    static void push(const FigureView&, scalar) {}
+    void keep(const FigureView& view, int doublings) const { keep_loops(view, loops, doublings); }
+};
+
+/// Free directions may end, and may be driven. Rows: JointRowView, or DrivenRowView.
+template <class Rows>
+struct RowsBeside {
+    static constexpr bool closes = false;
+    static constexpr NoLoops loops = {};
+    Rows& all;
+
+    void begin(const FigureView& view, [[maybe_unused]] scalar h) const {
+        begin_joint_motions(view, all);
+        if constexpr (Rows::has_drives) {
+            factor_now(view, loops, h);
+            respond_figures(view, all.responses);
+            begin_drives(view, all);
+        }
+    }
+    void factor(const FigureView& view, scalar h) const {
+        place_joints(view);
+        if constexpr (Rows::has_drives) {
+            prepare_drives(view, all, h);
+            factor_figures(view, all, h);
+        } else {
+            factor_figures(view, loops, h);
+        }
+    }
+    void list(const FigureView& view, scalar h) const {
+        respond_figures(view, all.responses);
+        list_joint_rows(view, all, h);
+    }
+    void solve(const FigureView& view, scalar h) const {
+        solve_once(view, h);
+        if constexpr (Rows::has_drives)
+            for (int round = 1; round < limits::drive_rounds && saturate_drives(view, all); ++round) {
+                factor_figures(view, all, h);
+                respond_figures(view, all.responses);
+                begin_solve(view, loops, h);
+                solve_once(view, h);
+            }
+        note_joint_rows(view, all, h);
+    }
+    void push(const FigureView& view, scalar h) const { push_joint_rows(view, all, h, h); }
+    void keep(const FigureView& view, int doublings) const {
+        keep_joint_motions(view, all, doublings);
+        if constexpr (Rows::has_drives) keep_drives(view, all, doublings);
+    }
+
+private:
+    void solve_once(const FigureView& view, scalar h) const {
+        aim_joint_rows(view, all, h);
+        begin_passing(view);
+        pass_impulses(view);
+        if (all.count == 0) return;
+        settle_joint_rows(view, all, limits::settled_speed);
+        begin_passing(view);  // from the impulses alone: what a figure gets depends on no rounding of the sweeps
+        pass_impulses(view);
+    }
+};
+
+template <class Beside, class Reactions>
+void swing_substep(FigureView& view, const Beside& beside, Reactions reactions, scalar h) {
+    if constexpr (!Beside::closes) beside.factor(view, h);
+    beside.list(view, h);
+    for_groups(view, [&](const auto& rows) { kick_rows(rows, h); });
+    begin_solve(view, beside.loops, h);
+    beside.solve(view, h);
+    end_solve(view, h);
+    note_reactions(view, beside.loops, reactions);
+    drift_figures(view, h);
+    view.elapsed += h;
+    if constexpr (Beside::closes) factor_now(view, beside.loops, h);
+    push_figures(view, beside.loops, false);
+    beside.push(view, h);
+}
+
+template <class Beside, class Reactions>
+void swing(FigureView& view, const Beside& beside, Reactions reactions, int substeps) {
+    for (int doublings = 0; doublings <= limits::doublings_max; ++doublings) {
+        group_figures(view, doublings);
+        if (view.group_count == 0) continue;
+        const int count = substeps << doublings;
+        const scalar h = view.h / static_cast<scalar>(count);
+        view.elapsed = 0;
+        begin_reactions(view, beside.loops, reactions);
+        beside.begin(view, h);
+        // bound: Effort::substeps_max, times eight
+        for (int substep_i = 0; substep_i < count; ++substep_i) swing_substep(view, beside, reactions, h);
+        ask_for_doublings(view, beside.loops, view.h / static_cast<scalar>(substeps), doublings);
+        beside.keep(view, doublings);
+        keep_reactions(view, beside.loops, reactions, doublings);
+        keep_figures(view, doublings);
+    }
+}
+
+NothingBeside beside_of(const FigureView&, const NoLoops&) { return {}; }
+LoopsBeside beside_of(const FigureView&, const LoopView& loops) { return {loops}; }
+RowsBeside<JointRowView> beside_of(const FigureView&, JointRowView& rows) { return {rows}; }
+RowsBeside<DrivenRowView> beside_of(const FigureView& view, DrivenRowView& rows) {
+    name_driven_balls(view, rows);
+    return {rows};
+}
+
+}  // namespace
+
+template <class Beside, class Reactions>
+void swing_figures(FigureView& view, Beside& beside, Reactions reactions, int substeps) {
+    swing(view, beside_of(view, beside), reactions, substeps);
+}
+
+} }  // namespace ingot
