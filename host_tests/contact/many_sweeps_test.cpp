@@ -143,7 +143,7 @@ void take_in(ingot::SolverView& solver, const ContactProblem& problem) {
 void plan(ingot::SolverView& solver, const ingot::BodyView& bodies) {
     ingot::NoJointedBodies none;
     ingot::find_levels(solver, none);
-    ingot::plan_islands(solver, none);
+    ingot::plan_islands(solver, none, bodies, static_cast<scalar>(h));
     ASSERT_TRUE(ingot::begin_batch(solver, none, ingot::SweepPlan::small, bodies, {}));
     ingot::prepare_blocks(solver, bodies);
     ingot::predict_contacts(solver, static_cast<scalar>(h));

@@ -152,7 +152,7 @@ struct RandomIsland {
         ingot::take_in_bodies(solver, bodies, {}, static_cast<scalar>(h));
         ingot::NoJointedBodies none;
         ingot::find_levels(solver, none);
-        ingot::plan_islands(solver, none);
+        ingot::plan_islands(solver, none, bodies, static_cast<scalar>(h));
         // All contacts are new, and so few that all islands are of one plan.
         for (int island_i = 0; island_i < solver.island_count; ++island_i) EXPECT_EQ(solver.islands[island_i].plan, ingot::SweepPlan::small);
         EXPECT_TRUE(ingot::begin_batch(solver, none, ingot::SweepPlan::small, bodies, {}));

@@ -61,12 +61,15 @@ public:
     }
     /// Uniform mass of 500 kg/m^3: of the box around it, which is what its moments are to within a half.
     void body(const ingot::Shape& shape, const Vector3d& r, const Vector3d& v, const Vector3d& omega, RandomInput& random) {
+        body_at(shape, r, v, omega, to_eigen(ingot_reference::to_matrix(random.rotation())));
+    }
+    void body_at(const ingot::Shape& shape, const Vector3d& r, const Vector3d& v, const Vector3d& omega, const Matrix3d& attitude) {
         const Vector3d half = extents_of(shape);
         const double M = 4000 * half.prod();
         const Vector3d sq = half.cwiseProduct(half), I = M / 3 * Vector3d(sq.y() + sq.z(), sq.z() + sq.x(), sq.x() + sq.y());
         BodyDef def = ingot_reference::definition(M, I);
         def.shape = shape;
-        def.state.A = ingot_reference::to_matrix(random.rotation());
+        def.state.A = ingot_reference::to_matrix(attitude);
         const Matrix3d A = to_eigen(def.state.A);
         const Vector3d L = A * I.cwiseProduct(A.transpose() * omega);
         def.state.r_CM = ingot_reference::to_vector(r);

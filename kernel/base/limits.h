@@ -143,7 +143,17 @@ inline constexpr scalar friction_stiffening = scalar(0.75);
 /// rad, times what the inverse moments differ by, of the least: a body that turns further in a substep has another inertia in the next. Its contacts
 /// give no more than this part of its energy of rotation.
 inline constexpr scalar inertia_turn = INGOT_DOUBLE ? scalar(1e-9) : scalar(1e-5);
-inline constexpr scalar turning_speed = scalar(0.1);    ///< m/s; one that spins more slowly, by its energy, keeps the inertia of the step
+inline constexpr scalar turning_speed = scalar(0.01);   ///< m/s; one that spins more slowly, by its energy, is taken as it was when the step began
+/// rad; of a body in a substep: where one turns further, its island has twice as many, with twice of it four times, if it is small. The tip of a
+/// slender body may sink by the sagitta of such an arc, a hundredth of its half length, and is lifted again.
+inline constexpr scalar turn_of_substep = scalar(0.15);
+/// rad; a free turn is made of parts that are no larger, up to turn_parts_max of them: then its axis is off by their cube / 24, 7e-4.
+inline constexpr scalar turn_of_part = scalar(0.25);
+inline constexpr int turn_parts_max = 16;
+/// A normal is that of a face when the cosine between them is no further than this from 1. Then it turns with the face.
+inline constexpr scalar along_normal = scalar(1e-4);
+/// Of its radius: a point of a cylinder that is no further from where the normal meets its round is there, and stays there however it rolls.
+inline constexpr scalar on_rim = scalar(1e-3);
 inline constexpr int energy_turns = 16;                 ///< by which the energy of a turn is made right, at most: one or two as a rule
 inline constexpr scalar energy_turn_max = scalar(0.25); ///< rad, of one of them
 /// Of the energy: what is off by less is rounding. A body that spins about an axis of inertia would be turned by degrees to take that back.
@@ -366,6 +376,8 @@ inline constexpr int cap_corners = 16;
 /// A face faces a contact up to this cosine between its normal and that of the manifold; an edge lies across up to this sine.
 inline constexpr scalar facing_cos = scalar(0.98);
 inline constexpr scalar facing_sin = scalar(0.2);
+/// A cylinder on its end that is tilted by more than this sine rolls on its rim.
+inline constexpr scalar rolling_sin = scalar(0.02);
 /// Lines along each other, one of them on something round, make two points if they are apart, sideways, by less than this:
 /// then the surface is lower there by half its square, 4.5e-4.
 inline constexpr scalar round_aside = scalar(0.03);

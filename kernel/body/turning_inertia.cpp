@@ -14,10 +14,6 @@ Vector turned_about(const Vector& a, const Vector& turn) {
     return a + (x + cross(c, x)) * (2 / (1 + length_sq(c)));
 }
 
-SymmetricMatrix turned_about(const SymmetricMatrix& tensor, const Vector& turn) {
-    return rotated(Matrix{turned_about(Vector{1, 0, 0}, turn), turned_about(Vector{0, 1, 0}, turn), turned_about(Vector{0, 0, 1}, turn)}, tensor);
-}
-
 /// The turn that takes y . omega, twice the energy, to what it should be, by Newton's method; 0 where it is that, to rounding. y: L over a moment of
 /// inertia of the body, and the energy likewise, so that neither mass nor size matters.
 Vector turn_back(const Vector& omega, const Vector& y, scalar twice_energy) {
@@ -36,19 +32,6 @@ bool turns_inertia(const Vector& inv_I_ratio, const Vector& turn) {
     return length_sq(turn) * (spread * spread) > felt * felt;
 }
 
-Vector turn_freely(SymmetricMatrix& inv_I_world, const Vector& L, scalar h) {
-    const Vector omega = inv_I_world * L, y = L * (inv_I_world.xx + inv_I_world.yy + inv_I_world.zz);
-    const Vector turn = turned_about(inv_I_world, omega * (h / 2)) * L * h;  // by omega in the middle
-    SymmetricMatrix after = turned_about(inv_I_world, turn);
-    for (int i = 0; i < limits::energy_turns; ++i) {
-        const Vector back = turn_back(after * L, y, dot(y, omega));
-        if (is_still(back)) break;
-        after = turned_about(after, back);
-    }
-    inv_I_world = after;
-    return turn;
-}
-
 Matrix turned_about(const Matrix& A, const Vector& turn) {
     const Matrix turned = {turned_about(A.c0, turn), turned_about(A.c1, turn), turned_about(A.c2, turn)};
     return turned + polar_correction(turned);
@@ -64,6 +47,23 @@ Matrix return_energy(const Matrix& A, const Vector& inv_I_body, const Vector& L,
         now = turned_about(now, back);
     }
     return now;
+}
+
+Vector turn_freely(Matrix& A, const Vector& inv_I_body, const Vector& L, scalar h) {
+    const Vector omega = spin_of(A, inv_I_body, L);
+    const scalar angle_sq = length_sq(omega) * h * h, twice_energy = dot(L, omega);
+    int parts = 1;
+    // bound: limits::turn_parts_max
+    while (parts < limits::turn_parts_max && angle_sq > limits::turn_of_part * limits::turn_of_part * static_cast<scalar>(parts * parts)) ++parts;
+    const scalar part = h / static_cast<scalar>(parts);
+    Vector turned = {};
+    for (int part_i = 0; part_i < parts; ++part_i) {  // bound: limits::turn_parts_max
+        const Matrix middle = turned_about(A, spin_of(A, inv_I_body, L) * (part / 2));
+        const Vector turn = spin_of(middle, inv_I_body, L) * part;
+        A = return_energy(turned_about(A, turn * (1 + length_sq(turn) / 12)), inv_I_body, L, twice_energy);  // the angle without Cayley's error
+        turned += turn;
+    }
+    return turned;
 }
 
 } }  // namespace ingot

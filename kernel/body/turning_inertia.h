@@ -12,9 +12,9 @@ namespace ingot { inline namespace INGOT_ABI {
 /// all axes. inv_I_ratio: of its inverse moments, the largest 1.
 bool turns_inertia(const Vector& inv_I_ratio, const Vector& turn);
 
-/// The turn of a free body with this L in h seconds, rad in world axes, to second order, up to about half a radian. inv_I_world goes along, so that
-/// the energy L . inv_I_world L / 2 stays what it is to rounding: see return_energy. Cost: about 400 flops.
-Vector turn_freely(SymmetricMatrix& inv_I_world, const Vector& L, scalar h);
+/// Turns A as a free body with this L does in h seconds, to second order in parts of limits::turn_of_part. Its energy stays what it is to rounding:
+/// see return_energy. Returns the turn, rad in world axes. Cost: about 700 flops a part.
+Vector turn_freely(Matrix& A, const Vector& inv_I_body, const Vector& L, scalar h);
 
 /// A turned by a vector, rad in world axes, as a rotation however far (Cayley's formula: by an angle that is short by its cube / 12).
 Matrix turned_about(const Matrix& A, const Vector& turn);

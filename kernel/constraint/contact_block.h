@@ -15,6 +15,8 @@ struct ContactBlock {
     Index island[lanes];                 ///< of SolverView::islands
     uint8_t sum_i[lanes];                ///< which of the eight sums of its island its change is added to
     uint8_t halvings[lanes];             ///< of the manifold
+    uint16_t turning, moving;            ///< bit per lane: a body turns far; and the rows are of where it is then: see refresh_blocks.h
+    LaneRow refreshed_at;                ///< substeps from the begin of the step to the moment that the rows are of
     uint8_t rows;                        ///< 1 where no manifold of the block has more points, else block_rows
     bool central;                        ///< one row, and no normal has a lever: balls
     LaneRow inv_M_A, inv_M_B;            ///< kg^-1

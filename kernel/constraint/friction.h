@@ -24,6 +24,7 @@ struct FrictionRows : RowPair {
     LaneRow reference[2];  ///< slow mean of j
     LaneRow given[2];      ///< N s, before the slip turns round in this substep: beside j until the substep ends
     LaneRow share;         ///< see reversal_share
+    LaneRow shift[2];      ///< m/s, by how much the slip of the end of the substep differs from that of the rows: see refresh_blocks
     uint16_t sliding;      ///< bit per lane: it slid in the substep before
     bool turns_round;      ///< the slip of some lane turns round in this substep
 };
@@ -86,6 +87,7 @@ struct Friction {
         prepare_pair(friction, K_11, K_12, K_22, there);
         friction.sliding = 0;
         friction.turns_round = false;
+        for (int axis = 0; axis < 2; ++axis) store(friction.shift[axis], lane{});
     }
 
     /// Impulses on record are vectors in the world: they become components along t_1 and t_2.
@@ -142,6 +144,8 @@ struct Friction {
         const Vec3<lane> t_1 = load(at.block.t_1), t_2 = load(at.block.t_2), slip = pair.linear_A - pair.linear_B;
         lane u_1 = row_speed(friction.levers[0], dot(t_1, slip), pair), u_2 = row_speed(friction.levers[1], dot(t_2, slip), pair);
         Surfaces::add(at, u_1, u_2);
+        u_1 = u_1 + load(friction.shift[0]);
+        u_2 = u_2 + load(friction.shift[1]);
         const auto [d_1, d_2] = solve_pair<Visit::whole>(friction, u_1, u_2, load(at.block.mu) * at.load_of_normals, at.active);
         add_linear(pair, t_1 * d_1 + t_2 * d_2, at.inv_M_A, at.inv_M_B);
         add_angular(pair, friction.levers[0], d_1);

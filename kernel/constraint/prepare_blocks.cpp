@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "prepare_blocks.h"
 
+#include "collect_blocks.h"
 #include "contact.h"
 #include "jointed_response.h"
 #include "prepare_responses.h"
@@ -23,57 +24,6 @@ KeptOfLane kept_of(const SolverView& solver, Index manifold_i) {
     return {solver.records[record_i], record_i, shares_of_substep(solver)};
 }
 
-/// Numbers that are collected lane by lane, before vectors work on them.
-struct Collected {
-    CollectedBodies A, B;
-    scalar n[3][lanes], P[block_rows][3][lanes], used[block_rows][lanes], separation[block_rows][lanes];
-};
-
-/// Collects the bodies of a block. Body 0 of the solver cannot move: it is all zero here too. Between two of them there is nothing to
-/// solve, and the lane is left as if it had no points.
-void collect(const SolverView& solver, const BodyView& bodies, ContactBlock& block, Collected& in) {
-    block.rows = 1;
-    for (int lane_i = 0; lane_i < lanes; ++lane_i) {
-        const Index manifold_i = block.manifold[lane_i];
-        const ManifoldRecord& record = kept_of(solver, manifold_i).record;
-        block.mu[lane_i] = record.mu;
-        block.e[lane_i] = record.e;
-        block.halvings[lane_i] = static_cast<uint8_t>(record.manifold.halvings);
-        set_lane(in.n, lane_i, record.manifold.n);
-        if (manifold_i == no_manifold) continue;
-        const BodyPair& pair = solver.pairs[manifold_i];
-        const bool A_moves = solver.local_of[pair.body_A] != 0, B_moves = solver.local_of[pair.body_B] != 0;
-        if (A_moves) in.A.put(lane_i, bodies, pair.body_A);
-        if (B_moves) in.B.put(lane_i, bodies, pair.body_B);
-        // Impacts are of those that come from apart: else each collision in a heap makes all of it rattle.
-        if (presses(load_of(record), in.A.inv_M[lane_i] + in.B.inv_M[lane_i], solver.unit)) block.e[lane_i] = 0;
-        if (record.manifold.count > 1) block.rows = block_rows;
-        if (!A_moves && !B_moves) continue;  // one has gone bad
-        for (int row = 0; row < record.manifold.count; ++row) {  // bound: 4: Manifold::points_max
-            in.used[row][lane_i] = 1;
-            in.separation[row][lane_i] = record.manifold.points[row].separation;
-            set_lane(in.P[row], lane_i, record.manifold.points[row].P);
-        }
-    }
-}
-
-template <class Contacts>
-INGOT_INLINE Contacts vectors_of(const Collected& in, int rows, lane margin) {
-    Contacts contacts;
-    contacts.response.A = in.A.loaded();
-    contacts.response.B = in.B.loaded();
-    contacts.response.inv_M = contacts.response.A.inv_M + contacts.response.B.inv_M;
-    contacts.n = load(in.n);
-    tangents(contacts.n, contacts.t_1, contacts.t_2);
-    for (int row = 0; row < rows; ++row) {  // bound: 4: block_rows
-        contacts.P[row] = load(in.P[row]);
-        contacts.used[row] = load(in.used[row]);
-        contacts.separation[row] = load(in.separation[row]);
-    }
-    find_middle(contacts, rows, margin);
-    return contacts;
-}
-
 void count_central(const SolverView& solver, const ContactBlock& block, mask central) {
     for (unsigned lane_i = 0, left = bits(central); left != 0; ++lane_i, left >>= 1)  // bound: lanes: central has a bit a lane
         if ((left & 1u) != 0) ++solver.islands[block.island[lane_i]].central_count;
@@ -84,7 +34,7 @@ template <class Contacts, class View>
 Contacts collected(const View& solver, const BodyView& bodies, ContactBlock& block) {
     Collected in{};
     collect(solver, bodies, block, in);
-    return vectors_of<Contacts>(in, View::points_max == 1 ? 1 : block.rows, scale_of(solver, block) * splat<lane>(limits::contact_margin));
+    return vectors_of<Contacts>(solver, block, in);
 }
 
 void name_bodies(const SolverView& solver, ContactBlock& block, int lane_i) {
@@ -112,6 +62,8 @@ void with_contacts(const View& solver, const BodyView& bodies, int block_i, cons
 template <class View, class Contacts>
 void prepare_block(const View& solver, int block_i, Contacts& contacts) {
     ContactBlock& block = solver.blocks[block_i];
+    block.turning = block.moving = 0;
+    store(block.refreshed_at, lane{});
     store(block.inv_M_A, contacts.response.A.inv_M);
     store(block.inv_M_B, contacts.response.B.inv_M);
     store(block.n, contacts.n);
@@ -127,31 +79,43 @@ void prepare_block(const View& solver, int block_i, Contacts& contacts) {
     count_central(solver, block, contacts.central);
 }
 
-/// Lanes with a body whose inertia has turned in the substep before.
-uint16_t turning_lanes(const SolverView& solver, const ContactBlock& block) {
-    uint16_t turning = 0;
-    for (int lane_i = 0; lane_i < lanes; ++lane_i)
-        if (solver.bodies[block.body_A[lane_i]].dth[3] > 1 || solver.bodies[block.body_B[lane_i]].dth[3] > 1)
-            turning = static_cast<uint16_t>(turning | 1u << lane_i);
-    return turning;
-}
-
-/// Prepares a block again. Lanes that do not turn may be of other islands: they keep all that they have, what the last visit has cached as well. All
-/// keep their separations, from which drift_kinematic_bodies has taken what a kinematic body has turned by.
+/// Prepares a block again. It keeps its separations, from which drift_kinematic_bodies has taken what a kinematic body has turned by.
 template <class View>
-void refresh_block(const View& solver, const BodyView& bodies, int block_i, uint16_t turning) {
+void refresh_block(const View& solver, const BodyView& bodies, int block_i) {
     ContactBlock& block = solver.blocks[block_i];
-    lane cached[10];
-    for (int i = 0; i < 10; ++i) cached[i] = load(block.cached_inverse[i]);
     lane separation[block_rows];
     for (int row = 0; row < block_rows; ++row) separation[row] = load(block.row[row].separation);
     with_contacts(solver, bodies, block_i, [&](auto& contacts) { ContactConstraint<View>::Given::prepare(solver, block_i, contacts); });
-    const mask turns = mask_from_bits(turning);
-    for (int i = 0; i < 10; ++i) store(block.cached_inverse[i], select(turns, load(block.cached_inverse[i]), cached[i]));
     for (int row = 0; row < block_rows; ++row) store(block.row[row].separation, separation[row]);
 }
 
 }  // namespace
+
+void collect(const SolverView& solver, const BodyView& bodies, ContactBlock& block, Collected& in) {
+    block.rows = 1;
+    for (int lane_i = 0; lane_i < lanes; ++lane_i) {
+        const Index manifold_i = block.manifold[lane_i];
+        const ManifoldRecord& record = kept_of(solver, manifold_i).record;
+        block.mu[lane_i] = record.mu;
+        block.e[lane_i] = record.e;
+        block.halvings[lane_i] = static_cast<uint8_t>(record.manifold.halvings);
+        set_lane(in.n, lane_i, record.manifold.n);
+        if (manifold_i == no_manifold) continue;
+        const BodyPair& pair = solver.pairs[manifold_i];
+        const bool A_moves = solver.local_of[pair.body_A] != 0, B_moves = solver.local_of[pair.body_B] != 0;
+        if (A_moves) in.A.put(lane_i, bodies, pair.body_A);
+        if (B_moves) in.B.put(lane_i, bodies, pair.body_B);
+        // Impacts are of those that come from apart: else each collision in a heap makes all of it rattle.
+        if (presses(load_of(record), in.A.inv_M[lane_i] + in.B.inv_M[lane_i], solver.unit)) block.e[lane_i] = 0;
+        if (record.manifold.count > 1) block.rows = block_rows;
+        if (!A_moves && !B_moves) continue;  // one has gone bad
+        for (int row = 0; row < record.manifold.count; ++row) {  // bound: 4: Manifold::points_max
+            in.used[row][lane_i] = 1;
+            in.separation[row][lane_i] = record.manifold.points[row].separation;
+            set_lane(in.P[row], lane_i, record.manifold.points[row].P);
+        }
+    }
+}
 
 template <class View>
 void prepare_blocks(const View& solver, const BodyView& bodies) {
@@ -163,15 +127,8 @@ void prepare_blocks(const View& solver, const BodyView& bodies) {
 }
 
 template <class View>
-void refresh_blocks(const View& solver, const BodyView& bodies) {
-    if constexpr (View::articulates)
-        for (int block_i = solver.jointed.first_block; block_i < solver.block_count; ++block_i)
-            refresh_block(solver, bodies, block_i, all_lanes);
-    if (!solver.some_turn) return;
-    const int free_blocks = first_jointed_block(solver);
-    for (int block_i = 0; block_i < free_blocks; ++block_i) {  // bound: max_manifolds
-        if (const uint16_t turning = turning_lanes(solver, solver.blocks[block_i]); turning != 0) refresh_block(solver, bodies, block_i, turning);
-    }
+void refresh_jointed_blocks(const View& solver, const BodyView& bodies) {
+    for (int block_i = solver.jointed.first_block; block_i < solver.block_count; ++block_i) refresh_block(solver, bodies, block_i);
 }
 
 template <class View>
@@ -197,10 +154,10 @@ template void prepare_blocks(const JointedView&, const BodyView&);
 template void prepare_blocks(const LoopedView&, const BodyView&);
 template void prepare_blocks(const JointedMaterialView&, const BodyView&);
 template void prepare_blocks(const LoopedMaterialView&, const BodyView&);
-template void refresh_blocks(const JointedView&, const BodyView&);
-template void refresh_blocks(const LoopedView&, const BodyView&);
-template void refresh_blocks(const JointedMaterialView&, const BodyView&);
-template void refresh_blocks(const LoopedMaterialView&, const BodyView&);
+template void refresh_jointed_blocks(const JointedView&, const BodyView&);
+template void refresh_jointed_blocks(const LoopedView&, const BodyView&);
+template void refresh_jointed_blocks(const JointedMaterialView&, const BodyView&);
+template void refresh_jointed_blocks(const LoopedMaterialView&, const BodyView&);
 template void remember_impulses(const JointedView&);
 template void remember_impulses(const LoopedView&);
 template void remember_impulses(const JointedMaterialView&);
@@ -210,11 +167,6 @@ template void prepare_blocks(const BallView&, const BodyView&);
 template void prepare_blocks(const RollingView&, const BodyView&);
 template void prepare_blocks(const BeltView&, const BodyView&);
 template void prepare_blocks(const RollingBeltView&, const BodyView&);
-template void refresh_blocks(const SolverView&, const BodyView&);
-template void refresh_blocks(const BallView&, const BodyView&);
-template void refresh_blocks(const RollingView&, const BodyView&);
-template void refresh_blocks(const BeltView&, const BodyView&);
-template void refresh_blocks(const RollingBeltView&, const BodyView&);
 template void remember_impulses(const SolverView&);
 template void remember_impulses(const BallView&);
 template void remember_impulses(const RollingView&);

@@ -11,9 +11,10 @@ namespace ingot { inline namespace INGOT_ABI {
 template <class View>
 void prepare_blocks(const View& solver, const BodyView& bodies);
 
-/// In a substep after the first: what bodies answer, where they have turned. Levers stay those of the begin of the step, and so do impulses.
+/// In a substep after the first, of contacts of bodies with joints: what bodies answer, whose figures have moved. Levers stay those of the begin of
+/// the step, and so do impulses. View: a JointedView.
 template <class View>
-void refresh_blocks(const View& solver, const BodyView& bodies);
+void refresh_jointed_blocks(const View& solver, const BodyView& bodies);
 
 /// Keeps the impulses for the next step, but for islands that begin again.
 template <class View>

@@ -14,8 +14,12 @@ struct alignas(4 * sizeof(scalar)) SolverBody {
     scalar v_CM[4];  ///< m/s; last: inv_M, kg^-1
     scalar L[4];     ///< kg m^2/s; last: 1 where the body was hit in the substep before
     scalar dp[4];    ///< m, displacement of the centre of mass since the step began; last: m s^-2, of gravity and forces
-    scalar dth[4];   ///< rad, small rotation since then; last: 2 where its inertia turned along in the substep before, 1 earlier
+    scalar dth[4];   ///< rad, small rotation since then; last: how it turns, see below
 };
+
+/// How a body turns in a step, in SolverBody::dth: as its joints let it; little; so far that its inertia and its contacts are taken along, see
+/// solver/sweeps/turning_bodies.h; and so that something hits it in the substep at hand.
+inline constexpr scalar turns_with_figure = -1, turns_little = 0, turns_far = 1, turns_into_impact = 2;
 
 /// The rest, which only loops over bodies use.
 struct alignas(4 * sizeof(scalar)) SolverBodyHistory {
@@ -27,12 +31,18 @@ struct alignas(4 * sizeof(scalar)) SolverBodyHistory {
     scalar L_sweep[4];
     scalar P_v[4];        ///< conjugate direction
     scalar P_L[4];
-    scalar turn[4];       ///< rad, in this step, without pushes
+    scalar attitude[4];   ///< of a body that turns far: A as a quaternion; but for pushes of the substep before
+    scalar turn[4];       ///< rad, of such a body in the substep before, without pushes: dth begins anew with each
     scalar L_sum[4];      ///< of the substeps: the drift of A goes by the mean
 };
 
 /// A quad without its last.
 inline Vector three_of(const scalar (&from)[4]) { return {from[0], from[1], from[2]}; }
+inline void set_three(scalar (&to)[4], const Vector& value) {
+    to[0] = value.x;
+    to[1] = value.y;
+    to[2] = value.z;
+}
 
 /// One of the four quads.
 using QuadOfBody = scalar (SolverBody::*)[4];

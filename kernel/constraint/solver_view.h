@@ -6,6 +6,7 @@
 #include "../base/work_budget.h"
 #include "../narrow_phase/manifold_record.h"
 #include "../base/contact_lengths.h"
+#include "../shape/body_shapes.h"
 #include "contact_block.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -15,6 +16,8 @@ namespace ingot { inline namespace INGOT_ABI {
 enum class SweepPlan : uint8_t {
     small_steady,  ///< limits::steady_substeps; few contacts, swept upwards until they are settled
     small,         ///< Effort::substeps
+    small_twice,   ///< twice and four times as many, where something spins fast
+    small_four_times,
     large_steady,  ///< limits::steady_substeps; a few sweeps, up and down the levels in turn
     large,         ///< Effort::substeps
     jointed,       ///< the same, of an island with joints; and twice and four times as many, where they are under tension
@@ -23,8 +26,12 @@ enum class SweepPlan : uint8_t {
     jointed_eight_times,
     solved,        ///< nothing is left to do
 };
-inline constexpr int sweep_plans = 4;          ///< where no body has joints
+inline constexpr int sweep_plans = 6;          ///< where no body has joints
 inline constexpr int sweep_plans_of_jointed = sweep_plans + 1 + limits::doublings_max;
+/// Whether islands of a plan are swept until they are settled, and something in them accelerates.
+inline bool is_small_moving(SweepPlan plan) { return plan >= SweepPlan::small && plan <= SweepPlan::small_four_times; }
+/// Whether islands of a plan have bodies with joints.
+inline bool is_of_joints(SweepPlan plan) { return plan >= SweepPlan::jointed && plan <= SweepPlan::jointed_eight_times; }
 
 /// Bodies that touch, directly or through others that can move: what one of them does depends on these alone. All that the solver decides,
 /// it decides for an island.
@@ -70,6 +77,8 @@ struct SolverView {
     ManifoldRecord* records;   ///< of the pairs
     Vector* friction_references;  ///< by record: N s, world; the slow mean of j_friction
     int manifold_count;
+    BodyShapes shapes = {};
+    const BodyPair* shape_pairs = nullptr;  ///< as pairs, by the slots of shapes
     scalar unit = 1;           ///< m; of lengths and speeds in limits.h: see base/contact_lengths.h
     Effort effort = {};
     int sweeps_of_step = no_budget;  ///< that each island may have
@@ -99,7 +108,7 @@ struct SolverView {
     int substeps;              ///< of the step
     int substeps_left = 1;     ///< with the one at hand
     bool some_hit;             ///< a body was hit in the substep before
-    bool some_turn;            ///< a body turned so far in the substep before that its inertia is another: see refresh_blocks
+    bool some_turn;            ///< a body turns far: see refresh_blocks
     bool some_bounce;          ///< a manifold has restitution
 };
 

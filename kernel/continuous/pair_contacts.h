@@ -92,6 +92,7 @@ struct PairContacts {
             for (Index& local : local_of) local = 0;
             own.friction_references = friction_references;
             own.local_of = local_of;
+            own.shape_pairs = nullptr;  // contacts of a part of a step keep their points
             own.body_count = own.island_count = 0;
         }
         if constexpr (sees_kinematic<View>) own.kinematic.of_slots = nullptr;

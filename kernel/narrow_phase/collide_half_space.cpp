@@ -65,6 +65,7 @@ void collide_cylinder_half_space(const PlacedShape& A, const PlacedShape& B, sca
 
     // The lower end: four points of its rim that are fixed to the body, and its lowest where that is lower than these; the upper
     // end has its own lowest, for a cylinder on its side. In the frame of the cylinder, feature by feature.
+    // One that is clearly tilted rolls on its lowest point: with a fixed one as it passes by, it would roll as a square does, and lose energy.
     const ContactFrame frame = frame_about(face.n, A.r - face.n * face.height);
     Candidate candidates[6];
     int count = 0;
@@ -80,14 +81,18 @@ void collide_cylinder_half_space(const PlacedShape& A, const PlacedShape& B, sca
     const Vector rim[4] = {{r, 0, lower}, {0, r, lower}, {-r, 0, lower}, {0, -r, lower}};
     // Steeper than this the points beside the lowest are not what it stands on, but its side may lie.
     const bool on_its_end = abs(down.z) >= limits::facing_sin;
+    const bool rolls = across > limits::rolling_sin;
+    uint32_t nearest = 0;
     for (uint32_t k = 0; k < 4; ++k) {
         const scalar s = face.height - dot(down, rim[k]);
+        nearest = s < fixed_lowest ? k : nearest;
         fixed_lowest = s < fixed_lowest ? s : fixed_lowest;
-        if (on_its_end) add(rim[k], end | k);
     }
+    for (uint32_t k = 0; k < 4; ++k)
+        if (on_its_end && !(rolls && k == nearest)) add(rim[k], end | k);
     if (across > 0) {
         const Vector lowest{r * (down.x / across), r * (down.y / across), lower};
-        if (!on_its_end || face.height - dot(down, lowest) < fixed_lowest - limits::flatness * r) add(lowest, end | 4u);
+        if (!on_its_end || rolls || face.height - dot(down, lowest) < fixed_lowest - limits::flatness * r) add(lowest, end | 4u);
         add({lowest.x, lowest.y, -lower}, end | 5u);
     }
     keep_points(candidates, count, frame, limits::flatness * (r < h ? r : h), before, manifold);

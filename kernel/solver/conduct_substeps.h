@@ -37,8 +37,8 @@ void conduct_substeps(Solver& solver, const ContactStep& step, StepReport& repor
     while (solver.next_batch(step)) {  // bound: max_bodies: every batch has an island that was in none before, or one that begins again, once
         const int substeps = solver.substeps();
         const scalar h = step.h / static_cast<scalar>(substeps);
-        for (int substep_i = 0; substep_i < substeps; ++substep_i) {  // bound: Effort::substeps_max
-            solver.refresh(step.bodies);
+        for (int substep_i = 0; substep_i < substeps; ++substep_i) {  // bound: Effort::substeps_max, times eight
+            solver.refresh(step.bodies, h);
             solver.predict(h, step.notes, report);
             solver.kick(h);
             solver.warm_start(h);

@@ -122,6 +122,15 @@ struct Storage : features::All::Memory<S> {
         }
         return manifolds;
     }
+    /// The same pairs by the slots of shapes.
+    const BodyPair* moving_shape_pairs() {
+        if constexpr (S::sleeps && has_compounds<S>)
+            return nullptr;
+        else if constexpr (S::sleeps)
+            return this->awake_pairs;
+        else
+            return this->pairs;
+    }
     /// What the contact solver works on; where surfaces have materials beside friction, with those of the pairs that touch now.
     auto contact_solver() {
         if constexpr (has_joints<S>) return jointed_contact_solver();
@@ -151,10 +160,19 @@ struct Storage : features::All::Memory<S> {
         if constexpr (S::kinematic_bodies) this->show_kinematic(view, this->kinematic);
         return view;
     }
+    /// Without materials. Blocks know the shapes that touch.
+    auto swept_solver() {
+        auto view = this->solver();
+        if constexpr (!solves_pointwise<S>) {
+            view.shapes = body_shapes();
+            view.shape_pairs = this->moving_shape_pairs();
+        }
+        return view;
+    }
     /// The same, which sees kinematic bodies as immovable ones.
     auto plain_contact_solver() {
         if constexpr (has_materials<S> || (solves_pointwise<S> && S::bounces)) {
-            auto plain = this->solver();
+            auto plain = swept_solver();
             constexpr bool both = has_joints<S> && has_materials<S>;  // see StillBeltPart
             typename S::solver::template View<S::rolling_resistance || both, S::surface_velocities || both, S::bounces> view{};
             static_cast<decltype(plain)&>(view) = plain;
@@ -165,7 +183,7 @@ struct Storage : features::All::Memory<S> {
             if constexpr (solves_pointwise<S>) this->show_landings(view);
             return view;
         } else {
-            return this->solver();
+            return swept_solver();
         }
     }
     /// Shapes that are solid to each other.

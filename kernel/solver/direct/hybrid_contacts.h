@@ -26,6 +26,10 @@ struct HybridContacts : SweptContacts<PlainViewOf<View>, notes_impulses, bounces
         begin_direct_batch(this->view, direct);
         return true;
     }
+    void refresh(const BodyView& bodies, scalar h) {
+        Swept::refresh(bodies, h);
+        if (this->view.some_turn) direct.loaded_island = -1;  // its rows are those of the substep before
+    }
     void drift(const BodyView& bodies, scalar h) {
         Swept::drift(bodies, h);
         if (this->view.some_turn) direct.loaded_island = -1;  // its rows were made of the inertia before

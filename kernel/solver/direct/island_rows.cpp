@@ -49,13 +49,13 @@ DirectVector lane_in_double(const LaneRow (&rows)[3], int lane_i) { return in_do
 /// Puts a row that the block shows among the manifold's. Levers of normals are found anew from the points, in double: four points of one plane have
 /// three independent normals, and rounding of the block's floats would make a fourth.
 template <class Direct>
-void load_seen_row(Direct& direct, ManifoldOf<Direct>& manifold, DirectRow* rows, const SeenRow& seen, const ManifoldRecord& record) {
+void load_seen_row(Direct& direct, ManifoldOf<Direct>& manifold, DirectRow* rows, const SeenRow& seen, const ManifoldRecord* record) {
     const int lane_i = manifold.position % lanes;
     const DirectVector none = {}, d = lane_in_double(seen.d, lane_i);
     const bool moves[2] = {manifold.body[0] != 0, manifold.body[1] != 0};
     DirectRow& row = rows[seen.number];
-    if (seen.number < friction_row) {
-        const DirectVector P = in_double(record.manifold.points[seen.number].P);
+    if (seen.number < friction_row && record != nullptr) {
+        const DirectVector P = in_double(record->manifold.points[seen.number].P);
         load_row(direct, manifold, row, d, moves[0] ? direct.bodies[manifold.body[0]].lever_of(P, d) : none,
                  moves[1] ? direct.bodies[manifold.body[1]].opposite_lever_of(P, d) : none);
     } else if (seen.levers != nullptr) {
@@ -81,19 +81,21 @@ void load_manifold(const View& solver, Direct& direct, ManifoldOf<Direct>& manif
     const int lane_i = manifold.position % lanes, block_i = manifold.position / lanes;
     const ContactBlock& block = solver.blocks[block_i];
     const ManifoldRecord& record = solver.records[solver.pairs[block.manifold[lane_i]].record];
-    const bool is_area = record.manifold.count > 1;
+    const bool is_area = record.manifold.count > 1, moved = (block.moving >> lane_i & 1u) != 0;
     manifold.mu = static_cast<wide_scalar>(block.mu[lane_i]);
     manifold.radius = is_area ? static_cast<wide_scalar>(block.torsion.radius[lane_i]) : 0;  // of one point: rounding
     manifold.points = static_cast<uint8_t>(is_area ? block_rows : 1);                        // whatever it shares its block with
     manifold.rows = 0;
     if constexpr (View::rolls) manifold.lever = static_cast<wide_scalar>(solver.rolling[block_i].lever[lane_i]);
     ContactConstraint<View>::Given::for_rows(solver, block_i, [&](const SeenRow& seen) {
-        if (has_row<Direct>(block, manifold, seen.number)) load_seen_row(direct, manifold, rows, seen, record);
+        if (has_row<Direct>(block, manifold, seen.number)) load_seen_row(direct, manifold, rows, seen, moved ? nullptr : &record);
     });
-    if constexpr (View::has_belts)
-        for (int axis = 0; axis < 2; ++axis)
-            if (has(manifold.rows, friction_row + axis))
-                rows[friction_row + axis].target = -static_cast<wide_scalar>(solver.belts[block_i].speed[axis][lane_i]);
+    for (int axis = 0; axis < 2; ++axis) {
+        if (!has(manifold.rows, friction_row + axis)) continue;
+        wide_scalar& target = rows[friction_row + axis].target;
+        target -= static_cast<wide_scalar>(block.friction.shift[axis][lane_i]);
+        if constexpr (View::has_belts) target -= static_cast<wide_scalar>(solver.belts[block_i].speed[axis][lane_i]);
+    }
 }
 
 /// Puts the body that stands for a kinematic one into a manifold that was loaded as one with what cannot move. It is B from now on: rows are the same

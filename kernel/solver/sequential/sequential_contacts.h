@@ -88,7 +88,7 @@ struct SequentialContacts {
     int substeps() const { return substeps_; }
 
     /// Its bodies keep the inertia of the step: those that spin fast and bounce gain energy by it, see solver/README.md.
-    void refresh(const BodyView&) {}
+    void refresh(const BodyView&, scalar) {}
     void predict([[maybe_unused]] scalar h, const StepNotes&, StepReport&) {
         if constexpr (View::bounces)
             if (predict_point_bounces(view, h)) given_again_ = false;

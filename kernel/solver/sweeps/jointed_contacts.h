@@ -38,17 +38,19 @@ struct SeesJoints : Contacts {
         }
         return true;
     }
-    void refresh(const BodyView& bodies) {
+    void refresh(const BodyView& bodies, scalar h) {
         // What next_batch has prepared is right for the first substep.
-        const scalar h = jointed.figures.h / static_cast<scalar>(this->substeps());
+        const bool is_first = jointed.is_fresh;
         if constexpr (Whole::has_drives) {
             place_joints(jointed.figures);
             prepare_drives(jointed.figures, rows(), h);
-            factor_driven(bodies, h);
-        } else if (!jointed.is_fresh) {
+            factor_figures(jointed.figures, rows(), h);
+            respond_figures(jointed.figures, jointed.responses);
+        } else if (!is_first) {
             factor_jointed(this->view, jointed, this->view.loops);
-            Contacts::refresh(bodies);
         }
+        Contacts::refresh(bodies, h);
+        if (Whole::has_drives || !is_first) refresh_jointed_blocks(this->view, bodies);
         jointed.is_fresh = false;
         if constexpr (Whole::has_joint_rows) list_joint_rows(jointed.figures, rows(), h);
     }
@@ -74,7 +76,7 @@ struct SeesJoints : Contacts {
         // Pushes of loops meet their figures as they are, and so do those of contacts.
         if constexpr (closes) {
             factor_jointed(this->view, jointed, this->view.loops);
-            Contacts::refresh(bodies);
+            refresh_jointed_blocks(this->view, bodies);
         }
         push_figures(jointed.figures, this->view.loops, false);
         if constexpr (closes) write_velocities(this->view, jointed);  // pushes may have slowed them
@@ -119,7 +121,7 @@ private:
     void factor_driven(const BodyView& bodies, scalar h) {
         factor_figures(jointed.figures, rows(), h);
         respond_figures(jointed.figures, jointed.responses);
-        Contacts::refresh(bodies);
+        refresh_jointed_blocks(this->view, bodies);
     }
     /// Of the islands of the batch: those of the others stand.
     void forget_doublings() {

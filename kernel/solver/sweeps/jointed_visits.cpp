@@ -125,7 +125,6 @@ void write_displacements(const SolverView& solver, const JointedBodies& jointed,
             const Vector I = read(at, row.I_body);
             put_three(body.dp, read(at, row.r) - lane_of(bodies.translation[place.tile].r_CM, place.lane));
             put_three(body.dth, read(at, row.turned));
-            body.dth[3] = max(body.dth[3], scalar(1));  // where the step begins again, so does the inertia
             set_lane(bodies.translation[place.tile].inv_I_world, place.lane,
                      rotated_diagonal(read(at, row.A), Vector{1 / I.x, 1 / I.y, 1 / I.z}));
         });

@@ -10,11 +10,6 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
-void set3(scalar (&to)[4], const Vector& value) {
-    to[0] = value.x;
-    to[1] = value.y;
-    to[2] = value.z;
-}
 void set_opposite(LaneRow (&to)[3], int lane_i, const Vector& of) { set_lane(to, lane_i, -of); }
 
 /// What a row reads of the kinematic body: k = -J of its partner.
@@ -85,12 +80,12 @@ void begin_kinematic_substep(const SolverView& solver, const KinematicContacts& 
         SolverBody& body = body_of(solver, kinematic, contact_i);
         SolverBodyHistory& history = solver.histories[kinematic.body_begin + contact_i];
         begin_substep(contact, three_of(solver.bodies[contact.partner].dp));
-        set3(body.v_CM, velocity_at_begin(contact, h));
-        set3(body.L, contact.omega);
-        set3(history.v_begin, three_of(body.v_CM));
-        set3(history.L_begin, contact.omega);
-        set3(history.a, acceleration_at_begin(contact));
-        set3(history.tau, contact.alpha);
+        set_three(body.v_CM, velocity_at_begin(contact, h));
+        set_three(body.L, contact.omega);
+        set_three(history.v_begin, three_of(body.v_CM));
+        set_three(history.L_begin, contact.omega);
+        set_three(history.a, acceleration_at_begin(contact));
+        set_three(history.tau, contact.alpha);
     }
 }
 
@@ -98,8 +93,8 @@ void kick_kinematic_bodies(const SolverView& solver, const KinematicContacts& ki
     for (int contact_i = 0; contact_i < kinematic.count; ++contact_i) {
         const KinematicContact& contact = kinematic.contacts[contact_i];
         SolverBody& body = body_of(solver, kinematic, contact_i);
-        set3(body.v_CM, velocity_at_end(contact, h));
-        set3(body.L, contact.omega + contact.alpha * h);
+        set_three(body.v_CM, velocity_at_end(contact, h));
+        set_three(body.L, contact.omega + contact.alpha * h);
     }
 }
 
@@ -128,7 +123,7 @@ void drift_kinematic_bodies(const SolverView& solver, KinematicContacts& kinemat
         KinematicContact& contact = kinematic.contacts[contact_i];
         SolverBody& body = body_of(solver, kinematic, contact_i);
         const Vector turn = mean_spin(contact, h) * h;
-        set3(body.dp, three_of(body.dp) + end_substep(contact, h));
+        set_three(body.dp, three_of(body.dp) + end_substep(contact, h));
         ContactBlock& block = solver.blocks[contact.position / lanes];
         const int lane_i = contact.position % lanes;
         // bound: 4: block_rows

@@ -38,8 +38,8 @@ struct SeesKinematic : Contacts {
         see_kinematic_bodies(contacts(), all.kinematic, step.bodies, step.h);
         return true;
     }
-    void refresh(const BodyView& bodies) {
-        Contacts::refresh(bodies);
+    void refresh(const BodyView& bodies, scalar h) {
+        Contacts::refresh(bodies, h);
         see_kinematic_levers(contacts(), all.kinematic);
     }
     void predict(scalar h, const StepNotes& notes, StepReport& report) {

@@ -5,6 +5,7 @@
 #include "../../body/kinematics.h"
 #include "../../body/turning_inertia.h"
 #include "../../math/sqrt.h"
+#include "turning_bodies.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -70,14 +71,6 @@ Index take_in(SolverView& solver, const BodyView& bodies, const Vector& gravity,
     return static_cast<Index>(local);
 }
 
-/// The inertia of a body goes along with its turn of the substep. Returns the turn.
-Vector let_inertia_turn(const BodyView& bodies, const Place& at, const Vector& L, scalar h) {
-    TranslationTile& translation = bodies.translation[at.tile];
-    SymmetricMatrix inv_I_world = lane_of(translation.inv_I_world, at.lane);
-    const Vector turn = turn_freely(inv_I_world, L, h);
-    set_lane(translation.inv_I_world, at.lane, inv_I_world);
-    return turn;
-}
 /// The inertia that it began the step with.
 void begin_inertia(const BodyView& bodies, const Place& at) {
     const RotationTile& tile = bodies.rotation[at.tile];
@@ -115,14 +108,17 @@ void take_in_figures(SolverView& solver, JointedBodies& jointed, const BodyView&
         const Index body_i = solver.local_of[node.slot], leader = solver.local_of[figures.nodes[figures.figures[node.figure].first_node].slot];
         if (body_i == 0) continue;  // it has gone bad
         jointed.node_of[body_i] = static_cast<Index>(node_i);
+        solver.bodies[body_i].dth[3] = turns_with_figure;
         if (leader != 0) jointed.leader_of[body_i] = leader;
     }
 }
 
 void take_in_again(const SolverView& solver, const BodyView& bodies, const Vector& gravity) {
     for_bodies(solver, [&](int body_i) {
-        if (solver.bodies[body_i].dth[3] > 0) begin_inertia(bodies, place_of(solver.slot_of[body_i]));
+        const scalar turns = solver.bodies[body_i].dth[3];
+        if (turns != turns_little) begin_inertia(bodies, place_of(solver.slot_of[body_i]));
         begin_body(solver, body_i, motion_of(bodies, gravity, solver.slot_of[body_i]));
+        solver.bodies[body_i].dth[3] = min(turns, turns_little);
     });
 }
 
@@ -143,7 +139,6 @@ void kick_bodies(const SolverView& solver, scalar h) {
 
 void drift_bodies(SolverView& solver, const BodyView& bodies, scalar h) {
     solver.some_hit = false;
-    solver.some_turn = false;
     for_bodies(solver, [&](int body_i) {
         SolverBody& body = solver.bodies[body_i];
         SolverBodyHistory& history = solver.histories[body_i];
@@ -155,23 +150,14 @@ void drift_bodies(SolverView& solver, const BodyView& bodies, scalar h) {
         const Vector dp = vector_of(body.dp) + (hit ? v : v - change * scalar(0.5)) * h;
         const SymmetricMatrix inv_I_world = lane_of(bodies.translation[at.tile].inv_I_world, at.lane);
         const Vector spun = L - vector_of(history.L_begin);
-        Vector turn = inv_I_world * L * h;
-        // Of bodies about to rest the energy does not matter, and where they are does.
-        const scalar least = limits::turning_speed * solver.unit;
-        if (turns_inertia(lane_of(bodies.rotation[at.tile].inv_I_ratio, at.lane), turn) &&
-            dot(L, inv_I_world * L) * body.v_CM[3] > least * least) {
-            turn = let_inertia_turn(bodies, at, L, h);
-            body.dth[3] = 2;
-            solver.some_turn = true;
-        } else {
-            body.dth[3] = min(body.dth[3], scalar(1));
-        }
+        const bool turns = body.dth[3] > turns_little;
+        const Vector turn = turns ? turn_on(solver, bodies, body_i, hit, h) : inv_I_world * L * h;
         solver.some_hit = solver.some_hit || hit;
         const scalar steady_change = limits::steady_acceleration * body.dp[3] * h + limits::settled_speed * solver.unit;
         island.steady = island.steady && length_sq(change) + dot(spun, inv_I_world * spun) * body.v_CM[3] <= steady_change * steady_change;
         set4(body.dp, dp, body.dp[3]);
         set4(body.dth, vector_of(body.dth) + turn, body.dth[3]);
-        set4(history.turn, vector_of(history.turn) + turn);
+        if (body.dth[3] == turns_little && turns_so_far(solver, bodies, body_i, turn)) begin_turning(solver, bodies, body_i);
         body.L[3] = hit ? scalar(1) : scalar(0);
         set4(history.L_sum, vector_of(history.L_sum) + L * shares_of_substep(solver));
     });
@@ -216,20 +202,17 @@ void turn_by_corrections(const SolverView& solver, const Joints& jointed, const 
         const SolverBodyHistory& history = solver.histories[body_i];
         const Place at = place_of(solver.slot_of[body_i]);
         const SymmetricMatrix inv_I_world = lane_of(bodies.translation[at.tile].inv_I_world, at.lane);
-        const bool turns = body.dth[3] > 0;
-        const scalar substep = h / static_cast<scalar>(solver.effort.substeps);
-        const Vector drift = turns ? vector_of(history.turn) : inv_I_world * vector_of(history.L_sum) * substep;
-        const Vector push = vector_of(body.dth) - drift;
-        const bool is_pushed = length_sq(push) > limits::settled_turn * limits::settled_turn;
         RotationTile& rotation = bodies.rotation[at.tile];
-        if (!(turns || is_pushed) || (rotation.bad >> at.lane & 1u) != 0) continue;
-        const Matrix A = lane_of(rotation.A, at.lane);
-        Matrix A_next = is_pushed ? turned_about(A, push) : A;
-        if (turns) {
-            const Vector L = lane_of(rotation.L, at.lane);
-            A_next = return_energy(A_next, lane_of(rotation.inv_I_ratio, at.lane) * rotation.inv_I_scale[at.lane], L, dot(L, inv_I_world * L));
+        if ((rotation.bad >> at.lane & 1u) != 0) continue;
+        Matrix A;
+        if (body.dth[3] > turns_little) {
+            A = attitude_at_end(solver, bodies, body_i);
+        } else {
+            const Vector push = vector_of(body.dth) - inv_I_world * vector_of(history.L_sum) * (h / static_cast<scalar>(solver.effort.substeps));
+            if (!(length_sq(push) > limits::settled_turn * limits::settled_turn)) continue;
+            A = turned_about(lane_of(rotation.A, at.lane), push);
         }
-        if (is_finite(A_next)) set_lane(rotation.A, at.lane, A_next);
+        if (is_finite(A)) set_lane(rotation.A, at.lane, A);
     }
 }
 

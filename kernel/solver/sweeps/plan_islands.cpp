@@ -2,6 +2,7 @@
 #include "plan_islands.h"
 
 #include "../../base/limits.h"
+#include "../../body/turning_inertia.h"
 #include "../../figure/build_figures.h"
 #include "../../island/disjoint_sets.h"
 #include "../../math/sqrt.h"
@@ -57,6 +58,23 @@ SweepPlan plan_of(const Island& island, const Effort& effort) {
     return steady && island.level_count <= limits::steady_levels ? SweepPlan::small_steady : SweepPlan::small;
 }
 
+/// More substeps for islands in which something spins fast that is not alike about all axes. h: s, of a substep.
+void plan_spinning(const SolverView& solver, const BodyView& bodies, scalar h) {
+    constexpr scalar turn_sq = limits::turn_of_substep * limits::turn_of_substep;
+    for (int body_i = 1; body_i < solver.body_count; ++body_i) {  // bound: max_bodies + 1
+        const Place at = place_of(solver.slot_of[body_i]);
+        const Vector L = three_of(solver.bodies[body_i].L);
+        const scalar scale = bodies.rotation[at.tile].inv_I_scale[at.lane] * h;
+        if (length_sq(L) * (scale * scale) <= turn_sq) continue;  // no ratio is beyond 1
+        const Vector turn = lane_of(bodies.translation[at.tile].inv_I_world, at.lane) * L * h;
+        if (!turns_inertia(lane_of(bodies.rotation[at.tile].inv_I_ratio, at.lane), turn)) continue;  // a ball, say
+        const scalar turned_sq = length_sq(turn);
+        SweepPlan& plan = solver.islands[solver.island_of[body_i]].plan;
+        if (plan == SweepPlan::small && turned_sq > turn_sq) plan = SweepPlan::small_twice;
+        if (plan == SweepPlan::small_twice && turned_sq > 4 * turn_sq) plan = SweepPlan::small_four_times;
+    }
+}
+
 int sweeps_max_of(const Island& island, const Effort& effort) {
     const bool is_heap_of_balls = 4 * island.central_count > 3 * island.manifold_count;
     switch (island.plan) {
@@ -90,6 +108,8 @@ void plan_jointed(const SolverView& solver, JointedBodies& jointed) {
 
 int substeps_of(SweepPlan plan, const Effort& effort) {
     if (is_steady(plan)) return limits::steady_substeps;
+    if (plan == SweepPlan::small_twice) return effort.substeps << 1;
+    if (plan == SweepPlan::small_four_times) return effort.substeps << 2;
     return is_of_joints(plan) ? effort.substeps << doublings_of(plan) : effort.substeps;
 }
 
@@ -117,13 +137,14 @@ void spread_doublings(const SolverView& solver, const JointedBodies& jointed) {
 }
 
 template <class Joints>
-void plan_islands(SolverView& solver, Joints& jointed) {
+void plan_islands(SolverView& solver, Joints& jointed, const BodyView& bodies, scalar h) {
     join_bodies(solver, jointed);
     count_manifolds(solver);
     for (int island_i = 0; island_i < solver.island_count; ++island_i) {  // bound: max_bodies
         Island& island = solver.islands[island_i];
         island.plan = plan_of(island, solver.effort);
     }
+    if (solver.sweeps_of_step == no_budget) plan_spinning(solver, bodies, h / static_cast<scalar>(solver.effort.substeps));
     plan_jointed(solver, jointed);
 }
 
@@ -153,8 +174,8 @@ bool begin_batch(SolverView& solver, Joints& jointed, SweepPlan plan, const Body
 }
 
 // The linker takes the one that the scene calls.
-template void plan_islands(SolverView&, NoJointedBodies&);
-template void plan_islands(SolverView&, JointedBodies&);
+template void plan_islands(SolverView&, NoJointedBodies&, const BodyView&, scalar);
+template void plan_islands(SolverView&, JointedBodies&, const BodyView&, scalar);
 template bool begin_batch(SolverView&, NoJointedBodies&, SweepPlan, const BodyView&, const Vector&);
 template bool begin_batch(SolverView&, JointedBodies&, SweepPlan, const BodyView&, const Vector&);
 

@@ -14,9 +14,10 @@ namespace ingot { inline namespace INGOT_ABI {
 /// go up, which serves heavy bodies on light ones. In a large island the number of sweeps is fixed, larger while many contacts are new. They go up
 /// and down in turn, which carries the weight of a pile to the ground and back. An island is steady when nothing in it accelerated in the step
 /// before, and nothing has begun to touch since. A tall tower never counts as steady: it sways unless it has all substeps, and sweeps cannot tell.
+/// A small island in which something turns far in a substep, see limits::turn_of_substep, has more of them, unless the scene has a work_budget.
 /// Needs: find_levels.
 template <class Joints>
-void plan_islands(SolverView& solver, Joints& jointed);
+void plan_islands(SolverView& solver, Joints& jointed, const BodyView& bodies, scalar h);
 
 /// An island has the substeps of the figure that asks for most of them: it raises JointedBodies::doublings_of, and then its figures.
 void spread_doublings(const SolverView& solver, const JointedBodies& jointed);
@@ -44,7 +45,6 @@ bool sweep_again(const SolverView& solver, Island& island);
 scalar rounding_of_speeds(const Island& island, scalar unit);
 
 inline bool is_steady(SweepPlan plan) { return plan == SweepPlan::small_steady || plan == SweepPlan::large_steady; }
-inline bool is_of_joints(SweepPlan plan) { return plan >= SweepPlan::jointed && plan <= SweepPlan::jointed_eight_times; }
 /// How often the substeps of such a plan are halved.
 inline int doublings_of(SweepPlan plan) { return static_cast<int>(plan) - static_cast<int>(SweepPlan::jointed); }
 inline bool is_large(SweepPlan plan) { return plan == SweepPlan::large_steady || plan == SweepPlan::large || is_of_joints(plan); }

@@ -3,6 +3,7 @@
 
 #include "../conduct_substeps.h"
 #include "../../constraint/prepare_blocks.h"
+#include "../../constraint/refresh_blocks.h"
 #include "diverged_islands.h"
 #include "gaining_figures.h"
 #include "gaining_islands.h"
@@ -18,6 +19,7 @@
 #include "solve_velocities.h"
 #include "sweep_joint_rows.h"
 #include "sweep_positions.h"
+#include "turning_bodies.h"
 #include "warm_start.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -35,7 +37,7 @@ struct SweptContacts {
         auto&& jointed = jointed_of(view);
         take_in_figures(view, jointed, step.bodies, step.gravity, step.h);
         find_levels(view, jointed);
-        plan_islands(view, jointed);
+        plan_islands(view, jointed, step.bodies, step.h);
         plan_i_ = 0;
     }
     bool next_batch(const ContactStep& step) {
@@ -49,9 +51,15 @@ struct SweptContacts {
     }
     int substeps() const { return view.substeps; }
 
-    void refresh(const BodyView& bodies) { refresh_blocks(view, bodies); }
+    void refresh(const BodyView& bodies, scalar h) {
+        if (!view.some_turn) return;
+        note_turning_speeds(view, first_jointed_block(view), h);
+        turn_half_way(view, bodies, h);
+        refresh_blocks(view, bodies, h);
+    }
     void predict(scalar h, [[maybe_unused]] const StepNotes& notes, [[maybe_unused]] StepReport& report) {
         predict_contacts(view, h);
+        if (view.some_turn) shift_targets(view);
         if constexpr (bounces) {
             predict_bounces(view, h);
             sequence_impacts<notes_impulses>(view, h, notes, report);
@@ -60,7 +68,7 @@ struct SweptContacts {
     void kick(scalar h) { kick_bodies(view, h); }
     void warm_start(scalar h) {
         ingot::warm_start(without_belts(view), h);
-        some_reverse = view.plan == SweepPlan::small && begin_reversals(with_belts(view), h);
+        some_reverse = is_small_moving(view.plan) && begin_reversals(with_belts(view), h);
     }
     void solve_velocities(const ContactStep& step, scalar h, StepReport&) {
         plan_sweeps(view);
@@ -71,7 +79,9 @@ struct SweptContacts {
         if constexpr (notes_impulses) ingot::note_impulses(view, notes);
     }
     void drift(const BodyView& bodies, scalar h) {
+        const bool turned = view.some_turn;
         drift_bodies(view, bodies, h);
+        if (turned) separate_turned(view, bodies);
         --view.substeps_left;
     }
     void solve_positions(const ContactStep&, scalar h) { sweep_positions(of_points(view), view.visits, view.visit_count, h); }
@@ -111,6 +121,7 @@ private:
     void prepare(const ContactStep& step) {
         if constexpr (View::articulates) begin_jointed_batch(view);
         prepare_blocks(view, step.bodies);
+        find_turning_bodies(view, step.bodies, step.h / static_cast<scalar>(view.substeps));
         if constexpr (notes_impulses) clear_impulse_notes(view, step.notes);
         if constexpr (bounces)
             if (find_impact_chains(view)) list_members(view);
