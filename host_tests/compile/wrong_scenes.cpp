@@ -348,7 +348,8 @@ struct Wrong : ingot::Scene {
     static constexpr int max_joints = 1;
     using joints = ingot::Joints<ingot::FixedJoint, ingot::WithDrives>;
 #endif
-#if defined(DRIVE_WITHOUT_DRIVES) || defined(LIMIT_WITHOUT_LIMITS) || defined(REACTION_WITHOUT_REACTIONS)
+#if defined(DRIVE_WITHOUT_DRIVES) || defined(LIMIT_WITHOUT_LIMITS) || defined(REACTION_WITHOUT_REACTIONS) || \
+    defined(LENGTH_WITHOUT_TIES) || defined(TARGET_WITHOUT_TARGETS)
     static constexpr bool translates = true;
     static constexpr int max_joints = 1;
     using joints = ingot::Joints<ingot::BallJoint>;
@@ -366,6 +367,22 @@ struct Wrong : ingot::Scene {
     static constexpr int max_joints = 1;
     using joints = ingot::Joints<ingot::HingeJoint, ingot::WithLimits>;
     using figure_motion = ingot::EnergyMomentum<>;
+#endif
+#ifdef TIES_WITHOUT_LOOPS
+    static constexpr bool translates = true;
+    static constexpr int max_joints = 1;
+    using joints = ingot::Joints<ingot::RodJoint>;
+#endif
+#ifdef FIGURE_MOTION_WITH_TIES
+    static constexpr bool translates = true;
+    static constexpr int max_joints = 1, max_loops = 1;
+    using joints = ingot::Joints<ingot::RopeJoint>;
+    using figure_motion = ingot::EnergyMomentum<>;
+#endif
+#ifdef REACTIONS_OF_TIES
+    static constexpr bool translates = true;
+    static constexpr int max_joints = 1, max_loops = 1;
+    using joints = ingot::Joints<ingot::RodJoint, ingot::WithReactions>;
 #endif
 #ifdef FIGURE_MOTION_WITHOUT_JOINTS
     static constexpr bool translates = true;
@@ -441,6 +458,12 @@ int main() {
 #endif
 #ifdef DRIVE_WITHOUT_DRIVES
     (void)world.set_joint_drive({}, {});
+#endif
+#ifdef LENGTH_WITHOUT_TIES
+    (void)world.set_joint_length({}, 1);
+#endif
+#ifdef TARGET_WITHOUT_TARGETS
+    (void)world.set_target_drive({}, {});
 #endif
 #ifdef LIMIT_WITHOUT_LIMITS
     (void)world.set_joint_limits({}, {});

@@ -11,7 +11,7 @@ namespace {
 using namespace figures;
 
 struct Pit : ingot::Scene {
-    static constexpr int max_bodies = 110, max_joints = 110, max_manifolds = 500, max_pairs = 2000;
+    static constexpr int max_bodies = 130, max_joints = 110, max_manifolds = 500, max_pairs = 2000;
     static constexpr bool translates = true;
     using joints = AllJoints;
     using shapes = ingot::Shapes<ingot::Capsule, ingot::HalfSpace>;
@@ -55,6 +55,41 @@ void print_breaks(const World& world) {
                     static_cast<double>(broken.reaction.torque.x));
 }
 
+struct TiedPit : LoopedPit {
+    static constexpr int max_joints = 140, max_loops = 30;
+    using joints = AllJointsWith<ingot::RodJoint, ingot::RopeJoint>;
+};
+
+/// Ragdolls hang together by the head, some by rods, some by ropes; and pairs of bodies fly on a rod.
+template <class World>
+void tie_some(World& world, Built& built) {
+    const auto tie = [&](ingot::BodyId A, ingot::BodyId B, const ingot::Joint& kind) {
+        ingot::JointDef def;
+        def.body_A = A;
+        def.body_B = B;
+        def.joint = kind;
+        def.P = world.state(A).value.r_CM;
+        def.P_B = world.state(B).value.r_CM;
+        built.sound = built.sound && world.add_joint(def).ok();
+    };
+    for (size_t i = 0; i < 4; ++i) {
+        const ingot::BodyId A = built.bodies[i * parts_of_ragdoll], B = built.bodies[(i + 1) * parts_of_ragdoll];
+        if (i % 2 == 0)
+            tie(A, B, ingot::RodJoint{});
+        else
+            tie(A, B, ingot::RopeJoint{scalar(1.5)});
+    }
+    for (int i = 0; i < 9; ++i) {
+        ingot::BodyDef def;
+        def.mass = ingot::principal(ingot::solid_box(static_cast<scalar>(100 * (i + 1)), {scalar(0.1), scalar(0.1), scalar(0.1)})).value;
+        def.state.r_CM = {static_cast<scalar>(i), 100, 50};
+        const ingot::BodyId A = world.add(def).value;
+        def.state.r_CM.z = 51;
+        def.state.v_CM = {1, static_cast<scalar>(i), 0};
+        tie(A, world.add(def).value, ingot::RodJoint{});
+    }
+}
+
 /// Two of the ragdolls hold their own hands, and a figure that swings is tied once more.
 template <class World>
 void close_some_loops(World& world, Built& built) {
@@ -90,6 +125,7 @@ bool run(const char* name) {
         }
     if constexpr (Scene::max_loops > 0) close_some_loops(*world, built);
     if constexpr (Scene::joints::may_break) weaken(*world, random, built);
+    if constexpr (Scene::joints::has_ties) tie_some(*world, built);
     for (int step_i = 0; step_i < 120; ++step_i) {
         (void)ingot::step(*world, scalar(1) / 60);
         if constexpr (Scene::joints::may_break) print_breaks(*world);
@@ -102,7 +138,7 @@ bool run(const char* name) {
 
 int main() {
     const bool plain = run<Pit>("substeps"), limited = run<LimitedPit>("limits"), driven = run<DrivenPit>("drives"),
-               looped = run<LoopedPit>("loops"), swinging = run<SwingingPit>("energy_momentum");
+               looped = run<LoopedPit>("loops"), tied = run<TiedPit>("ties"), swinging = run<SwingingPit>("energy_momentum");
     const bool breaking = run<BreakingPit>("breaking"), swings = run<BreakingSwings>("breaking swings"), loops = run<BreakingLoops>("breaking loops");
-    return plain && limited && driven && looped && swinging && breaking && swings && loops ? 0 : 1;
+    return plain && limited && driven && looped && tied && swinging && breaking && swings && loops ? 0 : 1;
 }

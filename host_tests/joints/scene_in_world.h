@@ -17,7 +17,7 @@ inline ingot::scalar end_of(double end) {
     return end == infinity ? ingot::unlimited : end == -infinity ? -ingot::unlimited : static_cast<ingot::scalar>(end);
 }
 
-/// Kinds: ball, hinge, slider, universal, fixed; with their limits.
+/// Kinds: ball, hinge, slider, universal, fixed, with their limits; a distance that is a rod or a rope.
 inline ingot::Joint kernel_joint(const FigureJoint& joint) {
     const ingot::scalar lower = end_of(joint.lower), upper = end_of(joint.upper), e = static_cast<ingot::scalar>(joint.restitution);
     switch (joint.kind) {
@@ -28,6 +28,9 @@ inline ingot::Joint kernel_joint(const FigureJoint& joint) {
         case FigureJointKind::slider: return ingot::SliderJoint{lower, upper, e};
         case FigureJointKind::universal: return ingot::UniversalJoint{{lower, upper}, {}, e};
         case FigureJointKind::fixed: return ingot::FixedJoint{};
+        case FigureJointKind::distance:
+            if (joint.is_rod()) return ingot::RodJoint{static_cast<ingot::scalar>(joint.most)};
+            return ingot::RopeJoint{static_cast<ingot::scalar>(joint.most)};
         default: return {};
     }
 }
@@ -74,6 +77,7 @@ Built add_scene(ingot::World<Scene>& world, const FigureScene& scene) {
         def.body_B = body_of(joint.body_B);
         def.joint = kernel_joint(joint);
         def.P = to_vector(joint.anchor);
+        def.P_B = to_vector(joint.anchor_B);
         def.axis = to_vector(joint.kind == FigureJointKind::ball ? joint.axis_B : joint.axis_A);
         if (joint.kind == FigureJointKind::universal) def.axis_B = to_vector(joint.axis_B);
         const auto id = world.add_joint(def);

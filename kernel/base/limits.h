@@ -246,7 +246,8 @@ inline constexpr scalar tension_of_doublings[doublings_max] = {scalar(0.5), 2, 8
 inline constexpr scalar turn_of_doublings[doublings_max] = {scalar(0.25), scalar(0.5), 1};  ///< rad, of a body in a whole substep
 /// Of the compliance that two bodies would have without joints: where these leave a contact less, it is rounding, and nothing is solved there.
 inline constexpr scalar held_compliance = 64 * epsilon;
-inline constexpr scalar target_gain = scalar(1.5);       ///< of the energy of a figure, by its targets of a substep: they are left out beyond
+/// Of the energy of a figure, by its targets of a substep: they are left out beyond. Of scenes with ties less: against those no inertia is added.
+inline constexpr scalar target_gain = scalar(1.5), target_gain_of_ties = scalar(1.02);
 /// Of the rows of a figure that close its loops: of four hinges, say. More would be solved in the cube of their number.
 inline constexpr int loop_rows_max = 24;
 /// Of the compliance that a row which closes a loop would have if its bodies had no joints: what gives way by less, once the rows before it hold, is
@@ -258,6 +259,9 @@ inline constexpr scalar push_turn = scalar(0.1);         ///< rad, of any body b
 inline constexpr scalar throw_speed = 4 * push_speed_max;  ///< m/s, of any body of a figure by pushes of contacts: levers make more of them
 inline constexpr int pushes_max = 9;                     ///< of the bodies of a figure, to where its joints want them, in a substep
 inline constexpr scalar joint_gap = scalar(2e-5);        ///< m, rad; a joint that is further off after a push is pushed again
+inline constexpr scalar tie_length_min = scalar(1e-3);   ///< units of length, of a rod or a rope; shorter, it has no direction: take a ball joint
+inline constexpr scalar reel_speed = 3;                  ///< units of length a second, with which one becomes as long as it was told to be
+inline constexpr int rope_rounds = 8;                    ///< of a substep, in which ropes may come to their ends; then those that push are let go
 
 // Limits of joints. What is an angle is so many metres of a travel.
 inline constexpr scalar joint_angle_max = 1000;          ///< rad; limits of a hinge: in float an angle of so many turns has 6e-5 rad left
@@ -275,11 +279,9 @@ inline constexpr int limit_pushes = 4;                   ///< the same where the
 
 // Figures that move by the energy-momentum step (energy_momentum/).
 /// Shares of what is in a balance, and of the size of a body; rad. What is off by less than newton_settled is off by a dozen roundings of its own
-/// terms:
-/// passes end. What is off by less than newton_close is off by less than that after one move more, which squares it.
+/// terms: passes end. What is off by less than newton_close is off by less than that after one move more, which squares it.
 inline constexpr scalar newton_settled = 12 * epsilon, newton_close = INGOT_DOUBLE ? scalar(1e-9) : 64 * epsilon;
-/// rad; the step of a figure with a body that turns further is cut in halves.
-inline constexpr scalar newton_turn = scalar(0.85);
+inline constexpr scalar newton_turn = scalar(0.85);  ///< rad; the step of a figure with a body that turns further is cut in halves
 inline constexpr int newton_halvings_max = 3;  ///< of a step; then the substeps take the figure
 inline constexpr int newton_passes_max = 12;        ///< of a step, or of a part of it; then it is cut
 inline constexpr int newton_steep_passes_max = 16;  ///< the same where masses differ by newton_steep_ratio
@@ -287,8 +289,7 @@ inline constexpr scalar newton_steep_ratio = 1000;
 inline constexpr int newton_easy_passes = 8;   ///< where no part took more, the next step begins with parts twice as long
 /// Of the kinetic energy of a figure: so much may be in velocities that its joints do not allow.
 inline constexpr scalar hidden_share = scalar(1e-4);
-/// By this factor the energy of a snap may raise the kinetic energy of a figure, its motion as a whole excepted.
-inline constexpr scalar snap_gain_max = 4;
+inline constexpr scalar snap_gain_max = 4;  ///< by which a snap may raise the kinetic energy of a figure, its motion as a whole excepted
 
 /// m, rad; a joint that was broken, or switched off, works again where its sides are no further off each other. They are drawn together in a step:
 /// bodies that are further apart would be thrown about by what is left of that in their velocities.

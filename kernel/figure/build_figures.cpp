@@ -20,7 +20,16 @@ scalar inv_M_of(const FigureView& view, Index slot) {
     return view.bodies.translation[at.tile].inv_M[at.lane];
 }
 
+// Which ends count: those of all joints; or, in scenes with ties, those of the trees.
+struct AllEnds {
+    static bool count(const FigureView&, int) { return true; }
+};
+struct EndsOfTrees {
+    static bool count(const FigureView& view, int end) { return !is_tie(view.lists.joints[end / 2].kind); }
+};
+
 /// The bodies that hang together with one, as a list in the nodes from `begin` on; returns its end.
+template <class Ends>
 int list_component(const FigureView& view, Index slot, int begin) {
     int end = begin;
     const auto add = [&](Index body) {
@@ -31,7 +40,7 @@ int list_component(const FigureView& view, Index slot, int begin) {
     for (int node_i = begin; node_i < end; ++node_i)  // bound: max_bodies: no body is added twice
         view.lists.for_ends(view.nodes[node_i].slot, [&](int joint_end) {
             const Index other = view.lists.partner_of(joint_end);
-            if (moves(view, other) && view.node_of[other] == no_node) add(other);
+            if (Ends::count(view, joint_end) && moves(view, other) && view.node_of[other] == no_node) add(other);
         });
     return end;
 }
@@ -40,11 +49,13 @@ int list_component(const FigureView& view, Index slot, int begin) {
 struct Root {
     Index slot, end;
 };
+template <class Ends>
 Root root_of(const FigureView& view, int begin, int end) {
     Root root = {view.nodes[begin].slot, no_end};
     for (int node_i = begin; node_i < end; ++node_i) {  // bound: max_bodies
         const Index slot = view.nodes[node_i].slot;
         view.lists.for_ends(slot, [&](int joint_end) {
+            if (!Ends::count(view, joint_end)) return;
             if (!moves(view, view.lists.partner_of(joint_end)) && (root.end == no_end || joint_end / 2 < root.end / 2))
                 root = {slot, static_cast<Index>(joint_end)};
         });
@@ -56,6 +67,7 @@ Root root_of(const FigureView& view, int begin, int end) {
 }
 
 /// Numbers the bodies of a figure depth first. The way back is by parents, and each body's list of ends goes on where it was left.
+template <class Ends>
 void number_nodes(FigureView& view, Figure& figure, const Root& root) {
     int count = 0;
     const auto add = [&](Index slot, Index end, Index parent) {
@@ -84,7 +96,8 @@ void number_nodes(FigureView& view, Figure& figure, const Root& root) {
         const int end = view.end_at[node.slot] - 1;
         view.end_at[node.slot] = view.lists.next_end[end];
         const Index other = view.lists.partner_of(end);
-        if (moves(view, other) && view.node_of[other] == no_node) node_i = add(other, static_cast<Index>(end ^ 1), node_i);
+        if (Ends::count(view, end) && moves(view, other) && view.node_of[other] == no_node)
+            node_i = add(other, static_cast<Index>(end ^ 1), node_i);
     }
 }
 
@@ -100,18 +113,45 @@ void recall(const FigureView& view, Figure& figure) {
     }
 }
 
+template <class Ends>
 void add_figure(FigureView& view, Index slot) {
-    const int begin = view.node_count, end = list_component(view, slot, begin);
-    const Root root = root_of(view, begin, end);
+    const int begin = view.node_count, end = list_component<Ends>(view, slot, begin);
+    const Root root = root_of<Ends>(view, begin, end);
     Figure& figure = view.figures[view.figure_count++];
     figure = {};
     figure.first_node = static_cast<Index>(begin);
     figure.node_count = static_cast<Index>(end - begin);
     figure.ground = root.end == no_end ? no_body : view.lists.partner_of(root.end);
     for (int node_i = begin; node_i < end; ++node_i) view.node_of[view.nodes[node_i].slot] = no_node;
-    number_nodes(view, figure, root);
+    number_nodes<Ends>(view, figure, root);
     recall(view, figure);
     view.node_count = end;
+}
+
+/// Whether the joint of an end takes part in the step.
+bool holds(const FigureView& view, const LoopView& loops, int end) {
+    return view.lists.joints[end / 2].kind != JointKind::none && loops.ties[end / 2].slack == 0;
+}
+
+/// A body's tree, and those that ties hold together with it, one after the other.
+void add_machine(FigureView& view, const LoopView& loops, Index slot) {
+    const int first_figure = view.figure_count, first_node = view.node_count;
+    uint8_t doublings = 0;
+    add_figure<EndsOfTrees>(view, slot);
+    for (int node_i = first_node; node_i < view.node_count; ++node_i)  // bound: max_bodies: no body is added twice
+        view.lists.for_ends(view.nodes[node_i].slot, [&](int end) {
+            const JointRecord& joint = view.lists.joints[end / 2];
+            const Index other = view.lists.partner_of(end);
+            if (!is_tie(joint.kind) || !holds(view, loops, end)) return;
+            if (joint.doublings > doublings) doublings = joint.doublings;
+            if (moves(view, other) && view.node_of[other] == no_node) add_figure<EndsOfTrees>(view, other);
+        });
+    for (int i = first_figure; i < view.figure_count; ++i)  // bound: max_bodies
+        if (view.figures[i].doublings > doublings) doublings = view.figures[i].doublings;
+    for (int i = first_figure; i < view.figure_count; ++i) {
+        loops.machine_of[i] = static_cast<Index>(first_figure);
+        view.figures[i].doublings = doublings;
+    }
 }
 
 bool are_alike(const FigureView& view, const Figure& a, const Figure& b) {
@@ -159,20 +199,41 @@ void add_group(FigureView& view, const Index (&figures)[lanes], int count) {
 
 }  // namespace
 
-void build_figures(FigureView& view) {
-    const int ends = 2 * view.joint_slots;
-    const auto slot_of = [&](int end) { return view.lists.joints[end / 2].kind == JointKind::none ? no_body : view.lists.body_of(end); };
-    for (int end = 0; end < ends; ++end) {  // bound: 2 max_joints
-        const Index slot = slot_of(end);
+namespace {
+
+/// The body of an end; no_body: there is no joint.
+Index slot_of(const FigureView& view, int end) {
+    return view.lists.joints[end / 2].kind == JointKind::none ? no_body : view.lists.body_of(end);
+}
+
+/// No body has a node.
+void begin_building(FigureView& view) {
+    for (int end = 0; end < 2 * view.joint_slots; ++end) {  // bound: 2 max_joints
+        const Index slot = slot_of(view, end);
         if (slot == no_body) continue;
         view.node_of[slot] = no_node;
         view.end_at[slot] = view.lists.first_end[slot];
     }
     view.figure_count = view.node_count = view.group_count = 0;
     for (int tile_i = 0; tile_i < view.bodies.tile_count; ++tile_i) view.jointed[tile_i] = 0;  // bound: max_bodies / lanes, rounded up
-    for (int end = 0; end < ends; ++end) {
-        const Index slot = slot_of(end);
-        if (moves(view, slot) && view.node_of[slot] == no_node) add_figure(view, slot);
+}
+
+}  // namespace
+
+void build_figures(FigureView& view) {
+    begin_building(view);
+    for (int end = 0; end < 2 * view.joint_slots; ++end) {  // bound: 2 max_joints
+        const Index slot = slot_of(view, end);
+        if (moves(view, slot) && view.node_of[slot] == no_node) add_figure<AllEnds>(view, slot);
+    }
+}
+
+void build_figures(FigureView& view, const LoopView& loops) {
+    if (loops.ties == nullptr) return build_figures(view);
+    begin_building(view);
+    for (int end = 0; end < 2 * view.joint_slots; ++end) {  // bound: 2 max_joints
+        const Index slot = slot_of(view, end);
+        if (moves(view, slot) && view.node_of[slot] == no_node && holds(view, loops, end)) add_machine(view, loops, slot);
     }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "figure_view.h"
+#include "loop_view.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -11,6 +11,10 @@ namespace ingot { inline namespace INGOT_ABI {
 /// body for a root. From there depth first, joints in the order of their slots.
 /// Cost: a few dozen instructions a joint.
 void build_figures(FigureView& view);
+/// The same in scenes that name ties, which are in no tree: trees that they hold together are a machine, and follow each other. A body that has ties
+/// alone is a figure of one, if they are not slack.
+void build_figures(FigureView& view, const LoopView& loops);
+inline void build_figures(FigureView& view, const NoLoops&) { build_figures(view); }
 
 /// The next batch: figures that ask for so many doublings of the substeps. Those of one form that follow each other go side by side, as many as there
 /// are lanes; the others alone. Their bodies are loaded.

@@ -2,9 +2,12 @@
 #include "close_loops.h"
 
 #include "../base/limits.h"
+#include "../math/sqrt.h"
+#include "factor_loops.h"
 #include "ground.h"
 #include "joint_sides.h"
 #include "move_figures.h"
+#include "target_rows.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -26,16 +29,28 @@ LoopSides sides_of(const FigureView& view, const LoopJoint& loop, scalar h) {
             loop.is_A ? record.frame_A : record.frame_B, loop.is_A ? record.frame_B : record.frame_A};
 }
 
-/// The twist, times seconds, that takes back what the sides move against each other in a substep.
-Spatial<scalar> back_of_motion(JointKind kind, const LoopSides& of, bool is_exact, scalar h) {
-    const JointSides<scalar> now = of.now();
+/// Where the sides will be at the end of a substep, if nothing acts.
+JointSides<scalar> sides_after(const LoopSides& of, const JointSides<scalar>& now, bool is_exact, scalar h, Vector& moved) {
     const Turning<scalar, bool> child = {of.child.turn, of.child.w * h, is_exact}, other = {of.other.turn, of.other.w * h, is_exact};
     const Vector turned = child.shift(of.child.A * of.of_child.anchor) - other.shift(of.other.A * of.of_other.anchor);
-    const Vector moved = (of.child.v - of.other.v) * h + turned;
-    const JointSides<scalar> after = {now.gap + moved, child.after(now.axis), other.after(now.axis_of_parent), child.after(now.side),
-                                      other.after(now.side_of_parent)};
+    moved = (of.child.v - of.other.v) * h + turned;
+    return {now.gap + moved, child.after(now.axis), other.after(now.axis_of_parent), child.after(now.side), other.after(now.side_of_parent)};
+}
+
+/// The twist, times seconds, that takes back what the sides move against each other in a substep.
+Spatial<scalar> back_of_motion(JointKind kind, const LoopSides& of, bool is_exact, scalar h) {
+    Vector moved;
+    const JointSides<scalar> now = of.now(), after = sides_after(of, now, is_exact, h, moved);
     const Spatial<scalar> back = twist_back(kind, after) - twist_back(kind, now);
     return kind == JointKind::slider ? back : Spatial<scalar>{back.w, -moved};
+}
+
+/// By how much the ends of a rod or a rope, that are `apart`, have to go along its line until they are at its length: to where its circle is, which
+/// lies beside the line. Where the line itself has turned far, to the circle on the straight way.
+scalar way_to_length(const LoopJoint& loop, const Vector& apart) {
+    const scalar along = dot(loop.direction[0], apart), across_sq = length_sq(apart) - along * along, l_sq = loop.length * loop.length;
+    if (along > 0 && 2 * across_sq < l_sq) return sqrt(l_sq - max(across_sq, 0)) - along;
+    return loop.length - sqrt(length_sq(apart));
 }
 
 void set_targets(LoopJoint& loop, const Spatial<scalar>& back) {
@@ -52,8 +67,8 @@ void add_to_impulse(const FigureView& view, Index node_i, const Spatial<scalar>&
     });
 }
 
-const Spatial<scalar>* X_at(const FigureView& view, const LoopView& loops, const LoopFigure& of, Index node_i) {
-    return loops.X_of(of, node_i - view.figures[of.figure].first_node);
+const Spatial<scalar>* X_at(const LoopView& loops, const LoopFigure& of, Index node_i) {
+    return loops.X_of(of, node_i - of.first_node);
 }
 
 /// Pulls on their bodies are kept, for the tension of the next substep and for the joints at the end of the step.
@@ -67,26 +82,91 @@ void note_loop_impulses(const FigureView& view, const LoopView& loops) {
     });
 }
 
+/// j = L^-T z, by row.
+void impulses_of(const LoopView& loops, const LoopFigure& of, scalar (&j)[limits::loop_rows_max]) {
+    const scalar* const L = loops.L + of.first_entry;
+    const uint8_t* const order = loops.order + of.first_row;
+    scalar z[limits::loop_rows_max];
+    for (int i = 0; i < of.rank; ++i) z[i] = loops.z[of.first_row + i];  // bound: limits::loop_rows_max
+    for (int i = 0; i < of.row_count; ++i) j[i] = 0;                     // bound: limits::loop_rows_max
+    for (int i = of.rank - 1; i >= 0; --i) {                             // bound: limits::loop_rows_max
+        const scalar* const of_i = L + i * (i + 1) / 2;
+        const scalar j_i = z[i] * of_i[i];
+        for (int k = 0; k < i; ++k) z[k] -= of_i[k] * j_i;  // bound: limits::loop_rows_max
+        j[order[i]] = j_i;
+    }
+}
+
+void keep_lacks_of(const LoopView& loops, const LoopFigure& of) {
+    scalar j[limits::loop_rows_max];
+    impulses_of(loops, of, j);
+    for (int i = 0; i < of.rank; ++i) loops.z[of.first_row + i] = 0;  // bound: limits::loop_rows_max
+    for_loop_joints(loops, of, [&](LoopJoint& loop) {
+        for (int row = 0; row < loop.row_count; ++row) loop.j[row] += j[loop.first_row + row];  // bound: rows_of_joint_max
+    });
+}
+
 }  // namespace
 
+Spatial<scalar> change_of_body(const FigureView& view, Index node_i) { return change_of(view, node_i); }
+
 void aim_loops(const FigureView& view, const LoopView& loops, const LoopFigure& of, scalar h) {
-    const bool is_exact = view.figures[of.figure].resolved;
+    const auto is_resolved = [&](Index node_i) { return node_i == no_node || view.figures[view.nodes[node_i].figure].resolved; };
     for_loop_joints(loops, of, [&](LoopJoint& loop) {
-        set_targets(loop, back_of_motion(loop.kind, sides_of(view, loop, h), is_exact, h) * (1 / h));
+        const bool is_exact = is_resolved(loop.child) && is_resolved(loop.other);
+        const LoopSides sides = sides_of(view, loop, h);
+        if (loop.kind == JointKind::target) return set_targets(loop, {});  // see aim_targets
+        if (!has_length(loop.kind)) return set_targets(loop, back_of_motion(loop.kind, sides, is_exact, h) * (1 / h));
+        Vector moved;
+        loop.length = loops.ties[loop.joint].length_at(view.elapsed + h, view.h);
+        loop.target[0] = way_to_length(loop, sides_after(sides, sides.now(), is_exact, h, moved).gap) / h;
     });
 }
 
 scalar aim_pushes(const FigureView& view, const LoopView& loops, const LoopFigure& of) {
+    const scalar per_unit_sq = 1 / (view.unit * view.unit);
     scalar most = 0;
     for_loop_joints(loops, of, [&](LoopJoint& loop) {
-        const Spatial<scalar> back = twist_back(loop.kind, sides_of(view, loop, 0).now());
-        set_targets(loop, back);
-        most = max(most, max(length_sq(back.v) * (1 / (view.unit * view.unit)), length_sq(back.w)));
+        if (loop.kind == JointKind::target) return set_targets(loop, {});  // no push goes there
+        const JointSides<scalar> now = sides_of(view, loop, 0).now();
+        if (!has_length(loop.kind)) {
+            const Spatial<scalar> back = twist_back(loop.kind, now);
+            set_targets(loop, back);
+            most = max(most, max(length_sq(back.v) * per_unit_sq, length_sq(back.w)));
+            return;
+        }
+        loop.length = loops.ties[loop.joint].length_at(view.elapsed, view.h);
+        const scalar way = way_to_length(loop, now.gap);
+        loop.target[0] = loop.kind == JointKind::rope ? min(way, 0) : way;
+        if (!loop.is_slack) most = max(most, loop.target[0] * loop.target[0] * per_unit_sq);
     });
     return most;
 }
 
-void find_lacks(const FigureView& view, const LoopView& loops, const LoopFigure& of) {
+void leave_out_targets(const LoopView& loops, const LoopFigure& of) {
+    for_loop_joints(loops, of, [](LoopJoint& loop) {
+        for (scalar& target : loop.target) target = 0;
+    });
+}
+
+scalar driven_speed(const FigureView& view, const LoopView& loops, const LoopFigure& of) {
+    scalar most_sq = 0;
+    const auto see = [&](Index ground) {
+        const Ground<scalar> at = ground_at(view, ground);
+        most_sq = max(most_sq, length_sq(at.v));
+    };
+    for_loop_joints(loops, of, [&](const LoopJoint& loop) {
+        if (loop.other == no_node) see(loop.ground);
+        if (!has_length(loop.kind)) return;
+        const TieRecord& tie = loops.ties[loop.joint];
+        const scalar reeled = (tie.reeled - tie.begin) / view.h;
+        most_sq = max(most_sq, reeled * reeled);
+    });
+    for (int i = of.figure; i < of.figure + of.figure_count; ++i) see(view.figures[i].ground);  // bound: max_bodies
+    return sqrt(most_sq);
+}
+
+void find_lacks(const FigureView& view, const LoopView& loops, const LoopFigure& of, bool passed) {
     const scalar* const L = loops.L + of.first_entry;
     const uint8_t* const order = loops.order + of.first_row;
     scalar* const z = loops.z + of.first_row;
@@ -96,6 +176,8 @@ void find_lacks(const FigureView& view, const LoopView& loops, const LoopFigure&
         const Spatial<scalar> of_other = loop.other == no_node ? Spatial<scalar>{} : change_of(view, loop.other);
         for (int row = 0; row < loop.row_count; ++row)  // bound: rows_of_joint_max
             lacks[loop.first_row + row] = loop.target[row] - (dot(loop.rows[row].on_child, of_child) + dot(loop.rows[row].on_other, of_other));
+        if (loop.kind != JointKind::target || !passed) return;
+        for (int row = 0; row < loop.row_count; ++row) lacks[loop.first_row + row] -= give_of_target(view, loops, loop, row);
     });
     for (int i = 0; i < of.rank; ++i) {  // bound: limits::loop_rows_max
         const scalar* const of_i = L + i * (i + 1) / 2;
@@ -106,8 +188,7 @@ void find_lacks(const FigureView& view, const LoopView& loops, const LoopFigure&
 }
 
 void close_loops(const FigureView& view, const LoopView& loops, const LoopFigure& of) {
-    const Figure& figure = view.figures[of.figure];
-    for (int node_i = figure.first_node; node_i < figure.first_node + figure.node_count; ++node_i) {  // bound: max_bodies
+    for (int node_i = of.first_node; node_i < of.first_node + of.node_count; ++node_i) {  // bound: max_bodies
         const Spatial<scalar> more = twist_of_loops(view, loops, static_cast<Index>(node_i));
         at_node(view, static_cast<Index>(node_i), [&](const auto& rows, const auto& at, int row_i) {
             write(at, rows[row_i].change, read(at, rows[row_i].change) + more);
@@ -116,22 +197,7 @@ void close_loops(const FigureView& view, const LoopView& loops, const LoopFigure
 }
 
 void keep_lacks(const FigureView& view, const LoopView& loops) {
-    for_looped_figures(view, loops, [&](const LoopFigure& of) {
-        const scalar* const L = loops.L + of.first_entry;
-        const uint8_t* const order = loops.order + of.first_row;
-        scalar* const z = loops.z + of.first_row;
-        scalar j[limits::loop_rows_max] = {};
-        for (int i = of.rank - 1; i >= 0; --i) {  // bound: limits::loop_rows_max
-            const scalar* const of_i = L + i * (i + 1) / 2;
-            const scalar j_i = z[i] * of_i[i];
-            for (int k = 0; k < i; ++k) z[k] -= of_i[k] * j_i;  // bound: limits::loop_rows_max
-            j[order[i]] = j_i;
-            z[i] = 0;
-        }
-        for_loop_joints(loops, of, [&](LoopJoint& loop) {
-            for (int row = 0; row < loop.row_count; ++row) loop.j[row] += j[loop.first_row + row];  // bound: rows_of_joint_max
-        });
-    });
+    for_looped_figures(view, loops, [&](const LoopFigure& of) { keep_lacks_of(loops, of); });
 }
 
 void add_loop_impulses(const FigureView& view, const LoopView& loops) {
@@ -152,7 +218,7 @@ Spatial<scalar> twist_of_loops(const FigureView& view, const LoopView& loops, In
     Spatial<scalar> sum{};
     const LoopFigure* const of = loops.of_node(view, node_i);
     if (of == nullptr) return sum;
-    const Spatial<scalar>* const X = X_at(view, loops, *of, node_i);
+    const Spatial<scalar>* const X = X_at(loops, *of, node_i);
     for (int i = 0; i < of->rank; ++i) sum = sum + X[i] * loops.z[of->first_row + i];  // bound: limits::loop_rows_max
     return sum;
 }
@@ -162,7 +228,7 @@ void feel_impulse(const FigureView& view, const LoopView& loops, Index node_i, c
     if (of == nullptr) return;
     const Vector c = at_node(view, node_i, [](const auto& rows, const auto& at, int row_i) { return read(at, rows[row_i].c); });
     const Spatial<scalar> f = {T + cross(c, F), F};
-    const Spatial<scalar>* const X = X_at(view, loops, *of, node_i);
+    const Spatial<scalar>* const X = X_at(loops, *of, node_i);
     for (int i = 0; i < of->rank; ++i) loops.z[of->first_row + i] -= dot(X[i], f);  // bound: limits::loop_rows_max
 }
 
@@ -170,7 +236,7 @@ Spatial6<scalar> response_of_loops(const FigureView& view, const LoopView& loops
     Spatial6<scalar> sum{};
     const LoopFigure* const of = loops.of_node(view, node_i);
     if (of == nullptr) return sum;
-    const Spatial<scalar>* const X = X_at(view, loops, *of, node_i);
+    const Spatial<scalar>* const X = X_at(loops, *of, node_i);
     for (int i = 0; i < of->rank; ++i) sum = plus_square(sum, X[i], scalar(-1));  // bound: limits::loop_rows_max
     return sum;
 }
@@ -179,23 +245,83 @@ Spatial<scalar> response_across_loops(const FigureView& view, const LoopView& lo
     Spatial<scalar> sum{};
     const LoopFigure* const of = loops.of_node(view, node_A);
     if (of == nullptr) return sum;
-    const Spatial<scalar>* const X_A = X_at(view, loops, *of, node_A);
-    const Spatial<scalar>* const X_B = X_at(view, loops, *of, node_B);
+    const Spatial<scalar>* const X_A = X_at(loops, *of, node_A);
+    const Spatial<scalar>* const X_B = X_at(loops, *of, node_B);
     for (int i = 0; i < of->rank; ++i) sum = sum - X_A[i] * dot(X_B[i], on_B);  // bound: limits::loop_rows_max
     return sum;
 }
 
+namespace {
+
+/// Whether a rope pushes, or would be too long: it changes then. more: what is to come to its impulse. On the child of its row those that pull are
+/// negative.
+bool end_changes(const FigureView& view, const LoopJoint& loop, scalar more, int round) {
+    if (!loop.is_slack) return loop.j[0] + more > 0;
+    if (round >= limits::rope_rounds) return false;
+    const LoopRow& row = loop.rows[0];
+    scalar rate = dot(row.on_child, change_of(view, loop.child));
+    if (loop.other != no_node) rate += dot(row.on_other, change_of(view, loop.other));
+    return rate > loop.target[0];
+}
+
+void settle_rows_of(const FigureView& view, const LoopView& loops, LoopFigure& of, int round) {
+    bool some = false;
+    bool changes[limits::loop_rows_max];
+    scalar more[limits::loop_rows_max];
+    impulses_of(loops, of, more);
+    for_loop_joints(loops, of, [&](LoopJoint& loop) {
+        changes[loop.first_row] = loop.kind == JointKind::rope && end_changes(view, loop, more[loop.first_row], round);
+        if (loop.kind == JointKind::target)
+            some = settle_target(view, loops, loop, more + loop.first_row, round < limits::rope_rounds) || some;
+        some = some || changes[loop.first_row];
+    });
+    of.is_settled = !some;
+    if (!some) return;
+    for_loop_joints(loops, of, [&](LoopJoint& loop) {
+        if (!changes[loop.first_row]) return;
+        loop.is_slack = !loop.is_slack;
+        loop.j[0] = 0;
+    });
+    factor_loops_of(view, loops, of);
+    for (int i = 0; i < of.row_count; ++i) loops.z[of.first_row + i] = 0;  // bound: limits::loop_rows_max
+}
+
+}  // namespace
+
+bool settle_rows(const FigureView& view, const LoopView& loops, int round) {
+    if (loops.ties == nullptr) return false;
+    bool some = false;
+    for_looped_figures(view, loops, [&](LoopFigure& of) {
+        if (round == 0 || !of.is_settled) settle_rows_of(view, loops, of, round);
+        some = some || !of.is_settled;
+    });
+    return some;
+}
+
 void solve_loops(const FigureView& view, const LoopView& loops) {
+    const auto for_open = [&](const auto& each) {
+        for_looped_figures(view, loops, [&](const LoopFigure& of) {
+            if (!of.is_settled) each(of);
+        });
+    };
+    // What is settled comes to the same again.
     const auto pass = [&] {
         begin_passing(view);
         add_loop_impulses(view, loops);
         pass_impulses(view);
-        for_looped_figures(view, loops, [&](const LoopFigure& of) { find_lacks(view, loops, of); });
+        for_open([&](const LoopFigure& of) { find_lacks(view, loops, of, true); });
     };
-    pass();
+    for_looped_figures(view, loops, [](LoopFigure& of) { of.is_settled = false; });
+    bool again = true;
+    for (int round = 0; again; ++round) {  // bound: rope_rounds + max_loops: see settle_rows
+        pass();
+        for_open([&](const LoopFigure& of) { keep_lacks_of(loops, of); });
+        pass();
+        close_all_loops(view, loops);
+        again = settle_rows(view, loops, round);
+    }
     keep_lacks(view, loops);
-    pass();
-    end_loops(view, loops);
+    note_loop_impulses(view, loops);
 }
 
 void forget_lacks(const FigureView& view, const LoopView& loops) {
@@ -224,6 +350,7 @@ void keep_loops(const FigureView& view, const LoopView& loops, int doublings) {
             joint.j = loop.given * (loop.is_A ? -scale : scale);
             joint.resolved = figure.resolved ? 1 : 0;
             joint.doublings = figure.doublings;
+            if (loop.kind == JointKind::target) keep_target(view, loops, loop);
         });
     });
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Loops through a substep: what their rows lack, and the impulses that make up for it.
+// Loops and ties through a substep: what their rows lack, and the impulses that make up for it.
 #pragma once
 
 #include "loop_view.h"
@@ -9,24 +9,21 @@ namespace ingot { inline namespace INGOT_ABI {
 /// How far the sides of each joint would be apart at the end of a substep of h seconds, if nothing acted: with the sign turned, over h. Needs:
 /// place_loops; bodies as begin_solve leaves them.
 void aim_loops(const FigureView& view, const LoopView& loops, const LoopFigure& of, scalar h);
-/// The same of where they are now, for a push. Returns the square of the largest, m or rad.
+/// The same of where they are now, for a push. Returns the square of the largest, rad or units of length.
 scalar aim_pushes(const FigureView& view, const LoopView& loops, const LoopFigure& of);
 
-/// After a way up and down without the loops: z of what the rows still lack.
-void find_lacks(const FigureView& view, const LoopView& loops, const LoopFigure& of);
+/// They are left as they move.
+void leave_out_targets(const LoopView& loops, const LoopFigure& of);
+/// m/s, with which a machine is driven at most, by what moves as it is told and by what is reeled in. After aim_loops.
+scalar driven_speed(const FigureView& view, const LoopView& loops, const LoopFigure& of);
+
+/// The change of the twist of a body, at its q, by the solve.
+Spatial<scalar> change_of_body(const FigureView& view, Index node);
+
+/// After a way up and down without the loops: z of what the rows still lack. passed: their impulses so far were among those that went up and down.
+void find_lacks(const FigureView& view, const LoopView& loops, const LoopFigure& of, bool passed);
 /// The twists of all bodies of a figure as its loops change them. What z stands for is theirs now.
 void close_loops(const FigureView& view, const LoopView& loops, const LoopFigure& of);
-
-/// Both, of the figures of a group that have loops. After its own way up and down.
-template <unsigned width>
-INGOT_INLINE void close_rows(const FigureRows<width>&, const NoLoops&) {}
-template <unsigned width>
-INGOT_INLINE void close_rows(const FigureRows<width>& rows, const LoopView& loops) {
-    for_looped(rows, loops, [&](const LoopFigure& of, int) {
-        find_lacks(rows.view, loops, of);
-        close_loops(rows.view, loops, of);
-    });
-}
 
 /// z becomes part of the impulses.
 void keep_lacks(const FigureView& view, const LoopView& loops);
@@ -46,6 +43,10 @@ void close_all_loops(const FigureView& view, const LoopView& loops);
 
 /// After the last way up and down with all impulses: bodies have the velocities of the closed loops.
 void end_loops(const FigureView& view, const LoopView& loops);
+/// After the last way: ropes that push are let go, and those that would be too long are taut from now on; what draws to a target with more than its
+/// most gives that from now on, or is a row again. Their rows are factored again. False where there are none. From limits::rope_rounds on ropes are
+/// let go, and targets held, alone: so a substep is solved again so often, and once for each of them, at most.
+bool settle_rows(const FigureView& view, const LoopView& loops, int round);
 /// All of it, for figures that touch nothing. Two ways up and down: the second takes back what rounding, and limits::loop_compliance, have left of
 /// the first, and tells joints of the tree what they give.
 void solve_loops(const FigureView& view, const LoopView& loops);

@@ -20,6 +20,17 @@ T set_push(const FigureRows<width>& rows, int row_i) {
     return max(length_sq(back.v) * splat<T>(1 / (rows.view.unit * rows.view.unit)), length_sq(back.w));
 }
 
+/// The same of all joints of a group.
+template <unsigned width, class T = typename AllLanes<width>::T>
+T set_pushes(const FigureRows<width>& rows) {
+    T most{};
+    for (int row_i = 0; row_i < rows.count(); ++row_i) {  // bound: max_bodies
+        write(rows.all, rows[row_i].bias, rows.no_twist());
+        if (rows.node(row_i).kind != JointKind::none) most = max(most, set_push(rows, row_i));
+    }
+    return most;
+}
+
 template <unsigned width>
 void turn_body(const FigureRows<width>& rows, FigureRow<width>& row, const Vec3<typename AllLanes<width>::T>& turn) {
     auto A = read(rows.all, row.A);

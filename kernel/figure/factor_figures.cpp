@@ -63,15 +63,14 @@ void stiffen(const FigureRows<width>& rows, const At& at, FigureRow<width>& row,
     mark_stiff(rows, at, is_stiff);
 }
 
-template <unsigned width>
-void stiffen_loops(const FigureRows<width>&, const NoLoops&, scalar) {}
-template <unsigned width>
-void stiffen_loops(const FigureRows<width>& rows, const LoopView& loops, scalar h) {
-    for_looped(rows, loops, [&](const LoopFigure& of, int lane_i) {
-        const int first = rows.figure(lane_i).first_node;
+void stiffen_loops(const FigureView& view, const LoopView& loops, scalar h) {
+    for_looped_figures(view, loops, [&](const LoopFigure& of) {
+        const auto stiffen_node = [&](Index node_i, const Vector& j, const Vector& arm) {
+            at_node(view, node_i, [&](const auto& rows, const auto& at, int row_i) { stiffen(rows, at, rows[row_i], j, arm, h); });
+        };
         for_loop_joints(loops, of, [&](const LoopJoint& loop) {
-            stiffen(rows, rows.one(lane_i), rows[loop.child - first], loop.given, loop.arm, h);
-            if (loop.other != no_node) stiffen(rows, rows.one(lane_i), rows[loop.other - first], -loop.given, loop.arm_of_other, h);
+            stiffen_node(loop.child, loop.given, loop.arm);
+            if (loop.other != no_node) stiffen_node(loop.other, -loop.given, loop.arm_of_other);
         });
     });
 }
@@ -141,10 +140,13 @@ INGOT_INLINE void begin_rows(const FigureRows<width>& rows, scalar h) {
 }
 
 template <class Loops, class Resist>
-void factor_all(const FigureView& view, const Loops& loops, const Resist& drives, scalar h) {
+void factor_all(const FigureView& view, [[maybe_unused]] const Loops& loops, const Resist& drives, scalar h) {
+    if constexpr (Loops::closes) {
+        for_groups(view, [&](const auto& rows) { begin_rows(rows, h); });
+        stiffen_loops(view, loops, h);
+    }
     for_groups(view, [&](const auto& rows) {
-        begin_rows(rows, h);
-        stiffen_loops(rows, loops, h);
+        if constexpr (!Loops::closes) begin_rows(rows, h);
         for (int row_i = rows.count() - 1; row_i >= 0; --row_i) factor_row(rows, row_i, drives);  // bound: max_bodies
     });
 }

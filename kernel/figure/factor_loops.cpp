@@ -4,6 +4,7 @@
 #include "../base/limits.h"
 #include "../math/sqrt.h"
 #include "ground.h"
+#include "target_rows.h"
 #include "tree_passes.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -47,14 +48,22 @@ void set_directions(LoopJoint& loop, const PlacedFrame& child, const PlacedFrame
     };
     if (loop.kind == JointKind::slider)
         add_across(false, other);
+    else if (has_length(loop.kind))
+        add(false, loop.direction[0]);
     else
         add_all(false);
     if (loop.kind == JointKind::hinge) add_across(true, child);
-    if (loop.kind == JointKind::fixed || loop.kind == JointKind::slider) add_all(true);
+    if (loop.kind == JointKind::fixed || loop.kind == JointKind::slider || loop.kind == JointKind::target) add_all(true);
     if (loop.kind == JointKind::universal) {
         const Vector x = cross(other.axis, child.axis);
         add(true, x * (1 / sqrt(length_sq(x))));
     }
+}
+
+/// The line of a rod or a rope, whose ends are `apart`. Without any length it has none: then a rope is slack.
+void set_line(const Vector& apart, LoopJoint& loop) {
+    const scalar length = sqrt(length_sq(apart));
+    loop.direction[0] = length > 0 ? apart * (1 / length) : Vector{1, 0, 0};
 }
 
 void place_loop(const FigureView& view, LoopJoint& loop) {
@@ -65,11 +74,13 @@ void place_loop(const FigureView& view, LoopJoint& loop) {
     const PlacedFrame other = placed(is_tied ? ground.A : rotation_of(view, loop.other), loop.is_A ? record.frame_B : record.frame_A);
     loop.arm = child.arm;
     loop.arm_of_other = other.arm;
+    const Vector between = place_of_body(view, loop.child) - (is_tied ? ground.r : place_of_body(view, loop.other));
+    if (has_length(loop.kind)) set_line((between + child.arm) - other.arm, loop);
     set_directions(loop, child, other);
     // Both sides act at the child's, so that they turn nothing between them.
     const Vector at_child = from_q(view, loop.child, child.arm);
     Vector at_other{};
-    if (!is_tied) at_other = from_q(view, loop.other, (place_of_body(view, loop.child) - place_of_body(view, loop.other)) + child.arm);
+    if (!is_tied) at_other = from_q(view, loop.other, between + child.arm);
     for (int row = 0; row < loop.row_count; ++row) {  // bound: rows_of_joint_max
         const Vector d = loop.direction[row], none{};
         const Spatial<scalar> unit = loop.is_turn[row] ? Spatial<scalar>{d, none} : Spatial<scalar>{none, d};
@@ -83,22 +94,24 @@ void add_to_impulse(const At& at, FigureRow<At::width>& row, const Spatial<scala
     write(at, row.impulse, read(at, row.impulse) + f);
 }
 
-/// A column of U: what all bodies of a figure answer to a row.
+/// Of a column of U, that of one figure: what its bodies answer to a row.
 template <unsigned width>
 void answer_row(const FigureRows<width>& rows, const OneLane<width>& at, const LoopView& loops, const LoopFigure& of, const LoopJoint& loop,
                 int row) {
     const Spatial<scalar> none{};
-    const int count = rows.count();
+    const int count = rows.count(), first = rows.figure(at.lane_i).first_node;
     for (int row_i = 0; row_i < count; ++row_i) write(at, rows[row_i].impulse, none);  // bound: max_bodies
-    const int first = rows.figure(at.lane_i).first_node;
-    add_to_impulse(at, rows[loop.child - first], loop.rows[row].on_child);
-    if (loop.other != no_node) add_to_impulse(at, rows[loop.other - first], loop.rows[row].on_other);
+    const auto give = [&](Index node_i, const Spatial<scalar>& f) {
+        if (node_i != no_node && node_i >= first && node_i < first + count) add_to_impulse(at, rows[node_i - first], f);
+    };
+    give(loop.child, loop.rows[row].on_child);
+    give(loop.other, loop.rows[row].on_other);
     for (int row_i = count - 1; row_i > 0; --row_i) {  // bound: max_bodies
         const FigureNode& node = rows.node(row_i);
         const Spatial<scalar> sent = impulse_through(at, rows[row_i], node.kind, read(at, rows[row_i].impulse), none.v);
         add_to_impulse(at, rows[node.parent], impulse_from(sent, read(at, rows[row_i].d)));
     }
-    Spatial<scalar>* const column = loops.X_of(of, 0) + loop.first_row + row;
+    Spatial<scalar>* const column = loops.X_of(of, first - of.first_node) + loop.first_row + row;
     for (int row_i = 0; row_i < count; ++row_i) {
         const FigureNode& node = rows.node(row_i);
         Spatial<scalar> u{};
@@ -110,6 +123,21 @@ void answer_row(const FigureRows<width>& rows, const OneLane<width>& at, const L
         }
         column[row_i * of.row_count] = u;
     }
+}
+
+/// U: of a row there is something in the figures of its two bodies alone.
+void answer_rows(const FigureView& view, const LoopView& loops, const LoopFigure& of) {
+    if (of.figure_count > 1)
+        for (int i = 0; i < of.row_count * of.node_count; ++i) loops.X[of.first_column + i] = {};  // bound: limits::loop_rows_max max_bodies
+    for_loop_joints(loops, of, [&](const LoopJoint& loop) {
+        for (int row = 0; row < loop.row_count; ++row) {  // bound: rows_of_joint_max
+            const auto answer = [&](Index node_i) {
+                at_node(view, node_i, [&](const auto& rows, const auto& at, int) { answer_row(rows, at, loops, of, loop, row); });
+            };
+            answer(loop.child);
+            if (loop.other != no_node && view.nodes[loop.other].figure != view.nodes[loop.child].figure) answer(loop.other);
+        }
+    });
 }
 
 /// What a row would give way if its bodies had no joints.
@@ -124,7 +152,7 @@ scalar free_compliance(const FigureView& view, Index node_i, const Spatial<scala
 
 /// C in the place of L. free: of each row, what it would give way without joints.
 void couple_rows(const FigureView& view, const LoopView& loops, const LoopFigure& of, scalar* L, scalar* free) {
-    const Index first = view.figures[of.figure].first_node;
+    const Index first = of.first_node;
     for_loop_joints(loops, of, [&](const LoopJoint& loop) {
         const Spatial<scalar>* const of_child = loops.X_of(of, loop.child - first);
         const Spatial<scalar>* const of_other = loop.other == no_node ? nullptr : loops.X_of(of, loop.other - first);
@@ -135,6 +163,9 @@ void couple_rows(const FigureView& view, const LoopView& loops, const LoopFigure
                 entries[k] = dot(loop.rows[row].on_child, of_child[k]);
                 if (of_other != nullptr) entries[k] += dot(loop.rows[row].on_other, of_other[k]);
             }
+            if (loop.kind == JointKind::target)
+                for (int k = 0; k <= row; ++k) entries[loop.first_row + k] += give_between(view, loops, loop, row, k);  // bound: rows_of_joint_max
+            if (is_left_out(loops, loop, row)) entries[i] = 0;
             free[i] = free_compliance(view, loop.child, loop.rows[row].on_child);
             if (loop.other != no_node) free[i] += free_compliance(view, loop.other, loop.rows[row].on_other);
         }
@@ -207,7 +238,7 @@ void drop_impulses(const LoopView& loops, const LoopFigure& of, const uint8_t* o
     for (int i = of.rank; i < of.row_count; ++i)  // bound: limits::loop_rows_max
         for_loop_joints(loops, of, [&](LoopJoint& loop) {
             const int row = order[i] - loop.first_row;
-            if (row >= 0 && row < loop.row_count) loop.j[row] = 0;
+            if (row >= 0 && row < loop.row_count && !is_given(loops, loop, row)) loop.j[row] = 0;
         });
 }
 
@@ -219,22 +250,19 @@ void place_loops(const FigureView& view, const LoopView& loops) {
     });
 }
 
+void factor_loops_of(const FigureView& view, const LoopView& loops, LoopFigure& of) {
+    scalar* const L = loops.L + of.first_entry;
+    scalar* const free = loops.z + of.first_row;  // z is not asked for yet
+    uint8_t* const order = loops.order + of.first_row;
+    answer_rows(view, loops, of);
+    couple_rows(view, loops, of, L, free);
+    of.rank = static_cast<Index>(factor_triangle({L, of.row_count}, free, order));
+    drop_impulses(loops, of, order);
+    for (int node_i = 0; node_i < of.node_count; ++node_i) solve_triangle(L, of, order, loops.X_of(of, node_i));  // bound: max_bodies
+}
+
 void factor_loops(const FigureView& view, const LoopView& loops) {
-    for_groups(view, [&](const auto& rows) {
-        for_looped(rows, loops, [&](LoopFigure& of, int lane_i) {
-            for_loop_joints(loops, of, [&](const LoopJoint& loop) {
-                for (int row = 0; row < loop.row_count; ++row) answer_row(rows, {lane_i}, loops, of, loop, row);  // bound: rows_of_joint_max
-            });
-            scalar* const L = loops.L + of.first_entry;
-            scalar* const free = loops.z + of.first_row;  // z is not asked for yet
-            uint8_t* const order = loops.order + of.first_row;
-            couple_rows(view, loops, of, L, free);
-            of.rank = static_cast<Index>(factor_triangle({L, of.row_count}, free, order));
-            drop_impulses(loops, of, order);
-            // bound: max_bodies
-            for (int row_i = 0; row_i < rows.count(); ++row_i) solve_triangle(L, of, order, loops.X_of(of, row_i));
-        });
-    });
+    for_looped_figures(view, loops, [&](LoopFigure& of) { factor_loops_of(view, loops, of); });
 }
 
 } }  // namespace ingot

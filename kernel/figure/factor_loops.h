@@ -11,5 +11,6 @@ void place_loops(const FigureView& view, const LoopView& loops);
 /// What bodies answer to the rows, and C = L L^T of them: see loop_view.h. Needs: place_loops, factor_figures.
 /// Cost: a way up and down the figure for each row, n^2 / 2 of its n rows for each body, n^3 / 6 once.
 void factor_loops(const FigureView& view, const LoopView& loops);
+void factor_loops_of(const FigureView& view, const LoopView& loops, LoopFigure& of);
 
 } }  // namespace ingot

@@ -2,6 +2,7 @@
 #include "find_loops.h"
 
 #include "../base/limits.h"
+#include "target_rows.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -15,21 +16,30 @@ uint8_t row_count_of(JointKind kind) {
     switch (kind) {
         case JointKind::ball: return 3;
         case JointKind::universal: return 4;
+        case JointKind::target:
         case JointKind::fixed: return 6;
+        case JointKind::rod:
+        case JointKind::rope: return 1;
         default: return 5;
     }
 }
 
-/// The loops of a figure, which may be its first.
-LoopFigure& loops_of(LoopView& loops, Index figure_i) {
-    Index& loops_i = loops.of_figure[figure_i];
-    if (loops_i == no_loop) {
-        loops_i = static_cast<Index>(loops.figure_count++);
-        loops.figures[loops_i] = {};
-        loops.figures[loops_i].figure = figure_i;
-        loops.figures[loops_i].first_joint = no_loop;
+/// The loops of a figure and its machine, which may be the first.
+LoopFigure& loops_of(const FigureView& view, LoopView& loops, Index figure_i) {
+    const auto first_of = [&](Index figure) { return loops.machine_of == nullptr ? figure : loops.machine_of[figure]; };
+    if (loops.of_figure[figure_i] != no_loop) return loops.figures[loops.of_figure[figure_i]];
+    const auto loops_i = static_cast<Index>(loops.figure_count++);
+    LoopFigure& of = loops.figures[loops_i];
+    of = {};
+    of.figure = first_of(figure_i);
+    of.first_node = view.figures[of.figure].first_node;
+    of.first_joint = no_loop;
+    for (Index i = of.figure; i < view.figure_count && first_of(i) == of.figure; ++i) {  // bound: max_bodies
+        loops.of_figure[i] = loops_i;
+        of.node_count = static_cast<Index>(of.node_count + view.figures[i].node_count);
+        ++of.figure_count;
     }
-    return loops.figures[loops_i];
+    return of;
 }
 
 /// False where there is no room.
@@ -39,7 +49,7 @@ bool add_loop(const FigureView& view, LoopView& loops, Index joint_i, Index node
     const Index child = is_A ? node_A : node_B, figure_i = view.nodes[child].figure;
     const uint8_t row_count = row_count_of(record.kind);
     if (loops.joint_count == loops.joint_capacity) return false;
-    LoopFigure& of = loops_of(loops, figure_i);
+    LoopFigure& of = loops_of(view, loops, figure_i);
     if (of.row_count + row_count > loops.rows_max) return false;
     const auto loop_i = static_cast<Index>(loops.joint_count++);
     LoopJoint& loop = loops.joints[loop_i];
@@ -60,12 +70,15 @@ bool add_loop(const FigureView& view, LoopView& loops, Index joint_i, Index node
     return true;
 }
 
+bool is_slack(const LoopView& loops, int joint_i) { return loops.ties != nullptr && loops.ties[joint_i].slack != 0; }
+bool is_slack(const NoLoops&, int) { return false; }
+
 /// Calls each(joint_i, node_A, node_B) for the joints that are in no tree, of which a side can move.
-template <class Each>
-void for_left_out(const FigureView& view, const Each& each) {
+template <class Loops, class Each>
+void for_left_out(const FigureView& view, const Loops& loops, const Each& each) {
     for (int joint_i = 0; joint_i < view.joint_slots; ++joint_i) {  // bound: max_joints
         const JointRecord& record = view.lists.joints[joint_i];
-        if (record.kind == JointKind::none) continue;
+        if (record.kind == JointKind::none || is_slack(loops, joint_i)) continue;
         const Index node_A = is_node(view, record.body_A) ? view.node_of[record.body_A] : no_node;
         const Index node_B = is_node(view, record.body_B) ? view.node_of[record.body_B] : no_node;
         const auto is_of_tree = [&](Index node_i) { return node_i != no_node && view.nodes[node_i].joint == joint_i; };
@@ -76,9 +89,9 @@ void for_left_out(const FigureView& view, const Each& each) {
 
 }  // namespace
 
-int find_loops(const FigureView& view, NoLoops&) {
+int find_loops(const FigureView& view, NoLoops& loops) {
     int lost = 0;
-    for_left_out(view, [&](Index, Index, Index) { ++lost; });
+    for_left_out(view, loops, [&](Index, Index, Index) { ++lost; });
     return lost;
 }
 
@@ -86,7 +99,7 @@ int find_loops(const FigureView& view, LoopView& loops) {
     loops.joint_count = loops.figure_count = 0;
     for (int figure_i = 0; figure_i < view.figure_count; ++figure_i) loops.of_figure[figure_i] = no_loop;  // bound: max_joints
     int lost = 0;
-    for_left_out(view, [&](Index joint_i, Index node_A, Index node_B) {
+    for_left_out(view, loops, [&](Index joint_i, Index node_A, Index node_B) {
         if (!add_loop(view, loops, joint_i, node_A, node_B)) ++lost;
     });
     int32_t row = 0, entry = 0, column = 0;
@@ -97,19 +110,27 @@ int find_loops(const FigureView& view, LoopView& loops) {
         of.first_column = column;
         row += of.row_count;
         entry += of.row_count * (of.row_count + 1) / 2;
-        column += of.row_count * view.figures[of.figure].node_count;
+        column += of.row_count * of.node_count;
     }
     return lost;
 }
 
-void load_loops(const FigureView& view, const LoopView& loops) {
-    for_looped_figures(view, loops, [&](const LoopFigure& of) {
+void load_loops(const FigureView& view, const LoopView& loops, scalar h) {
+    for_looped_figures(view, loops, [&](LoopFigure& of) {
+        of.was_apart = false;
         const scalar share = 1 / static_cast<scalar>(1 << view.figures[of.figure].doublings);
+        bool resolved = true;
         for_loop_joints(loops, of, [&](LoopJoint& loop) {
             const Vector on_B = view.lists.joints[loop.joint].j * share;
             loop.given = loop.is_A ? -on_B : on_B;
             for (scalar& j : loop.j) j = 0;
+            loop.is_slack = loop.kind == JointKind::rope && length_sq(on_B) == 0;
+            resolved = resolved && view.lists.joints[loop.joint].resolved != 0;
         });
+        if (loops.targets != nullptr) begin_targets(loops, of, h);
+        if (loops.ties == nullptr) return;  // else joints of the trees know it
+        for (int i = of.figure; i < of.figure + of.figure_count; ++i)  // bound: max_bodies
+            view.figures[i].resolved = view.figures[i].resolved && resolved;
     });
 }
 

@@ -12,7 +12,7 @@ int find_loops(const FigureView& view, LoopView& loops);
 /// Where there is room for none.
 int find_loops(const FigureView& view, NoLoops& loops);
 
-/// For the batch at hand, after group_figures: what the joints remember of the last step.
-void load_loops(const FigureView& view, const LoopView& loops);
+/// For the batch at hand, after group_figures: what the joints remember of the last step. h: s, of its substeps.
+void load_loops(const FigureView& view, const LoopView& loops, scalar h);
 
 } }  // namespace ingot

@@ -2,9 +2,9 @@
 #include "joint_drives.h"
 
 #include "../base/limits.h"
-#include "../math/decay_share.h"
 #include "driven_motion.h"
 #include "row_compliance.h"
+#include "step_poles.h"
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpsabi"  // see lanes.h
@@ -29,22 +29,6 @@ Vector unit_along(int direction_i) {
     return {part(0), part(1), part(2)};
 }
 scalar along(const Vector& v, int direction_i) { return direction_i == 0 ? v.x : direction_i == 1 ? v.y : v.z; }
-
-/// 1 - p and 1 + p - s of the poles of a substep, p their product and s their sum. Over twice the time both follow from those before, and nothing
-/// cancels.
-struct Poles {
-    scalar lost, moved;
-};
-Poles poles_of(scalar phase, scalar damping_ratio) {
-    constexpr int doublings = 10;
-    const scalar x = phase / (1 << doublings), d = 2 * damping_ratio * x;
-    Poles poles = {decay_share(d), (1 - decay_share(d / 2)) * (x * x) * (1 + (d * d - 2 * x * x) / 24)};
-    for (int i = 0; i < doublings; ++i) {  // bound: 10: doublings
-        poles.moved = poles.moved * (4 - 2 * poles.lost - poles.moved);
-        poles.lost = poles.lost * (2 - poles.lost);
-    }
-    return poles;
-}
 
 void set_gains(const JointDrive& drive, DriveMotion& motion, scalar h) {
     motion.resist = motion.spring = 0;

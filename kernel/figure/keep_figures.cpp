@@ -27,25 +27,8 @@ uint8_t doublings_for(scalar tension, scalar turn_sq) {
     return doublings;
 }
 
-template <unsigned width>
-void see_tension_of_loops(const FigureRows<width>&, const NoLoops&, scalar (&)[width], scalar, scalar) {}
-template <unsigned width>
-void see_tension_of_loops(const FigureRows<width>& rows, const LoopView& loops, scalar (&tensions)[width], scalar h, scalar scale) {
-    for_looped(rows, loops, [&](const LoopFigure& of, int lane_i) {
-        const auto see = [&](Index node_i, const Vector& j, const Vector& arm) {
-            const auto moments = [](const auto& of_node, const auto& at, int row_i) { return read(at, of_node[row_i].I_body); };
-            const Vector I = at_node(rows.view, node_i, moments);
-            tensions[lane_i] = max(tensions[lane_i], dot(j, arm) * h / min(I.x, min(I.y, I.z)));
-        };
-        for_loop_joints(loops, of, [&](const LoopJoint& loop) {
-            see(loop.child, loop.given * scale, loop.arm);
-            if (loop.other != no_node) see(loop.other, loop.given * -scale, loop.arm_of_other);
-        });
-    });
-}
-
-template <unsigned width, class Loops, class T = typename AllLanes<width>::T>
-void ask_of_rows(const FigureRows<width>& rows, const Loops& loops, scalar h, scalar scale) {
+template <unsigned width, class T = typename AllLanes<width>::T>
+void ask_of_rows(const FigureRows<width>& rows, scalar h, scalar scale) {
     T most{}, most_turn{};
     for (int row_i = 0; row_i < rows.count(); ++row_i) {  // bound: max_bodies
         const FigureNode& node = rows.node(row_i);
@@ -59,9 +42,58 @@ void ask_of_rows(const FigureRows<width>& rows, const Loops& loops, scalar h, sc
     scalar tensions[width], turns[width];
     rows.all.put(tensions, most);
     rows.all.put(turns, most_turn);
-    see_tension_of_loops(rows, loops, tensions, h, scale);
     for (int lane_i = 0; lane_i < rows.lane_count; ++lane_i)  // bound: lanes
         rows.figure(lane_i).doublings = doublings_for(tensions[lane_i], rows.figure(lane_i).resolved ? 0 : turns[lane_i]);
+}
+
+/// By its pull a rod or a rope holds what hangs on it in its line, as a string does: j / m times its length. kg^-1 N s / m.
+scalar tension_across(const FigureView& view, const LoopJoint& loop) {
+    const auto M_of = [&](Index node_i) {
+        return at_node(view, node_i, [](const auto& rows, const auto& at, int row_i) { return at.get(rows[row_i].M); });
+    };
+    scalar inv_M = 1 / M_of(loop.child);
+    if (loop.other != no_node) inv_M += 1 / M_of(loop.other);
+    return -dot(loop.given, loop.direction[0]) * inv_M / loop.length;
+}
+
+/// By how much the line of a rod or a rope turns in h seconds, rad, squared.
+scalar turn_of_line(const FigureView& view, const LoopJoint& loop, scalar h) {
+    const auto speed_of = [&](Index node_i, const Vector& arm) {
+        return at_node(view, node_i, [&](const auto& rows, const auto& at, int row_i) {
+            return read(at, rows[row_i].v) + cross(read(at, rows[row_i].w), arm);
+        });
+    };
+    const Vector of_child = speed_of(loop.child, loop.arm);
+    const Vector apart = loop.other == no_node ? of_child : of_child - speed_of(loop.other, loop.arm_of_other);
+    const scalar along = dot(apart, loop.direction[0]), turn = h / loop.length;
+    return (length_sq(apart) - along * along) * (turn * turn);
+}
+
+void ask_of_loops(const FigureView&, const NoLoops&, scalar, int) {}
+/// All figures of a machine are cut alike. batch: doublings of this one.
+void ask_of_loops(const FigureView& view, const LoopView& loops, scalar h, int batch) {
+    const auto scale = static_cast<scalar>(1 << batch);
+    for_looped_figures(view, loops, [&](const LoopFigure& of) {
+        scalar most = 0, most_turn = 0;
+        const auto see = [&](Index node_i, const Vector& j, const Vector& arm) {
+            const auto moments = [](const auto& rows, const auto& at, int row_i) { return read(at, rows[row_i].I_body); };
+            const Vector I = at_node(view, node_i, moments);
+            most = max(most, dot(j, arm) * h / min(I.x, min(I.y, I.z)));
+        };
+        for_loop_joints(loops, of, [&](const LoopJoint& loop) {
+            see(loop.child, loop.given * scale, loop.arm);
+            if (loop.other != no_node) see(loop.other, loop.given * -scale, loop.arm_of_other);
+            if (!has_length(loop.kind) || loop.is_slack) return;
+            most = max(most, tension_across(view, loop) * h * scale);
+            most_turn = max(most_turn, turn_of_line(view, loop, h));
+        });
+        uint8_t doublings = doublings_for(most, most_turn);
+        if (loops.ties != nullptr && of.was_apart && batch < limits::doublings_max && doublings <= batch)
+            doublings = static_cast<uint8_t>(batch + 1);
+        for (int i = of.figure; i < of.figure + of.figure_count; ++i)  // bound: max_bodies
+            if (view.figures[i].doublings > doublings) doublings = view.figures[i].doublings;
+        for (int i = of.figure; i < of.figure + of.figure_count; ++i) view.figures[i].doublings = doublings;
+    });
 }
 
 /// False for what has gone bad, too: it stays where it was, and freezes.
@@ -100,7 +132,8 @@ void keep_row(const FigureRows<width>& rows, int row_i, int lane_i, scalar scale
 template <class Loops>
 void ask_for_doublings(const FigureView& view, const Loops& loops, scalar h, int doublings) {
     const auto scale = static_cast<scalar>(1 << doublings);
-    for_groups(view, [&](const auto& rows) { ask_of_rows(rows, loops, h, scale); });
+    for_groups(view, [&](const auto& rows) { ask_of_rows(rows, h, scale); });
+    ask_of_loops(view, loops, h, doublings);
 }
 
 // The linker takes the one that the scene calls.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Joints that close loops: those that a tree leaves out, because both of their bodies are in it already, or because it is tied once before.
+// Joints that close loops: those that a tree leaves out, because both of their bodies are in it already, or because it is tied once before. And ties:
+// rods, ropes and others that lock little, which are in no tree. What ties hold together is a machine of one tree or several.
 //
 // A tree is solved in one way up and down; a loop is not. So each loop is cut at one joint, whose locked directions are rows J beside the tree. With
 // U = what the tree answers to J, and C = J U, impulses j = C^-1 r make up for what the rows lack, r, exactly. C = L L^T, and X = L^-1 U is kept of
@@ -13,9 +14,14 @@
 // so a contact of a figure with loops feels them at once, and the tree is passed through without them. Rows that say the same as others, as the
 // second hinge of a door does, are left out: C is factored with the row first that gives way most by what those before it have left it, until none
 // gives way by more than limits::loop_compliance of what its bodies would without joints. How such rows share their load is not determined.
+//
+// A rope has a row while it is taut. Whether it is turns out in the solve: those that would push are let go, those that would be too long are taken
+// in, and the substep is solved again (settle_rows).
 // Source: Featherstone 2008, chapter 8 (loop joints); columns by impulses as Mirtich 1996; pivoted Cholesky factors as Higham 2002, chapter 10.
 #pragma once
 
+#include "../joint/target_record.h"
+#include "../joint/tie_record.h"
 #include "figure_view.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -35,22 +41,36 @@ struct LoopJoint {
     Index next;         ///< of its figure; no_loop: none
     JointKind kind;
     bool is_A;          ///< the child is A of the joint
+    bool is_slack;      ///< a rope that has no row in the substep at hand
     uint8_t first_row, row_count;  ///< of the rows of its figure
     bool is_turn[rows_of_joint_max];     ///< the row is of a turn
     Vector direction[rows_of_joint_max]; ///< world, unit
     LoopRow rows[rows_of_joint_max];
     scalar target[rows_of_joint_max];    ///< m/s, rad/s; m, rad of a push: by how much the child's speed should change against the other's
     scalar j[rows_of_joint_max];         ///< N s, N m s
+    scalar length;                       ///< m; of a rod or a rope: where it ends
     Vector arm, arm_of_other;            ///< m, from the centres of mass to the sides of the joint
     Vector given;                        ///< N s, that the child got in the last substep
 };
 
-/// The loops of one figure.
+/// Of a body that is drawn to a target, in the step at hand. [2]: of force and torque.
+struct TargetMotion {
+    scalar share;          ///< of what the body alone gives way by: so much gives way of the rows; p / (1 - p) of the poles of the substep
+    scalar h;              ///< s, of the substep
+    bool held[2];          ///< it is no row, but given as it is
+    Vector force, torque;  ///< N s, N m s: given since the step began
+};
+
+/// The loops of a machine: of one figure, or of several that follow each other.
 struct LoopFigure {
-    Index figure;
+    Index figure;          ///< the first
+    Index figure_count;
+    Index first_node, node_count;
     Index first_joint;     ///< no_loop: none
     Index row_count;
     Index rank;            ///< of its rows, how many are independent
+    bool was_apart;        ///< in some substep of the batch pushes have left a gap: with more substeps there is less to push
+    bool is_settled;       ///< none of its ropes has come to its end, or was let go, since the substep was solved last
     int32_t first_row;     ///< of LoopView::z
     int32_t first_entry;   ///< of LoopView::L
     int32_t first_column;  ///< of LoopView::X: those of its first node
@@ -66,7 +86,11 @@ struct LoopView {
 
     LoopJoint* joints;
     LoopFigure* figures;
+    const TieRecord* ties;  ///< by joint; null: the scene names none
     Index* of_figure;       ///< by figure: its loops, or no_loop
+    TargetRecord* targets;         ///< by joint; null: the scene names none
+    TargetMotion* target_motions;  ///< by joint
+    Index* machine_of;      ///< by figure: the first of its machine; of scenes that name ties
     scalar* z;              ///< by row
     scalar* L;              ///< triangles by rows; the inverse of the diagonal in its place
     uint8_t* order;         ///< by row of L: which row of the figure it is
@@ -83,6 +107,12 @@ struct LoopView {
     }
 };
 
+/// What a target gives at its most; and any row that is left out of the solve.
+INGOT_INLINE bool is_given(const LoopView& loops, const LoopJoint& loop, int row) {
+    return loop.kind == JointKind::target && loops.target_motions[loop.joint].held[row / 3];
+}
+INGOT_INLINE bool is_left_out(const LoopView& loops, const LoopJoint& loop, int row) { return loop.is_slack || is_given(loops, loop, row); }
+
 /// Calls each(loop) for the joints of a figure that close its loops.
 template <class Each>
 INGOT_INLINE void for_loop_joints(const LoopView& loops, const LoopFigure& of, const Each& each) {
@@ -96,10 +126,24 @@ INGOT_INLINE void for_looped(const FigureRows<width>& rows, const LoopView& loop
         if (loops_i != no_loop) each(loops.figures[loops_i], lane_i);
     }
 }
-/// Calls each(of) for the figures of the batch that have some.
+/// Calls each(of) for those of the batch: all figures of a machine are in one.
 template <class Each>
 INGOT_INLINE void for_looped_figures(const FigureView& view, const LoopView& loops, const Each& each) {
-    for_groups(view, [&](const auto& rows) { for_looped(rows, loops, [&](LoopFigure& of, int) { each(of); }); });
+    for (int loops_i = 0; loops_i < loops.figure_count; ++loops_i) {  // bound: max_loops
+        const Index figure_i = loops.figures[loops_i].figure;
+        const Figure& figure = view.figures[figure_i];
+        if (figure.group >= view.group_count) continue;
+        const FigureGroup& group = view.groups[figure.group];
+        const bool has_lane = figure.lane_i == 0 || group.is_wide;  // else what is there is of another batch
+        if (has_lane && group.figure[figure.lane_i] == figure_i) each(loops.figures[loops_i]);
+    }
+}
+
+/// Calls each(rows, at) for the figures of a machine.
+template <class Each>
+INGOT_INLINE void for_figures_of(const FigureView& view, const LoopFigure& of, const Each& each) {
+    for (int i = 0; i < of.figure_count; ++i)  // bound: max_bodies
+        at_node(view, view.figures[of.figure + i].first_node, [&](const auto& rows, const auto& at, int) { each(rows, at); });
 }
 
 } }  // namespace ingot

@@ -4,7 +4,10 @@
 #include "../base/limits.h"
 #include "../body/kinematics.h"
 #include "../math/sqrt.h"
+#include "close_loops.h"
+#include "push_machines.h"
 #include "push_rows.h"
+#include "target_rows.h"
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpsabi"  // see lanes.h
@@ -12,6 +15,9 @@
 namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
+
+template <unsigned width>
+using T_of_width = typename AllLanes<width>::T;
 
 /// omega of a row from its L, and the turn that it makes in h seconds if it is left alone: h omega + h^2/2 domega/dt.
 template <unsigned width, class T = typename AllLanes<width>::T>
@@ -104,62 +110,114 @@ FigureEnergies<T> figure_energies_of(const FigureRows<width>& rows) {
 }
 
 template <unsigned width>
-void leave_out_targets(const FigureRows<width>&, const NoLoops&, unsigned) {}
-template <unsigned width>
-void leave_out_targets(const FigureRows<width>& rows, const LoopView& loops, unsigned gains) {
-    for_looped(rows, loops, [&](const LoopFigure& of, int lane_i) {
-        if ((gains >> lane_i & 1u) == 0) return;
-        for_loop_joints(loops, of, [](LoopJoint& loop) {
-            for (scalar& target : loop.target) target = 0;
-        });
-    });
+T_of_width<width> mass_of(const FigureRows<width>& rows) {
+    T_of_width<width> M{};
+    for (int row_i = 0; row_i < rows.count(); ++row_i) M = M + rows.all.get(rows[row_i].M);  // bound: max_bodies
+    return M;
+}
+
+/// What a figure would have with its targets, and what it may have.
+template <unsigned width, class T = T_of_width<width>>
+auto gaining_lanes(const FigureRows<width>& rows, const FigureEnergies<T>& energies, T M, scalar h, scalar gain = limits::target_gain) {
+    const scalar gap_speed = limits::joint_gap * rows.view.unit / h;
+    return energies.after > energies.before * splat<T>(gain) + M * splat<T>(gap_speed * gap_speed);
+}
+
+template <unsigned width, class M>
+void leave_out_biases(const FigureRows<width>& rows, M gains) {
+    const auto none = rows.no_twist();
+    for (int row_i = 0; row_i < rows.count(); ++row_i) {
+        const auto bias = read(rows.all, rows[row_i].bias);
+        write(rows.all, rows[row_i].bias, Spatial<T_of_width<width>>{select(gains, none.w, bias.w), select(gains, none.v, bias.v)});
+    }
 }
 
 template <unsigned width>
-void aim_rows(const FigureRows<width>&, const NoLoops&, scalar) {}
-template <unsigned width>
-void aim_rows(const FigureRows<width>& rows, const LoopView& loops, scalar h) {
-    for_looped(rows, loops, [&](const LoopFigure& of, int) { aim_loops(rows.view, loops, of, h); });
+void pass_alone(const FigureRows<width>& rows) {
+    clear_impulses(rows);
+    pass_up(rows);
+    pass_down(rows);
 }
 
-/// Lanes whose targets may be more than they are good for: what is not resolved; and loops, whose rows may come near to saying the same.
+/// Targets of what is not resolved may ask for what cannot be, where joints come near to where they lock: light bodies would get any speed. Where a
+/// figure would have more than limits::target_gain times its energy they are left out: velocities then fit the joints, which takes energy, and
+/// pushes take back the gaps.
 template <unsigned width, class M>
-auto doubtful_lanes(const FigureRows<width>&, const NoLoops&, M is_exact) {
-    return opposite(is_exact);
+void hold_back_targets(const FigureRows<width>& rows, scalar h, M is_exact) {
+    const auto doubtful = opposite(is_exact);
+    if (!any(doubtful)) return;
+    pass_alone(rows);
+    const auto gains = both(doubtful, gaining_lanes(rows, figure_energies_of(rows), mass_of(rows), h));
+    if (any(gains)) leave_out_biases(rows, gains);
 }
-template <unsigned width, class M>
-auto doubtful_lanes(const FigureRows<width>& rows, const LoopView& loops, M) {
-    using T = typename AllLanes<width>::T;
+
+/// Lanes whose targets are doubtful where some have loops: these are, as their rows may come near to saying the same.
+template <unsigned width>
+auto doubtful_lanes(const FigureRows<width>& rows, const LoopView& loops) {
+    using T = T_of_width<width>;
     scalar flags[width];
     for (int lane_i = 0; lane_i < rows.lane_count; ++lane_i) flags[lane_i] = rows.figure(lane_i).resolved ? 0 : 1;  // bound: lanes
     for_looped(rows, loops, [&](const LoopFigure&, int lane_i) { flags[lane_i] = 1; });
     return rows.all.get(flags) > T{};
 }
 
-/// Targets of what is not resolved may ask for what cannot be, where joints come near to where they lock: light bodies would get any speed. Where a
-/// figure would have more than limits::target_gain times its energy they are left out: velocities then fit the joints, which takes energy, and
-/// pushes take back the gaps.
-template <unsigned width, class Loops, class M, class T = typename AllLanes<width>::T>
-void hold_back_targets(const FigureRows<width>& rows, const Loops& loops, scalar h, M is_exact) {
-    const auto doubtful = doubtful_lanes(rows, loops, is_exact);
-    if (!any(doubtful)) return;
-    clear_impulses(rows);
-    pass_up(rows);
-    pass_down(rows);
-    close_rows(rows, loops);
-    const FigureEnergies<T> energies = figure_energies_of(rows);
-    T M_all{};
-    for (int row_i = 0; row_i < rows.count(); ++row_i) M_all = M_all + rows.all.get(rows[row_i].M);
-    const scalar gap_speed = limits::joint_gap * rows.view.unit / h;
-    const T allowed = energies.before * splat<T>(limits::target_gain) + M_all * splat<T>(gap_speed * gap_speed);
-    const auto gains = both(doubtful, energies.after > allowed);
-    if (!any(gains)) return;
-    const Spatial<T> none{};
-    for (int row_i = 0; row_i < rows.count(); ++row_i) {
-        const Spatial<T> bias = read(rows.all, rows[row_i].bias);
-        write(rows.all, rows[row_i].bias, Spatial<T>{select(gains, none.w, bias.w), select(gains, none.v, bias.v)});
-    }
-    leave_out_targets(rows, loops, bits(gains));
+/// The energies of a figure, and its mass, stand in FigureRow::drive of its root until the solve begins: a machine gains or not as a whole.
+template <unsigned width>
+void note_energies(const FigureRows<width>& rows) {
+    const FigureEnergies<T_of_width<width>> energies = figure_energies_of(rows);
+    write(rows.all, rows[0].drive, Vec3<T_of_width<width>>{energies.before, energies.after, mass_of(rows)});
+}
+void share_energies(const FigureView& view, const LoopFigure& of) {
+    if (of.figure_count == 1) return;
+    Vector sum{};
+    for_figures_of(view, of, [&](const auto& rows, const auto& at) { sum = sum + read(at, rows[0].drive); });
+    for_figures_of(view, of, [&](const auto& rows, const auto& at) { write(at, rows[0].drive, sum); });
+}
+
+/// What drives a machine from outside, that moves or is reeled, may give it its speed: this adds to what it has.
+void allow_driven_speed(const FigureView& view, const LoopFigure& of, scalar speed) {
+    for_figures_of(view, of, [&](const auto& rows, const auto& at) {
+        const Vector energies = read(at, rows[0].drive);
+        write(at, rows[0].drive, Vector{energies.x + energies.z * (speed * speed), energies.y, energies.z});
+    });
+}
+
+/// The same of scenes with loops.
+void hold_back_targets(const FigureView& view, const LoopView& loops, scalar h) {
+    for_groups(view, [&](const auto& rows) {
+        if (any(doubtful_lanes(rows, loops))) pass_alone(rows);
+    });
+    for_looped_figures(view, loops, [&](const LoopFigure& of) {
+        find_lacks(view, loops, of, false);
+        close_loops(view, loops, of);
+    });
+    for_groups(view, [&](const auto& rows) {
+        if (any(doubtful_lanes(rows, loops))) note_energies(rows);
+    });
+    for_looped_figures(view, loops, [&](const LoopFigure& of) {
+        share_energies(view, of);
+        if (loops.ties != nullptr) allow_driven_speed(view, of, driven_speed(view, loops, of));
+    });
+    for_groups(view, [&](const auto& rows) {
+        const auto doubtful = doubtful_lanes(rows, loops);
+        if (!any(doubtful)) return;
+        const auto of = read(rows.all, rows[0].drive);
+        const scalar gain = loops.ties == nullptr ? limits::target_gain : limits::target_gain_of_ties;
+        const auto gains = both(doubtful, gaining_lanes(rows, {of.x, of.y}, of.z, h, gain));
+        if (!any(gains)) return;
+        leave_out_biases(rows, gains);
+        for_looped(rows, loops, [&](const LoopFigure& of_loops, int lane_i) {
+            if ((bits(gains) >> lane_i & 1u) != 0) leave_out_targets(loops, of_loops);
+        });
+    });
+}
+
+template <unsigned width>
+void aim_joints(const FigureRows<width>& rows, scalar h) {
+    const auto is_exact = resolved_lanes(rows);
+    for (int row_i = 0; row_i < rows.count(); ++row_i) predict_turn(rows, rows[row_i], h);  // bound: max_bodies
+    for (int row_i = 0; row_i < rows.count(); ++row_i)
+        if (rows.node(row_i).kind != JointKind::none) set_bias(rows, row_i, h, is_exact);
 }
 
 /// Where joints hardly let bodies part, a push that parts them would throw the rest of the figure: it is shortened to limits::throw_speed and
@@ -182,17 +240,20 @@ void shorten_throws(const FigureRows<width>& rows, scalar h) {
 
 }  // namespace
 
-template <class Loops>
-void begin_solve(const FigureView& view, const Loops& loops, scalar h) {
-    for_groups(view, [&loops, h](const auto& rows) {
-        const auto is_exact = resolved_lanes(rows);
-        for (int row_i = 0; row_i < rows.count(); ++row_i) predict_turn(rows, rows[row_i], h);  // bound: max_bodies
-        for (int row_i = 0; row_i < rows.count(); ++row_i)
-            if (rows.node(row_i).kind != JointKind::none) set_bias(rows, row_i, h, is_exact);
-        aim_rows(rows, loops, h);
-        hold_back_targets(rows, loops, h, is_exact);
+void begin_solve(const FigureView& view, const NoLoops&, scalar h) {
+    for_groups(view, [h](const auto& rows) {
+        aim_joints(rows, h);
+        hold_back_targets(rows, h, resolved_lanes(rows));
         clear_impulses(rows);
     });
+}
+
+void begin_solve(const FigureView& view, const LoopView& loops, scalar h) {
+    for_groups(view, [h](const auto& rows) { aim_joints(rows, h); });
+    for_looped_figures(view, loops, [&](const LoopFigure& of) { aim_loops(view, loops, of, h); });
+    hold_back_targets(view, loops, h);
+    if (loops.targets != nullptr) for_looped_figures(view, loops, [&](const LoopFigure& of) { aim_targets(view, loops, of, h); });
+    for_groups(view, [](const auto& rows) { clear_impulses(rows); });
 }
 
 void begin_passing(const FigureView& view) {
@@ -245,16 +306,10 @@ void end_displacing(const FigureView& view, scalar h) {
     });
 }
 
-template <class Loops>
-void push_figures(const FigureView& view, const Loops& loops, bool again) {
-    for_groups(view, [&loops, again](const auto& rows) { push_group(rows, loops, again); });
+void push_figures(const FigureView& view, const NoLoops&, bool again) {
+    for_groups(view, [again](const auto& rows) { push_group(rows, again); });
 }
-
-// The linker takes the one that the scene calls.
-template void begin_solve(const FigureView&, const NoLoops&, scalar);
-template void begin_solve(const FigureView&, const LoopView&, scalar);
-template void push_figures(const FigureView&, const NoLoops&, bool);
-template void push_figures(const FigureView&, const LoopView&, bool);
+void push_figures(const FigureView& view, const LoopView& loops, bool again) { push_machines(view, loops, again); }
 
 } }  // namespace ingot
 

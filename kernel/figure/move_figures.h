@@ -9,9 +9,9 @@ namespace ingot { inline namespace INGOT_ABI {
 /// What the joints lack: how far each would be off its place at the end of the substep, if nothing acted, over h with the sign turned. Bodies go
 /// by h v and turn as they do in free flight, to second order; so for the joint the step is SHAKE, which keeps energy. Where spins change much in
 /// a substep, or tension is stiff, that is no help, and turns are taken to first order, which loses some: Figure::resolved says which.
-/// Needs: place_joints, velocities after the forces. h: s, of the substep. Loops: LoopView, or NoLoops.
-template <class Loops>
-void begin_solve(const FigureView& view, const Loops& loops, scalar h);
+/// Needs: place_joints, velocities after the forces. h: s, of the substep.
+void begin_solve(const FigureView& view, const NoLoops& loops, scalar h);
+void begin_solve(const FigureView& view, const LoopView& loops, scalar h);
 
 /// No impulse is on any body, and the cursors are nowhere.
 void begin_passing(const FigureView& view);
@@ -29,8 +29,8 @@ void drift_figures(const FigureView& view, scalar h);
 
 /// Puts bodies where their joints want them, by displacements that no velocity sees. again: only those that are off by more than limits::joint_gap.
 /// Bound: limits::pushes_max.
-template <class Loops>
-void push_figures(const FigureView& view, const Loops& loops, bool again);
+void push_figures(const FigureView& view, const NoLoops& loops, bool again);
+void push_figures(const FigureView& view, const LoopView& loops, bool again);
 
 /// Contacts displace figures in between, see cursor.h: from nothing to a displacement of every body.
 void begin_displacing(const FigureView& view);

@@ -100,10 +100,17 @@ Spatial<scalar> twist_across(const FigureRows<width>& rows, const OneLane<width>
 template <class Loops>
 Across response_across(const FigureView& view, [[maybe_unused]] const Loops& loops, const Spatial6Rows<1>* responses, Index node_A, Index node_B) {
     const int row_B = node_B - view.figures[view.nodes[node_B].figure].first_node;
+    [[maybe_unused]] const bool is_one_tree = view.nodes[node_A].figure == view.nodes[node_B].figure;  // ties hold two trees together
     return at_node(view, node_A, [&](const auto& rows, const auto& at, int row_A) {
+        Vector c_B;
+        if constexpr (Loops::closes)
+            c_B = at_node(view, node_B, [](const auto& rows_of_B, const auto& of_B, int row_i) { return read(of_B, rows_of_B[row_i].c); });
+        else
+            c_B = read(at, rows[row_B].c);
         const auto answer = [&](const Vector& F, const Vector& T) {
-            const Spatial<scalar> on_B = {T + cross(read(at, rows[row_B].c), F), F};
-            Spatial<scalar> u = twist_across(rows, at, responses, row_A, row_B, on_B);
+            const Spatial<scalar> on_B = {T + cross(c_B, F), F};
+            Spatial<scalar> u{};
+            if (!Loops::closes || is_one_tree) u = twist_across(rows, at, responses, row_A, row_B, on_B);
             if constexpr (Loops::closes) u = u + response_across_loops(view, loops, node_A, node_B, on_B);
             return twist_at(u, read(at, rows[row_A].c));
         };

@@ -15,6 +15,7 @@
 #include "move_figures.h"
 #include "respond_figures.h"
 #include "swing_figures.h"
+#include "target_rows.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -73,11 +74,14 @@ struct LoopsBeside {
     const LoopView& loops;
 
     void begin(const FigureView& view, scalar h) const {
-        load_loops(view, loops);
+        load_loops(view, loops, h);
         factor_now(view, loops, h);
     }
     static void list(const FigureView&, scalar) {}
-    void solve(const FigureView& view, scalar) const { solve_loops(view, loops); }
+    void solve(const FigureView& view, scalar) const {
+        solve_loops(view, loops);
+        note_targets(view, loops);
+    }
     static void push(const FigureView&, scalar) {}
     void keep(const FigureView& view, int doublings) const { keep_loops(view, loops, doublings); }
 };

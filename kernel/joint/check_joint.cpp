@@ -108,7 +108,7 @@ scalar gap_of(const JointRecord& joint, const BodyView& bodies) {
 
 bool is_valid(const JointRecord& joint, int slots) {
     const auto is_body = [slots](Index slot) { return slot == no_body || slot < slots; };
-    if (joint.kind == JointKind::none || joint.kind > JointKind::fixed || !is_body(joint.body_A) || !is_body(joint.body_B)) return false;
+    if (joint.kind == JointKind::none || joint.kind > JointKind::target || !is_body(joint.body_A) || !is_body(joint.body_B)) return false;
     if (joint.body_A == joint.body_B || !is_finite(joint.j) || !is_frame(joint.frame_A) || !is_frame(joint.frame_B)) return false;
     return joint.resolved <= 1 && joint.bodies_meet <= 1 && joint.doublings <= limits::doublings_max;
 }

@@ -2,9 +2,22 @@
 // Which joints a body has.
 #pragma once
 
+#include "../body/body_tiles.h"
 #include "joint_record.h"
 
 namespace ingot { inline namespace INGOT_ABI {
+
+/// m, world. slot: of the body of the frame; no_body: the world.
+inline Vector anchor_in_world(const BodyView& bodies, Index slot, const JointFrame& frame) {
+    if (slot == no_body) return frame.anchor;
+    return r_CM_of(bodies, slot) + lane_of(bodies.rotation[place_of(slot).tile].A, place_of(slot).lane) * frame.anchor;
+}
+
+/// The same point in the axes of the body.
+inline Vector anchor_on(const BodyView& bodies, Index slot, const Vector& P) {
+    if (slot == no_body) return P + Vector{};
+    return transpose_times(lane_of(bodies.rotation[place_of(slot).tile].A, place_of(slot).lane), P - r_CM_of(bodies, slot)) + Vector{};
+}
 
 /// The ends of joints at each body, a list in the order of joints: end 2 i is A of joint i, end 2 i + 1 its B. All zero: no joints.
 struct JointLists {

@@ -8,7 +8,12 @@
 namespace ingot { inline namespace INGOT_ABI {
 
 /// driven_ball: within figure/, a ball joint that has a drive.
-enum class JointKind : uint8_t { none, ball, hinge, slider, universal, fixed, driven_ball = 64 };
+enum class JointKind : uint8_t { none, ball, hinge, slider, universal, fixed, rod, rope, parallel, target, driven_ball = 64 };
+
+/// Kinds that lock little, or give way: they are rows beside the trees, see figure/loop_view.h.
+constexpr bool is_tie(JointKind kind) { return kind >= JointKind::rod && kind <= JointKind::target; }
+/// Those that keep two points at a distance.
+constexpr bool has_length(JointKind kind) { return kind == JointKind::rod || kind == JointKind::rope; }
 
 /// As an end of a range: there is none.
 inline constexpr scalar unlimited = scalar_max;
@@ -71,6 +76,27 @@ struct FixedJoint {
     constexpr operator Joint() const { return {kind, {}, {}}; }
 };
 
+/// Keeps two points, P of A and P_B of B, at a distance. One of max_loops.
+struct RodJoint {
+    static constexpr JointKind kind = JointKind::rod;
+    scalar length = 0;  ///< m, limits::tie_length_min to limits::position_max; 0: as far as they are now
+    constexpr operator Joint() const { return {kind, {{{length, length}, {}}, 0}, {}}; }
+};
+/// Lets two points, P of A and P_B of B, be no further apart: it pulls, and does not push. What comes to its end does not bounce. While it is slack
+/// it is nothing to its bodies. One of max_loops.
+struct RopeJoint {
+    static constexpr JointKind kind = JointKind::rope;
+    scalar length = 0;  ///< m, as of a rod
+    constexpr operator Joint() const { return {kind, {{{-unlimited, length}, {}}, 0}, {}}; }
+};
+
+/// Draws a body, B, to where it should be, P of it to a point of the world and its axes to others: a mouse, an animation, a hand. First to where it
+/// is; see World::set_target, set_target_drive. A is the world. One of max_loops.
+struct TargetJoint {
+    static constexpr JointKind kind = JointKind::target;
+    constexpr operator Joint() const { return {kind, {}, {}}; }
+};
+
 /// Beside the kinds of a scene's joints: they may have limits.
 struct WithLimits {
     static constexpr JointKind kind = JointKind::none;
@@ -117,6 +143,7 @@ inline constexpr bool is_same<A, A> = true;
 template <class... Kinds>
 struct Joints {
     static constexpr bool has(JointKind kind) { return kind != JointKind::none && ((Kinds::kind == kind) || ...); }
+    static constexpr bool has_ties = (is_tie(Kinds::kind) || ...);
     static constexpr bool has_limits = (is_same<Kinds, WithLimits> || ...);
     /// The most directions with limits of a joint.
     static constexpr int limits_of_joint() {
@@ -139,10 +166,11 @@ struct Joints {
 struct JointDef {
     BodyId body_A{}, body_B{};     ///< the null id: the world
     Joint joint{};
-    Vector P{};                    ///< m, world
+    Vector P{};                    ///< m, world; of a rod and a rope: on A
     Vector axis = {0, 0, 1};       ///< unit, world: of a hinge, a slider, of A of a universal joint, of B of a ball joint with limits
     Vector axis_B = {1, 0, 0};     ///< unit, world, at right angles to axis: of B of a universal joint
     bool bodies_meet = false;      ///< the two may touch each other
+    Vector P_B{};                  ///< m, world, on B: of a rod and a rope
 };
 
 /// Names one joint of one world for as long as it is there, as BodyId does a body.

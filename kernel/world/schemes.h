@@ -130,12 +130,12 @@ struct JointedFlight {
     static void advance(Step<S>& now) {
         swing_freely(now);
         FigureView figures = now.storage.figures(now.h);
-        build_figures(figures);
+        auto loops = now.storage.loop_view();
+        build_figures(figures, loops);
         if constexpr (has_joint_rows<S>) {
             auto rows = now.storage.joint_row_view();
             swing_figures(figures, rows, now.storage.reactions(), S::effort.substeps);
         } else {
-            auto loops = now.storage.loops();
             if constexpr (has_loops<S>) count(now.report.joints_lost, find_loops(figures, loops));
             swing_figures(figures, loops, now.storage.reactions(), S::effort.substeps);
         }

@@ -126,7 +126,9 @@ private:
 /// Bits of SnapshotHeader::parts that the records below look at. The others stand at their features.
 struct SnapshotPart {
     static constexpr uint32_t doubles = 1, translation = 2, compensation = 4, energy = 8, manifolds = 64, anchors = 128;
-    static constexpr uint32_t pointwise = 1u << 20;  ///< manifolds are solved point by point: friction has no slow mean
+    static constexpr uint32_t joints = 1u << 30;
+    /// Manifolds are solved point by point: friction has no slow mean. With joints they are not: there it stands for rods, ropes and targets.
+    static constexpr uint32_t pointwise = 1u << 20;
 };
 
 /// What comes first in a snapshot, whatever its scene.
@@ -247,7 +249,7 @@ struct SavedManifold {
         each("mu", record.mu);
         each("e", record.e);
         each("j_friction", record.j_friction);
-        if ((parts & SnapshotPart::pointwise) == 0) each("j_reference", j_reference);
+        if ((parts & (SnapshotPart::pointwise | SnapshotPart::joints)) != SnapshotPart::pointwise) each("j_reference", j_reference);
         each("j_torsion", record.j_torsion);
         each("substeps", record.substeps);
         if ((parts & SnapshotPart::anchors) == 0) return;

@@ -179,9 +179,19 @@ void find_manifolds([[maybe_unused]] Step<S>& now) {
     }
 }
 
+/// Rods and ropes become as long as they were told to be; ropes that stay slack are nothing to the step.
+template <class S>
+INGOT_INLINE void look_at_ropes([[maybe_unused]] Step<S>& now) {
+    if constexpr (has_ties<S>) {
+        auto& storage = now.storage;
+        look_at_ropes(now.bodies, storage.joint_lists(), storage.joint_ties, storage.joint_slots_used, storage.gravity, S::length_unit, now.h);
+    }
+}
+
 /// Islands of the step; those that sleep and can meet what moves wake, and the pairs that are to be solved are listed.
 template <class S>
 void wake_islands([[maybe_unused]] Step<S>& now) {
+    look_at_ropes(now);  // of those that hold nothing, no one wakes
     if constexpr (S::sleeps) {
         auto& storage = now.storage;
         const RestView rest = storage.rest_view();
@@ -221,6 +231,7 @@ void break_joints([[maybe_unused]] Step<S>& now) {
 template <class S>
 void fall_asleep([[maybe_unused]] Step<S>& now) {
     if constexpr (S::sleeps && has_joint_drives<S>) features::DrivenJoints::keep_awake(now.storage);
+    if constexpr (S::sleeps && has_targets<S>) features::DrawnBodies::keep_awake(now.storage);
     if constexpr (S::sleeps)
         fall_asleep(now.bodies, now.storage.surface_view(), now.storage.gravity, now.h, {S::sleep_speed * S::length_unit, S::sleep_time},
                     now.storage.rest_view(), now.storage.pull_of_bodies());

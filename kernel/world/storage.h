@@ -43,6 +43,12 @@ struct Storage : features::All::Memory<S> {
         view.h = h;
         return view;
     }
+    auto loop_view() {
+        auto view = this->loops();
+        this->show_ties(view);
+        this->show_targets(view);
+        return view;
+    }
     JointRowViewOf<S> joint_row_view() {
         JointRowViewOf<S> view{};
         view.angles = this->joint_angles;
@@ -155,7 +161,7 @@ struct Storage : features::All::Memory<S> {
         static_cast<Plain&>(view) = plain;
         view.jointed = this->jointed_bodies(figures(0));
         if constexpr (has_joint_rows<S>) view.joint_rows = joint_row_view();
-        if constexpr (has_loops<S>) view.loops = this->loops();
+        if constexpr (has_loops<S>) view.loops = loop_view();
         if constexpr (has_joint_reactions<S>) view.reactions = this->reactions();
         if constexpr (S::kinematic_bodies) this->show_kinematic(view, this->kinematic);
         return view;

@@ -36,9 +36,13 @@ public:
         Status status = find_side(def.body_A, slot_A);
         if (status == Status::ok) status = find_side(def.body_B, slot_B);
         if (status == Status::ok) status = check_joint(def, S::joints::has_limits);
+        if constexpr (has_ties<S>)
+            if (status == Status::ok) status = check_tie(def, S::length_unit);
         if (status == Status::ok) status = check_limits_of(def.joint.kind, def.joint.limits);
         if (status == Status::ok && !S::joints::has(def.joint.kind)) status = Status::not_in_scene;
         if (status == Status::ok && slot_A == slot_B) status = Status::bad_joint;
+        if constexpr (has_targets<S>)
+            if (status == Status::ok && def.joint.kind == JointKind::target && slot_A != no_body) status = Status::bad_joint;
         if (status == Status::ok && !moves(slot_A) && !moves(slot_B)) status = Status::immovable;
         if (status != Status::ok) return {status, {}};
         const int joint_i = free_joint();
@@ -46,6 +50,7 @@ public:
 
         storage_.joints[joint_i] = record_of(def, storage_.bodies(), slot_A, slot_B, S::joints::has_limits);
         if constexpr (has_joint_limits<S>) storage_.joint_limits[joint_i].limits = def.joint.limits;
+        if constexpr (has_ties<S>) begin_tie(joint_i, def);
         storage_.joint_lists().link(joint_i);
         if (!has_room_for_loop(joint_i)) {
             storage_.joint_lists().unlink(joint_i);
@@ -82,12 +87,18 @@ public:
         return count;
     }
 
-    /// How far apart the two sides of a joint are, m: along what it locks.
+    /// How far apart the two sides of a joint are, m: along what it locks. By how much a rod is longer or shorter than it should be; a rope longer.
     Result<scalar> joint_gap(JointId id) const {
         static_assert(joints_only());
         const Result<int> joint = find(id);
         if (!joint.ok()) return {joint.status, 0};
-        return {Status::ok, gap_of(record_of_slot(joint.value), storage_.bodies())};
+        const auto& record = record_of_slot(joint.value);
+        if constexpr (has_ties<S>)
+            if (has_length(record.kind)) {
+                const scalar over = distance_of(record) - storage_.joint_ties[joint.value].reeled;
+                return {Status::ok, record.kind == JointKind::rope && over < 0 ? 0 : abs(over)};
+            }
+        return {Status::ok, gap_of(record, storage_.bodies())};
     }
 
     /// Where the free directions of a joint end from now on; what is beyond goes back slowly. Wakes its bodies.
@@ -203,6 +214,11 @@ protected:
         return {state.r_CM, state.A, state.v_CM, omega};
     }
     JointPair sides_of(const JointRecord& joint) const { return {side_of(joint.body_A), side_of(joint.body_B)}; }
+    /// m, between the ends of a rod or a rope.
+    scalar distance_of(const JointRecord& joint) const {
+        const BodyView bodies = storage_.bodies();
+        return sqrt(length_sq(anchor_in_world(bodies, joint.body_B, joint.frame_B) - anchor_in_world(bodies, joint.body_A, joint.frame_A)));
+    }
     void wake_sides(int joint_i) {
         const JointRecord& joint = storage_.joints[joint_i];
         if (moves(joint.body_A)) (void)touched(joint.body_A, Status::ok);
@@ -218,11 +234,11 @@ protected:
     /// Of a joint that is linked, but not told to the rest of the world yet.
     bool has_room_for_loop(int joint_i) {
         const JointRecord& joint = storage_.joints[joint_i];
-        if (!hangs_on_others(joint.body_A, joint_i) || !hangs_on_others(joint.body_B, joint_i)) return true;
+        if (!is_tie(joint.kind) && (!hangs_on_others(joint.body_A, joint_i) || !hangs_on_others(joint.body_B, joint_i))) return true;
         FigureView figures = storage_.all_figures();
         figures.joint_slots = joint_i < storage_.joint_slots_used ? storage_.joint_slots_used : joint_i + 1;
-        build_figures(figures);
-        auto loops = storage_.loops();
+        auto loops = storage_.loop_view();
+        build_figures(figures, loops);
         return find_loops(figures, loops) == 0;
     }
 
@@ -254,8 +270,19 @@ private:
         return joint_i;
     }
     static Status check_limits_of([[maybe_unused]] JointKind kind, const JointLimits& limits) {
+        if constexpr (has_ties<S>)
+            if (is_tie(kind)) return Status::ok;
         if constexpr (S::joints::has_limits) return check_limits(kind, limits);
         return limits_something(limits) ? Status::not_in_scene : Status::ok;
+    }
+    void begin_tie(int joint_i, const JointDef& def) {
+        JointRecord& record = storage_.joints[joint_i];
+        if constexpr (has_targets<S>)
+            if (record.kind == JointKind::target) storage_.joint_targets[joint_i].set({});
+        if (!has_length(record.kind)) return;
+        record.frame_B.anchor = anchor_on(storage_.bodies(), record.body_B, def.P_B);
+        const scalar length = length_of(def), apart = distance_of(record);
+        storage_.joint_ties[joint_i] = {length, record.kind == JointKind::rope ? max(length, apart) : apart, apart, 0};
     }
     Status find_side(BodyId id, Index& slot) const {
         if (id == BodyId{}) return Status::ok;

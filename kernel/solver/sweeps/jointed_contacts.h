@@ -12,6 +12,7 @@
 #include "../../figure/keep_figures.h"
 #include "../../figure/move_figures.h"
 #include "../../figure/respond_figures.h"
+#include "../../figure/target_rows.h"
 #include "jointed_visits.h"
 #include "swept_contacts.h"
 
@@ -23,7 +24,7 @@ struct SeesJoints : Contacts {
     explicit SeesJoints(Whole& of) : Contacts(of), jointed(of.jointed) {}
 
     void begin(const ContactStep& step, StepReport& report) {
-        build_figures(jointed.figures);
+        build_figures(jointed.figures, this->view.loops);
         if constexpr (Whole::has_drives) name_driven_balls(jointed.figures, rows());
         if constexpr (closes) count(report.joints_lost, find_loops(jointed.figures, this->view.loops));
         Contacts::begin(step, report);
@@ -59,6 +60,10 @@ struct SeesJoints : Contacts {
         begin_solve(jointed.figures, this->view.loops, h);
         if constexpr (closes) forget_lacks(jointed.figures, this->view.loops);
         solve_with_rows(step, h, report);
+        // Again where ropes come to their ends or are let go, and where targets are drawn to with all there is.
+        if constexpr (closes)
+            for (int round = 0; settle_rows(jointed.figures, this->view.loops, round); ++round) solve_rows_again(step, h);  // bound: see there
+        if constexpr (closes) note_targets(jointed.figures, this->view.loops);
         // Again where drives turn out to be at their largest torque: figures answer contacts otherwise then.
         if constexpr (Whole::has_drives)
             for (int round = 1; round < limits::drive_rounds && saturate_drives(jointed.figures, rows()); ++round) {
@@ -117,6 +122,18 @@ private:
     void solve_with_rows(const ContactStep& step, scalar h, StepReport& report) {
         if constexpr (Whole::has_joint_rows) aim_joint_rows(jointed.figures, rows(), h);
         Contacts::solve_velocities(step, h, report);
+    }
+    /// Islands whose rows are not as they were.
+    void solve_rows_again(const ContactStep& step, scalar h) {
+        refresh_jointed_blocks(this->view, step.bodies);
+        plan_sweeps(this->view);
+        for (int island_i = 0; island_i < this->view.island_count; ++island_i) this->view.islands[island_i].sweeps_on = false;  // bound: max_bodies
+        for_looped_figures(jointed.figures, this->view.loops, [&](const LoopFigure& of) {
+            const Index island_i = this->view.island_of[this->view.local_of[jointed.figures.nodes[of.first_node].slot]];
+            if (!of.is_settled && island_i != no_island) this->view.islands[island_i].sweeps_on = true;
+        });
+        ingot::solve_velocities(this->whole);
+        this->end_velocities(step.bodies, h);
     }
     void factor_driven(const BodyView& bodies, scalar h) {
         factor_figures(jointed.figures, rows(), h);

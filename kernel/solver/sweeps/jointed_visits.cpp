@@ -159,7 +159,7 @@ void pass_all_impulses(const FigureView& figures, const NoLoops&) { pass_impulse
 void pass_all_impulses(const FigureView& figures, const LoopView& loops) {
     add_loop_impulses(figures, loops);
     pass_impulses(figures);
-    for_looped_figures(figures, loops, [&](const LoopFigure& of) { find_lacks(figures, loops, of); });
+    for_looped_figures(figures, loops, [&](const LoopFigure& of) { find_lacks(figures, loops, of, true); });
 }
 
 }  // namespace

@@ -18,7 +18,8 @@ void factor_jointed(const SolverView& solver, JointedBodies& jointed, const Loop
 /// The same as a batch begins.
 template <class View>
 INGOT_INLINE void begin_jointed_batch(View& solver) {
-    if constexpr (decltype(solver.loops)::closes) load_loops(solver.jointed.figures, solver.loops);
+    [[maybe_unused]] const scalar h = solver.jointed.figures.h / static_cast<scalar>(solver.substeps);
+    if constexpr (decltype(solver.loops)::closes) load_loops(solver.jointed.figures, solver.loops, h);
     factor_jointed(solver, solver.jointed, solver.loops);
     solver.jointed.is_fresh = true;
 }

@@ -113,6 +113,17 @@ void take_in_figures(SolverView& solver, JointedBodies& jointed, const BodyView&
     }
 }
 
+void lead_machines(const SolverView& solver, JointedBodies& jointed, const LoopView& loops) {
+    if (loops.machine_of == nullptr) return;
+    const FigureView& figures = jointed.figures;
+    for (int node_i = 0; node_i < figures.node_count; ++node_i) {  // bound: max_bodies
+        const FigureNode& node = figures.nodes[node_i];
+        const Index body_i = solver.local_of[node.slot];
+        const Index leader = solver.local_of[figures.nodes[figures.figures[loops.machine_of[node.figure]].first_node].slot];
+        if (body_i != 0 && leader != 0) jointed.leader_of[body_i] = leader;
+    }
+}
+
 void take_in_again(const SolverView& solver, const BodyView& bodies, const Vector& gravity) {
     for_bodies(solver, [&](int body_i) {
         const scalar turns = solver.bodies[body_i].dth[3];

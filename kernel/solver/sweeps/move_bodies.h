@@ -13,6 +13,9 @@ void take_in_bodies(SolverView& solver, const BodyView& bodies, const Vector& gr
 /// The same for bodies of figures, whether they touch anything or not. Names the figure of each.
 void take_in_figures(SolverView& solver, NoJointedBodies& jointed, const BodyView& bodies, const Vector& gravity, scalar h);
 void take_in_figures(SolverView& solver, JointedBodies& jointed, const BodyView& bodies, const Vector& gravity, scalar h);
+/// A machine has one leader.
+inline void lead_machines(const SolverView&, JointedBodies&, const NoLoops&) {}
+void lead_machines(const SolverView& solver, JointedBodies& jointed, const LoopView& loops);
 
 /// The bodies of the batch as they were at the begin of the step.
 void take_in_again(const SolverView& solver, const BodyView& bodies, const Vector& gravity);

@@ -36,6 +36,7 @@ struct SweptContacts {
         take_in_bodies(view, step.bodies, step.gravity, step.h);
         auto&& jointed = jointed_of(view);
         take_in_figures(view, jointed, step.bodies, step.gravity, step.h);
+        if constexpr (View::articulates) lead_machines(view, jointed, view.loops);
         find_levels(view, jointed);
         plan_islands(view, jointed, step.bodies, step.h);
         plan_i_ = 0;

@@ -10,7 +10,9 @@
 #include "gravity_shares.h"
 #include "joint_drives.h"
 #include "joint_limits.h"
+#include "joint_loops.h"
 #include "joint_reactions.h"
+#include "joint_ties.h"
 #include "joints.h"
 #include "kinematic_bodies.h"
 #include "materials.h"
@@ -26,9 +28,10 @@ namespace ingot { inline namespace INGOT_ABI { namespace features {
 using All = FeatureList<Rotation, Translation, Compensation, EnergyReturn, FieldOfForce, Surfaces, Compounds, Impacts, Manifolds, Unsettled,
                         RollingResistance, Belts, Filters, Sensors, Continuous, Events, ToldEvents, Sleep, GravityShares, TouchAside, SteadyField,
                          UserData, BodyForces, BodyDamping, ReadsContacts, CompensatedSums, KinematicBodies, WorkBudget, ContactEffort, Figures,
-                         MovingJoints, LimitedJoints, DrivenJoints, LoopJoints, FigureMotion, ReadReactions, BreakableJoints>;
+                         MovingJoints, LimitedJoints, DrivenJoints, LoopJoints, FigureMotion, ReadReactions, BreakableJoints, TiedJoints,
+                         DrawnBodies>;
 
-static_assert(All::bits_differ(SnapshotPart::doubles | SnapshotPart::anchors | SnapshotPart::pointwise));  // of a snapshot's parts
+static_assert(All::bits_differ(SnapshotPart::doubles | SnapshotPart::anchors));  // of a snapshot's parts
 
 }  // namespace features
 

@@ -2,11 +2,12 @@
 // Joints, and the figures that they make of bodies.
 #pragma once
 
-#include "../../figure/close_loops.h"
 #include "../../figure/swing_figures.h"
 #include "../../joint/check_joint.h"
 #include "../../joint/check_drive.h"
 #include "../../joint/check_limits.h"
+#include "../../joint/check_target.h"
+#include "../../joint/check_tie.h"
 #include "../../joint/reactions.h"
 #include "../../constraint/jointed_view.h"
 #include "../../island/islands.h"
@@ -19,6 +20,7 @@ namespace features {
 /// Bits of a snapshot's parts, of what joints may have.
 struct JointPart {
     static constexpr uint32_t limits = 1u << 31, drives = 1u << 21, reactions = 1u << 23;
+    static constexpr uint32_t ties = SnapshotPart::pointwise;  // of scenes with joints no bit is left, and this one they have not
 };
 
 /// What a body answers with its figure.
@@ -55,22 +57,28 @@ template <class S>
 struct JointedContactPart<S, false> {};
 
 struct Figures : Feature {
-    static constexpr uint32_t part = 1u << 30;
+    static constexpr uint32_t part = SnapshotPart::joints;
     template <class S>
     static constexpr bool named = has_joints<S>;
+
+    template <class S>
+    static constexpr unsigned node_capacity_of = static_cast<unsigned>(S::max_bodies < 2 * S::max_joints ? S::max_bodies : 2 * S::max_joints);
+    /// A body that has ties alone is a figure.
+    template <class S>
+    static constexpr unsigned figure_capacity = has_ties<S> ? node_capacity_of<S> : static_cast<unsigned>(S::max_joints);
 
     template <class S, bool present>
     struct Memory : JointedContactPart<S, stacks<S>> {
         static constexpr unsigned joint_capacity = static_cast<unsigned>(S::max_joints);
         static constexpr unsigned body_capacity = static_cast<unsigned>(S::max_bodies);
-        static constexpr unsigned node_capacity = body_capacity < 2 * joint_capacity ? body_capacity : 2 * joint_capacity;
+        static constexpr unsigned node_capacity = node_capacity_of<S>;
 
         alignas(tile_alignment) FigureRow<1> figure_rows[node_capacity] = {};
         JointRecord joints[joint_capacity] = {};
         uint32_t joint_generation[joint_capacity] = {};  ///< odd while a joint lives in the slot
         FigureNode figure_nodes[node_capacity] = {};
-        Figure trees[joint_capacity] = {};
-        FigureGroup figure_groups[joint_capacity] = {};
+        Figure trees[figure_capacity<S>] = {};
+        FigureGroup figure_groups[figure_capacity<S>] = {};
         Index node_of[body_capacity] = {}, end_at[body_capacity] = {};
         Index first_end[body_capacity] = {}, next_end[2 * joint_capacity] = {};
         uint16_t jointed_lanes[tile_capacity<S>] = {};
@@ -127,6 +135,11 @@ struct Figures : Feature {
     }
     template <class S>
     static constexpr bool has_some_joint() {
+        return has_trees<S>() || S::joints::has_ties;
+    }
+    /// Kinds that make trees.
+    template <class S>
+    static constexpr bool has_trees() {
         bool some = false;
         for (int kind = 1; kind <= static_cast<int>(JointKind::fixed); ++kind) some = some || S::joints::has(static_cast<JointKind>(kind));
         return some;
@@ -147,6 +160,8 @@ struct Figures : Feature {
         if constexpr (has_joint_breaking<S>) write_record(storage.joint_breaking[joint_i], {});
         if constexpr (has_joint_limits<S>) storage.joint_limits[joint_i] = {};
         if constexpr (has_joint_rows<S>) storage.joint_angles[joint_i] = {};
+        if constexpr (has_ties<S>) storage.joint_ties[joint_i] = {};
+        if constexpr (has_targets<S>) storage.joint_targets[joint_i] = {};
         if constexpr (has_joint_drives<S>)
             for (int i = 0; i < S::joints::drives_of_joint(); ++i) storage.drive_of(joint_i, i) = {};  // bound: 3
         ++storage.joint_generation[joint_i];
@@ -160,6 +175,8 @@ struct Figures : Feature {
             const JointRecord& joint = storage.joints[joint_i];
             if (joint.kind == JointKind::none || joint.body_A == no_body || joint.body_B == no_body) continue;
             if (!is_dynamic(bodies, joint.body_A) || !is_dynamic(bodies, joint.body_B)) continue;
+            if constexpr (has_ties<S>)
+                if (storage.joint_ties[joint_i].slack != 0) continue;
             if (all || rest.is_awake(joint.body_A) || rest.is_awake(joint.body_B)) join_bodies_of(rest, joint.body_A, joint.body_B);
         }
     }
@@ -185,6 +202,8 @@ struct Figures : Feature {
         JointReaction reaction;
         BreakRecord breaking;
         uint8_t phase;
+        TieRecord tie;
+        TargetRecord target;
 
         template <class Each>
         constexpr void numbers(Each& each, uint32_t parts) {
@@ -215,6 +234,23 @@ struct Figures : Feature {
                 each("joint.strength.torque", breaking.strength.torque);
                 each("joint.phase", phase);
             }
+            if ((parts & JointPart::ties) != 0) {
+                each("joint.length", tie.length);
+                each("joint.reeled", tie.reeled);
+                each("joint.slack", tie.slack);
+                numbers_of_target(each);
+            }
+        }
+        template <class Each>
+        constexpr void numbers_of_target(Each& each) {
+            each("joint.hertz", target.hertz);
+            each("joint.damping_ratio", target.damping_ratio);
+            each("joint.max_force", target.max_force);
+            each("joint.max_torque", target.max_torque);
+            each("joint.target_velocity", target.velocity);
+            each("joint.target_spin", target.spin);
+            each("joint.target_force", target.force);
+            each("joint.target_torque", target.torque);
         }
         template <class Each>
         constexpr void numbers_of_limits(Each& each) {
@@ -253,6 +289,8 @@ struct Figures : Feature {
                 phase = static_cast<uint8_t>(breaking.phase);
             }
             if constexpr (has_joint_limits<S>) limit = storage.joint_limits[joint_i];
+            if constexpr (has_ties<S>) tie = storage.joint_ties[joint_i];
+            if constexpr (has_targets<S>) target = storage.joint_targets[joint_i];
             if constexpr (has_joint_rows<S>) {
                 angle = storage.joint_angles[joint_i];
                 turns = static_cast<uint32_t>(angle.turns);
@@ -290,6 +328,8 @@ struct Figures : Feature {
         template <class S>
         void put_beside(Storage<S>& storage, int joint_i) const {
             if constexpr (has_joint_limits<S>) storage.joint_limits[joint_i] = limit;
+            if constexpr (has_targets<S>) storage.joint_targets[joint_i] = target;
+            if constexpr (has_ties<S>) storage.joint_ties[joint_i] = {tie.length, tie.reeled, tie.reeled, tie.slack};
             if constexpr (has_joint_rows<S>) storage.joint_angles[joint_i] = {angle.angle, static_cast<int32_t>(turns)};
             for (int i = 0; i < drives_of<S>(); ++i)  // bound: 3
                 if constexpr (has_joint_drives<S>) storage.drive_of(joint_i, i) = drive_read(i);
@@ -308,6 +348,10 @@ struct Figures : Feature {
             if ((generation & 1u) == 0) return kind == 0;
             if constexpr (has_joint_limits<S>)
                 if (!ingot::is_valid(limit, read.kind)) return false;
+            if constexpr (has_ties<S>)
+                if (!ingot::is_valid(tie, read.kind, S::length_unit)) return false;
+            if constexpr (has_targets<S>)
+                if (!ingot::is_valid(target)) return false;
             if constexpr (has_joint_rows<S>)
                 if (!ingot::is_valid(angle)) return false;
             for (int i = 0; i < drives_of<S>(); ++i)  // bound: 3
@@ -329,59 +373,6 @@ struct Figures : Feature {
     template <class S>
     static void set_entry_count(Storage<S>& storage, Index count) {
         storage.joint_slots_used = count;
-    }
-};
-
-/// Those of them that close loops.
-struct LoopJoints : Feature {
-    template <class S>
-    static constexpr bool named = has_loops<S>;
-
-    template <class S, bool present>
-    struct Memory {
-        static constexpr unsigned loop_capacity = static_cast<unsigned>(S::max_loops);
-        static constexpr unsigned row_capacity = 6 * loop_capacity;
-        static constexpr unsigned rows_of_figure = row_capacity < limits::loop_rows_max ? row_capacity : limits::loop_rows_max;
-        static constexpr unsigned node_capacity = Figures::Memory<S, true>::node_capacity;
-
-        LoopJoint loop_joints[loop_capacity] = {};
-        LoopFigure loop_figures[loop_capacity] = {};
-        Index loops_of_figure[static_cast<unsigned>(S::max_joints)] = {};
-        uint8_t loop_order[row_capacity] = {};
-        scalar loop_lacks[row_capacity] = {};
-        scalar loop_triangles[loop_capacity * 3 * (rows_of_figure + 1)] = {};  // n (n + 1) / 2 for figures of n rows, which are row_capacity in all
-        Spatial<scalar> loop_answers[node_capacity * rows_of_figure] = {};
-
-        LoopView loops() {
-            LoopView view{};
-            view.joints = loop_joints;
-            view.figures = loop_figures;
-            view.of_figure = loops_of_figure;
-            view.z = loop_lacks;
-            view.L = loop_triangles;
-            view.order = loop_order;
-            view.X = loop_answers;
-            view.joint_capacity = S::max_loops;
-            view.rows_max = static_cast<int>(rows_of_figure);
-            return view;
-        }
-    };
-    template <class S>
-    struct Memory<S, false> {
-        static NoLoops loops() { return {}; }
-    };
-
-    template <class S, class Each>
-    static constexpr void traits(Each& each) {
-        if constexpr (has_loops<S>) each(S::max_loops);
-    }
-    template <class S>
-    static constexpr bool check() {
-        static_assert(S::max_loops >= 0 && S::max_loops <= S::max_joints,
-                      "joints that close loops are among the joints: set max_loops to max_joints at most");
-        static_assert(!has_loops<S> || !has_joint_rows<S>,
-                      "limits and drives are of joints of trees: set max_loops = 0, or leave WithLimits and WithDrives out");
-        return true;
     }
 };
 

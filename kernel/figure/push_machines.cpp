@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include "push_machines.h"
+
+#include "../base/limits.h"
+#include "../math/sqrt.h"
+#include "close_loops.h"
+#include "displace_rows.h"
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpsabi"  // see lanes.h
+
+namespace ingot { inline namespace INGOT_ABI {
+
+namespace {
+
+// What a figure notes of its pushes stands in FigureRow::turn of its root, which the drift is done with.
+enum PushNote : int {
+    noted_gap = 0,   ///< units of length, rad, squared: how far its joints are off; the largest of its machine
+    noted_before = 1,   ///< the same before the last push
+    noted_turn = 2,   ///< rad, squared: the largest turn of this push; -1: it is not pushed
+};
+template <unsigned width>
+scalar (&note_of(const FigureRows<width>& rows, PushNote note))[width] {
+    return rows[0].turn[note];
+}
+
+/// All figures of a machine have the largest of a note, and of `also`.
+scalar share_most(const FigureView& view, const LoopFigure& of, PushNote note, scalar also) {
+    for_figures_of(view, of, [&](const auto& rows, const auto& at) { also = max(also, at.get(note_of(rows, note))); });
+    for_figures_of(view, of, [&](const auto& rows, const auto& at) { at.put(note_of(rows, note), also); });
+    return also;
+}
+
+/// How far a figure's joints may be off without a push: those with loops less.
+template <unsigned width>
+auto allowed_of(const FigureRows<width>& rows, const LoopView& loops) {
+    using T = typename AllLanes<width>::T;
+    scalar allowed[width];
+    rows.all.put(allowed, splat<T>(limits::joint_gap * limits::joint_gap));
+    for_looped(rows, loops, [&](const LoopFigure&, int lane_i) { allowed[lane_i] = limits::loop_gap * limits::loop_gap; });
+    return rows.all.get(allowed);
+}
+
+/// Trees of a group that is to be pushed answer to what their joints are off by. A figure that is good is left alone, so that what it does does not
+/// depend on who is beside it. Pushes of loops do not get better once they have got worse: they are ended.
+template <unsigned width>
+bool begin_push(const FigureRows<width>& rows, const LoopView& loops, bool again) {
+    using T = typename AllLanes<width>::T;
+    const T most = rows.all.get(note_of(rows, noted_gap));
+    const auto off = both(most > (again ? allowed_of(rows, loops) : splat<T>(scalar(-1))), most < rows.all.get(note_of(rows, noted_before)));
+    rows.all.put(note_of(rows, noted_turn), select(off, T{}, splat<T>(scalar(-1))));
+    if (!any(off)) return false;
+    rows.all.put(note_of(rows, noted_before), most);
+    clear_impulses(rows);
+    pass_up(rows);
+    pass_down(rows);
+    return true;
+}
+
+template <unsigned width>
+auto lanes_off(const FigureRows<width>& rows) {
+    using T = typename AllLanes<width>::T;
+    return rows.all.get(note_of(rows, noted_turn)) > splat<T>(scalar(-0.5));
+}
+
+template <unsigned width>
+void note_turns(const FigureRows<width>& rows) {
+    using T = typename AllLanes<width>::T;
+    const auto off = lanes_off(rows);
+    if (!any(off)) return;
+    T most{};
+    for (int row_i = 0; row_i < rows.count(); ++row_i) most = max(most, length_sq(read(rows.all, rows[row_i].change.w)));  // bound: max_bodies
+    rows.all.put(note_of(rows, noted_turn), select(off, most, splat<T>(scalar(-1))));
+}
+
+/// Loops that are nearly straight ask for more than their rows, which are of first order, are good for: a push turns nothing by more than
+/// limits::push_turn.
+template <unsigned width>
+void end_push(const FigureRows<width>& rows) {
+    using T = typename AllLanes<width>::T;
+    const auto off = lanes_off(rows);
+    if (!any(off)) return;
+    const T most = rows.all.get(note_of(rows, noted_turn)), allowed = splat<T>(limits::push_turn * limits::push_turn);
+    const auto is_long = most > allowed;
+    if (any(is_long)) {
+        const T share = select(is_long, sqrt(allowed / max(most, allowed)), splat<T>(1));
+        for (int row_i = 0; row_i < rows.count(); ++row_i) write(rows.all, rows[row_i].change, read(rows.all, rows[row_i].change) * share);
+    }
+    move_by_change(rows, off);
+}
+
+/// One push of all. False where nothing is off by more than it may be, and nothing was done.
+bool push_all(const FigureView& view, const LoopView& loops, bool again) {
+    for_groups(view, [](const auto& rows) { rows.all.put(note_of(rows, noted_gap), set_pushes(rows)); });
+    for_looped_figures(view, loops, [&](const LoopFigure& of) { (void)share_most(view, of, noted_gap, aim_pushes(view, loops, of)); });
+    bool some = false;
+    for_groups(view, [&](const auto& rows) { some = begin_push(rows, loops, again) || some; });
+    if (!some) return false;
+    for_looped_figures(view, loops, [&](const LoopFigure& of) {
+        if (share_most(view, of, noted_turn, -1) < 0) return;
+        find_lacks(view, loops, of, false);
+        close_loops(view, loops, of);
+    });
+    for_groups(view, [](const auto& rows) { note_turns(rows); });
+    for_looped_figures(view, loops, [&](const LoopFigure& of) { (void)share_most(view, of, noted_turn, -1); });
+    for_groups(view, [](const auto& rows) { end_push(rows); });
+    return true;
+}
+
+/// Joints that no push brings together ask for what cannot be, as a chain does whose ends are drawn apart. Its places are pushed back then, while its
+/// velocities would go on to gather what forces give: they are halved.
+template <unsigned width>
+void slow_what_cannot_be(const FigureRows<width>& rows) {
+    using T = typename AllLanes<width>::T;
+    const auto is_apart = rows.all.get(note_of(rows, noted_gap)) > splat<T>(limits::parted_gap * limits::parted_gap);
+    if (!any(is_apart)) return;
+    const T share = select(is_apart, splat<T>(scalar(0.5)), splat<T>(1));
+    for (int row_i = 0; row_i < rows.count(); ++row_i) {  // bound: max_bodies
+        write(rows.all, rows[row_i].v, read(rows.all, rows[row_i].v) * share);
+        write(rows.all, rows[row_i].L, read(rows.all, rows[row_i].L) * share);
+    }
+}
+
+/// No push has been before.
+template <unsigned width, class T = typename AllLanes<width>::T>
+void forget_pushes(const FigureRows<width>& rows) {
+    rows.all.put(note_of(rows, noted_before), splat<T>(scalar_max));
+}
+
+}  // namespace
+
+void push_machines(const FigureView& view, const LoopView& loops, bool again) {
+    for_groups(view, [](const auto& rows) { forget_pushes(rows); });
+    // bound: limits::pushes_max
+    for (int push_i = 0; push_i < limits::pushes_max && push_all(view, loops, again || push_i > 0); ++push_i) {}
+    if (again) return;
+    for_looped_figures(view, loops, [&](LoopFigure& of) {
+        of.was_apart = of.was_apart || share_most(view, of, noted_gap, 0) > limits::joint_gap * limits::joint_gap;
+    });
+    for_groups(view, [](const auto& rows) { slow_what_cannot_be(rows); });
+}
+
+} }  // namespace ingot
+
+#pragma GCC diagnostic pop
