@@ -17,7 +17,7 @@ inline ingot::scalar end_of(double end) {
     return end == infinity ? ingot::unlimited : end == -infinity ? -ingot::unlimited : static_cast<ingot::scalar>(end);
 }
 
-/// Kinds: ball, hinge, slider, universal, fixed, with their limits; a distance that is a rod or a rope.
+/// Kinds: ball, hinge, slider, universal, fixed, with their limits; a distance that is a rod or a rope, parallel.
 inline ingot::Joint kernel_joint(const FigureJoint& joint) {
     const ingot::scalar lower = end_of(joint.lower), upper = end_of(joint.upper), e = static_cast<ingot::scalar>(joint.restitution);
     switch (joint.kind) {
@@ -28,6 +28,7 @@ inline ingot::Joint kernel_joint(const FigureJoint& joint) {
         case FigureJointKind::slider: return ingot::SliderJoint{lower, upper, e};
         case FigureJointKind::universal: return ingot::UniversalJoint{{lower, upper}, {}, e};
         case FigureJointKind::fixed: return ingot::FixedJoint{};
+        case FigureJointKind::parallel: return ingot::ParallelJoint{};
         case FigureJointKind::distance:
             if (joint.is_rod()) return ingot::RodJoint{static_cast<ingot::scalar>(joint.most)};
             return ingot::RopeJoint{static_cast<ingot::scalar>(joint.most)};

@@ -21,7 +21,7 @@ using ingot::Status;
 struct Tied : ingot::Scene {
     static constexpr int max_bodies = 48, max_joints = 80, max_loops = 60;
     static constexpr bool translates = true;
-    using joints = AllJointsWith<ingot::RodJoint, ingot::RopeJoint>;
+    using joints = AllJointsWith<ingot::RodJoint, ingot::RopeJoint, ingot::ParallelJoint>;
 };
 using TiedWorld = ingot::World<Tied>;
 
@@ -82,6 +82,13 @@ FigureScene net(RandomInput& random, const Net& drawn) {
         if (A != B) link(A, B);
     }
     return scene;
+}
+
+/// Of two bodies of a net, or of one and the world.
+FigureJoint parallel(RandomInput& random, const Net& drawn) {
+    const int B = random.integer(0, drawn.bodies - 1);
+    const Vector3d axis = random.direction();
+    return joint_of(FigureJointKind::parallel, random.integer(-1, B - 1), B, Vector3d::Zero(), axis, axis);
 }
 
 Net drawn_net(RandomInput& random, int run_i) {
@@ -182,6 +189,7 @@ TEST(Ties, velocities_are_the_nearest_that_they_allow) {
         scene.g = Vector3d::Zero();
         for (FigureJoint& joint : scene.joints)  // ropes that are just taut
             if (joint.kind == FigureJointKind::distance && random.integer(0, 1) == 0) joint.least = 0;
+        if (run_i % 2 == 0) scene.join(parallel(random, drawn));
         const auto world = std::make_unique<TiedWorld>();
         const Built built = add_scene(*world, scene);
         ASSERT_TRUE(built.sound);
@@ -238,6 +246,46 @@ TEST(Ties, a_rod_is_a_pendulum) {
         EXPECT_LE(fine, coarse / 3 + 1e4 * eps) << name;
         EXPECT_LE(fine, 2e-3) << name;
     }
+}
+
+/// rad, between the axes of a parallel joint.
+double tilt_of(const FigureJoint& joint, const FigureScene& scene, const FigureState& state) {
+    const auto axis_of = [&](int body_i) -> Vector3d {
+        return body_i == the_world ? joint.axis_A : state.body(body_i).A() * (scene.body(body_i).A.transpose() * joint.axis_A);
+    };
+    return axis_of(joint.body_A).cross(axis_of(joint.body_B)).norm();
+}
+
+/// Axes stay along each other, of bodies by themselves, of nets, and against the world, and places are free: what falls alone falls as it would.
+TEST(Ties, axes_stay_parallel) {
+    RandomInput random(7);
+    double worst = 0;
+    for (int run_i = 0; run_i < ingot_reference::draws(80); ++run_i) {
+        const double rate = rates[random.integer(0, 4)];
+        const Net drawn = drawn_net(random, run_i);
+        FigureScene scene = net(random, drawn);
+        scene.join(parallel(random, drawn));
+        const int alone = scene.add(box(3, Vector3d(0.3, 0.2, 0.1), Vector3d(0, 50, 0), random.rotation()));
+        scene.body(alone).omega = random.vector(3);
+        scene.body(alone).v_CM = random.vector(3);
+        const Vector3d axis = random.direction();
+        scene.join(joint_of(FigureJointKind::parallel, the_world, alone, Vector3d::Zero(), axis, axis));
+        const auto world = std::make_unique<TiedWorld>();
+        const Built built = add_scene(*world, scene);
+        ASSERT_TRUE(built.sound) << run_i;
+        for (int step_i = 0; step_i < static_cast<int>(rate); ++step_i) {
+            ASSERT_TRUE(ingot::step(*world, static_cast<scalar>(1 / rate)).clean()) << run_i;
+            const FigureState state = state_of(*world, built);
+            for (const FigureJoint& joint : scene.joints)
+                if (joint.kind == FigureJointKind::parallel) worst = std::max(worst, tilt_of(joint, scene, state));
+        }
+        const FigureState state = state_of(*world, built);
+        const Vector3d fallen = scene.body(alone).r_CM + scene.body(alone).v_CM + Vector3d(0, 0, -g / 2);
+        const double h = 1 / (rate * Tied::effort.substeps);  // a substep moves by the velocity of its end
+        EXPECT_LE((state.body(alone).r_CM - fallen).norm(), g * h + 1e3 * eps * 50) << run_i;
+    }
+    std::printf("    %.2e rad at most\n", worst);
+    EXPECT_LE(worst, held);
 }
 
 /// Hung on a rope a ball goes as on a rod, while the rope is taut.

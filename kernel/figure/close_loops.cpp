@@ -37,11 +37,16 @@ JointSides<scalar> sides_after(const LoopSides& of, const JointSides<scalar>& no
     return {now.gap + moved, child.after(now.axis), other.after(now.axis_of_parent), child.after(now.side), other.after(now.side_of_parent)};
 }
 
+/// twist_back, and that of kinds that are in no tree.
+Spatial<scalar> back_of(JointKind kind, const JointSides<scalar>& of) {
+    return kind == JointKind::parallel ? Spatial<scalar>{twist_back(JointKind::hinge, of).w, {}} : twist_back(kind, of);
+}
+
 /// The twist, times seconds, that takes back what the sides move against each other in a substep.
 Spatial<scalar> back_of_motion(JointKind kind, const LoopSides& of, bool is_exact, scalar h) {
     Vector moved;
     const JointSides<scalar> now = of.now(), after = sides_after(of, now, is_exact, h, moved);
-    const Spatial<scalar> back = twist_back(kind, after) - twist_back(kind, now);
+    const Spatial<scalar> back = back_of(kind, after) - back_of(kind, now);
     return kind == JointKind::slider ? back : Spatial<scalar>{back.w, -moved};
 }
 
@@ -130,7 +135,7 @@ scalar aim_pushes(const FigureView& view, const LoopView& loops, const LoopFigur
         if (loop.kind == JointKind::target) return set_targets(loop, {});  // no push goes there
         const JointSides<scalar> now = sides_of(view, loop, 0).now();
         if (!has_length(loop.kind)) {
-            const Spatial<scalar> back = twist_back(loop.kind, now);
+            const Spatial<scalar> back = back_of(loop.kind, now);
             set_targets(loop, back);
             most = max(most, max(length_sq(back.v) * per_unit_sq, length_sq(back.w)));
             return;

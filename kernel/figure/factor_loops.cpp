@@ -50,9 +50,9 @@ void set_directions(LoopJoint& loop, const PlacedFrame& child, const PlacedFrame
         add_across(false, other);
     else if (has_length(loop.kind))
         add(false, loop.direction[0]);
-    else
+    else if (loop.kind != JointKind::parallel)
         add_all(false);
-    if (loop.kind == JointKind::hinge) add_across(true, child);
+    if (loop.kind == JointKind::hinge || loop.kind == JointKind::parallel) add_across(true, child);
     if (loop.kind == JointKind::fixed || loop.kind == JointKind::slider || loop.kind == JointKind::target) add_all(true);
     if (loop.kind == JointKind::universal) {
         const Vector x = cross(other.axis, child.axis);

@@ -20,6 +20,7 @@ uint8_t row_count_of(JointKind kind) {
         case JointKind::fixed: return 6;
         case JointKind::rod:
         case JointKind::rope: return 1;
+        case JointKind::parallel: return 2;
         default: return 5;
     }
 }

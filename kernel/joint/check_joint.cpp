@@ -10,7 +10,9 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
-bool has_axis(JointKind kind) { return kind == JointKind::hinge || kind == JointKind::slider || kind == JointKind::universal; }
+bool has_axis(JointKind kind) {
+    return kind == JointKind::hinge || kind == JointKind::slider || kind == JointKind::universal || kind == JointKind::parallel;
+}
 
 Status check_direction(const Vector& n) {
     if (!is_finite(n)) return Status::not_finite;

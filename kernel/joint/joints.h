@@ -90,6 +90,11 @@ struct RopeJoint {
     constexpr operator Joint() const { return {kind, {{{-unlimited, length}, {}}, 0}, {}}; }
 };
 
+/// Keeps an axis of B along one of A, and nothing else: what slides over a table, or hangs from a balloon, and does not tilt. One of max_loops.
+struct ParallelJoint {
+    static constexpr JointKind kind = JointKind::parallel;
+    constexpr operator Joint() const { return {kind, {}, {}}; }
+};
 /// Draws a body, B, to where it should be, P of it to a point of the world and its axes to others: a mouse, an animation, a hand. First to where it
 /// is; see World::set_target, set_target_drive. A is the world. One of max_loops.
 struct TargetJoint {
@@ -167,7 +172,7 @@ struct JointDef {
     BodyId body_A{}, body_B{};     ///< the null id: the world
     Joint joint{};
     Vector P{};                    ///< m, world; of a rod and a rope: on A
-    Vector axis = {0, 0, 1};       ///< unit, world: of a hinge, a slider, of A of a universal joint, of B of a ball joint with limits
+    Vector axis = {0, 0, 1};       ///< unit, world: of a hinge, a slider, a parallel joint, of A of a universal one, of B of a ball joint with limits
     Vector axis_B = {1, 0, 0};     ///< unit, world, at right angles to axis: of B of a universal joint
     bool bodies_meet = false;      ///< the two may touch each other
     Vector P_B{};                  ///< m, world, on B: of a rod and a rope

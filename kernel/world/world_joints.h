@@ -88,6 +88,7 @@ public:
     }
 
     /// How far apart the two sides of a joint are, m: along what it locks. By how much a rod is longer or shorter than it should be; a rope longer.
+    /// 0 of a parallel joint, which locks no way.
     Result<scalar> joint_gap(JointId id) const {
         static_assert(joints_only());
         const Result<int> joint = find(id);
@@ -98,6 +99,8 @@ public:
                 const scalar over = distance_of(record) - storage_.joint_ties[joint.value].reeled;
                 return {Status::ok, record.kind == JointKind::rope && over < 0 ? 0 : abs(over)};
             }
+        if constexpr (has_ties<S>)
+            if (record.kind == JointKind::parallel) return {Status::ok, 0};
         return {Status::ok, gap_of(record, storage_.bodies())};
     }
 

@@ -16,7 +16,8 @@ struct LoopJoints : Feature {
     /// The most rows of one.
     template <class S>
     static constexpr unsigned rows_of_loop() {
-        return Figures::has_trees<S>() || has_targets<S> ? rows_of_joint_max : 1;
+        if (Figures::has_trees<S>() || has_targets<S>) return rows_of_joint_max;
+        return S::joints::has(JointKind::parallel) ? 2 : 1;
     }
 
     template <class S, bool present>
