@@ -198,10 +198,15 @@ TEST(Ties, velocities_are_the_nearest_that_they_allow) {
         std::vector<StepRow> locked;
         for (int joint_i = 0; joint_i < scene.joint_count(); ++joint_i)
             for (const StepRow& row : locked_rows(rows, start, joint_i, JointTarget{})) locked.push_back(row);
-        const FigureState exact = with_velocities(start, solve_step(step_bodies(scene, start), locked));
+        const StepSolution solution = solve_step(step_bodies(scene, start), locked);
+        const FigureState exact = with_velocities(start, solution);
         ASSERT_TRUE(ingot::step(*world, static_cast<scalar>(h)).clean());
         const FigureState state = state_of(*world, built);
-        const double allowed = 100 * h + 64 * eps / h;  // as of loops
+        // As of loops; and what roundings of the exact impulses are, which redundant rows may hold against each other without a bound: on 1 kg and
+        // more, whose least moment of inertia is a hundredth of that.
+        double most = 0;
+        for (const double j : solution.impulse) most = std::max(most, std::abs(j));
+        const double allowed = 100 * h + 64 * eps / h + 2.2e-14 * most;
         for (int body_i = 0; body_i < scene.body_count(); ++body_i) {
             EXPECT_LE((state.body(body_i).v_CM - exact.body(body_i).v_CM).norm(), allowed) << run_i << ", body " << body_i;
             EXPECT_LE((state.body(body_i).omega - exact.body(body_i).omega).norm(), 10 * allowed) << run_i << ", body " << body_i;

@@ -60,13 +60,15 @@ void set_directions(LoopJoint& loop, const PlacedFrame& child, const PlacedFrame
     }
 }
 
-/// The line of a rod or a rope, whose ends are `apart`. Without any length it has none: then a rope is slack.
-void set_line(const Vector& apart, LoopJoint& loop) {
+/// The line of a rod or a rope, whose ends are `apart`. Without any length it has none: then a rope is slack. One that has got too long in the
+/// substep is taut: it is pushed back.
+void set_line(const Vector& apart, scalar most, LoopJoint& loop) {
     const scalar length = sqrt(length_sq(apart));
+    loop.is_slack = loop.is_slack && !(length > most);
     loop.direction[0] = length > 0 ? apart * (1 / length) : Vector{1, 0, 0};
 }
 
-void place_loop(const FigureView& view, LoopJoint& loop) {
+void place_loop(const FigureView& view, const LoopView& loops, LoopJoint& loop) {
     const JointRecord& record = view.lists.joints[loop.joint];
     const bool is_tied = loop.other == no_node;
     const Ground<scalar> ground = is_tied ? ground_at(view, loop.ground) : Ground<scalar>{};
@@ -75,7 +77,10 @@ void place_loop(const FigureView& view, LoopJoint& loop) {
     loop.arm = child.arm;
     loop.arm_of_other = other.arm;
     const Vector between = place_of_body(view, loop.child) - (is_tied ? ground.r : place_of_body(view, loop.other));
-    if (has_length(loop.kind)) set_line((between + child.arm) - other.arm, loop);
+    if (has_length(loop.kind)) {
+        const scalar most = loops.ties[loop.joint].length_at(view.elapsed, view.h);
+        set_line((between + child.arm) - other.arm, most, loop);
+    }
     set_directions(loop, child, other);
     // Both sides act at the child's, so that they turn nothing between them.
     const Vector at_child = from_q(view, loop.child, child.arm);
@@ -246,7 +251,7 @@ void drop_impulses(const LoopView& loops, const LoopFigure& of, const uint8_t* o
 
 void place_loops(const FigureView& view, const LoopView& loops) {
     for_looped_figures(view, loops, [&](const LoopFigure& of) {
-        for_loop_joints(loops, of, [&](LoopJoint& loop) { place_loop(view, loop); });
+        for_loop_joints(loops, of, [&](LoopJoint& loop) { place_loop(view, loops, loop); });
     });
 }
 

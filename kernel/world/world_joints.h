@@ -87,8 +87,8 @@ public:
         return count;
     }
 
-    /// How far apart the two sides of a joint are, m: along what it locks. By how much a rod is longer or shorter than it should be; a rope longer.
-    /// 0 of a parallel joint, which locks no way.
+    /// How far apart the two sides of a joint are, m: along what it locks. By how much a rod is longer or shorter than it should be; a rope longer;
+    /// how far a target is. 0 of a parallel joint, which locks no way.
     Result<scalar> joint_gap(JointId id) const {
         static_assert(joints_only());
         const Result<int> joint = find(id);
