@@ -10,7 +10,7 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
-/// Marked by beta, the share of their impulses to give next: sweeps to come set it anew. 1: the island is no candidate.
+/// Marked by beta, the share of their impulses to give next: sweeps to come set it anew. 1: the island keeps what it has.
 bool is_candidate(const Island& island) { return island.beta != 1; }
 
 /// Of nothing finite, too.
@@ -132,4 +132,4 @@ template void hold_gaining_figures(LoopedView&, const BodyView&, scalar);
 template void hold_gaining_figures(RowedView&, const BodyView&, scalar);
 template void hold_gaining_figures(DrivenView&, const BodyView&, scalar);
 
-}}  // namespace ingot::INGOT_ABI
+} }  // namespace ingot

@@ -17,4 +17,4 @@ namespace ingot { inline namespace INGOT_ABI {
 template <class Whole>
 void hold_gaining_figures(Whole& whole, const BodyView& bodies, scalar h);
 
-}}  // namespace ingot::INGOT_ABI
+} }  // namespace ingot
