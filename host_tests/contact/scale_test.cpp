@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "contact/play.h"
+#include "reference/powers_of_two.h"
 #include "reference/random_input.h"
 #include "scenes/compounds.h"
 
@@ -14,9 +15,9 @@ namespace {
 using namespace ingot_contact;
 using namespace scenes;
 using ingot::BodyDef;
+using ingot_reference::equal;
+using ingot_reference::power_of_two;
 using ingot_reference::RandomInput;
-
-constexpr scalar power_of_two(int k) { return k == 0 ? scalar(1) : k > 0 ? 2 * power_of_two(k - 1) : power_of_two(k + 1) / 2; }
 
 /// The stone of scenes/hulls.h, this many times as large.
 template <int k>
@@ -141,13 +142,6 @@ BodyId add(ingot::World<S>& world, const Thing& thing) {
     }
     return id.value;
 }
-
-/// Equal, or where products of what is left of a number lie below the smallest that float has with all its digits: there no power of two is exact.
-bool equal(scalar a, scalar b) {
-    const double lost = std::sqrt(static_cast<double>(std::numeric_limits<scalar>::min()));
-    return a == b || (std::abs(static_cast<double>(a)) < lost && std::abs(static_cast<double>(b)) < lost);
-}
-bool equal(const Vector& a, const Vector& b) { return equal(a.x, b.x) && equal(a.y, b.y) && equal(a.z, b.z); }
 
 /// Plays random scenes at both scales.
 template <template <int> class SceneAt, int k>

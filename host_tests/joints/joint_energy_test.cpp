@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "joints/figure_measures.h"
 #include "joints/figure_scenes.h"
 #include "random_trees.h"
 #include "reference/draws.h"
@@ -28,41 +29,7 @@ struct Limited : Fallen {
     using joints = AllJointsWith<ingot::WithLimits>;
 };
 
-FigureScene plain_tree(RandomInput& random) {
-    return turning_tree(random, 8, random.integer(0, 1) == 1, 2, 2, [](FigureJoint&) {});
-}
-/// The last body hangs on the first by a ball, too.
-FigureScene ring_and_tree(RandomInput& random) {
-    FigureScene scene = plain_tree(random);
-    FigureJoint last;
-    last.kind = FigureJointKind::ball;
-    last.body_A = 0;
-    last.body_B = scene.body_count() - 1;
-    last.anchor = scene.body(last.body_B).r_CM + random.direction() * 0.3;
-    if (scene.body_count() > 2) scene.join(last);
-    return scene;
-}
-FigureScene limited_tree(RandomInput& random) {
-    return turning_tree(random, 8, random.integer(0, 1) == 1, 6, 4, [&](FigureJoint& joint) {
-        joint.lower = -random.real(0.02, 0.5);
-        joint.upper = random.real(0.02, 0.5);
-        joint.cone = random.real(0.1, 0.6);
-        joint.twist_lower = -random.real(0.02, 0.5);
-        joint.twist_upper = random.real(0.02, 0.5);
-        joint.restitution = random.integer(0, 2) * 0.4;
-    });
-}
-
-double energy_of(const FigureScene& scene, const FigureState& state) {
-    double energy = 0;
-    for (std::size_t i = 0; i < state.bodies.size(); ++i) {
-        const FigureBody& body = scene.bodies[i];
-        const BodyMotion& now = state.bodies[i];
-        const Vector3d omega = now.A().transpose() * now.omega;
-        energy += body.M * (now.v_CM.squaredNorm() / 2 + g * now.r_CM.z()) + body.I_body.dot(omega.cwiseProduct(omega)) / 2;
-    }
-    return energy;
-}
+FigureScene turning_tree_with_limits(RandomInput& random) { return limited_tree(random, 8, random.integer(0, 1) == 1, 6); }
 
 /// What a limit takes in one step it may give back in the next, so the larger of the last two counts. Overlaps that are pushed out, and second orders
 /// of turns, are allowed a hundredth of what the figure has when it falls a metre, beside its motion.
@@ -83,10 +50,11 @@ void expect_no_energy(uint64_t seed, double shrink, const Draw& draw) {
         const auto world = std::make_unique<ingot::World<Scene>>();
         const Built built = add_scene(*world, scene);
         ASSERT_TRUE(built.sound && add_ground(*world));
-        double last = energy_of(scene, state_of(*world, built)), before = last;
+        const JointRows rows(scene);
+        double last = energy(rows, state_of(*world, built)), before = last;
         for (int step_i = 0; step_i < std::min(300, static_cast<int>(2 * rate)); ++step_i) {
             (void)ingot::step(*world, static_cast<scalar>(1 / rate));
-            const double now = energy_of(scene, state_of(*world, built));
+            const double now = energy(rows, state_of(*world, built));
             ASSERT_LE(now, std::max(last, before) + 0.01 * (M * g + std::abs(last))) << "case " << case_i << ", " << rate << " Hz, step " << step_i;
             before = last;
             last = now;
@@ -96,6 +64,6 @@ void expect_no_energy(uint64_t seed, double shrink, const Draw& draw) {
 
 TEST(JointEnergy, no_step_gives_any_to_trees_that_fall) { expect_no_energy<Fallen>(1, 0.2, plain_tree); }
 TEST(JointEnergy, no_step_gives_any_to_rings_that_fall) { expect_no_energy<Looped>(2, 0.2, ring_and_tree); }
-TEST(JointEnergy, no_step_gives_any_to_trees_with_limits) { expect_no_energy<Limited>(3, 0.2, limited_tree); }
+TEST(JointEnergy, no_step_gives_any_to_trees_with_limits) { expect_no_energy<Limited>(3, 0.2, turning_tree_with_limits); }
 
 }  // namespace

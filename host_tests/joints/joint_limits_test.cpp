@@ -41,17 +41,7 @@ struct Factory : LimitedHeap {
 /// orientations and of places a few metres away does to what is measured.
 constexpr double slack = std::max(2 * static_cast<double>(ingot::limits::limit_slack), 1e-6) + 16 * eps;
 
-/// A tree whose joints all have limits, at the start between them.
-FigureScene limited_tree(RandomInput& random, bool tied) {
-    return turning_tree(random, 9, tied, 4, 4, [&](FigureJoint& joint) {
-        joint.lower = -random.real(0.02, 0.5);
-        joint.upper = random.real(0.02, 0.5);
-        joint.cone = random.real(0.1, 0.6);
-        joint.twist_lower = -random.real(0.02, 0.5);
-        joint.twist_upper = random.real(0.02, 0.5);
-        joint.restitution = random.integer(0, 2) * 0.4;
-    });
-}
+FigureScene limited_tree(RandomInput& random, bool tied) { return ingot_figures::limited_tree(random, 9, tied, 4); }
 
 TEST(JointLimits, end_where_they_say) {
     RandomInput random(21);

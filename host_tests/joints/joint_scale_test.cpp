@@ -9,6 +9,7 @@
 #include "joints/figure_scenes.h"
 #include "random_trees.h"
 #include "reference/draws.h"
+#include "reference/powers_of_two.h"
 #include "scene_in_world.h"
 
 namespace {
@@ -16,8 +17,8 @@ namespace {
 using namespace figures;
 using namespace ingot_figures;
 using ingot::Status;
-
-constexpr scalar power_of_two(int k) { return k == 0 ? scalar(1) : k > 0 ? 2 * power_of_two(k - 1) : power_of_two(k + 1) / 2; }
+using ingot_reference::equal;
+using ingot_reference::power_of_two;
 
 template <int k>
 struct Limited : ingot::Scene {
@@ -61,29 +62,7 @@ FigureScene scaled(FigureScene scene, double length, double mass) {
     return scene;
 }
 
-/// A tree with limits and twists that turns as it falls on the ground or swings above it.
-FigureScene limited_tree(RandomInput& random) {
-    FigureScene scene = turning_tree(random, 8, random.integer(0, 1) == 1, 6, 4, [&](FigureJoint& joint) {
-        joint.lower = -random.real(0.02, 0.5);
-        joint.upper = random.real(0.02, 0.5);
-        joint.cone = random.real(0.1, 0.6);
-        joint.twist_lower = -random.real(0.02, 0.5);
-        joint.twist_upper = random.real(0.02, 0.5);
-        joint.restitution = random.integer(0, 2) * 0.4;
-    });
-    return scene;
-}
-/// The same without limits, and the last body of it joined to its first by a ball.
-FigureScene ring_and_tree(RandomInput& random) {
-    FigureScene scene = turning_tree(random, 8, random.integer(0, 1) == 1, 2, 2, [](FigureJoint&) {});
-    FigureJoint last;
-    last.kind = FigureJointKind::ball;
-    last.body_A = 0;
-    last.body_B = scene.body_count() - 1;
-    last.anchor = scene.body(last.body_B).r_CM + random.direction() * 0.3;
-    if (scene.body_count() > 2) scene.join(last);
-    return scene;
-}
+FigureScene turning_tree_with_limits(RandomInput& random) { return limited_tree(random, 8, random.integer(0, 1) == 1, 6); }
 /// With its lowest body this far above the ground, or further.
 FigureScene lifted(FigureScene scene, double height) {
     double z = 0;
@@ -92,13 +71,6 @@ FigureScene lifted(FigureScene scene, double height) {
     for (FigureJoint& joint : scene.joints) joint.anchor.z() += z;
     return scene;
 }
-
-/// Equal, or where products of what is left of a number lie below the smallest that float has with all its digits: there no power of two is exact.
-bool equal(scalar a, scalar b) {
-    const double lost = std::sqrt(static_cast<double>(std::numeric_limits<scalar>::min()));
-    return a == b || (std::abs(static_cast<double>(a)) < lost && std::abs(static_cast<double>(b)) < lost);
-}
-bool equal(const Vector& a, const Vector& b) { return equal(a.x, b.x) && equal(a.y, b.y) && equal(a.z, b.z); }
 
 template <template <int> class SceneAt, int k, class Draw>
 void expect_same_way(uint64_t seed, const Draw& draw) {
@@ -133,10 +105,10 @@ void expect_same_way(uint64_t seed, const Draw& draw) {
 }
 
 TEST(ScaleOfJoints, is_no_matter_to_limits) {
-    expect_same_way<Free, -9>(1, limited_tree);
-    expect_same_way<Free, 8>(2, limited_tree);
+    expect_same_way<Free, -9>(1, turning_tree_with_limits);
+    expect_same_way<Free, 8>(2, turning_tree_with_limits);
 }
-TEST(ScaleOfJoints, is_no_matter_in_contact) { expect_same_way<Limited, -7>(3, limited_tree); }
+TEST(ScaleOfJoints, is_no_matter_in_contact) { expect_same_way<Limited, -7>(3, turning_tree_with_limits); }
 TEST(ScaleOfJoints, is_no_matter_to_loops) { expect_same_way<Looped, 9>(4, ring_and_tree); }
 
 }  // namespace

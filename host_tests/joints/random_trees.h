@@ -72,4 +72,31 @@ FigureScene turning_tree(RandomInput& random, int most_bodies, bool tied, double
     return scene;
 }
 
+/// The same whose joints all have limits, at the start between them.
+inline FigureScene limited_tree(RandomInput& random, int most_bodies, bool tied, double spin) {
+    return turning_tree(random, most_bodies, tied, spin, 4, [&](FigureJoint& joint) {
+        joint.lower = -random.real(0.02, 0.5);
+        joint.upper = random.real(0.02, 0.5);
+        joint.cone = random.real(0.1, 0.6);
+        joint.twist_lower = -random.real(0.02, 0.5);
+        joint.twist_upper = random.real(0.02, 0.5);
+        joint.restitution = random.integer(0, 2) * 0.4;
+    });
+}
+/// One of balls and hinges, tied or not, that turns slowly.
+inline FigureScene plain_tree(RandomInput& random) {
+    return turning_tree(random, 8, random.integer(0, 1) == 1, 2, 2, [](FigureJoint&) {});
+}
+/// The same, and its last body hangs on its first by a ball, too.
+inline FigureScene ring_and_tree(RandomInput& random) {
+    FigureScene scene = plain_tree(random);
+    FigureJoint last;
+    last.kind = FigureJointKind::ball;
+    last.body_A = 0;
+    last.body_B = scene.body_count() - 1;
+    last.anchor = scene.body(last.body_B).r_CM + random.direction() * 0.3;
+    if (scene.body_count() > 2) scene.join(last);
+    return scene;
+}
+
 }  // namespace ingot_figures

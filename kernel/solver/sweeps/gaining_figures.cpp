@@ -17,11 +17,14 @@ bool is_candidate(const Island& island) { return island.beta != 1; }
 scalar part_of(scalar j, scalar share) { return share == 0 ? scalar(0) : j * share; }
 
 bool find_candidates(const SolverView& solver, const JointedBodies& jointed) {
+    bool some = false;
     for (int island_i = 0; island_i < solver.island_count; ++island_i) {  // bound: max_bodies
         Island& island = solver.islands[island_i];
         const bool unsettled = island.in_batch && island.at_bound && island.residual > limits::gaining_residual * solver.unit;
         island.beta = unsettled && jointed.doublings_of[island_i] != 0 ? scalar(0.5) : scalar(1);
+        some = some || is_candidate(island);
     }
+    if (!some) return false;
     // bound: max_manifolds, rounded up to whole blocks
     for (int position = 0; position < solver.block_count * lanes; ++position) {
         const ContactBlock& block = solver.blocks[position / lanes];
@@ -29,12 +32,12 @@ bool find_candidates(const SolverView& solver, const JointedBodies& jointed) {
         if (block.manifold[lane_i] != no_manifold && (block.body_A[lane_i] > last || block.body_B[lane_i] > last))
             solver.islands[block.island[lane_i]].beta = 1;
     }
-    bool some = false;
+    some = false;
     for (int island_i = 0; island_i < solver.island_count; ++island_i) some = some || is_candidate(solver.islands[island_i]);
     return some;
 }
 
-/// The motion that a body without joints would have without contacts.
+/// Of what contacts have changed of the motion of a body without joints.
 void take_share(const SolverView& solver, int body_i, scalar share, scalar h) {
     SolverBody& body = solver.bodies[body_i];
     const SolverBodyHistory& history = solver.histories[body_i];
