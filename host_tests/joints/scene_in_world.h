@@ -60,6 +60,21 @@ ingot::BodyDef definition_of(const FigureBody& body) {
     return def;
 }
 
+/// body_of(i): what the world calls body i of the scene.
+template <class BodyOf>
+ingot::JointDef joint_def(const FigureJoint& joint, const BodyOf& body_of) {
+    using ingot_reference::to_vector;
+    ingot::JointDef def;
+    def.body_A = body_of(joint.body_A);
+    def.body_B = body_of(joint.body_B);
+    def.joint = kernel_joint(joint);
+    def.P = to_vector(joint.anchor);
+    def.P_B = to_vector(joint.anchor_B);
+    def.axis = to_vector(joint.kind == FigureJointKind::ball ? joint.axis_B : joint.axis_A);
+    if (joint.kind == FigureJointKind::universal) def.axis_B = to_vector(joint.axis_B);
+    return def;
+}
+
 /// Bodies and joints of a scene as it starts.
 template <class Scene>
 Built add_scene(ingot::World<Scene>& world, const FigureScene& scene) {
@@ -73,15 +88,7 @@ Built add_scene(ingot::World<Scene>& world, const FigureScene& scene) {
     }
     for (const FigureJoint& joint : scene.joints) {
         const auto body_of = [&](int body_i) { return body_i == the_world ? ingot::BodyId{} : built.bodies[static_cast<std::size_t>(body_i)]; };
-        ingot::JointDef def;
-        def.body_A = body_of(joint.body_A);
-        def.body_B = body_of(joint.body_B);
-        def.joint = kernel_joint(joint);
-        def.P = to_vector(joint.anchor);
-        def.P_B = to_vector(joint.anchor_B);
-        def.axis = to_vector(joint.kind == FigureJointKind::ball ? joint.axis_B : joint.axis_A);
-        if (joint.kind == FigureJointKind::universal) def.axis_B = to_vector(joint.axis_B);
-        const auto id = world.add_joint(def);
+        const auto id = world.add_joint(joint_def(joint, body_of));
         built.sound = built.sound && id.ok();
         built.joints.push_back(id.value);
     }

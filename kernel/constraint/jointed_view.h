@@ -42,6 +42,7 @@ struct JointedBodies {
     int first_block, lane_count;
     Index* parted;               ///< by manifold: room to sort in
     bool is_fresh;               ///< figures and contacts are those of the begin of the batch: no substep has been made
+    bool some_stand;             ///< islands of the batch have left it, while others are solved again
 
     int body_count;              ///< of the solver; from it on, bodies stand for kinematic ones
 

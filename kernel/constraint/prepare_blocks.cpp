@@ -79,14 +79,47 @@ void prepare_block(const View& solver, int block_i, Contacts& contacts) {
     count_central(solver, block, contacts.central);
 }
 
-/// Prepares a block again. It keeps its separations, from which drift_kinematic_bodies has taken what a kinematic body has turned by.
+/// Prepares a block again. It keeps its separations, from which drift_kinematic_bodies has taken what a kinematic body has turned by, and what the
+/// substep asks for: its targets, and where it lands.
 template <class View>
 void refresh_block(const View& solver, const BodyView& bodies, int block_i) {
     ContactBlock& block = solver.blocks[block_i];
-    lane separation[block_rows];
-    for (int row = 0; row < block_rows; ++row) separation[row] = load(block.row[row].separation);
+    lane separation[block_rows], target[block_rows], landing[block_rows];
+    for (int row = 0; row < block_rows; ++row) {
+        separation[row] = load(block.row[row].separation);
+        target[row] = load(block.row[row].target);
+        landing[row] = load(block.row[row].landing);
+    }
     with_contacts(solver, bodies, block_i, [&](auto& contacts) { ContactConstraint<View>::Given::prepare(solver, block_i, contacts); });
-    for (int row = 0; row < block_rows; ++row) store(block.row[row].separation, separation[row]);
+    for (int row = 0; row < block_rows; ++row) {
+        store(block.row[row].separation, separation[row]);
+        store(block.row[row].target, target[row]);
+        store(block.row[row].landing, landing[row]);
+    }
+}
+
+/// The same in the middle of a solve: it keeps how friction turns round, too, and of islands that stand the inverse as it is.
+template <class View>
+void refresh_block_in_solve(const View& solver, const BodyView& bodies, int block_i) {
+    constexpr int entries = sizeof(ContactBlock::cached_inverse) / sizeof(LaneRow);
+    ContactBlock& block = solver.blocks[block_i];
+    uint16_t standing = 0;
+    for (int lane_i = 0; lane_i < lanes; ++lane_i) {
+        const Index island_i = block.island[lane_i];
+        if (island_i != no_island && !solver.islands[island_i].in_batch) standing = static_cast<uint16_t>(standing | 1u << lane_i);
+    }
+    lane inverse[entries];
+    for (int i = 0; i < entries; ++i) inverse[i] = load(block.cached_inverse[i]);
+    const lane mu = load(block.mu);
+    const FrictionRows& friction = block.friction;
+    const uint16_t sliding = friction.sliding;
+    const bool turns_round = friction.turns_round;
+    refresh_block(solver, bodies, block_i);
+    for (int i = 0; i < entries; ++i)
+        store(block.cached_inverse[i], select(mask_from_bits(standing), inverse[i], load(block.cached_inverse[i])));
+    store(block.mu, mu);
+    block.friction.sliding = sliding;
+    block.friction.turns_round = turns_round;
 }
 
 }  // namespace
@@ -132,6 +165,11 @@ void refresh_jointed_blocks(const View& solver, const BodyView& bodies) {
 }
 
 template <class View>
+void refresh_in_solve(const View& solver, const BodyView& bodies) {
+    for (int block_i = solver.jointed.first_block; block_i < solver.block_count; ++block_i) refresh_block_in_solve(solver, bodies, block_i);
+}
+
+template <class View>
 void remember_impulses(const View& solver) {
     constexpr scalar substeps_max = limits::substeps_kept;
     const scalar part = 1 / shares_of_substep(solver);
@@ -155,9 +193,13 @@ template void prepare_blocks(const LoopedView&, const BodyView&);
 template void prepare_blocks(const JointedMaterialView&, const BodyView&);
 template void prepare_blocks(const LoopedMaterialView&, const BodyView&);
 template void refresh_jointed_blocks(const JointedView&, const BodyView&);
+template void refresh_in_solve(const JointedView&, const BodyView&);
 template void refresh_jointed_blocks(const LoopedView&, const BodyView&);
+template void refresh_in_solve(const LoopedView&, const BodyView&);
 template void refresh_jointed_blocks(const JointedMaterialView&, const BodyView&);
+template void refresh_in_solve(const JointedMaterialView&, const BodyView&);
 template void refresh_jointed_blocks(const LoopedMaterialView&, const BodyView&);
+template void refresh_in_solve(const LoopedMaterialView&, const BodyView&);
 template void remember_impulses(const JointedView&);
 template void remember_impulses(const LoopedView&);
 template void remember_impulses(const JointedMaterialView&);

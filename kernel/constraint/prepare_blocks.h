@@ -15,6 +15,9 @@ void prepare_blocks(const View& solver, const BodyView& bodies);
 /// the step, and so do impulses. View: a JointedView.
 template <class View>
 void refresh_jointed_blocks(const View& solver, const BodyView& bodies);
+/// The same before islands of the batch are solved again in a substep, while others, that have left the batch, stand.
+template <class View>
+void refresh_in_solve(const View& solver, const BodyView& bodies);
 
 /// Keeps the impulses for the next step, but for islands that begin again.
 template <class View>

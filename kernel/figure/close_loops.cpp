@@ -202,7 +202,9 @@ void close_loops(const FigureView& view, const LoopView& loops, const LoopFigure
 }
 
 void keep_lacks(const FigureView& view, const LoopView& loops) {
-    for_looped_figures(view, loops, [&](const LoopFigure& of) { keep_lacks_of(loops, of); });
+    for_looped_figures(view, loops, [&](const LoopFigure& of) {
+        if (!of.stands) keep_lacks_of(loops, of);
+    });
 }
 
 void add_loop_impulses(const FigureView& view, const LoopView& loops) {
@@ -316,7 +318,7 @@ void solve_loops(const FigureView& view, const LoopView& loops) {
         pass_impulses(view);
         for_open([&](const LoopFigure& of) { find_lacks(view, loops, of, true); });
     };
-    for_looped_figures(view, loops, [](LoopFigure& of) { of.is_settled = false; });
+    for_looped_figures(view, loops, [](LoopFigure& of) { of.is_settled = of.stands = false; });
     bool again = true;
     for (int round = 0; again; ++round) {  // bound: rope_rounds + max_loops: see settle_rows
         pass();
@@ -340,8 +342,7 @@ void close_all_loops(const FigureView& view, const LoopView& loops) {
 }
 
 void end_loops(const FigureView& view, const LoopView& loops) {
-    close_all_loops(view, loops);
-    keep_lacks(view, loops);
+    for_looped_figures(view, loops, [&](const LoopFigure& of) { keep_lacks_of(loops, of); });
     note_loop_impulses(view, loops);
 }
 

@@ -25,7 +25,7 @@ void find_lacks(const FigureView& view, const LoopView& loops, const LoopFigure&
 /// The twists of all bodies of a figure as its loops change them. What z stands for is theirs now.
 void close_loops(const FigureView& view, const LoopView& loops, const LoopFigure& of);
 
-/// z becomes part of the impulses.
+/// z becomes part of the impulses, where a figure does not stand.
 void keep_lacks(const FigureView& view, const LoopView& loops);
 /// Gives bodies the impulses of their loops. Between begin_passing and pass_impulses.
 void add_loop_impulses(const FigureView& view, const LoopView& loops);
@@ -41,7 +41,7 @@ Spatial<scalar> response_across_loops(const FigureView& view, const LoopView& lo
 void forget_lacks(const FigureView& view, const LoopView& loops);
 void close_all_loops(const FigureView& view, const LoopView& loops);
 
-/// After the last way up and down with all impulses: bodies have the velocities of the closed loops.
+/// After the last of all ways up and down: z of all figures becomes part of their impulses. Bodies have the velocities of closed loops.
 void end_loops(const FigureView& view, const LoopView& loops);
 /// After the last way: ropes that push are let go, and those that would be too long are taut from now on; what draws to a target with more than its
 /// most gives that from now on, or is a row again. Their rows are factored again. False where there are none. From limits::rope_rounds on ropes are

@@ -31,6 +31,7 @@ struct Figure {
     Index group;
     Index cursor;    ///< node that knows of all impulses of the figure; no_node: all do. See cursor.h
     uint8_t lane_i;  ///< of the group
+    bool was_beyond; ///< while its joints are pushed back from beyond their ends: some have been
     Index ground;    ///< slot of the body that cannot move, to which the root is tied, or no_body: the world, or nothing
     uint8_t doublings;  ///< of the substeps, that it asks for
     bool resolved;      ///< spins changed little in the last substep: targets of second order are right for it

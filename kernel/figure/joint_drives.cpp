@@ -153,7 +153,8 @@ void aim_drive(const FigureView& view, const DrivenRowView& all, JointRow& row, 
 bool saturate_drives(const FigureView& view, const DrivenRowView& all) {
     bool some = false;
     for (int i = 0; i < all.count; ++i) {  // bound: the rows of joint_row_capacity
-        const JointRow& row = all.list[i];
+        JointRow& row = all.list[i];
+        row.gave_way = false;
         if (!row.is_drive || !(row.most < unlimited)) continue;
         at_node(view, row.node, [&](const auto& rows, const auto& at, int row_i) {
             const FigureNode& node = rows.node(row_i, at.lane_i);
@@ -162,8 +163,7 @@ bool saturate_drives(const FigureView& view, const DrivenRowView& all) {
             scalar given[3] = {};
             given_by_drives(rows, at, all, row_i, given);
             if (!is_beyond(node.kind, given, row.direction_i, row.most)) return;
-            some = true;
-            motion.saturated = true;
+            some = row.gave_way = motion.saturated = true;
             if (is_ball(node.kind))
                 for (int k = 0; k < 3; ++k) drive_motion(node, all, k).saturated = true;
         });

@@ -26,7 +26,8 @@ void prepare_drives(const FigureView& view, const DrivenRowView& all, scalar h);
 /// What a drive gives if its rate does not change; of a saturated one the row. Needs: begin_solve, measure_joints.
 void aim_drive(const FigureView& view, const DrivenRowView& all, JointRow& row, scalar h);
 
-/// Marks the drives that are beyond their largest torque. True where there are some more: the substep is solved again. Needs: pass_impulses.
+/// Marks the drives that are beyond their largest torque: JointRow::gave_way of those that were not yet. True where there are some: their figures are
+/// solved again. Needs: pass_impulses.
 bool saturate_drives(const FigureView& view, const DrivenRowView& all);
 
 /// What drives have given in the substep. Needs: pass_impulses.

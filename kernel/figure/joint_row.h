@@ -34,6 +34,8 @@ struct JointRow {
     uint8_t direction_i;
     bool rests;           ///< it was at its end as the substep began
     bool is_drive;        ///< K is 0 then, and j what the drive gives beside what it resists, unless it is saturated
+    bool gave_way;        ///< the last saturate_drives has found it beyond its largest torque
+    bool stands;          ///< other islands are solved again, and its own is not
     Vector along;         ///< the drive of an impulse of 1 along the row: see FigureRow::drive
     scalar rate_begin;    ///< rad/s, m/s; before the forces of the substep
     scalar rate;          ///< after them

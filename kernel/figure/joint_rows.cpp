@@ -128,6 +128,7 @@ template <class Rows>
 void aim_joint_rows(const FigureView& view, const Rows& all, scalar h) {
     for (int i = 0; i < all.count; ++i) {  // bound: rows_of_joint max_joints
         JointRow& row = all.list[i];
+        if (row.stands) continue;
         if constexpr (Rows::has_drives) {
             if (row.is_drive) {
                 aim_drive(view, all, row, h);

@@ -19,7 +19,8 @@ namespace ingot { inline namespace INGOT_ABI {
 template <class Rows>
 void list_joint_rows(const FigureView& view, Rows& all, scalar h);
 
-/// What the rows ask for, and how the figures answer them. Those that rest get the impulses of the substep before. Needs: begin_solve, responses.
+/// What the rows that do not stand ask for, and how the figures answer them. Those that rest get the impulses of the substep before. Needs:
+/// begin_solve, responses.
 template <class Rows>
 void aim_joint_rows(const FigureView& view, const Rows& all, scalar h);
 

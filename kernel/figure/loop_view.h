@@ -71,6 +71,8 @@ struct LoopFigure {
     Index rank;            ///< of its rows, how many are independent
     bool was_apart;        ///< in some substep of the batch pushes have left a gap: with more substeps there is less to push
     bool is_settled;       ///< none of its ropes has come to its end, or was let go, since the substep was solved last
+    bool in_solve;         ///< in contact: the sweeps at hand began with its island
+    bool stands;           ///< in contact: sweeps go on without it: its impulses are left as they are
     int32_t first_row;     ///< of LoopView::z
     int32_t first_entry;   ///< of LoopView::L
     int32_t first_column;  ///< of LoopView::X: those of its first node

@@ -66,18 +66,22 @@ void aim_limits(const FigureView& view, JointRowView& all) {
 template <unsigned width>
 bool push_limits(const FigureRows<width>& rows, JointRowView& all, const WayBack& way) {
     using T = typename AllLanes<width>::T;
-    scalar flags[width];
+    scalar beyond[width], was_beyond[width];
     all.count = 0;
-    for (int lane_i = 0; lane_i < static_cast<int>(width); ++lane_i)  // bound: lanes
-        flags[lane_i] = list_limits(rows, rows.one(lane_i), all, way) ? 1 : 0;
+    for (int lane_i = 0; lane_i < static_cast<int>(width); ++lane_i) {  // bound: lanes
+        Figure& figure = rows.figure(lane_i);
+        was_beyond[lane_i] = way.again && figure.was_beyond ? 1 : 0;
+        beyond[lane_i] = list_limits(rows, rows.one(lane_i), all, way) ? 1 : 0;
+        figure.was_beyond = was_beyond[lane_i] + beyond[lane_i] > 0;
+    }
     if (all.count == 0 && !way.again) return false;
     T gap_sq{};
     for (int row_i = 0; row_i < rows.count(); ++row_i) {  // bound: max_bodies
         write(rows.all, rows[row_i].bias, rows.no_twist());
         if (rows.node(row_i).kind != JointKind::none) gap_sq = max(gap_sq, set_push(rows, row_i));
     }
-    const T gap_of_limits = splat<T>(way.again ? limits::joint_gap * limits::joint_gap : scalar_max);
-    const auto off = either(rows.all.get(flags) > T{}, gap_sq > gap_of_limits);
+    const auto left = both(rows.all.get(was_beyond) > T{}, gap_sq > splat<T>(limits::joint_gap * limits::joint_gap));
+    const auto off = either(rows.all.get(beyond) > T{}, left);
     if (!any(off)) return false;
     clear_impulses(rows);
     pass_from_none(rows);

@@ -49,6 +49,7 @@ struct HybridContacts : SweptContacts<PlainViewOf<View>, notes_impulses, bounces
         if (direct.some_chosen) solve_before_sweeps(whole, direct, step.bodies, h);
         ingot::solve_velocities(this->view);
         if (direct.some_chosen) solve_after_sweeps(whole, direct, step.bodies, h, report);
+        this->stay_passive(step.bodies, h);
         this->end_velocities(step.bodies, h);
         if (this->some_reverse) direct.loaded_island = -1;  // and are as wide as before
     }

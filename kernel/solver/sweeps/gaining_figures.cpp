@@ -74,6 +74,7 @@ void give_shares(Whole& whole, scalar h) {
         }
         give_joint_rows(jointed.figures, rows);
     }
+    stand_unless(solver, true, is_candidate);
     pass_contact_impulses(solver);
     end_passing(solver);
     end_jointed_sweeps(solver, jointed);

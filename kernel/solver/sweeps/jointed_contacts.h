@@ -55,22 +55,23 @@ struct SeesJoints : Contacts {
         jointed.is_fresh = false;
         if constexpr (Whole::has_joint_rows) list_joint_rows(jointed.figures, rows(), h);
     }
-    void solve_velocities(const ContactStep& step, scalar h, StepReport& report) {
+    void solve_velocities(const ContactStep& step, scalar h, StepReport&) {
         read_velocities(this->view, jointed);
         begin_solve(jointed.figures, this->view.loops, h);
         if constexpr (closes) forget_lacks(jointed.figures, this->view.loops);
-        solve_with_rows(step, h, report);
+        if constexpr (Whole::has_joint_rows) aim_joint_rows(jointed.figures, rows(), h);
+        this->sweep_passively(step.bodies, h);
         // Again where ropes come to their ends or are let go, and where targets are drawn to with all there is.
         if constexpr (closes)
-            for (int round = 0; settle_rows(jointed.figures, this->view.loops, round); ++round) solve_rows_again(step, h);  // bound: see there
+            // bound: see settle_rows
+            for (int round = 0; settle_rows(jointed.figures, this->view.loops, round); ++round) solve_loops_again(step.bodies, h);
+        if constexpr (closes) end_loops(jointed.figures, this->view.loops);
         if constexpr (closes) note_targets(jointed.figures, this->view.loops);
         // Again where drives turn out to be at their largest torque: figures answer contacts otherwise then.
         if constexpr (Whole::has_drives)
-            for (int round = 1; round < limits::drive_rounds && saturate_drives(jointed.figures, rows()); ++round) {
-                factor_driven(step.bodies, h);
-                begin_solve(jointed.figures, this->view.loops, h);
-                solve_with_rows(step, h, report);
-            }
+            for (int round = 1; round < limits::drive_rounds && saturate_drives(jointed.figures, rows()); ++round) solve_driven_again(step.bodies, h);
+        if constexpr (closes || Whole::has_drives) open_batch();
+        this->end_velocities(step.bodies, h);
         if constexpr (Whole::has_joint_rows) note_joint_rows(jointed.figures, rows(), h);
         end_solve(jointed.figures, h);
     }
@@ -119,26 +120,49 @@ private:
 
     auto& rows() { return this->whole.joint_rows; }
 
-    void solve_with_rows(const ContactStep& step, scalar h, StepReport& report) {
-        if constexpr (Whole::has_joint_rows) aim_joint_rows(jointed.figures, rows(), h);
-        Contacts::solve_velocities(step, h, report);
+    /// All islands of the batch are in it.
+    void open_batch() {
+        jointed.some_stand = false;
+        for (int island_i = 0; island_i < this->view.island_count; ++island_i)  // bound: max_bodies
+            this->view.islands[island_i].in_batch = this->view.islands[island_i].plan == this->view.plan;
     }
-    /// Islands whose rows are not as they were.
-    void solve_rows_again(const ContactStep& step, scalar h) {
-        refresh_jointed_blocks(this->view, step.bodies);
-        plan_sweeps(this->view);
-        for (int island_i = 0; island_i < this->view.island_count; ++island_i) this->view.islands[island_i].sweeps_on = false;  // bound: max_bodies
+    /// They leave it, but for those that open_island lets in again: an island is solved as it would be alone.
+    void close_batch() {
+        jointed.some_stand = true;
+        for (int island_i = 0; island_i < this->view.island_count; ++island_i) this->view.islands[island_i].in_batch = false;
+    }
+    /// Null: the body has gone bad.
+    Island* island_of(Index node) const {
+        const Index body_i = this->view.local_of[jointed.figures.nodes[node].slot];
+        return body_i == 0 ? nullptr : &this->view.islands[this->view.island_of[body_i]];
+    }
+    void open_island(Index node) {
+        if (Island* const island = island_of(node)) island->in_batch = true;
+    }
+    /// Of islands whose ties are not as they were.
+    void solve_loops_again(const BodyView& bodies, scalar h) {
+        close_batch();
         for_looped_figures(jointed.figures, this->view.loops, [&](const LoopFigure& of) {
-            const Index island_i = this->view.island_of[this->view.local_of[jointed.figures.nodes[of.first_node].slot]];
-            if (!of.is_settled && island_i != no_island) this->view.islands[island_i].sweeps_on = true;
+            if (!of.is_settled) open_island(of.first_node);
         });
-        ingot::solve_velocities(this->whole);
-        this->end_velocities(step.bodies, h);
+        refresh_in_solve(this->view, bodies);
+        this->sweep_passively(bodies, h);
     }
-    void factor_driven(const BodyView& bodies, scalar h) {
+    /// Of islands that have a drive which has given way.
+    void solve_driven_again(const BodyView& bodies, scalar h) {
+        close_batch();
+        for (int i = 0; i < rows().count; ++i)  // bound: rows_of_joint max_joints
+            if (rows().list[i].gave_way) open_island(rows().list[i].node);
+        for (int i = 0; i < rows().count; ++i) {
+            const Island* const island = island_of(rows().list[i].node);
+            rows().list[i].stands = island == nullptr || !island->in_batch;
+        }
         factor_figures(jointed.figures, rows(), h);
         respond_figures(jointed.figures, jointed.responses);
-        refresh_jointed_blocks(this->view, bodies);
+        refresh_in_solve(this->view, bodies);
+        begin_solve(jointed.figures, this->view.loops, h);
+        aim_joint_rows(jointed.figures, rows(), h);
+        this->sweep_passively(bodies, h);
     }
     /// Of the islands of the batch: those of the others stand.
     void forget_doublings() {

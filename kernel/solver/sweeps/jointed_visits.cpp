@@ -159,7 +159,9 @@ void pass_all_impulses(const FigureView& figures, const NoLoops&) { pass_impulse
 void pass_all_impulses(const FigureView& figures, const LoopView& loops) {
     add_loop_impulses(figures, loops);
     pass_impulses(figures);
-    for_looped_figures(figures, loops, [&](const LoopFigure& of) { find_lacks(figures, loops, of, true); });
+    for_looped_figures(figures, loops, [&](const LoopFigure& of) {
+        if (!of.stands) find_lacks(figures, loops, of, true);
+    });
 }
 
 }  // namespace
@@ -199,8 +201,9 @@ template <class View>
 void end_passing(const View& solver) {
     const JointedBodies& jointed = solver.jointed;
     if constexpr (decltype(solver.loops)::closes) {
+        for_looped_figures(jointed.figures, solver.loops, [](LoopFigure& of) { of.stands = !of.in_solve; });
         pass_contact_impulses(solver);
-        end_loops(jointed.figures, solver.loops);
+        close_all_loops(jointed.figures, solver.loops);
     } else {
         take_cursors_away(jointed.figures, jointed.responses);
     }

@@ -35,7 +35,19 @@ void excuse_jointed(View& solver) {
         if (solver.jointed.doublings_of[island_i] != 0) solver.islands[island_i].at_bound = false;
 }
 
-/// After the last sweep: changes of all bodies are those of all impulses, and of closed loops.
+/// Figures with loops stand where is_on(island) is false of theirs: an island does not know how long others are swept. begins: so do the sweeps.
+template <class View, class IsOn>
+INGOT_INLINE void stand_unless([[maybe_unused]] const View& solver, [[maybe_unused]] bool begins, [[maybe_unused]] const IsOn& is_on) {
+    if constexpr (decltype(solver.loops)::closes)
+        for_looped_figures(solver.jointed.figures, solver.loops, [&](LoopFigure& of) {
+            const Index body_i = solver.local_of[solver.jointed.figures.nodes[of.first_node].slot];
+            of.stands = body_i == 0 || !is_on(solver.islands[solver.island_of[body_i]]);
+            if (begins) of.in_solve = !of.stands;
+        });
+}
+
+/// After the last sweep: changes of all bodies are those of all impulses, and of closed loops. What these lack for it stays beside their impulses,
+/// until the island is swept again, or end_loops.
 template <class View>
 void end_passing(const View& solver);
 /// Bodies of figures have the velocities of the solve in SolverView::bodies too. Needs: changes of all bodies.

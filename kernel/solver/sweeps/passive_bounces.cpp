@@ -38,12 +38,25 @@ mask bounced_lanes(const ContactBlock& block) {
     return bounced;
 }
 
+/// Islands of blocks at hand have left the batch, while others are solved again.
+template <class View>
+bool some_stand([[maybe_unused]] const View& solver) {
+    if constexpr (View::articulates)
+        return solver.jointed.some_stand;
+    else
+        return false;
+}
+
 /// Those of the lanes whose islands may be swept again: what has no sweeps left keeps its bounces.
-mask lanes_with_sweeps(const SolverView& solver, const ContactBlock& block, mask some) {
-    if (solver.sweeps_of_step == no_budget) return some;
+template <class View>
+mask lanes_with_sweeps(const View& solver, const ContactBlock& block, mask some) {
+    if (solver.sweeps_of_step == no_budget && !some_stand(solver)) return some;
     unsigned with = bits(some);
-    for (int lane_i = 0; lane_i < lanes; ++lane_i)
-        if (block.island[lane_i] != no_island && spare_sweeps(solver, solver.islands[block.island[lane_i]]) + 1 < 1) with &= ~(1u << lane_i);
+    for (int lane_i = 0; lane_i < lanes; ++lane_i) {
+        if (block.island[lane_i] == no_island) continue;
+        const Island& island = solver.islands[block.island[lane_i]];
+        if (spare_sweeps(solver, island) + 1 < 1 || (some_stand(solver) && !island.in_batch)) with &= ~(1u << lane_i);
+    }
     return mask_from_bits(static_cast<uint16_t>(with));
 }
 

@@ -268,6 +268,9 @@ void sequence_impacts(const View& solver, scalar h, const StepNotes& notes, Step
     for (int island_i = 0; island_i < solver.island_count; ++island_i) {
         Island& island = solver.islands[island_i];
         if (!island.in_batch || !island.has_chains) continue;
+        // An impact of a body with joints is one of its whole figure, and solved with it.
+        if constexpr (View::articulates)
+            if (solver.jointed.doublings_of[island_i] != 0) continue;
         if (sequence_impacts_of<notes_impulses>(solver, island, h, notes, report)) island.steady = false;
     }
 }

@@ -3,6 +3,7 @@
 
 #include "../../base/limits.h"
 #include "../../figure/cursor.h"
+#include "../../figure/joint_rows.h"
 #include "conjugate_gradients.h"
 #include "jointed_visits.h"
 #include "sweep_joint_rows.h"
@@ -78,8 +79,8 @@ bool something_is_live(const Whole& solver) {
 
 }  // namespace
 
-void select_live(SolverView& solver) {
-    bool all = true;
+void select_live(SolverView& solver, bool some_stand) {
+    bool all = !some_stand;
     for (int island_i = 0; island_i < solver.island_count; ++island_i)
         all = all && (!solver.islands[island_i].in_batch || solver.islands[island_i].sweeps_on);
     solver.live = solver.visits;
@@ -91,9 +92,16 @@ template <class Whole>
 void solve_velocities(Whole& whole) {
     using View = typename WithoutRows<Whole>::Type;
     View& solver = without_rows(whole);
-    select_live(solver);
+    if constexpr (View::articulates)
+        select_live(solver, solver.jointed.some_stand);
+    else
+        select_live(solver);
     begin_sweeps(solver);
-    if constexpr (View::articulates) pass_contact_impulses(solver);
+    const auto is_swept = [](const Island& island) { return island.sweeps_on; };
+    if constexpr (View::articulates) {
+        stand_unless(solver, true, is_swept);
+        pass_contact_impulses(solver);
+    }
     for (int sweep_i = 1; something_is_live(whole); ++sweep_i) {  // bound: plan.sweeps_max: no island is live after its sweeps_max
         const bool up = !is_large(solver.plan) || goes_up(solver.effort, sweep_i, solver.substeps_left);
         sweep_velocities(solver, sweep_i, up);
@@ -108,13 +116,19 @@ void solve_velocities(Whole& whole) {
         if (settled.some) drop_settled(solver);
         extrapolate(without_belts(solver));
         if constexpr (Whole::has_joint_rows) extrapolate_joint_rows(solver, solver.jointed, whole.joint_rows);
-        if constexpr (View::articulates) pass_contact_impulses(solver);
+        if constexpr (View::articulates) {
+            stand_unless(solver, false, is_swept);
+            pass_contact_impulses(solver);
+        }
     }
     if constexpr (View::articulates) {
-        if constexpr (!decltype(solver.loops)::closes) pass_contact_impulses(solver);  // from the impulses alone: none knows how long others go on
+        for (int island_i = 0; island_i < solver.island_count; ++island_i) solver.islands[island_i].sweeps_on = false;  // some had nothing to sweep
+        // From the impulses alone: an island does not know how long others have gone on.
+        if constexpr (Whole::has_joint_rows) give_joint_rows(solver.jointed.figures, whole.joint_rows);
+        if constexpr (!decltype(solver.loops)::closes) pass_contact_impulses(solver);
         end_passing(solver);
+        end_jointed_sweeps(solver, solver.jointed);
     }
-    if constexpr (View::articulates) end_jointed_sweeps(solver, solver.jointed);
 }
 
 // The linker takes the one that the scene calls.

@@ -12,7 +12,8 @@ namespace ingot { inline namespace INGOT_ABI {
 template <class View>
 void solve_velocities(View& solver);
 
-/// Makes the visits of a batch to islands whose sweeps are on the live ones, without the lanes of other islands. The order stays.
-void select_live(SolverView& solver);
+/// Makes the visits of a batch to islands whose sweeps are on the live ones, without the lanes of other islands. The order stays. some_stand: islands
+/// that have visits are not in the batch.
+void select_live(SolverView& solver, bool some_stand = false);
 
 } }  // namespace ingot

@@ -32,9 +32,9 @@ INGOT_INLINE bool visit_positions(const SolverView& solver, ContactBlock& block,
     return any(both(due.lands, active));
 }
 
-/// The same of a visit whose bodies have joints.
+/// The same of a visit whose bodies have joints. Returns the lanes with points that land: the cursors of others stay where they are.
 template <int rows, class View>
-INGOT_INLINE bool visit_jointed_positions(const View& solver, int block_i, ContactBlock& block, uint16_t lane_bits, scalar h, bool again) {
+INGOT_INLINE uint16_t visit_jointed_positions(const View& solver, int block_i, ContactBlock& block, uint16_t lane_bits, scalar h, bool again) {
     bring_displacements(solver, solver.jointed, solver.loops, block, lane_bits);
     const mask active = lanes_of(lane_bits);
     const Vec3<lane> n = load(block.n);
@@ -43,7 +43,7 @@ INGOT_INLINE bool visit_jointed_positions(const View& solver, int block_i, Conta
     Pushes due = Normals::pushes_due<rows>(block, n, pair, h, solver.unit);
     if (again) due.off = both(both(due.off, due.lands), is_used(block, 1));
     due.off = both(due.off, active);
-    if (!any(due.off)) return false;
+    if (!any(due.off)) return 0;
     const Row4 q = Normals::push<rows>(block, due, limits::approach_slack * h * solver.unit, active);
     lane sum{};
     for (int row = 0; row < rows; ++row) {  // bound: 4: block_rows
@@ -53,9 +53,11 @@ INGOT_INLINE bool visit_jointed_positions(const View& solver, int block_i, Conta
     }
     add_linear(pair, n * sum, lane{}, lane{});
     settle_push(pair);
-    scatter_bodies(solver, block, lane_bits, pair, &SolverBody::dp, &SolverBody::dth);
-    give_wrenches(solver.jointed, solver.loops, block, lane_bits, given_to(pair));
-    return any(both(due.lands, active));
+    // To no lane that is pushed nowhere: its cursor would move, for what other lanes need.
+    const auto pushed = static_cast<uint16_t>(lane_bits & bits(due.off));
+    scatter_bodies(solver, block, pushed, pair, &SolverBody::dp, &SolverBody::dth);
+    give_wrenches(solver.jointed, solver.loops, block, pushed, given_to(pair));
+    return static_cast<uint16_t>(lane_bits & bits(due.lands) & pushed);
 }
 
 /// A visit whose normals have no levers: displacements do all of it.
@@ -82,11 +84,11 @@ void sweep_positions(const View& solver, const Visit* visits, int visit_count, s
         ContactBlock& block = solver.blocks[visit.block];
         if constexpr (View::articulates)
             if (is_jointed(solver.jointed, visit.block)) {
-                bool lands = true;
-                for (int push_i = 0; push_i < limits::landing_pushes && lands; ++push_i)
-                    lands = has_one_row(solver, block)
-                                ? visit_jointed_positions<1>(solver, visit.block, block, visit.lane_bits, h, push_i > 0)
-                                : visit_jointed_positions<View::points_max>(solver, visit.block, block, visit.lane_bits, h, push_i > 0);
+                uint16_t land = visit.lane_bits;
+                for (int push_i = 0; push_i < limits::landing_pushes && land != 0; ++push_i)
+                    land = has_one_row(solver, block)
+                               ? visit_jointed_positions<1>(solver, visit.block, block, land, h, push_i > 0)
+                               : visit_jointed_positions<View::points_max>(solver, visit.block, block, land, h, push_i > 0);
                 continue;
             }
         if (block.central) {

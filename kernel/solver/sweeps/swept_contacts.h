@@ -72,8 +72,7 @@ struct SweptContacts {
         some_reverse = is_small_moving(view.plan) && begin_reversals(with_belts(view), h);
     }
     void solve_velocities(const ContactStep& step, scalar h, StepReport&) {
-        plan_sweeps(view);
-        ingot::solve_velocities(whole);
+        sweep_passively(step.bodies, h);
         end_velocities(step.bodies, h);
     }
     void note_impulses([[maybe_unused]] const StepNotes& notes) {
@@ -97,28 +96,31 @@ protected:
     View& view;
     bool some_reverse = false;  ///< the slip of some contact turns round in this substep
 
-    /// What follows on the sweeps.
-    void end_velocities(const BodyView& bodies, scalar h) {
-        if (some_reverse && take_back_reversals(view)) ingot::solve_velocities(whole);
-        solve_passively(bodies, h);
-        if (some_reverse) end_reversals(view, h);
+    /// Sweeps, and again where sweeps that did not settle give energy, and where bounces do: each time these are lower.
+    void sweep_passively(const BodyView& bodies, scalar h) {
+        plan_sweeps(view);
+        ingot::solve_velocities(whole);
+        stay_passive(bodies, h);
     }
-
-private:
-    /// Solves again where sweeps that did not settle give energy, and where bounces do: each time these are lower.
-    void solve_passively(const BodyView& bodies, scalar h) {
+    void stay_passive(const BodyView& bodies, scalar h) {
+        if (some_reverse && take_back_reversals(view)) ingot::solve_velocities(whole);
         if constexpr (Whole::has_drives) excuse_driven(view, view.jointed, whole.joint_rows);
         if constexpr (View::articulates && !View::has_belts) hold_gaining_figures(whole, bodies, h);
         if constexpr (View::articulates) excuse_jointed(view);
         // Belts do give energy.
         if constexpr (!View::has_belts)
             for (int round = 0; round < limits::gaining_rounds && find_gaining_islands(view, bodies, h); ++round) ingot::solve_velocities(whole);
-        if constexpr (bounces) {
+        if constexpr (bounces)
             for (int round = 0; round < limits::bounce_rounds && lower_bounces(view, h); ++round) ingot::solve_velocities(whole);
-            take_back_bounces(view, h);
-        }
-        if constexpr (!View::has_belts) hold_diverged_islands(view, bodies, h);
     }
+    /// What follows on the last of all sweeps.
+    void end_velocities(const BodyView& bodies, scalar h) {
+        if constexpr (bounces) take_back_bounces(view, h);
+        if constexpr (!View::has_belts) hold_diverged_islands(view, bodies, h);
+        if (some_reverse) end_reversals(view, h);
+    }
+
+private:
     void prepare(const ContactStep& step) {
         if constexpr (View::articulates) begin_jointed_batch(view);
         prepare_blocks(view, step.bodies);

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+// Figures in company: each moves as if it were alone, to the bit, whatever else the world has, in whatever order bodies and joints came in.
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <vector>
+
+#include "random_trees.h"
+#include "reference/draws.h"
+#include "scene_in_world.h"
+
+namespace {
+
+using namespace figures;
+using namespace ingot_figures;
+
+struct Party : ingot::Scene {
+    static constexpr int max_bodies = 64, max_joints = 80, max_manifolds = 240, max_pairs = 600;
+    static constexpr bool translates = true;
+    using joints = AllJoints;
+    using shapes = ingot::Shapes<ingot::Box, ingot::HalfSpace>;
+};
+struct Limited : Party {
+    using joints = AllJointsWith<ingot::WithLimits>;
+};
+struct Driven : Party {
+    using joints = AllJointsWith<ingot::WithLimits, ingot::WithDrives>;
+};
+struct Looped : Party {
+    static constexpr int max_loops = 8;
+};
+struct Tied : Party {
+    static constexpr int max_loops = 16;
+    using joints = AllJointsWith<ingot::RodJoint, ingot::RopeJoint>;
+};
+struct Swinging : Party {
+    using figure_motion = ingot::EnergyMomentum<>;
+};
+struct Sleepy : Limited {
+    static constexpr bool sleeps = true;
+};
+
+struct Guest {
+    FigureScene scene;
+    double torque;  ///< N m, the most of its drives
+    std::vector<ingot::BodyId> bodies;
+    std::vector<ingot::JointId> joints;
+};
+
+/// A tree that falls, beside boxes that it falls on; with limits, loops or ties where the scene has them.
+template <class Scene>
+Guest drawn_guest(RandomInput& random) {
+    FigureScene scene;
+    if constexpr (Scene::joints::has_limits)
+        scene = limited_tree(random, 8, false, 6);
+    else
+        scene = Scene::max_loops > 0 && !Scene::joints::has_ties && random.integer(0, 1) == 1 ? ring_and_tree(random) : plain_tree(random);
+    double z = 0;
+    for (FigureBody& body : scene.bodies) {
+        body.half_extent *= 0.3;
+        body.restitution = random.integer(0, 1) * 0.4;
+        z = std::max(z, random.real(0.01, 0.5) + body.half_extent.norm() - body.r_CM.z());
+    }
+    for (FigureBody& body : scene.bodies) body.r_CM.z() += z;
+    for (FigureJoint& joint : scene.joints) joint.anchor.z() += z;
+    const int figure_bodies = scene.body_count();
+    for (int i = random.integer(0, 2); i > 0; --i) {
+        const Vector3d half(random.real(0.1, 0.3), random.real(0.1, 0.3), 0.1);
+        scene.add(box(random.real(1, 50), half, {random.real(-0.5, 0.5), random.real(-0.5, 0.5), 0.1 + 0.2 * i}));
+    }
+    if constexpr (Scene::joints::has_ties)
+        for (int i = random.integer(0, 2); i > 0; --i) {
+            FigureJoint tie;
+            tie.kind = FigureJointKind::distance;
+            tie.body_A = random.integer(0, figure_bodies - 1);
+            tie.body_B = (tie.body_A + random.integer(1, scene.body_count() - 1)) % scene.body_count();
+            if (tie.body_B == tie.body_A) continue;
+            tie.anchor = scene.body(tie.body_A).r_CM;
+            tie.anchor_B = scene.body(tie.body_B).r_CM;
+            tie.most = (tie.anchor - tie.anchor_B).norm() * (1 + random.integer(0, 1) * random.real(0, 0.5));
+            if (tie.most < 0.05) continue;
+            if (random.integer(0, 1) == 1) tie.least = tie.most;
+            scene.join(tie);
+        }
+    return {scene, random.real(0.5, 200), {}, {}};
+}
+
+/// Guests 30 m apart, whose bodies and joints come in at random turns.
+template <class Scene>
+class Gathering {
+public:
+    Gathering(std::vector<Guest> guests, const std::vector<int>& places, uint64_t seed) : guests_(std::move(guests)), random_(seed) {
+        sound = add_ground(*world_) && weigh(*world_);
+        for (std::size_t i = 0; i < guests_.size(); ++i)
+            for (FigureBody& body : guests_[i].scene.bodies) body.r_CM.x() += 30.0 * places[i];
+        in_turns([](const Guest& guest) { return guest.bodies.size() < guest.scene.bodies.size(); }, [&](Guest& guest) {
+            const auto id = world_->add(definition_of<Scene>(guest.scene.bodies[guest.bodies.size()]));
+            sound = sound && id.ok();
+            guest.bodies.push_back(id.value);
+        });
+        in_turns([](const Guest& guest) { return guest.joints.size() < guest.scene.joints.size(); }, [&](Guest& guest) {
+            FigureJoint joint = guest.scene.joints[guest.joints.size()];
+            const double x = 30.0 * places[static_cast<std::size_t>(&guest - guests_.data())];
+            joint.anchor.x() += x;
+            joint.anchor_B.x() += x;
+            guest.joints.push_back(join(guest, joint));
+        });
+    }
+
+    void step(scalar h) { (void)ingot::step(*world_, h); }
+    const Guest& guest(std::size_t i) const { return guests_[i]; }
+    const ingot::World<Scene>& world() const { return *world_; }
+    bool sound;
+
+private:
+    template <class Waits, class Act>
+    void in_turns(const Waits& waits, const Act& act) {
+        for (bool some = true; some;) {
+            some = false;
+            for (const Guest& guest : guests_) some = some || waits(guest);
+            Guest& guest = guests_[static_cast<std::size_t>(random_.integer(0, static_cast<int>(guests_.size()) - 1))];
+            if (some && waits(guest)) act(guest);
+        }
+    }
+    ingot::JointId join(const Guest& guest, const FigureJoint& joint) {
+        const auto body_of = [&](int body_i) { return body_i == the_world ? ingot::BodyId{} : guest.bodies[static_cast<std::size_t>(body_i)]; };
+        const auto id = world_->add_joint(joint_def(joint, body_of));
+        sound = sound && id.ok();
+        if constexpr (Scene::joints::has_drives) {
+            const ingot::JointDrive drive = ingot::SpringDrive{200, 5, scalar(0.5), 0, 0, static_cast<scalar>(guest.torque)};
+            if (world_->set_joint_drive(id.value, drive) != ingot::Status::ok) (void)world_->set_ball_drive(id.value, drive);
+        }
+        return id.value;
+    }
+
+    std::unique_ptr<ingot::World<Scene>> world_ = std::make_unique<ingot::World<Scene>>();
+    std::vector<Guest> guests_;
+    RandomInput random_;
+};
+
+template <class Scene>
+class FiguresInCompany : public testing::Test {};
+using Scenes = testing::Types<Party, Limited, Driven, Looped, Tied, Swinging, Sleepy>;
+TYPED_TEST_SUITE(FiguresInCompany, Scenes);
+
+TYPED_TEST(FiguresInCompany, move_as_if_alone) {
+    RandomInput random(21);
+    for (int case_i = 0; case_i < ingot_reference::draws(24); ++case_i) {
+        std::vector<Guest> guests;
+        for (int i = 0; i < 4; ++i) guests.push_back(drawn_guest<TypeParam>(random));
+        const double rate = rates[random.integer(0, 4)];
+        Gathering<TypeParam> together(guests, {0, 1, 2, 3}, static_cast<uint64_t>(case_i));
+        std::vector<std::unique_ptr<Gathering<TypeParam>>> alone;
+        for (int i = 0; i < 4; ++i)
+            alone.push_back(std::make_unique<Gathering<TypeParam>>(std::vector<Guest>{guests[static_cast<std::size_t>(i)]}, std::vector<int>{i}, 1));
+        ASSERT_TRUE(together.sound);
+        for (int step_i = 0; step_i < std::min(200, static_cast<int>(2 * rate)); ++step_i) {
+            together.step(static_cast<scalar>(1 / rate));
+            for (std::size_t i = 0; i < 4; ++i) {
+                alone[i]->step(static_cast<scalar>(1 / rate));
+                ASSERT_TRUE(are_same(together.world(), alone[i]->world(), together.guest(i).bodies, alone[i]->guest(0).bodies))
+                    << "case " << case_i << ", guest " << i << ", " << rate << " Hz, step " << step_i;
+            }
+        }
+    }
+}
+
+}  // namespace
