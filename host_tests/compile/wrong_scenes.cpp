@@ -343,6 +343,11 @@ struct Wrong : ingot::Scene {
     static constexpr int max_joints = 1;
     using joints = ingot::Joints<ingot::FixedJoint, ingot::WithLimits>;
 #endif
+#ifdef WHEELS_WITHOUT_DRIVES
+    static constexpr bool translates = true;
+    static constexpr int max_joints = 1;
+    using joints = ingot::Joints<ingot::WheelJoint>;
+#endif
 #ifdef DRIVES_OF_NOTHING
     static constexpr bool translates = true;
     static constexpr int max_joints = 1;

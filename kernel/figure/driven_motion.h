@@ -61,9 +61,14 @@ DriveError error_of(const FigureRows<width>& rows, const OneLane<width>& at, con
     const JointDrive& drive = drive_of(node, all, direction_i);
     const scalar sign = of_record(node, direction_i).sign;
     const Vector rates = free_rates_now(rows, at, row_i);
-    const scalar target = (drive.target + drive.target_rate * rows.view.elapsed) * sign;
+    const scalar target = (drive.target + drive.target_rate * rows.view.elapsed) * sign, feedforward = drive.feedforward * sign;
+    if (direction_i == 2) {
+        const scalar off = steering_of(node.kind, sides_now(rows, at, row_i, true)) - target;
+        int32_t turns = 0;
+        return {nearest_turn(off, 0, turns), rates.z - drive.target_rate * sign, feedforward};
+    }
     return {value_of(node, all.motions[node.joint], direction_i) - target, (direction_i == 0 ? rates.x : rates.y) - drive.target_rate * sign,
-            drive.feedforward * sign};
+            feedforward};
 }
 
 } }  // namespace ingot

@@ -109,8 +109,8 @@ INGOT_INLINE void write(const At& at, Spatial6Rows<At::width>& to, const Spatial
     write(at, to.C, value.C);
 }
 
-/// A body of a figure. Twists and impulses are taken at q, where its own joint is, the one towards the root; those of a floating root at its centre
-/// of mass.
+/// A body of a figure. Twists and impulses are taken at q, where its own joint is, the one towards the root, of a wheel on its axle; those of a
+/// floating root at its centre of mass.
 template <unsigned width>
 struct FigureRow {
     // Of the body. Centre of mass, orientation and motion go along in the substeps.

@@ -21,8 +21,10 @@ struct FigureNode {
     JointKind kind;  ///< of its joint; none: it has none
     bool is_A;       ///< the body is A of its joint
 };
-/// What lengths of limits.h are of, where a joint goes along its free direction: m of a slider, rad of others.
-INGOT_INLINE scalar unit_of_travel(JointKind kind, scalar unit) { return kind == JointKind::slider ? unit : scalar(1); }
+/// What lengths of limits.h are of, where a joint goes along its free direction: m of a slider and of a wheel's travel, rad of others.
+INGOT_INLINE scalar unit_of_travel(JointKind kind, int direction_i, scalar unit) {
+    return kind == JointKind::slider || (is_wheel(kind) && direction_i == 1) ? unit : scalar(1);
+}
 INGOT_INLINE bool is_ball(JointKind kind) { return kind == JointKind::ball || kind == JointKind::driven_ball; }
 
 /// A tree: nodes [first_node .. first_node + node_count), depth first.

@@ -46,6 +46,18 @@ void set_gains(const JointDrive& drive, DriveMotion& motion, scalar h) {
     }
 }
 
+/// How a wheel's spring meets what it carries: of a wheel that is held. Where that cannot move, as any joint.
+template <unsigned width>
+scalar compliance_of_carried(const FigureRows<width>& rows, const OneLane<width>& at, const JointRowView& all, int row_i) {
+    const FigureRow<width>& row = rows[row_i];
+    const FigureNode& node = rows.node(row_i, at.lane_i);
+    if (node.kind == JointKind::carriage) return at.get(row.inv_D[1]);
+    if (node.parent == no_node) return compliance_of(rows, at, all, row_i, unit_along(1));
+    const Vector d = read(at, row.d), along = read(at, row.axis_of_parent);
+    const Spatial<scalar> sent = impulse_from(Spatial<scalar>{Vector{}, along}, d);
+    return dot(along, twist_at(read(at, rows.response(all.responses, node.parent)) * sent, d).v);
+}
+
 /// What the drives of a joint have given in the solve: pull - R dq of each, without the digits that this loses where R is much more than the inertia.
 template <unsigned width>
 void given_by_drives(const FigureRows<width>& rows, const OneLane<width>& at, const DrivenRowView& all, int row_i, scalar (&given)[3]) {
@@ -79,11 +91,31 @@ bool is_beyond(JointKind kind, const scalar (&given)[3], int direction_i, scalar
 
 }  // namespace
 
-void name_driven_balls(const FigureView& view, const DrivenRowView& all) {
+void name_driven_kinds(const FigureView& view, const DrivenRowView& all) {
     for (int node_i = 0; node_i < view.node_count; ++node_i) {  // bound: max_bodies
         FigureNode& node = view.nodes[node_i];
+        if (node.kind == JointKind::wheel && node.is_A) node.kind = JointKind::carriage;
         if (node.kind == JointKind::ball && drives_of(node, all)->drive.kind != DriveKind::none) node.kind = JointKind::driven_ball;
     }
+}
+
+bool place_carriages(const FigureView& view) {
+    bool some = false;
+    for_joints(view, [&](const auto& rows, const auto& at, int row_i) {
+        auto& row = rows[row_i];
+        const FigureNode& node = rows.node(row_i, at.lane_i);
+        if (node.parent != no_node && rows.node(node.parent, at.lane_i).kind == JointKind::carriage) {
+            const auto& parent = rows[node.parent];  // which comes before
+            const Vector q = (read(at, row.r) - read(at, row.c)) - (read(at, parent.r) - read(at, parent.c));
+            write(at, row.d, q);
+        }
+        if (node.kind != JointKind::carriage) return;
+        some = true;
+        const Vector along = read(at, row.axis), to_wheel = along * -dot(along, sides_now(rows, at, row_i, false).gap);
+        write(at, row.c, read(at, row.c) - to_wheel);
+        if (node.parent != no_node) write(at, row.d, read(at, row.d) + to_wheel);
+    });
+    return some;
 }
 
 void begin_drives(const FigureView& view, const DrivenRowView& all) {
@@ -91,7 +123,7 @@ void begin_drives(const FigureView& view, const DrivenRowView& all) {
         const int count = driven_directions(node.kind);
         scalar K[3] = {}, sum = 0;
         for (int i = 0; i < count; ++i) {  // bound: 3
-            K[i] = compliance_of(rows, at, all, row_i, unit_along(i));
+            K[i] = is_wheel(node.kind) && i == 1 ? compliance_of_carried(rows, at, all, row_i) : compliance_of(rows, at, all, row_i, unit_along(i));
             sum += K[i] / 3;
         }
         for (int i = 0; i < count; ++i) {

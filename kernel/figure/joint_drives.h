@@ -36,7 +36,11 @@ void note_drives(const FigureView& view, const DrivenRowView& all);
 /// Mean torques of the step, and targets that go on: of figures that do not begin it again. Before keep_figures. doublings: of the batch.
 void keep_drives(const FigureView& view, const DrivenRowView& all, int doublings);
 
-/// Ball joints that have a drive, of the figures of the step. After build_figures.
-void name_driven_balls(const FigureView& view, const DrivenRowView& all);
+/// Where wheels are nearer to the root than what they carry: twists of that are taken on its suspension, where the wheel is. After place_joints.
+/// False: there are none.
+bool place_carriages(const FigureView& view);
+
+/// Ball joints that have a drive, and wheels that are nearer to the root than what they carry, of the figures of the step. After build_figures.
+void name_driven_kinds(const FigureView& view, const DrivenRowView& all);
 
 } }  // namespace ingot

@@ -20,14 +20,14 @@ void measure_row(const FigureRows<width>& rows, const JointRowView& all, int row
     if (limited_directions(kind) == 0) return;
     const JointValues<T> now = measure(kind, sides_now(rows, rows.all, row_i, true));
     T way{};
-    if (kind == JointKind::hinge && h > 0) way = free_rates_now(rows, rows.all, row_i).x * splat<T>(h);
+    if (turns_round(kind) && h > 0) way = free_rates_now(rows, rows.all, row_i).x * splat<T>(h);
     scalar values[2][width], ways[width];
     rows.all.put(values[0], now.of[0]);
     rows.all.put(values[1], now.of[1]);
     rows.all.put(ways, way);
     for (int lane_i = 0; lane_i < static_cast<int>(width); ++lane_i) {  // bound: lanes
         JointMotion& motion = all.motions[rows.node(row_i, lane_i).joint];
-        if (kind == JointKind::hinge) {
+        if (turns_round(kind)) {
             int32_t more = 0;
             (void)nearest_turn(values[0][lane_i], motion.value[0] + ways[lane_i], more);
             motion.turns += more;
@@ -46,7 +46,7 @@ JointMotion recalled(const FigureNode& node, const JointRowView& all, scalar sha
         motion.j[i] = limit.j[of.direction_i] * (of.sign * share);
         motion.leave[i] = limit.leave[of.direction_i] * of.sign;
     }
-    if (node.kind == JointKind::hinge) {
+    if (turns_round(node.kind)) {
         motion.value[0] = node.is_A ? -angle.angle : angle.angle;
         motion.turns = node.is_A ? -angle.turns : angle.turns;
     }
@@ -76,7 +76,7 @@ void begin_joint_motions(const FigureView& view, const JointRowView& all) {
         for (int i = 0; i < limits_of(node, all); ++i) {  // bound: 2
             const JointRange ends = ends_of(node, i, all.limits[node.joint].limits);
             const scalar value = value_of(node, motion, i);
-            const scalar slack = limits::limit_slack * unit_of_travel(node.kind, rows.view.unit);
+            const scalar slack = limits::limit_slack * unit_of_travel(node.kind, i, rows.view.unit);
             motion.returns[i] = ends.lower - value > slack || value - ends.upper > slack;
         }
     });
@@ -101,7 +101,7 @@ void keep_joint_motions(const FigureView& view, const JointRowView& all, int dou
             limit.j[of.direction_i] = motion.j[i] * (of.sign * scale);
             limit.leave[of.direction_i] = motion.leave[i] * of.sign;
         }
-        if (node.kind != JointKind::hinge) return;
+        if (!turns_round(node.kind)) return;
         AngleRecord& angle = all.angles[node.joint];
         angle.angle = node.is_A ? -motion.value[0] : motion.value[0];
         angle.turns = node.is_A ? -motion.turns : motion.turns;

@@ -24,7 +24,7 @@ void list_row(const FigureRows<width>& rows, const OneLane<width>& at, JointRowV
     if (ends.lower > -unlimited || ends.upper < unlimited) {
         row.along = along_direction(node.kind, direction_i, sides_now(rows, at, row_i, true));
         row.rate_begin = dot(row.along, free_rates_now(rows, at, row_i));
-        const scalar reach = limits::limit_reach * unit_of_travel(node.kind, rows.view.unit) + 2 * h * abs(row.rate_begin);
+        const scalar reach = limits::limit_reach * unit_of_travel(node.kind, direction_i, rows.view.unit) + 2 * h * abs(row.rate_begin);
         is_near = is_near || value - ends.lower < reach || ends.upper - value < reach;
     }
     if (!is_near) {
@@ -54,8 +54,9 @@ void list_drives(const FigureRows<width>& rows, const OneLane<width>& at, Driven
 /// Where a direction will be at the end of the substep, as the sides are ahead. value: where it is.
 scalar value_ahead(JointKind kind, const JointSides<scalar>& sides, const JointRow& row, scalar value, scalar h) {
     const scalar ahead = measure(kind, sides).of[row.direction_i];
+    if (kind == JointKind::carriage && row.direction_i == 1) return value + ahead;  // its sides are taken where the wheel is
     int32_t turns = 0;
-    return kind == JointKind::hinge ? nearest_turn(ahead, value + h * row.rate, turns) : ahead;
+    return turns_round(kind, row.direction_i) ? nearest_turn(ahead, value + h * row.rate, turns) : ahead;
 }
 
 /// By how much a rate may change downwards, where the joint is `room` above its end, `room_ahead` if nothing acts. leave: rad/s, m/s, from the end;
@@ -74,7 +75,7 @@ void aim_row(const FigureRows<width>& rows, const OneLane<width>& at, const Join
     if (is_ball(node.kind)) row.along = along_direction(node.kind, row.direction_i, sides);
     row.rate = dot(row.along, free_rates_now(rows, at, row_i));
     const scalar value = value_of(node, motion, row.direction_i), ahead = value_ahead(node.kind, sides, row, value, h);
-    const scalar leave = motion.leave[row.direction_i], slack = limits::limit_slack * unit_of_travel(node.kind, rows.view.unit);
+    const scalar leave = motion.leave[row.direction_i], slack = limits::limit_slack * unit_of_travel(node.kind, row.direction_i, rows.view.unit);
     row.K = compliance_of(rows, at, all, row_i, row.along);
     row.lower = -unlimited;
     row.upper = unlimited;

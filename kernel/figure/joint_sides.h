@@ -40,7 +40,7 @@ template <class T>
 INGOT_INLINE Spatial<T> twist_back(JointKind kind, const JointSides<T>& of) {
     Spatial<T> back = {Vec3<T>{}, -of.gap};
     if (kind == JointKind::hinge) back.w = cross(of.axis, of.axis_of_parent);
-    if (kind == JointKind::universal) {
+    if (kind == JointKind::universal || is_wheel(kind)) {
         const Vec3<T> x = cross(of.axis_of_parent, of.axis);
         back.w = x * (dot(of.axis_of_parent, of.axis) / length_sq(x));
     }
@@ -49,7 +49,10 @@ INGOT_INLINE Spatial<T> twist_back(JointKind kind, const JointSides<T>& of) {
         const Vec3<T> sum = cross(of.axis, of.axis_of_parent) + cross(of.side, of.side_of_parent) + cross(third, third_of_parent);
         back.w = sum * splat<T>(scalar(0.5));
     }
-    if (kind == JointKind::slider) back.v = of.axis_of_parent * dot(of.gap, of.axis_of_parent) - of.gap;
+    if (kind == JointKind::slider || is_wheel(kind)) {
+        const Vec3<T>& along = kind == JointKind::carriage ? of.axis : of.axis_of_parent;
+        back.v = along * dot(of.gap, along) - of.gap;
+    }
     return back;
 }
 

@@ -45,8 +45,16 @@ INGOT_INLINE JointValues<T> measure(JointKind kind, const JointSides<T>& of) {
         case JointKind::slider: return {{dot(of.gap, of.axis_of_parent), T{}}};
         case JointKind::universal:
             return {{angle_about(of.axis_of_parent, of.side_of_parent, of.axis), angle_about(of.axis, of.axis_of_parent, of.side)}};
+        case JointKind::wheel: return {{angle_about(of.axis, of.axis_of_parent, of.side), dot(of.gap, of.axis_of_parent)}};
+        case JointKind::carriage: return {{angle_about(of.axis_of_parent, of.side_of_parent, of.axis), dot(of.gap, of.axis)}};
         default: return {};
     }
+}
+
+/// rad, how far a wheel is steered, in -pi .. pi.
+INGOT_INLINE scalar steering_of(JointKind kind, const JointSides<scalar>& of) {
+    if (kind == JointKind::carriage) return angle_about(of.axis, of.axis_of_parent, of.side);
+    return angle_about(of.axis_of_parent, of.side_of_parent, of.axis);
 }
 
 /// What a drive of 1 along a direction is; of a cone whose axis is in its middle: none.
@@ -68,6 +76,12 @@ INGOT_INLINE Vec3<T> free_rates(const At& at, const FigureRow<At::width>& row, J
         case JointKind::hinge: return {dot(read(at, row.axis), u.w), none, none};
         case JointKind::slider: return {dot(read(at, row.axis_of_parent), u.v), none, none};
         case JointKind::universal: return {dot(read(at, row.axis_of_parent), u.w), dot(read(at, row.axis), u.w), none};
+        case JointKind::wheel:
+        case JointKind::carriage: {
+            const bool of_A = kind == JointKind::carriage;
+            const Vec3<T> along = read(at, of_A ? row.axis : row.axis_of_parent), axle = read(at, of_A ? row.axis_of_parent : row.axis);
+            return {dot(axle, u.w), dot(along, u.v), dot(along, u.w)};
+        }
         default: return {none, none, none};
     }
 }
@@ -118,10 +132,13 @@ INGOT_INLINE JointRange ends_of(const FigureNode& node, int direction_i, const J
     return of.sign < 0 ? JointRange{-range.upper, -range.lower} : range;
 }
 
-/// rad, m; an angle of a hinge with its whole turns.
+/// Whether a direction goes on over whole turns.
+INGOT_INLINE bool turns_round(JointKind kind, int direction_i = 0) { return kind == JointKind::hinge || (is_wheel(kind) && direction_i == 0); }
+
+/// rad, m; an angle of a hinge or of a wheel with its whole turns.
 INGOT_INLINE scalar value_of(const FigureNode& node, const JointMotion& motion, int direction_i) {
     const scalar value = motion.value[direction_i];
-    return node.kind == JointKind::hinge ? value + static_cast<scalar>(motion.turns) * whole_turn : value;
+    return turns_round(node.kind, direction_i) ? value + static_cast<scalar>(motion.turns) * whole_turn : value;
 }
 
 /// The angle that is whole turns from `angle` and nearest to `guess`.

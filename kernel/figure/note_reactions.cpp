@@ -48,6 +48,12 @@ INGOT_INLINE Spatial<T> locked_part(const At& at, const FigureRow<At::width>& ro
             const Vec3<T> x = cross(read(at, row.axis_of_parent), read(at, row.axis));
             return {x * (dot(x, f.w) / length_sq(x)), f.v};
         }
+        case JointKind::wheel:
+        case JointKind::carriage: {
+            const Vec3<T> along = read(at, kind == JointKind::carriage ? row.axis : row.axis_of_parent);
+            const Vec3<T> x = cross(read(at, row.axis_of_parent), read(at, row.axis));
+            return {x * (dot(x, f.w) / length_sq(x)), f.v - along * dot(along, f.v)};
+        }
         default: return f;
     }
 }

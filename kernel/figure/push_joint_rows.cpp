@@ -32,7 +32,7 @@ bool list_limits(const FigureRows<width>& rows, const OneLane<width>& at, JointR
         for (int i = 0; i < limited_directions(node.kind); ++i) {  // bound: 2
             const JointRange ends = ends_of(node, i, all.limits[node.joint].limits);
             const JointMotion& motion = all.motions[node.joint];
-            const scalar value = value_of(node, motion, i), unit = unit_of_travel(node.kind, rows.view.unit), reach = limits::limit_reach * unit;
+            const scalar value = value_of(node, motion, i), unit = unit_of_travel(node.kind, i, rows.view.unit), reach = limits::limit_reach * unit;
             if (value - ends.lower > reach && ends.upper - value > reach) continue;
             JointRow row{};
             row.node = static_cast<Index>(rows.figure(at.lane_i).first_node + row_i);

@@ -35,18 +35,25 @@ scalar misfit_of(const JointRecord& joint, const JointPair& bodies) {
     return sqrt(max(length_sq(back.v), length_sq(back.w)));
 }
 
+scalar steering_angle(const JointRecord& joint, const JointPair& bodies) { return steering_of(joint.kind, sides_of(joint, bodies)); }
+
+scalar steering_rate(const JointRecord& joint, const JointPair& bodies) {
+    return dot(sides_of(joint, bodies).axis_of_parent, bodies.B.omega - bodies.A.omega);
+}
+
 JointReading joint_rates(const JointRecord& joint, const JointPair& bodies) {
     const JointSides<scalar> sides = sides_of(joint, bodies);
     const Vector w = bodies.B.omega - bodies.A.omega;
+    const auto speed_along = [&](const Vector& n) {
+        const Vector to_B = bodies.B.A * joint.frame_B.anchor, to_A = bodies.B.r_CM + to_B - bodies.A.r_CM;
+        return dot(n, bodies.B.v_CM + cross(bodies.B.omega, to_B) - bodies.A.v_CM - cross(bodies.A.omega, to_A));
+    };
     switch (joint.kind) {
         case JointKind::ball: return {{dot(along_direction(joint.kind, 0, sides), w), dot(along_direction(joint.kind, 1, sides), w)}};
         case JointKind::hinge: return {{dot(sides.axis, w), 0}};
         case JointKind::universal: return {{dot(sides.axis_of_parent, w), dot(sides.axis, w)}};
-        case JointKind::slider: {
-            const Vector to_B = bodies.B.A * joint.frame_B.anchor, to_A = bodies.B.r_CM + to_B - bodies.A.r_CM;
-            const Vector v = bodies.B.v_CM + cross(bodies.B.omega, to_B) - bodies.A.v_CM - cross(bodies.A.omega, to_A);
-            return {{dot(sides.axis_of_parent, v), 0}};
-        }
+        case JointKind::slider: return {{speed_along(sides.axis_of_parent), 0}};
+        case JointKind::wheel: return {{dot(sides.axis, w), speed_along(sides.axis_of_parent)}};
         default: return {};
     }
 }

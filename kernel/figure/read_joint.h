@@ -26,6 +26,10 @@ struct JointReading {
 /// rad, m.
 JointReading joint_values(const JointRecord& joint, const JointPair& bodies);
 
+/// rad, rad/s; of a wheel.
+scalar steering_angle(const JointRecord& joint, const JointPair& bodies);
+scalar steering_rate(const JointRecord& joint, const JointPair& bodies);
+
 /// The angle that is nearest to where the joint was last, over whole turns.
 scalar angle_over_turns(scalar angle, const AngleRecord& last);
 

@@ -96,7 +96,9 @@ struct RowsBeside {
     void begin(const FigureView& view, [[maybe_unused]] scalar h) const {
         begin_joint_motions(view, all);
         if constexpr (Rows::has_drives) {
-            factor_now(view, loops, h);
+            place_joints(view);
+            place_carriages(view);
+            factor_figures(view, loops, h);
             respond_figures(view, all.responses);
             begin_drives(view, all);
         }
@@ -104,6 +106,7 @@ struct RowsBeside {
     void factor(const FigureView& view, scalar h) const {
         place_joints(view);
         if constexpr (Rows::has_drives) {
+            place_carriages(view);
             prepare_drives(view, all, h);
             factor_figures(view, all, h);
         } else {
@@ -182,7 +185,7 @@ NothingBeside beside_of(const FigureView&, const NoLoops&) { return {}; }
 LoopsBeside beside_of(const FigureView&, const LoopView& loops) { return {loops}; }
 RowsBeside<JointRowView> beside_of(const FigureView&, JointRowView& rows) { return {rows}; }
 RowsBeside<DrivenRowView> beside_of(const FigureView& view, DrivenRowView& rows) {
-    name_driven_balls(view, rows);
+    name_driven_kinds(view, rows);
     return {rows};
 }
 

@@ -39,8 +39,15 @@ INGOT_INLINE int free_directions(const At& at, const FigureRow<At::width>& row, 
             s[1] = Spatial<T>{Vec3<T>{none.x, splat<T>(1), none.z}, none};
             s[2] = Spatial<T>{Vec3<T>{none.x, none.y, splat<T>(1)}, none};
             return 3;
-        default: return 0;
+        default: break;
     }
+    if (!is_wheel(kind)) return 0;
+    const bool of_A = kind == JointKind::carriage;
+    const Vec3<T> along = read(at, of_A ? row.axis : row.axis_of_parent);
+    s[0] = Spatial<T>{read(at, of_A ? row.axis_of_parent : row.axis), none};
+    s[1] = Spatial<T>{none, along};
+    s[2] = Spatial<T>{along, none};
+    return 3;
 }
 
 /// True of bodies whose turns are eliminated at once: at a ball joint, and roots of what floats.

@@ -52,7 +52,7 @@ scalar visit_joint_row(const FigureView& view, const JointRowView& all, JointRow
 void settle_joint_rows(const FigureView& view, const JointRowView& all, scalar settled) {
     const auto figure_of = [&](int i) { return view.nodes[all.list[i].node].figure; };
     const auto visited = [&](JointRow& row) {
-        return abs(visit_joint_row(view, all, row)) / unit_of_travel(view.nodes[row.node].kind, view.unit);
+        return abs(visit_joint_row(view, all, row)) / unit_of_travel(view.nodes[row.node].kind, row.direction_i, view.unit);
     };
     for (int begin = 0, end = 0; begin < all.count; begin = end) {  // bound: limits_of_joint max_joints
         while (end < all.count && figure_of(end) == figure_of(begin)) ++end;  // bound: limits_of_joint max_joints

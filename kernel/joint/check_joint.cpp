@@ -10,8 +10,10 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
+/// One of each body, at right angles.
+bool has_axes(JointKind kind) { return kind == JointKind::universal || kind == JointKind::wheel; }
 bool has_axis(JointKind kind) {
-    return kind == JointKind::hinge || kind == JointKind::slider || kind == JointKind::universal || kind == JointKind::parallel;
+    return kind == JointKind::hinge || kind == JointKind::slider || kind == JointKind::parallel || has_axes(kind);
 }
 
 Status check_direction(const Vector& n) {
@@ -65,7 +67,7 @@ Status check_joint(const JointDef& def, bool balls_have_axes) {
     Status status = check_vector(def.P, limits::position_max);
     if (status == Status::ok && (has_axis(def.joint.kind) || is_ball_with_axis)) status = check_direction(def.axis);
     if (status == Status::ok && is_ball_with_axis && !has_no_length(def.joint.middle)) status = check_middle(def);
-    if (status != Status::ok || def.joint.kind != JointKind::universal) return status;
+    if (status != Status::ok || !has_axes(def.joint.kind)) return status;
     status = check_direction(def.axis_B);
     if (status == Status::ok && !(abs(dot(def.axis, def.axis_B)) <= limits::orthogonality)) status = Status::bad_joint;
     return status;
@@ -80,7 +82,7 @@ JointRecord record_of(const JointDef& def, const BodyView& bodies, Index slot_A,
     record.body_B = slot_B;
     record.resolved = 1;
     record.bodies_meet = def.bodies_meet ? 1 : 0;
-    if (def.joint.kind == JointKind::universal) {
+    if (has_axes(def.joint.kind)) {
         const Vector axis_B = unit(def.axis_B - axis * dot(axis, def.axis_B));
         record.frame_A = frame_on(bodies, slot_A, def.P, axis, axis_B);
         record.frame_B = frame_on(bodies, slot_B, def.P, axis_B, axis);
@@ -104,13 +106,13 @@ scalar gap_of(const JointRecord& joint, const BodyView& bodies) {
     };
     Vector axis{}, axis_B{};
     Vector gap = in_world(joint.body_B, joint.frame_B, axis_B) - in_world(joint.body_A, joint.frame_A, axis);
-    if (joint.kind == JointKind::slider) gap = gap - axis * dot(axis, gap);
+    if (joint.kind == JointKind::slider || joint.kind == JointKind::wheel) gap = gap - axis * dot(axis, gap);
     return sqrt(length_sq(gap));
 }
 
 bool is_valid(const JointRecord& joint, int slots) {
     const auto is_body = [slots](Index slot) { return slot == no_body || slot < slots; };
-    if (joint.kind == JointKind::none || joint.kind > JointKind::target || !is_body(joint.body_A) || !is_body(joint.body_B)) return false;
+    if (joint.kind == JointKind::none || joint.kind > JointKind::wheel || !is_body(joint.body_A) || !is_body(joint.body_B)) return false;
     if (joint.body_A == joint.body_B || !is_finite(joint.j) || !is_frame(joint.frame_A) || !is_frame(joint.frame_B)) return false;
     return joint.resolved <= 1 && joint.bodies_meet <= 1 && joint.doublings <= limits::doublings_max;
 }

@@ -9,8 +9,8 @@ namespace ingot { inline namespace INGOT_ABI {
 
 /// What a definition may have wrong by itself.
 /// Errors: not_finite, out_of_range (P beyond limits::position_max), bad_direction (an axis that the kind has is not of unit length), bad_joint
-///         (axes of a universal joint that are not at right angles, to limits::orthogonality); out_of_range: the middle of a cone that is opposite
-///         to the axis. Not of limits: see check_limits.h. balls_have_axes: of scenes whose joints may have limits.
+///         (axes of a universal joint or of a wheel that are not at right angles, to limits::orthogonality); out_of_range: the middle of a cone
+///         that is opposite to the axis. Not of limits: see check_limits.h. balls_have_axes: of scenes whose joints may have limits.
 Status check_joint(const JointDef& def, bool balls_have_axes);
 
 /// The record of a checked joint, of the bodies as they are; slots: no_body is the world.

@@ -21,6 +21,8 @@ bool is_in_range(JointKind kind, const JointLimits& limits) {
         case JointKind::ball: return is_within(first, -swing, swing) && is_within(second, limits::joint_cone_min, swing);
         case JointKind::hinge: return is_within(first, -turns, turns);
         case JointKind::slider: return is_within(first, -limits::position_max, limits::position_max);
+        case JointKind::wheel:
+            return is_within(first, -turns, turns) && is_within(second, -limits::position_max, limits::position_max);
         case JointKind::universal: return is_within(first, -swing, swing) && is_within(second, -swing, swing);
         default: return true;
     }

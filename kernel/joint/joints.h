@@ -7,11 +7,12 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// driven_ball: within figure/, a ball joint that has a drive.
-enum class JointKind : uint8_t { none, ball, hinge, slider, universal, fixed, rod, rope, parallel, target, driven_ball = 64 };
+/// driven_ball: within figure/, a ball joint that has a drive; carriage: a wheel whose body is nearer to the root than what it carries.
+enum class JointKind : uint8_t { none, ball, hinge, slider, universal, fixed, rod, rope, parallel, target, wheel, carriage, driven_ball = 64 };
 
 /// Kinds that lock little, or give way: they are rows beside the trees, see figure/loop_view.h.
 constexpr bool is_tie(JointKind kind) { return kind >= JointKind::rod && kind <= JointKind::target; }
+constexpr bool is_wheel(JointKind kind) { return kind >= JointKind::wheel && kind <= JointKind::carriage; }
 /// Those that keep two points at a distance.
 constexpr bool has_length(JointKind kind) { return kind == JointKind::rod || kind == JointKind::rope; }
 
@@ -26,8 +27,9 @@ struct JointRange {
 /// Where the free directions of a joint end. In scenes that name WithLimits.
 ///
 /// Of a hinge range[0] is of its angle, rad; of a slider of its travel, m; of a universal joint range[0] and range[1] are of its angles about the
-/// axis of A and of B; of a ball joint range[0] is of its twist, and range[1].upper the half angle of its cone. All are of B against A, and 0 where
-/// the bodies were joined. A joint that is beyond a limit goes back by no more than limits::limit_return.
+/// axis of A and of B; of a ball joint range[0] is of its twist, and range[1].upper the half angle of its cone; of a wheel range[0] is of its spin
+/// and range[1] of its travel. All are of B against A, and 0 where the bodies were joined. A joint that is beyond a limit goes back by no more than
+/// limits::limit_return.
 struct JointLimits {
     JointRange range[2];
     scalar restitution = 0;  ///< of all, 0 to 1
@@ -74,6 +76,18 @@ struct UniversalJoint {
 struct FixedJoint {
     static constexpr JointKind kind = JointKind::fixed;
     constexpr operator Joint() const { return {kind, {}, {}}; }
+};
+
+/// A wheel, B, of what it carries, A, P on its axle: it spins about the axle, which is B's; it goes along an axis of A, its suspension; and about
+/// that axis it is steered, while the two stay at right angles. All three are driven, see drives.h: the spin by a MotorDrive, an engine, or a brake
+/// with the rate 0; the travel by a SpringDrive or a TunedDrive, its spring; the steering by a servo, to its target. As it is joined it is held
+/// straight, as stiff as can be; without that drive it is a caster. In scenes that name WithDrives.
+struct WheelJoint {
+    static constexpr JointKind kind = JointKind::wheel;
+    static constexpr int spin = 0, travel = 1, steering = 2;  ///< `which` of its drives, and of joint_angle and joint_rate
+    scalar lower = -unlimited, upper = unlimited;  ///< m, of its travel: B against A along `axis`
+    scalar restitution = 0;
+    constexpr operator Joint() const { return {kind, {{{}, {lower, upper}}, restitution}, {}}; }
 };
 
 /// Keeps two points, P of A and P_B of B, at a distance. One of max_loops.
@@ -127,15 +141,17 @@ constexpr int limited_directions(JointKind kind) {
     switch (kind) {
         case JointKind::ball:
         case JointKind::driven_ball:
-        case JointKind::universal: return 2;
+        case JointKind::universal:
+        case JointKind::wheel:
+        case JointKind::carriage: return 2;
         case JointKind::hinge:
         case JointKind::slider: return 1;
         default: return 0;
     }
 }
-/// How many can be driven: a ball joint's are its three turns, driven as one.
+/// How many can be driven: a ball joint's are its three turns, driven as one. The steering of a wheel has no limits.
 constexpr int driven_directions(JointKind kind) {
-    return kind == JointKind::ball || kind == JointKind::driven_ball ? 3 : limited_directions(kind);
+    return kind == JointKind::ball || kind == JointKind::driven_ball || is_wheel(kind) ? 3 : limited_directions(kind);
 }
 
 template <class A, class B>
@@ -172,8 +188,9 @@ struct JointDef {
     BodyId body_A{}, body_B{};     ///< the null id: the world
     Joint joint{};
     Vector P{};                    ///< m, world; of a rod and a rope: on A
-    Vector axis = {0, 0, 1};       ///< unit, world: of a hinge, a slider, a parallel joint, of A of a universal one, of B of a ball joint with limits
-    Vector axis_B = {1, 0, 0};     ///< unit, world, at right angles to axis: of B of a universal joint
+    /// Unit, world: of a hinge, a slider, a parallel joint, of A of a universal one, of B of a ball joint with limits, of the suspension of a wheel.
+    Vector axis = {0, 0, 1};
+    Vector axis_B = {1, 0, 0};     ///< unit, world, at right angles to axis: of B of a universal joint; the axle of a wheel
     bool bodies_meet = false;      ///< the two may touch each other
     Vector P_B{};                  ///< m, world, on B: of a rod and a rope
 };

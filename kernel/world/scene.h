@@ -128,6 +128,8 @@ inline constexpr bool has_joint_limits = has_joints<S> && S::joints::has_limits;
 template <class S>
 inline constexpr bool has_joint_drives = has_joints<S> && S::joints::has_drives;
 template <class S>
+inline constexpr bool has_wheels = has_joints<S> && S::joints::has(JointKind::wheel);
+template <class S>
 inline constexpr bool has_joint_rows = has_joint_limits<S> || has_joint_drives<S>;  ///< beside those of what joints lock
 template <class S>
 inline constexpr bool has_joint_reactions = has_joints<S> && S::joints::has_reactions;

@@ -23,7 +23,8 @@ protected:
 public:
     // Drives of joints, in scenes that name WithDrives among their joints: see joint/drives.h.
 
-    /// Drives a hinge, a slider, or a universal joint about the axis of A, or, with which = 1, of B, from now on; {}: no more. Wakes its bodies.
+    /// Drives a hinge, a slider, a universal joint about the axis of A, or, with which = 1, of B, or of a wheel the spin, the travel or the steering,
+    /// see WheelJoint, from now on; {}: no more. Wakes its bodies.
     /// Errors: those of ids and of check_drive, not_in_scene (a kind without such a direction, or a ball joint).
     Status set_joint_drive(JointId id, const JointDrive& drive, int which = 0) {
         static_assert(drives_only());
@@ -86,7 +87,8 @@ public:
         if (!joint.ok()) return {joint.status, {}};
         return {Status::ok, storage_.drive_of(joint.value, which).drive};
     }
-    /// What a drive has given in the last step, on B, mean of the step: N m, of a slider N. Errors: those of ids, not_in_scene.
+    /// What a drive has given in the last step, on B, mean of the step: N m, of a slider, and of a wheel's travel, N.
+    /// Errors: those of ids, not_in_scene.
     Result<scalar> drive_torque(JointId id, int which = 0) const {
         static_assert(drives_only());
         const Result<int> joint = find_direction(id, which);

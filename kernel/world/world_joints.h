@@ -51,6 +51,9 @@ public:
         storage_.joints[joint_i] = record_of(def, storage_.bodies(), slot_A, slot_B, S::joints::has_limits);
         if constexpr (has_joint_limits<S>) storage_.joint_limits[joint_i].limits = def.joint.limits;
         if constexpr (has_ties<S>) begin_tie(joint_i, def);
+        if constexpr (has_wheels<S>)
+            if (def.joint.kind == JointKind::wheel)
+                storage_.drive_of(joint_i, WheelJoint::steering).drive = SpringDrive{limits::drive_gain_max};
         storage_.joint_lists().link(joint_i);
         if (!has_room_for_loop(joint_i)) {
             storage_.joint_lists().unlink(joint_i);
@@ -122,17 +125,21 @@ public:
     }
 
     /// The angle of a hinge, or of a universal joint about the axis of A, and, with which = 1, of B; the twist of a ball joint, and, with which = 1,
-    /// how far its axis has swung from the middle of its cone: rad, B against A. In scenes whose joints may have limits or drives the angle of a
-    /// hinge goes on over whole turns; else it is one of -pi to pi.
+    /// how far its axis has swung from the middle of its cone; of a wheel how far it has spun, and, with which = WheelJoint::steering, how far it is
+    /// steered: rad, B against A. In scenes whose joints may have limits or drives the angles of a hinge and of a wheel's spin go on over whole
+    /// turns; else they are of -pi to pi.
     /// Errors: those of ids, not_in_scene (a kind that has no such angle).
     Result<scalar> joint_angle(JointId id, int which = 0) const {
         static_assert(joints_only());
         const Result<int> joint = find_turning(id, which);
         if (!joint.ok()) return {joint.status, 0};
         const JointRecord& record = record_of_slot(joint.value);
+        if constexpr (has_wheels<S>)
+            if (which == WheelJoint::steering) return {Status::ok, steering_angle(record, sides_of(record))};
         const scalar angle = joint_values(record, sides_of(record)).of[which];
         if constexpr (has_joint_rows<S>)
-            if (record.kind == JointKind::hinge) return {Status::ok, angle_over_turns(angle, storage_.joint_angles[joint.value])};
+            if (record.kind == JointKind::hinge || is_wheel_of(record))
+                return {Status::ok, angle_over_turns(angle, storage_.joint_angles[joint.value])};
         return {Status::ok, angle};
     }
     /// How fast it turns, rad/s. Errors: those of joint_angle.
@@ -141,15 +148,17 @@ public:
         const Result<int> joint = find_turning(id, which);
         if (!joint.ok()) return {joint.status, 0};
         const JointRecord& record = record_of_slot(joint.value);
+        if constexpr (has_wheels<S>)
+            if (which == WheelJoint::steering) return {Status::ok, steering_rate(record, sides_of(record))};
         return {Status::ok, joint_rates(record, sides_of(record)).of[which]};
     }
-    /// How far a slider has gone along its axis, m, B against A. Errors: those of ids, not_in_scene (a kind that goes along no axis).
+    /// How far a slider, or a wheel, has gone along its axis, m, B against A. Errors: those of ids, not_in_scene (a kind that goes along no axis).
     Result<scalar> joint_travel(JointId id) const {
         static_assert(joints_only());
         const Result<int> joint = find_sliding(id);
         if (!joint.ok()) return {joint.status, 0};
         const JointRecord& record = record_of_slot(joint.value);
-        return {Status::ok, joint_values(record, sides_of(record)).of[0]};
+        return {Status::ok, joint_values(record, sides_of(record)).of[is_wheel_of(record) ? WheelJoint::travel : 0]};
     }
     /// How fast it goes, m/s. Errors: those of joint_travel.
     Result<scalar> joint_speed(JointId id) const {
@@ -157,7 +166,7 @@ public:
         const Result<int> joint = find_sliding(id);
         if (!joint.ok()) return {joint.status, 0};
         const JointRecord& record = record_of_slot(joint.value);
-        return {Status::ok, joint_rates(record, sides_of(record)).of[0]};
+        return {Status::ok, joint_rates(record, sides_of(record)).of[is_wheel_of(record) ? WheelJoint::travel : 0]};
     }
 
     // Figures, in scenes with joints.
@@ -246,16 +255,25 @@ protected:
     }
 
 private:
+    /// Known to be none where the scene has none.
+    static bool is_wheel_of([[maybe_unused]] const JointRecord& record) {
+        if constexpr (has_wheels<S>) return record.kind == JointKind::wheel;
+        return false;
+    }
     Result<int> find_turning(JointId id, int which) const {
         const Result<int> joint = find(id);
         if (!joint.ok()) return joint;
         const JointKind kind = kind_of(joint.value);
-        const bool turns = kind != JointKind::slider && which >= 0 && which < limited_directions(kind);
+        bool turns = kind != JointKind::slider && which >= 0 && which < limited_directions(kind);
+        if constexpr (has_wheels<S>)
+            if (kind == JointKind::wheel) turns = which == WheelJoint::spin || which == WheelJoint::steering;
         return turns ? joint : Result<int>{Status::not_in_scene, 0};
     }
     Result<int> find_sliding(JointId id) const {
         const Result<int> joint = find(id);
         if (!joint.ok() || kind_of(joint.value) == JointKind::slider) return joint;
+        if constexpr (has_wheels<S>)
+            if (kind_of(joint.value) == JointKind::wheel) return joint;
         return {Status::not_in_scene, 0};
     }
     FigureInfo figure_at(Index slot) const {

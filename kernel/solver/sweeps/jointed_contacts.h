@@ -25,7 +25,7 @@ struct SeesJoints : Contacts {
 
     void begin(const ContactStep& step, StepReport& report) {
         build_figures(jointed.figures, this->view.loops);
-        if constexpr (Whole::has_drives) name_driven_balls(jointed.figures, rows());
+        if constexpr (Whole::has_drives) name_driven_kinds(jointed.figures, rows());
         if constexpr (closes) count(report.joints_lost, find_loops(jointed.figures, this->view.loops));
         Contacts::begin(step, report);
     }
@@ -34,6 +34,10 @@ struct SeesJoints : Contacts {
         if (!Contacts::next_batch(step)) return false;
         if constexpr (Whole::has_joint_rows) begin_joint_motions(jointed.figures, rows());
         if constexpr (Whole::has_drives) {
+            if (place_carriages(jointed.figures)) {
+                factor_figures(jointed.figures, this->view.loops, step.h / static_cast<scalar>(this->view.substeps));
+                respond_figures(jointed.figures, jointed.responses);
+            }
             begin_drives(jointed.figures, rows());
             jointed.is_fresh = false;
         }
@@ -44,6 +48,7 @@ struct SeesJoints : Contacts {
         const bool is_first = jointed.is_fresh;
         if constexpr (Whole::has_drives) {
             place_joints(jointed.figures);
+            place_carriages(jointed.figures);
             prepare_drives(jointed.figures, rows(), h);
             factor_figures(jointed.figures, rows(), h);
             respond_figures(jointed.figures, jointed.responses);

@@ -30,7 +30,7 @@ void measure_joint_rows(const SolverView& solver, const JointedBodies& jointed, 
         Island* const island = live_island(solver, jointed, row);
         if (island == nullptr || !(row.K > 0)) continue;
         island->size += row.change * row.change / row.K;
-        const scalar unit = unit_of_travel(jointed.figures.nodes[row.node].kind, solver.unit);
+        const scalar unit = unit_of_travel(jointed.figures.nodes[row.node].kind, row.direction_i, solver.unit);
         island->residual = max(island->residual, abs(row.change) * (solver.unit / unit));
     }
 }

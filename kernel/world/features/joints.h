@@ -119,9 +119,11 @@ struct Figures : Feature {
         each(S::max_joints);
         // bound: the kinds of joints
         for (int kind = 1; kind <= static_cast<int>(JointKind::fixed); ++kind) each(S::joints::has(static_cast<JointKind>(kind)));
+        if constexpr (has_wheels<S>) each(S::joints::has(JointKind::wheel));
     }
     template <class S>
     static constexpr bool check() {
+        static_assert(!has_wheels<S> || has_joint_drives<S>, "wheels are sprung, steered and held by drives: name WithDrives among the joints");
         static_assert(S::max_joints >= 0 && S::max_joints <= (index_max - 1) / 2, "a scene holds 0 to 32767 joints: set max_joints");
         static_assert(!has_joints<S> || S::translates, "bodies with joints move: set translates = true, or max_joints = 0");
         static_assert(!has_joints<S> || has_some_joint<S>(), "a scene with max_joints says which kinds it has: set joints");
@@ -140,7 +142,7 @@ struct Figures : Feature {
     /// Kinds that make trees.
     template <class S>
     static constexpr bool has_trees() {
-        bool some = false;
+        bool some = S::joints::has(JointKind::wheel);
         for (int kind = 1; kind <= static_cast<int>(JointKind::fixed); ++kind) some = some || S::joints::has(static_cast<JointKind>(kind));
         return some;
     }
