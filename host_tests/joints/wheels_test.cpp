@@ -224,6 +224,47 @@ TEST(Wheels, springs_swing_as_they_were_tuned) {
     }
 }
 
+struct TellsLoads : InFlight {
+    using joints = ingot::Joints<WheelJoint, ingot::WithDrives, ingot::WithReactions>;
+};
+
+/// Hung up aside from its centre, by what is carried or by the wheel, it bears the weight across its suspension; the weight along that, and the
+/// moments about its axle and its suspension, are its drives'.
+TEST(Wheels, tell_what_they_bear) {
+    RandomInput random(4);
+    for (int case_i = 0; case_i < ingot_reference::draws(40); ++case_i) {
+        const bool wheel_hangs = case_i % 2 == 0;
+        const auto world = std::make_unique<ingot::World<TellsLoads>>();
+        const double M = random.real(1, 100), rate = rates[random.integer(0, 4)];
+        const Eigen::Vector3d weight = M * g * random.direction(), arm = random.vector(0.2);
+        const Eigen::Vector3d along = random.direction(), axle = along.unitOrthogonal();
+        ASSERT_EQ(world->set_gravity(to_vector((weight / M).eval())), Status::ok);
+        ingot::BodyDef hangs = body_of(ingot::solid_box(1, {1, 1, 1}), M, {}, to_vector(arm), 0), holds = hangs;
+        holds.immovable = true;
+        ingot::JointDef def;
+        def.body_A = world->add(wheel_hangs ? holds : hangs).value;
+        def.body_B = world->add(wheel_hangs ? hangs : holds).value;
+        def.joint = WheelJoint{};
+        def.axis = to_vector(along);
+        def.axis_B = to_vector(axle);
+        const ingot::JointId joint = world->add_joint(def).value;
+        for (const int which : {WheelJoint::spin, WheelJoint::travel, WheelJoint::steering})
+            ASSERT_EQ(world->set_joint_drive(joint, ingot::SpringDrive{number(1e5 * M), number(2e3 * M)}, which), Status::ok);
+        for (int step_i = 0; step_i < 2 * rate; ++step_i) (void)ingot::step(*world, number(1 / rate));
+        // On B; what hangs gives its weight and its moment to the other.
+        const double sign = wheel_hangs ? -1 : 1;
+        const Eigen::Vector3d r = to_eigen(world->state(wheel_hangs ? def.body_B : def.body_A).value.r_CM), moment = r.cross(weight);
+        const Eigen::Vector3d third = along.cross(axle);
+        const ingot::JointReaction reaction = world->joint_reaction(joint).value;
+        const double off = M * (1e-3 * g + 16 * figures::eps * rate * rate);  // a grain of place, taken back in a substep, is a force
+        EXPECT_LE((to_eigen(reaction.force) - sign * (weight - along * along.dot(weight))).norm(), off) << "case " << case_i << ", " << rate << " Hz";
+        EXPECT_LE((to_eigen(reaction.torque) - sign * third * third.dot(moment)).norm(), off) << "case " << case_i << ", " << rate << " Hz";
+        EXPECT_NEAR(world->drive_torque(joint, WheelJoint::travel).value, sign * along.dot(weight), off) << "case " << case_i;
+        EXPECT_NEAR(world->drive_torque(joint, WheelJoint::spin).value, sign * axle.dot(moment), off) << "case " << case_i;
+        EXPECT_NEAR(world->drive_torque(joint, WheelJoint::steering).value, sign * along.dot(moment), off) << "case " << case_i;
+    }
+}
+
 /// What is refused changes no bit.
 TEST(Wheels, are_refused_where_they_do_not_fit) {
     const auto world = std::make_unique<Flight>();
