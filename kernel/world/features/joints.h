@@ -168,7 +168,7 @@ struct Figures : Feature {
             for (int i = 0; i < S::joints::drives_of_joint(); ++i) storage.drive_of(joint_i, i) = {};  // bound: 3
         ++storage.joint_generation[joint_i];
     }
-    /// Bodies that are joined sleep and wake as one.
+    /// Bodies that are joined sleep and wake as one: those that have just come to rest too, whose islands are made once more, to last.
     template <class S>
     static void join_islands(Storage<S>& storage, bool all) {
         const BodyView bodies = storage.bodies();
@@ -179,7 +179,7 @@ struct Figures : Feature {
             if (!is_dynamic(bodies, joint.body_A) || !is_dynamic(bodies, joint.body_B)) continue;
             if constexpr (has_ties<S>)
                 if (storage.joint_ties[joint_i].slack != 0) continue;
-            if (all || rest.is_awake(joint.body_A) || rest.is_awake(joint.body_B)) join_bodies_of(rest, joint.body_A, joint.body_B);
+            if (all || rest.is_active(joint.body_A) || rest.is_active(joint.body_B)) join_bodies_of(rest, joint.body_A, joint.body_B);
         }
     }
     /// A body takes its joints along.
