@@ -28,6 +28,7 @@
 #include "math/quaternion.h"
 #include "motion/force_fields.h"
 #include "impulse/impulse.h"
+#include "world/draw.h"
 #include "world/snapshot.h"
 #include "world/step.h"
 #include "world/world.h"

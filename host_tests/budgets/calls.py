@@ -28,8 +28,8 @@ COLUMNS = ("call", "core", "stack")
 PREFIX = "call_"
 
 # Headers that ingot.h names for something else than their functions: step and snapshots are known as friends of World, and
-# fields are called by the step.
-FUNCTIONS_ARE_NOT_PUBLIC = ("motion/force_fields.h", "world/snapshot.h", "world/step.h", "world/world.h")
+# fields are called by the step; what drawing takes is that of the user's pen.
+FUNCTIONS_ARE_NOT_PUBLIC = ("motion/force_fields.h", "world/draw.h", "world/snapshot.h", "world/step.h", "world/world.h")
 
 
 def members_of_world(text):

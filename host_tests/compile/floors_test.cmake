@@ -11,6 +11,7 @@ set(motion_may base math body)
 set(broad_phase_may base math body shape)
 set(narrow_phase_may base math body shape broad_phase)
 set(query_may base math body shape broad_phase narrow_phase)
+set(draw_may base math body shape)
 set(impulse_may base math body shape)
 set(joint_may base math body)
 set(figure_may base math body joint)
@@ -26,7 +27,7 @@ set(events_may base math body broad_phase narrow_phase constraint)
 set(continuous_may base math body shape motion broad_phase narrow_phase constraint island solver solver/sweeps solver/sequential)
 set(world_features_may base math body shape motion broad_phase narrow_phase impulse joint figure energy_momentum constraint island sleep solver/sweeps solver/direct
   solver/sequential events continuous world)
-set(world_may world/features base math body shape motion broad_phase narrow_phase query impulse joint figure energy_momentum constraint island sleep solver solver/sweeps solver/direct solver/sequential
+set(world_may world/features base math body shape motion broad_phase narrow_phase query draw impulse joint figure energy_momentum constraint island sleep solver solver/sweeps solver/direct solver/sequential
   events continuous)
 set(freestanding "stdint\\.h|stddef\\.h|float\\.h|limits\\.h")
 

@@ -440,6 +440,9 @@ int main() {
 #ifdef QUERY_WITHOUT_SHAPES
     (void)world.cast_ray({}, {});
 #endif
+#ifdef BOUNDS_WITHOUT_MANIFOLDS
+    (void)world.search_bounds(id);
+#endif
 #ifdef LEVER_WITHOUT_ROLLING
     (void)world.set_rolling_resistance(id, 1);
 #endif

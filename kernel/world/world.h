@@ -22,10 +22,10 @@ namespace ingot { inline namespace INGOT_ABI {
 /// Calls that take a BodyId answer stale_id (removed, null, never given out) or foreign_id (of a world with another tag).
 /// Units are SI; vectors and points are in world axes unless they say body. Cost is O(1) unless said.
 ///
-/// Its calls stand in eleven files: bodies, their state and forces here, what scenes may name of a body in world_bodies.h, edits in world_edits.h,
+/// Its calls stand in twelve files: bodies, their state and forces here, what scenes may name of a body in world_bodies.h, edits in world_edits.h,
 /// bodies that move as they are told in world_kinematic.h, joints and figures in world_joints.h, drives in world_drives.h, what joints bear in
-/// world_reactions.h, rods, ropes and targets in world_ties.h, who touched whom in world_touching.h, who may in world_contacts.h, queries in
-/// world_queries.h.
+/// world_reactions.h, rods, ropes and targets in world_ties.h, who touched whom in world_touching.h, who may in world_contacts.h, where
+/// things are in world_reads.h, queries in world_queries.h.
 template <class User>
 class World : public WorldQueries<SceneOf<User>> {
     using S = SceneOf<User>;

@@ -8,15 +8,15 @@
 #include "../query/find_nearest.h"
 #include "../query/find_overlaps.h"
 #include "../query/lowest_ids.h"
-#include "world_contacts.h"
+#include "world_reads.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
 /// Calls of World, see world.h.
 template <class S>
-class WorldQueries : public WorldContacts<S> {
+class WorldQueries : public WorldReads<S> {
 protected:
-    using Base = WorldContacts<S>;
+    using Base = WorldReads<S>;
     using Base::storage_;
     using Base::shapes_only;
     using Base::number_of_shape;
