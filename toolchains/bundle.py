@@ -51,9 +51,13 @@ class Pasted:
     def paste(self, path):
         self.headers.add(path)
         body = []
+        conditions = 0  # around the line: what is included under one stays there
         for line in read_lines(path):
+            directive = re.match(r"\s*#\s*(if|endif)", line)
+            if directive:
+                conditions += 1 if directive[1] == "if" else -1
             own = INCLUDE_OWN.match(line)
-            system = INCLUDE_SYSTEM.match(line)
+            system = INCLUDE_SYSTEM.match(line) if conditions == 0 else None
             if own:
                 header = os.path.normpath(os.path.join(os.path.dirname(path), own[1])).replace(os.sep, "/")
                 if header not in self.headers:

@@ -2,6 +2,8 @@
 // What is fixed when the library is built: the scalar type, the number of lanes, the floating-point contract.
 #pragma once
 
+#include "compiler.h"
+
 #include <float.h>
 #include <stdint.h>
 
@@ -74,22 +76,22 @@
 #if defined(INGOT_CALLS_HELPERS) || (INGOT_LANES == 1 && defined(__OPTIMIZE_SIZE__) && !defined(INGOT_INLINE_ALWAYS))
 #define INGOT_INLINE inline
 #else
-#define INGOT_INLINE inline __attribute__((always_inline))
+#define INGOT_INLINE INGOT_ALWAYS_INLINE
 #endif
 
 /// A part of one function, that has a name of its own for readers: inlined on every target.
-#define INGOT_PART inline __attribute__((always_inline))
+#define INGOT_PART INGOT_ALWAYS_INLINE
 
 /// Code of sweeps that runs rarely. With one lane it is a function of its own, small, and one for all its callers; vectors do not
 /// cross calls.
 #if INGOT_LANES == 1 || defined(INGOT_CALLS_HELPERS)
-#define INGOT_RARE __attribute__((noinline, cold)) inline
+#define INGOT_RARE INGOT_NOINLINE INGOT_COLD inline
 #else
 #define INGOT_RARE INGOT_INLINE
 #endif
 /// Code that is long, and called in several places. With one lane it is there once.
 #if INGOT_LANES == 1 || defined(INGOT_CALLS_HELPERS)
-#define INGOT_SHARED __attribute__((noinline)) inline
+#define INGOT_SHARED INGOT_NOINLINE inline
 #else
 #define INGOT_SHARED INGOT_INLINE
 #endif

@@ -15,7 +15,7 @@ INGOT_INLINE scalar half_to_the(unsigned halvings) {
     constexpr unsigned digits = INGOT_DOUBLE ? 52 : 23, one = INGOT_DOUBLE ? 1023 : 127;
     const Bits bits_of_it = static_cast<Bits>(one - halvings) << digits;
     scalar x = 0;
-    __builtin_memcpy(&x, &bits_of_it, sizeof x);
+    INGOT_COPY_BYTES(&x, &bits_of_it, sizeof x);
     return x;
 }
 

@@ -17,7 +17,7 @@ Status check_floating_point_of_kernel();
 ///          wrong_rounding: not to nearest, ties to even; or products are not rounded before they are added, because this unit
 ///          or the kernel was compiled without -ffp-contract=off.
 /// Cost:    a few dozen operations. Changes nothing and raises at most the flags underflow and inexact.
-inline __attribute__((always_inline)) Status check_floating_point() {
+INGOT_ALWAYS_INLINE Status check_floating_point() {
     // Always inlined, to be compiled with the flags of the user's unit. Fused, the sum is -epsilon^2; rounded twice it is 0.
     volatile scalar a = 1 + epsilon, minus_a_sq = -(1 + 2 * epsilon);
     const scalar twice_rounded = a * a + minus_a_sq;

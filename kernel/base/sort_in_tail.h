@@ -8,7 +8,7 @@ namespace ingot { inline namespace INGOT_ABI {
 /// Copies byte by byte what the members leave between them too: so equal lists are equal bytes.
 template <class Item>
 INGOT_INLINE void copy_item(Item& to, const Item& from) {
-    __builtin_memcpy(static_cast<void*>(&to), static_cast<const void*>(&from), sizeof to);
+    INGOT_COPY_BYTES(static_cast<void*>(&to), static_cast<const void*>(&from), sizeof to);
 }
 
 /// Sorts items by key(), in place. Equal keys come in no order.
@@ -19,9 +19,9 @@ template <class Item>
 void sort_by_key(Item* items, int count) {
     const auto exchange = [items](int a, int b) {
         alignas(Item) unsigned char kept[sizeof(Item)];
-        __builtin_memcpy(kept, static_cast<const void*>(items + a), sizeof kept);
+        INGOT_COPY_BYTES(kept, static_cast<const void*>(items + a), sizeof kept);
         copy_item(items[a], items[b]);
-        __builtin_memcpy(static_cast<void*>(items + b), kept, sizeof kept);
+        INGOT_COPY_BYTES(static_cast<void*>(items + b), kept, sizeof kept);
     };
     const auto sift = [items, &exchange](int parent, int end) {
         // bound: log2 of the count: child more than doubles each turn

@@ -44,11 +44,7 @@ inline constexpr scalar pi = scalar(3.14159265358979323846);
 
 /// What comes of arguments that describe no solid.
 constexpr MassDistribution no_solid() {
-#if INGOT_DOUBLE
-    constexpr scalar nan = __builtin_nan("");
-#else
-    constexpr scalar nan = __builtin_nanf("");
-#endif
+    constexpr scalar nan = INGOT_NAN(scalar);
     return {nan, {nan, nan, nan}, {nan, nan, nan, nan, nan, nan}};
 }
 

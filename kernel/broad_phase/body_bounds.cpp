@@ -39,8 +39,8 @@ bool refresh_bounds(const BodyView& bodies, const SurfaceView& surfaces, scalar 
 void shrink_bounds(const BodyView& bodies, BoundsTile* bounds) {
     for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) {
         BoundsTile& tile = bounds[tile_i];
-        __builtin_memcpy(tile.fat_low, tile.low, sizeof tile.low);
-        __builtin_memcpy(tile.fat_high, tile.high, sizeof tile.high);
+        INGOT_COPY_BYTES(tile.fat_low, tile.low, sizeof tile.low);
+        INGOT_COPY_BYTES(tile.fat_high, tile.high, sizeof tile.high);
     }
 }
 

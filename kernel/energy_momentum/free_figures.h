@@ -37,7 +37,7 @@ public:
 private:
     void operator()(scalar x) {
         If<INGOT_DOUBLE != 0, uint64_t, uint32_t> bits;
-        __builtin_memcpy(&bits, &x, sizeof x);
+        INGOT_COPY_BYTES(&bits, &x, sizeof x);
         for (unsigned shift = 0; shift < 8 * sizeof bits; shift += 32)  // bound: 64
             number_ = (number_ ^ static_cast<uint32_t>(bits >> shift)) * 0x01000193u;
     }

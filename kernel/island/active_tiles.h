@@ -39,9 +39,9 @@ struct ActiveTiles {
         for (int i = 0; i < word_count; ++i) {
             // bound: 32: a bit falls out each turn
             for (uint32_t some = word_bits[i]; some != 0; some &= some - 1) {
-                const int word_i = i * bits_of_word + __builtin_ctz(some);
+                const int word_i = i * bits_of_word + INGOT_LOWEST_BIT(some);
                 // bound: 32: a bit falls out each turn
-                for (uint32_t bits = tile_bits[word_i]; bits != 0; bits &= bits - 1) each(word_i * bits_of_word + __builtin_ctz(bits));
+                for (uint32_t bits = tile_bits[word_i]; bits != 0; bits &= bits - 1) each(word_i * bits_of_word + INGOT_LOWEST_BIT(bits));
             }
         }
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The lane type: one number, or `lanes` numbers that one instruction works on. The only file that knows vector types.
+// The lane type: one number, or `lanes` numbers that one instruction works on. The only file that knows vector types; plain_lanes.h has the same
+// without them, for compilers that have none.
 //
 // Written with the compiler's vectors, not with intrinsics, so that one source serves SSE, AVX, NEON and wasm, but for what
 // no such vector says: which lanes of a mask are set. With one lane it is the plain scalar. Every function is documented by what
@@ -8,6 +9,10 @@
 #pragma once
 
 #include "../base/config.h"
+#include "plain_lanes.h"
+
+/// 1: lanes are a vector of the compiler's.
+#define INGOT_VECTORS (INGOT_LANES > 1 && !INGOT_STANDARD_CPP)
 
 // Vectors never cross a call that is not inlined, so it does not matter how such a call would pass them.
 #pragma GCC diagnostic push
@@ -30,17 +35,17 @@ INGOT_INLINE lane load(const scalar* from) { return *from; }
 INGOT_INLINE void store(scalar* to, lane value) { *to = value; }
 INGOT_INLINE mask mask_from_bits(uint16_t b) { return (b & 1u) != 0; }
 
-#else
+#elif INGOT_VECTORS
 
 typedef scalar lane __attribute__((vector_size(sizeof(scalar) * lanes)));
 using mask = decltype(lane{} < lane{});
 
 INGOT_INLINE lane load(const scalar* from) {
     lane value;
-    __builtin_memcpy(&value, from, sizeof value);
+    INGOT_COPY_BYTES(&value, from, sizeof value);
     return value;
 }
-INGOT_INLINE void store(scalar* to, lane value) { __builtin_memcpy(to, &value, sizeof value); }
+INGOT_INLINE void store(scalar* to, lane value) { INGOT_COPY_BYTES(to, &value, sizeof value); }
 INGOT_INLINE lane select(mask m, lane a, lane b) { return m ? a : b; }
 
 // The signs of a mask, lane 0 lowest, by the one instruction that SSE and AVX have for it.
@@ -58,7 +63,7 @@ INGOT_INLINE bool any(mask m) {
     return INGOT_SIGNS_OF(m) != 0;
 #else
     uint64_t words[sizeof(mask) / 8];
-    __builtin_memcpy(words, &m, sizeof m);
+    INGOT_COPY_BYTES(words, &m, sizeof m);
     uint64_t all = 0;
     for (uint64_t word : words) all |= word;
     return all != 0;
@@ -103,9 +108,9 @@ struct alignas(sizeof(scalar) * static_cast<unsigned>(lanes)) LaneRow {
     INGOT_INLINE scalar& operator[](int lane_i) { return at[lane_i]; }
     INGOT_INLINE const scalar& operator[](int lane_i) const { return at[lane_i]; }
 };
-#if INGOT_LANES == 1
-INGOT_INLINE lane load(const LaneRow& from) { return from.at[0]; }
-INGOT_INLINE void store(LaneRow& to, lane value) { to.at[0] = value; }
+#if !INGOT_VECTORS
+INGOT_INLINE lane load(const LaneRow& from) { return load(from.at); }
+INGOT_INLINE void store(LaneRow& to, lane value) { store(to.at, value); }
 #else
 typedef lane lane_of_row __attribute__((may_alias));
 INGOT_INLINE lane load(const LaneRow& from) { return *reinterpret_cast<const lane_of_row*>(&from); }
@@ -121,9 +126,9 @@ struct LaneQuad {
 template <class Place>
 INGOT_INLINE LaneQuad gather4(const Place& place) {
     LaneQuad to;
-#if INGOT_LANES == 4 || INGOT_LANES == 8
+#if INGOT_VECTORS && (INGOT_LANES == 4 || INGOT_LANES == 8)
     quad rows[lanes];
-    for (int lane_i = 0; lane_i < lanes; ++lane_i) __builtin_memcpy(&rows[lane_i], place(lane_i), sizeof(quad));
+    for (int lane_i = 0; lane_i < lanes; ++lane_i) INGOT_COPY_BYTES(&rows[lane_i], place(lane_i), sizeof(quad));
     for (int lane_i = 0; lane_i < lanes; lane_i += 4) transpose(rows[lane_i], rows[lane_i + 1], rows[lane_i + 2], rows[lane_i + 3]);
     for (int i = 0; i < 4; ++i) {
 #if INGOT_LANES == 8
@@ -144,7 +149,7 @@ INGOT_INLINE LaneQuad gather4(const Place& place) {
 /// The reverse. Lanes that share a place must hold the same numbers.
 template <class Place>
 INGOT_INLINE void scatter4(const LaneQuad& from, const Place& place) {
-#if INGOT_LANES == 4 || INGOT_LANES == 8
+#if INGOT_VECTORS && (INGOT_LANES == 4 || INGOT_LANES == 8)
     quad rows[lanes];
     for (int i = 0; i < 4; ++i) {
 #if INGOT_LANES == 8
@@ -155,7 +160,7 @@ INGOT_INLINE void scatter4(const LaneQuad& from, const Place& place) {
 #endif
     }
     for (int lane_i = 0; lane_i < lanes; lane_i += 4) transpose(rows[lane_i], rows[lane_i + 1], rows[lane_i + 2], rows[lane_i + 3]);
-    for (int lane_i = 0; lane_i < lanes; ++lane_i) __builtin_memcpy(place(lane_i), &rows[lane_i], sizeof(quad));
+    for (int lane_i = 0; lane_i < lanes; ++lane_i) INGOT_COPY_BYTES(place(lane_i), &rows[lane_i], sizeof(quad));
 #else
     scalar rows[4][lanes];
     for (int i = 0; i < 4; ++i) store(rows[i], from.at[i]);
@@ -174,13 +179,15 @@ INGOT_INLINE constexpr T splat(scalar value) {
 INGOT_INLINE constexpr bool both(bool a, bool b) { return a && b; }
 INGOT_INLINE constexpr bool either(bool a, bool b) { return a || b; }
 INGOT_INLINE constexpr bool opposite(bool a) { return !a; }
-#if INGOT_LANES > 1
+#if INGOT_VECTORS
 INGOT_INLINE mask both(mask a, mask b) { return a & b; }
 INGOT_INLINE mask either(mask a, mask b) { return a | b; }
 INGOT_INLINE mask opposite(mask a) { return ~a; }
 #endif
 
-#if INGOT_DOUBLE
+#if INGOT_STANDARD_CPP
+INGOT_INLINE constexpr scalar abs(scalar x) { return x < 0 ? -x : x == 0 ? scalar(0) : x; }  // of -0 too, which is not below 0
+#elif INGOT_DOUBLE
 INGOT_INLINE constexpr scalar abs(scalar x) { return __builtin_fabs(x); }
 #else
 INGOT_INLINE constexpr scalar abs(scalar x) { return __builtin_fabsf(x); }
@@ -200,8 +207,12 @@ INGOT_INLINE constexpr bool is_finite(scalar x) { return abs(x) <= scalar_max; }
 
 #if INGOT_LANES > 1
 INGOT_INLINE lane abs(lane x) {
+#if INGOT_VECTORS
     const mask sign = reinterpret_cast<mask>(-lane{});  // the bits of -0
     return reinterpret_cast<lane>(reinterpret_cast<mask>(x) & ~sign);
+#else
+    return each_lane([&](int lane_i) { return abs(x.at[lane_i]); });
+#endif
 }
 INGOT_INLINE mask is_finite(lane x) { return abs(x) <= splat<lane>(scalar_max); }
 #endif

@@ -17,7 +17,7 @@ Bits fraction_of(Bits x) { return (x << 9) >> 9; }
 Bits shifted_right(Bits x, int shift) { return x >> shift | ((x << (32 - shift)) != 0 ? 1u : 0u); }
 
 /// The float next to m 2^(exponent - bias - 31), ties to even. m is not zero; its lowest bit stands for all below it.
-__attribute__((noinline)) Bits rounded(Bits sign, int exponent, Bits m) {
+INGOT_NOINLINE Bits rounded(Bits sign, int exponent, Bits m) {
     // bound: 31: a number that is not 0 is shifted up
     for (; (m & sign_bit) == 0; m <<= 1) --exponent;
     if (exponent >= exponent_of_infinity) return sign | infinity;
@@ -111,7 +111,7 @@ Bits divide(Bits a, Bits b) {
     return rounded(sign, p.exponent - q.exponent + bias, quotient << 6 | (rest != 0 ? 1u : 0u));
 }
 
-__attribute__((noinline)) Order order_of(Bits a, Bits b) {
+INGOT_NOINLINE Order order_of(Bits a, Bits b) {
     if ((a << 1) > (infinity << 1) || (b << 1) > (infinity << 1)) return unordered;
     const auto signed_magnitude = [](Bits x) {
         const int32_t magnitude = static_cast<int32_t>(x & ~sign_bit);

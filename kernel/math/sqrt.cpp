@@ -17,7 +17,7 @@ constexpr Bits sign_bit = Bits(1) << (sizeof(Bits) * 8 - 1);
 
 scalar from_bits(Bits b) {
     scalar x;
-    __builtin_memcpy(&x, &b, sizeof x);
+    INGOT_COPY_BYTES(&x, &b, sizeof x);
     return x;
 }
 
@@ -25,7 +25,7 @@ scalar from_bits(Bits b) {
 
 scalar sqrt_by_digits(scalar x) {
     Bits b;
-    __builtin_memcpy(&b, &x, sizeof b);
+    INGOT_COPY_BYTES(&b, &x, sizeof b);
     if ((b & ~sign_bit) == 0) return x;  // +0 and -0
     int exponent = static_cast<int>((b & ~sign_bit) >> fraction_bits);
     if (exponent == exponent_max || (b & sign_bit) != 0) {

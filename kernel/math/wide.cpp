@@ -12,12 +12,12 @@ constexpr int wide_low_bits = 3;  ///< below the last place: two decide the roun
 
 WideBits bits_of(double x) {
     WideBits bits;
-    __builtin_memcpy(&bits, &x, sizeof bits);
+    INGOT_COPY_BYTES(&bits, &x, sizeof bits);
     return bits;
 }
 double double_of(WideBits bits) {
     double x;
-    __builtin_memcpy(&x, &bits, sizeof x);
+    INGOT_COPY_BYTES(&x, &bits, sizeof x);
     return x;
 }
 
@@ -60,7 +60,7 @@ double sum_in_integers(double a_value, double b_value) {
         ++exponent;
     }
     if (m < one) {
-        int up = __builtin_clzll(m) - (63 - 52 - wide_low_bits);
+        int up = INGOT_ZEROS_ABOVE(m) - (63 - 52 - wide_low_bits);
         if (up >= exponent) up = exponent - 1;
         m <<= up;
         exponent -= up;

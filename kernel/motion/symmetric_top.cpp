@@ -14,7 +14,7 @@ struct Angle {
 };
 INGOT_INLINE Angle angle_of(lane angle) {
     const SinCosOf<lane> half = lane_sin_cos(angle * splat<lane>(scalar(0.5)));
-    const lane in_range = select(abs(angle) <= splat<lane>(1000), splat<lane>(1), splat<lane>(scalar(__builtin_nanf(""))));
+    const lane in_range = select(abs(angle) <= splat<lane>(1000), splat<lane>(1), splat<lane>(INGOT_NAN(scalar)));
     return {splat<lane>(2) * half.sin * half.cos * in_range, splat<lane>(2) * half.sin * half.sin};
 }
 

@@ -96,12 +96,12 @@ struct SceneOrNone {
 };
 template <class S>
 struct SceneOrNone<false, S> {
-    static_assert(__is_base_of(Scene, S), "a scene inherits what it does not name: struct Crates : ingot::Scene");
+    static_assert(INGOT_IS_BASE_OF(Scene, S), "a scene inherits what it does not name: struct Crates : ingot::Scene");
     using type = Scene;  // so that the sentence is not followed by a line for every trait
 };
 /// The scene of World<S>: S, or, behind a sentence, the least scene, where S is none.
 template <class S>
-using SceneOf = typename SceneOrNone<__is_base_of(Scene, S), S>::type;
+using SceneOf = typename SceneOrNone<INGOT_IS_BASE_OF(Scene, S), S>::type;
 
 template <class T>
 T& any_of();  // in types only: std::declval, which freestanding code has not

@@ -274,7 +274,7 @@ Status read_whole(ByteReader& reader, SavedWorld& whole, Storage<S>* to) {
     whole.numbers(reader);
     if (whole.slots_used > static_cast<uint32_t>(S::max_bodies) || whole.free_hint > whole.slots_used) return Status::bad_snapshot;
     if (to != nullptr) {
-        __builtin_memset(static_cast<void*>(to), 0, sizeof *to);
+        INGOT_CLEAR_BYTES(static_cast<void*>(to), sizeof *to);
         to->world_tag = whole.world_tag;
         to->steps = whole.steps;
         to->slots_used = static_cast<int32_t>(whole.slots_used);

@@ -17,7 +17,7 @@ uint64_t word_at(const uint8_t* bytes, size_t left) {
     uint64_t word = 0;
 #if __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
     if (left >= 8) {  // the same in one load, four times as fast
-        __builtin_memcpy(&word, bytes, 8);
+        INGOT_COPY_BYTES(&word, bytes, 8);
         return word;
     }
 #endif
@@ -33,7 +33,7 @@ bool is_zero_vector(const Vector& v) { return v.x == 0 && v.y == 0 && v.z == 0; 
 
 bool is_power_of_two(scalar x) {
     ScalarBits bits;
-    __builtin_memcpy(&bits, &x, sizeof bits);
+    INGOT_COPY_BYTES(&bits, &x, sizeof bits);
     constexpr ScalarBits fraction = (ScalarBits(1) << (INGOT_DOUBLE ? 52 : 23)) - 1;
     return (bits & fraction) == 0;
 }

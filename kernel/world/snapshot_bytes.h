@@ -26,7 +26,7 @@ template <class Stream>
 class NumberStream {
 public:
     template <class T>
-    __attribute__((always_inline)) constexpr void operator()(const char*, T& number) {
+    INGOT_ALWAYS_INLINE constexpr void operator()(const char*, T& number) {
         (*this)(number);
     }
     /// Of the numbers that follow, all together: what tells one force_field from another with as many numbers.
@@ -80,7 +80,7 @@ public:
     }
     void real(scalar number) {
         ScalarBits bits;
-        __builtin_memcpy(&bits, &number, sizeof bits);
+        INGOT_COPY_BYTES(&bits, &number, sizeof bits);
         integer(bits);
     }
     uint8_t* next() const { return next_; }
@@ -106,7 +106,7 @@ public:
     void real(scalar& number) {
         ScalarBits bits;
         integer(bits);
-        __builtin_memcpy(&number, &bits, sizeof bits);
+        INGOT_COPY_BYTES(&number, &bits, sizeof bits);
     }
     void skip(size_t size) {
         overrun_ = overrun_ || size > left_;

@@ -26,7 +26,7 @@ void notice_field([[maybe_unused]] Step<S>& now) {
         if (features::SteadyField::changed(storage))
             wake_by(storage, [&](const ManifoldView& manifolds) { wake_all(now.bodies, storage.rest_view(), manifolds); });
         storage.field_changed = 0;
-        __builtin_memcpy(static_cast<void*>(&storage.field_before), static_cast<const void*>(&storage.field), sizeof storage.field);
+        INGOT_COPY_BYTES(static_cast<void*>(&storage.field_before), static_cast<const void*>(&storage.field), sizeof storage.field);
     }
 }
 

@@ -13,7 +13,7 @@ using Bits = uint32_t;
 
 uint64_t with_number(uint64_t hash, scalar x) {
     Bits b;
-    __builtin_memcpy(&b, &x, sizeof b);
+    INGOT_COPY_BYTES(&b, &x, sizeof b);
     for (unsigned byte_i = 0; byte_i < sizeof b; ++byte_i) {
         hash = (hash ^ static_cast<uint64_t>(b & 0xffu)) * 0x100000001b3u;
         b >>= 8;

@@ -216,7 +216,7 @@ struct SteadyField : Feature {
     template <class S>
     static bool changed(const Storage<S>& storage) {
         return storage.field_changed != 0 ||
-               (storage.bounds_are_made != 0 && __builtin_memcmp(&storage.field, &storage.field_before, sizeof storage.field) != 0);
+               (storage.bounds_are_made != 0 && !INGOT_SAME_BYTES(&storage.field, &storage.field_before, sizeof storage.field));
     }
 
     struct OfWorld : NoNumbers {
