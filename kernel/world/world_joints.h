@@ -58,6 +58,9 @@ public:
         if (!has_room_for_loop(joint_i)) {
             storage_.joint_lists().unlink(joint_i);
             storage_.joints[joint_i] = {};
+            if constexpr (has_joint_limits<S>) storage_.joint_limits[joint_i] = {};
+            if constexpr (has_ties<S>) storage_.joint_ties[joint_i] = {};
+            if constexpr (has_targets<S>) storage_.joint_targets[joint_i] = {};
             return {Status::no_room, {}};
         }
         ++storage_.joint_generation[joint_i];
