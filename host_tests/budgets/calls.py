@@ -118,6 +118,8 @@ def main():
     action.add_argument("--check", action="store_true", help="fail where a stack left its budget")
     action.add_argument("--update", action="store_true", help="write the figures into the table")
     action.add_argument("--listed", action="store_true", help="fail on a public function without a call")
+    parser.add_argument("--keep", type=pathlib.Path, help="write the figures there too")
+    parser.add_argument("--kept", type=pathlib.Path, help="take the figures from there: that they are of this build is for who says so")
     parser.add_argument("--table", type=pathlib.Path, default=TABLE)
     parser.add_argument("--source", type=pathlib.Path, default=SOURCE)
     arguments = parser.parse_args()
@@ -136,10 +138,12 @@ def main():
         return measure.EXIT_SKIPPED
     table = read_table(arguments.table) if arguments.table.exists() else {}
     try:
-        rows = computed(build, arguments.source)
+        rows = json.loads(arguments.kept.read_text(encoding="utf-8")) if arguments.kept else computed(build, arguments.source)
     except measure.Failure as why:
         print("calls: %s" % why)
         return 1
+    if arguments.keep:
+        arguments.keep.write_text(json.dumps(rows), encoding="utf-8")
     for row in rows:
         budget = table.get((row["call"], row["core"]))
         print("%6d  %s%s" % (row["stack"], row["call"], "" if budget == row["stack"] else "   (table: %s)" % ("no row" if budget is None else budget)))
