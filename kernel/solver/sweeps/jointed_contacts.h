@@ -56,7 +56,8 @@ struct SeesJoints : Contacts {
             factor_jointed(this->view, jointed, this->view.loops);
         }
         Contacts::refresh(bodies, h);
-        if (Whole::has_drives || !is_first) refresh_jointed_blocks(this->view, bodies);
+        // Free bodies that turn far have the inertia of the middle of the substep in the first one, too: refresh_in_solve finds that.
+        if (Whole::has_drives || !is_first || this->view.some_turn) refresh_jointed_blocks(this->view, bodies);
         jointed.is_fresh = false;
         if constexpr (Whole::has_joint_rows) list_joint_rows(jointed.figures, rows(), h);
     }
