@@ -70,7 +70,8 @@ void see_kinematic_bodies(const View& solver, KinematicContacts& kinematic, cons
 
 template <class View>
 void see_kinematic_levers(const View& solver, const KinematicContacts& kinematic) {
-    if (!solver.some_turn) return;
+    // Blocks of figures are refreshed in every substep, those of free bodies where something turns far.
+    if (!View::articulates && !solver.some_turn) return;
     for (int contact_i = 0; contact_i < kinematic.count; ++contact_i) see_rows(solver, kinematic.contacts[contact_i]);  // bound: max_manifolds
 }
 
