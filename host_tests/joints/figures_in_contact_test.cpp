@@ -173,4 +173,45 @@ TEST(Figures, joined_bodies_meet_where_they_are_asked_to) {
     }
 }
 
+struct Turntable : ingot::Scene {
+    static constexpr int max_bodies = 4, max_joints = 1, max_manifolds = 16;
+    static constexpr bool translates = true, kinematic_bodies = true;
+    using joints = AllJoints;
+    using shapes = ingot::Shapes<ingot::Box, ingot::HalfSpace>;
+};
+
+/// Two boxes, joined, turn with the table that they stand on, but for what joints and friction are off by in a step, which is of second order.
+TEST(FiguresOnATurntable, turn_with_it) {
+    for (const double rate : rates)
+        for (const ingot::Joint& kind : {kinds[0], kinds[1], kinds[4]}) {
+            const auto world = std::make_unique<ingot::World<Turntable>>();
+            ASSERT_TRUE(weigh(*world));
+            ingot::BodyDef table;
+            table.kinematic = true;
+            table.shape = ingot::Box{{3, 3, scalar(0.1)}};
+            table.friction = 1;
+            const ingot::BodyId turns = world->add(table).value;
+            ASSERT_EQ(world->set_velocity(turns, {0, 0, 0}, {0, 0, 1}), ingot::Status::ok);
+            ingot::JointDef joint;
+            ingot::BodyId* const ends[] = {&joint.body_A, &joint.body_B};
+            for (int i = 0; i < 2; ++i) {
+                ingot::BodyDef box;
+                const scalar x = scalar(1) + scalar(0.5) * static_cast<scalar>(i);
+                box.mass = ingot::principal(ingot::solid_box(10, {scalar(0.2), scalar(0.2), scalar(0.2)})).value;
+                box.shape = ingot::Box{{scalar(0.2), scalar(0.2), scalar(0.2)}};
+                box.friction = 1;
+                box.state.r_CM = {x, 0, scalar(0.3)};
+                box.state.v_CM = {0, x, 0};
+                box.state.L = {0, 0, box.mass.I_body.z};
+                *ends[i] = world->add(box).value;
+            }
+            joint.joint = kind;
+            joint.P = {scalar(1.25), 0, scalar(0.3)};
+            ASSERT_TRUE(world->add_joint(joint).ok());
+            for (int step_i = 0; step_i < static_cast<int>(4 * rate); ++step_i) (void)ingot::step(*world, static_cast<scalar>(1 / rate));
+            for (const ingot::BodyId* const id : ends)
+                EXPECT_NEAR(static_cast<double>(world->omega(*id).value.z), 1, 4 / (rate * rate) + 64 * eps * rate) << rate << " Hz";
+        }
+}
+
 }  // namespace
