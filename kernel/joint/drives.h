@@ -30,9 +30,9 @@ struct SpringDrive {
     constexpr operator JointDrive() const { return {DriveKind::spring, stiffness, damping, target, target_rate, feedforward, max_torque}; }
 };
 /// The same by how it swings: the poles of a substep are those of the exact motion, for the inertia that the joint has in its figure. Above a quarter
-/// of a turn a substep it swings no faster. The spring of a wheel is tuned for
-/// what the wheel carries: as A gives way at P, while the wheel stands still. That is one corner of a car by itself; for a car of mass M on four
-/// wheels that bounces at f take SpringDrives of the stiffness M (2 pi f)^2 / 4.
+/// of a turn a substep it swings no faster. The spring of a wheel is tuned for what the wheel carries: as A gives way at P, while the wheel stands
+/// still. That is one corner of a car by itself; for a car of mass M on four wheels that bounces at f take SpringDrives of the stiffness
+/// M (2 pi f)^2 / 4.
 struct TunedDrive {
     scalar hertz = 1, damping_ratio = 1;
     scalar target = 0, target_rate = 0, feedforward = 0;
