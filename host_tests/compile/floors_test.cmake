@@ -30,9 +30,8 @@ set(world_features_may base math body shape motion broad_phase narrow_phase impu
 set(world_may world/features base math body shape motion broad_phase narrow_phase query draw impulse joint figure energy_momentum constraint island sleep solver solver/sweeps solver/direct solver/sequential
   events continuous)
 set(freestanding "stdint\\.h|stddef\\.h|float\\.h|limits\\.h")
-# Of a compiler without the words for them, on a system: see base/compiler.h.
+# Freestanding C++17 has it, a C compiler has not: of compilers without GNU's words alone, see base/compiler.h.
 set(standard_of_kernel/base/compiler.h "limits")
-set(standard_of_kernel/math/sqrt.h "math\\.h")
 
 # A stage is a .h/.cpp pair of these rooms; what it may include of its own room is shared vocabulary, not another stage.
 # integrate_r is there for forced_flight, which is made of stages.

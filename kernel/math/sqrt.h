@@ -4,18 +4,16 @@
 
 #include "lanes.h"
 
-#if INGOT_STANDARD_CPP && __STDC_HOSTED__
-#include <math.h>  // compilers take the instruction for its sqrt, where there is one
-#endif
-
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpsabi"  // see lanes.h
 
 namespace ingot { inline namespace INGOT_ABI {
 
-// Whether the unit has the instruction for this scalar. Where it has not, compilers call the sqrt of libm; a target that is not
-// known here computes by digits, which is right everywhere.
-#if defined(__SSE2__) || defined(_M_X64) || defined(_M_ARM64) || defined(__aarch64__) || defined(__wasm__) || defined(__s390x__)
+// Whether the unit has the instruction for this scalar, and the compiler a word for it. Where the unit has not, compilers call the sqrt of libm, and
+// C++17 has no other word; there, and on a target that is not known here, it is computed by digits, which is right everywhere.
+#if INGOT_STANDARD_CPP
+#define INGOT_SQRT_INSTRUCTION 0
+#elif defined(__SSE2__) || defined(__aarch64__) || defined(__wasm__) || defined(__s390x__)
 #define INGOT_SQRT_INSTRUCTION 1
 #elif defined(__ARM_FP)
 #define INGOT_SQRT_INSTRUCTION ((__ARM_FP & (INGOT_DOUBLE ? 8 : 4)) != 0)
@@ -39,12 +37,8 @@ scalar sqrt_by_digits(scalar x);
 
 /// sqrt(x), correctly rounded on every target.
 INGOT_INLINE scalar sqrt(scalar x) {
-#if !INGOT_SQRT_INSTRUCTION || (INGOT_STANDARD_CPP && !__STDC_HOSTED__)
+#if !INGOT_SQRT_INSTRUCTION
     return sqrt_by_digits(x);
-#elif INGOT_STANDARD_CPP && INGOT_DOUBLE
-    return ::sqrt(x);
-#elif INGOT_STANDARD_CPP
-    return ::sqrtf(x);
 #elif INGOT_DOUBLE
     return __builtin_sqrt(x);
 #else
