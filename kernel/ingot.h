@@ -15,7 +15,7 @@
 // axes of inertia. r_CM, v_CM, A and L are the primary state; omega and inv_I_world are derived from it. Equation numbers
 // are those of Chris Hecker, "Physics, Part 4: The Third Dimension", Game Developer, June 1997.
 //
-// Valid ranges stand in base/limits.h. Refused calls answer with a Status and change nothing. Nothing allocates, throws,
+// Valid ranges stand in base/limits.h and base/figure_limits.h. Refused calls answer with a Status and change nothing. Nothing allocates, throws,
 // recurses, prints or reads a clock.
 #pragma once
 

@@ -33,6 +33,12 @@ struct Tied : Party {
     static constexpr int max_loops = 16;
     using joints = AllJointsWith<ingot::RodJoint, ingot::RopeJoint>;
 };
+struct Machined : Looped {
+    using joints = AllJointsWith<ingot::WithLimits, ingot::WithDrives>;
+};
+struct Roped : Tied {
+    using joints = AllJointsWith<ingot::RodJoint, ingot::RopeJoint, ingot::WithLimits, ingot::WithDrives>;
+};
 struct Swinging : Party {
     using figure_motion = ingot::EnergyMomentum<>;
 };
@@ -51,10 +57,11 @@ struct Guest {
 template <class Scene>
 Guest drawn_guest(RandomInput& random) {
     FigureScene scene;
+    const bool closes = Scene::max_loops > 0 && !Scene::joints::has_ties && random.integer(0, 1) == 1;
     if constexpr (Scene::joints::has_limits)
-        scene = limited_tree(random, 8, false, 6);
+        scene = closes ? limited_ring(random, 8, false, 6) : limited_tree(random, 8, false, 6);
     else
-        scene = Scene::max_loops > 0 && !Scene::joints::has_ties && random.integer(0, 1) == 1 ? ring_and_tree(random) : plain_tree(random);
+        scene = closes ? ring_and_tree(random) : plain_tree(random);
     double z = 0;
     for (FigureBody& body : scene.bodies) {
         body.half_extent *= 0.3;
@@ -140,7 +147,7 @@ private:
 
 template <class Scene>
 class FiguresInCompany : public testing::Test {};
-using Scenes = testing::Types<Party, Limited, Driven, Looped, Tied, Swinging, Sleepy>;
+using Scenes = testing::Types<Party, Limited, Driven, Looped, Machined, Tied, Roped, Swinging, Sleepy>;
 TYPED_TEST_SUITE(FiguresInCompany, Scenes);
 
 TYPED_TEST(FiguresInCompany, move_as_if_alone) {

@@ -29,7 +29,12 @@ struct Limited : Fallen {
     using joints = AllJointsWith<ingot::WithLimits>;
 };
 
+struct LimitedLoops : Looped {
+    using joints = AllJointsWith<ingot::WithLimits>;
+};
+
 FigureScene turning_tree_with_limits(RandomInput& random) { return limited_tree(random, 8, random.integer(0, 1) == 1, 6); }
+FigureScene turning_ring_with_limits(RandomInput& random) { return limited_ring(random, 8, random.integer(0, 1) == 1, 6); }
 
 /// What a limit takes in one step it may give back in the next, so the larger of the last two counts. Overlaps that are pushed out, and second orders
 /// of turns, are allowed a hundredth of what the figure has when it falls a metre, beside its motion.
@@ -65,5 +70,6 @@ void expect_no_energy(uint64_t seed, double shrink, const Draw& draw) {
 TEST(JointEnergy, no_step_gives_any_to_trees_that_fall) { expect_no_energy<Fallen>(1, 0.2, plain_tree); }
 TEST(JointEnergy, no_step_gives_any_to_rings_that_fall) { expect_no_energy<Looped>(2, 0.2, ring_and_tree); }
 TEST(JointEnergy, no_step_gives_any_to_trees_with_limits) { expect_no_energy<Limited>(3, 0.2, turning_tree_with_limits); }
+TEST(JointEnergy, no_step_gives_any_to_rings_with_limits) { expect_no_energy<LimitedLoops>(4, 0.2, turning_ring_with_limits); }
 
 }  // namespace

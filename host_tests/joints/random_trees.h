@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <utility>
 
 #include "joints/figure_scenes.h"
 #include "reference/random_input.h"
@@ -87,15 +88,25 @@ inline FigureScene limited_tree(RandomInput& random, int most_bodies, bool tied,
 inline FigureScene plain_tree(RandomInput& random) {
     return turning_tree(random, 8, random.integer(0, 1) == 1, 2, 2, [](FigureJoint&) {});
 }
-/// The same, and its last body hangs on its first by a ball, too.
-inline FigureScene ring_and_tree(RandomInput& random) {
-    FigureScene scene = plain_tree(random);
+/// The last body of a tree hangs on its first by a ball, too.
+inline void close_ring(RandomInput& random, FigureScene& scene) {
     FigureJoint last;
     last.kind = FigureJointKind::ball;
     last.body_A = 0;
     last.body_B = scene.body_count() - 1;
     last.anchor = scene.body(last.body_B).r_CM + random.direction() * 0.3;
     if (scene.body_count() > 2) scene.join(last);
+}
+inline FigureScene ring_and_tree(RandomInput& random) {
+    FigureScene scene = plain_tree(random);
+    close_ring(random, scene);
+    return scene;
+}
+/// With limits, the ball that closes it in any place among the joints: so another may close it.
+inline FigureScene limited_ring(RandomInput& random, int most_bodies, bool tied, double spin) {
+    FigureScene scene = limited_tree(random, most_bodies, tied, spin);
+    close_ring(random, scene);
+    if (!scene.joints.empty()) std::swap(scene.joints.back(), scene.joints[static_cast<std::size_t>(random.integer(0, scene.joint_count() - 1))]);
     return scene;
 }
 

@@ -82,6 +82,15 @@ using RowedMaterialView = RowedViewOf<RollingBeltView, JointRowView>;
 using DrivenView = RowedViewOf<SolverView, DrivenRowView>;
 using DrivenMaterialView = RowedViewOf<RollingBeltView, DrivenRowView>;
 
+/// Both.
+template <class View>
+struct LoopedRowedViewOf : LoopedViewOf<View> {
+    static constexpr bool has_joint_rows = true, has_drives = true;
+    LoopedRowView joint_rows;
+};
+using LoopedRowedView = LoopedRowedViewOf<SolverView>;
+using LoopedRowedMaterialView = LoopedRowedViewOf<RollingBeltView>;
+
 /// Any of these, of which it is told what joints bear.
 template <class View>
 struct ReactingViewOf : View {
@@ -107,6 +116,10 @@ struct WithoutRows {
 template <class View, class Rows>
 struct WithoutRows<RowedViewOf<View, Rows>> {
     using Type = JointedViewOf<View>;
+};
+template <class View>
+struct WithoutRows<LoopedRowedViewOf<View>> {
+    using Type = LoopedViewOf<View>;
 };
 template <class View>
 struct WithoutRows<ReactingViewOf<View>> {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../base/effort.h"
+#include "../base/figure_limits.h"
 #include "../base/work_budget.h"
 #include "../narrow_phase/manifold_record.h"
 #include "../base/contact_lengths.h"

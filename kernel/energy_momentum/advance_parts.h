@@ -2,7 +2,7 @@
 // advance_figures, for the files that compile it: see advance_figure.h.
 #pragma once
 
-#include "../base/limits.h"
+#include "../base/figure_limits.h"
 #include "../figure/factor_figures.h"
 #include "../figure/row_motion.h"
 #include "advance_figure.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fit_to_joints.h"
 
-#include "../base/limits.h"
+#include "../base/figure_limits.h"
 #include "../figure/factor_figures.h"
 #include "../figure/joint_sides.h"
 #include "../figure/move_figures.h"

@@ -2,7 +2,7 @@
 // swing_freely, for the files that compile it: see swing_freely.h.
 #pragma once
 
-#include "../base/limits.h"
+#include "../base/figure_limits.h"
 #include "../body/auxiliary.h"
 #include "../figure/build_figures.h"
 #include "../figure/keep_figures.h"

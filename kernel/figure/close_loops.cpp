@@ -1,41 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "close_loops.h"
 
-#include "../base/limits.h"
+#include "../base/figure_limits.h"
 #include "../math/sqrt.h"
 #include "factor_loops.h"
-#include "ground.h"
-#include "joint_sides.h"
+#include "loop_sides.h"
 #include "move_figures.h"
 #include "target_rows.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
-
-/// Both bodies of a joint, and how they move in a substep of h seconds.
-struct LoopSides {
-    SideMotion<scalar> child, other;
-    const JointFrame &of_child, &of_other;
-
-    JointSides<scalar> now() const { return sides_at(child, of_child, other, of_other); }
-};
-LoopSides sides_of(const FigureView& view, const LoopJoint& loop, scalar h) {
-    const JointRecord& record = view.lists.joints[loop.joint];
-    const auto motion_of = [&](Index node_i) {
-        return at_node(view, node_i, [](const auto& rows, const auto& at, int row_i) { return motion_of_row(at, rows[row_i]); });
-    };
-    return {motion_of(loop.child), loop.other == no_node ? motion_of_ground(ground_at(view, loop.ground), h) : motion_of(loop.other),
-            loop.is_A ? record.frame_A : record.frame_B, loop.is_A ? record.frame_B : record.frame_A};
-}
-
-/// Where the sides will be at the end of a substep, if nothing acts.
-JointSides<scalar> sides_after(const LoopSides& of, const JointSides<scalar>& now, bool is_exact, scalar h, Vector& moved) {
-    const Turning<scalar, bool> child = {of.child.turn, of.child.w * h, is_exact}, other = {of.other.turn, of.other.w * h, is_exact};
-    const Vector turned = child.shift(of.child.A * of.of_child.anchor) - other.shift(of.other.A * of.of_other.anchor);
-    moved = (of.child.v - of.other.v) * h + turned;
-    return {now.gap + moved, child.after(now.axis), other.after(now.axis_of_parent), child.after(now.side), other.after(now.side_of_parent)};
-}
 
 /// twist_back, and that of kinds that are in no tree.
 Spatial<scalar> back_of(JointKind kind, const JointSides<scalar>& of) {
@@ -47,7 +22,7 @@ Spatial<scalar> back_of_motion(JointKind kind, const LoopSides& of, bool is_exac
     Vector moved;
     const JointSides<scalar> now = of.now(), after = sides_after(of, now, is_exact, h, moved);
     const Spatial<scalar> back = back_of(kind, after) - back_of(kind, now);
-    return kind == JointKind::slider ? back : Spatial<scalar>{back.w, -moved};
+    return kind == JointKind::slider || is_wheel(kind) ? back : Spatial<scalar>{back.w, -moved};
 }
 
 /// By how much the ends of a rod or a rope, that are `apart`, have to go along its line until they are at its length: to where its circle is, which
@@ -116,15 +91,14 @@ void keep_lacks_of(const LoopView& loops, const LoopFigure& of) {
 Spatial<scalar> change_of_body(const FigureView& view, Index node_i) { return change_of(view, node_i); }
 
 void aim_loops(const FigureView& view, const LoopView& loops, const LoopFigure& of, scalar h) {
-    const auto is_resolved = [&](Index node_i) { return node_i == no_node || view.figures[view.nodes[node_i].figure].resolved; };
     for_loop_joints(loops, of, [&](LoopJoint& loop) {
-        const bool is_exact = is_resolved(loop.child) && is_resolved(loop.other);
+        const bool exact = is_exact(view, loop);
         const LoopSides sides = sides_of(view, loop, h);
         if (loop.kind == JointKind::target) return set_targets(loop, {});  // see aim_targets
-        if (!has_length(loop.kind)) return set_targets(loop, back_of_motion(loop.kind, sides, is_exact, h) * (1 / h));
+        if (!has_length(loop.kind)) return set_targets(loop, back_of_motion(loop.kind, sides, exact, h) * (1 / h));
         Vector moved;
         loop.length = loops.ties[loop.joint].length_at(view.elapsed + h, view.h);
-        loop.target[0] = way_to_length(loop, sides_after(sides, sides.now(), is_exact, h, moved).gap) / h;
+        loop.target[0] = way_to_length(loop, sides_after(sides, sides.now(), exact, h, moved).gap) / h;
     });
 }
 
@@ -207,11 +181,15 @@ void keep_lacks(const FigureView& view, const LoopView& loops) {
     });
 }
 
-void add_loop_impulses(const FigureView& view, const LoopView& loops) {
+namespace {
+
+/// Of the rows of each joint from first(loop) on.
+template <class First>
+void add_impulses(const FigureView& view, const LoopView& loops, const First& first) {
     for_looped_figures(view, loops, [&](const LoopFigure& of) {
         for_loop_joints(loops, of, [&](const LoopJoint& loop) {
             Spatial<scalar> on_child{}, on_other{};
-            for (int row = 0; row < loop.row_count; ++row) {  // bound: rows_of_joint_max
+            for (int row = first(loop); row < loop.row_end; ++row) {  // bound: rows_of_joint_max
                 on_child = on_child + loop.rows[row].on_child * loop.j[row];
                 on_other = on_other + loop.rows[row].on_other * loop.j[row];
             }
@@ -219,6 +197,15 @@ void add_loop_impulses(const FigureView& view, const LoopView& loops) {
             if (loop.other != no_node) add_to_impulse(view, loop.other, on_other);
         });
     });
+}
+
+}  // namespace
+
+void add_loop_impulses(const FigureView& view, const LoopView& loops) {
+    add_impulses(view, loops, [](const LoopJoint&) { return 0; });
+}
+void add_free_impulses(const FigureView& view, const LoopView& loops) {
+    add_impulses(view, loops, [](const LoopJoint& loop) { return int{loop.row_count}; });
 }
 
 Spatial<scalar> twist_of_loops(const FigureView& view, const LoopView& loops, Index node_i) {
@@ -296,39 +283,48 @@ void settle_rows_of(const FigureView& view, const LoopView& loops, LoopFigure& o
 }  // namespace
 
 bool settle_rows(const FigureView& view, const LoopView& loops, int round) {
-    if (loops.ties == nullptr) return false;
     bool some = false;
     for_looped_figures(view, loops, [&](LoopFigure& of) {
-        if (round == 0 || !of.is_settled) settle_rows_of(view, loops, of, round);
+        if (of.is_settled) return;
+        if (loops.ties == nullptr)
+            of.is_settled = true;
+        else
+            settle_rows_of(view, loops, of, round);
         some = some || !of.is_settled;
     });
     return some;
 }
 
-void solve_loops(const FigureView& view, const LoopView& loops) {
+void open_machines(const FigureView& view, const LoopView& loops) {
+    for_looped_figures(view, loops, [](LoopFigure& of) { of.is_settled = of.stands = false; });
+}
+
+void pass_looped(const FigureView& view, const LoopView& loops) {
     const auto for_open = [&](const auto& each) {
         for_looped_figures(view, loops, [&](const LoopFigure& of) {
             if (!of.is_settled) each(of);
         });
     };
-    // What is settled comes to the same again.
     const auto pass = [&] {
         begin_passing(view);
         add_loop_impulses(view, loops);
         pass_impulses(view);
         for_open([&](const LoopFigure& of) { find_lacks(view, loops, of, true); });
     };
-    for_looped_figures(view, loops, [](LoopFigure& of) { of.is_settled = of.stands = false; });
+    pass();
+    for_open([&](const LoopFigure& of) { keep_lacks_of(loops, of); });
+    pass();
+}
+
+void solve_loops(const FigureView& view, const LoopView& loops) {
+    open_machines(view, loops);
     bool again = true;
     for (int round = 0; again; ++round) {  // bound: rope_rounds + max_loops: see settle_rows
-        pass();
-        for_open([&](const LoopFigure& of) { keep_lacks_of(loops, of); });
-        pass();
+        pass_looped(view, loops);
         close_all_loops(view, loops);
         again = settle_rows(view, loops, round);
     }
-    keep_lacks(view, loops);
-    note_loop_impulses(view, loops);
+    end_loops(view, loops);
 }
 
 void forget_lacks(const FigureView& view, const LoopView& loops) {

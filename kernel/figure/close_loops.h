@@ -29,6 +29,8 @@ void close_loops(const FigureView& view, const LoopView& loops, const LoopFigure
 void keep_lacks(const FigureView& view, const LoopView& loops);
 /// Gives bodies the impulses of their loops. Between begin_passing and pass_impulses.
 void add_loop_impulses(const FigureView& view, const LoopView& loops);
+/// Those of their limits and drives alone.
+void add_free_impulses(const FigureView& view, const LoopView& loops);
 
 /// Of a contact's body: what the loops add to its twist at q, and what they feel of an impulse F through its centre of mass and a moment T.
 Spatial<scalar> twist_of_loops(const FigureView& view, const LoopView& loops, Index node);
@@ -47,8 +49,14 @@ void end_loops(const FigureView& view, const LoopView& loops);
 /// most gives that from now on, or is a row again. Their rows are factored again. False where there are none. From limits::rope_rounds on ropes are
 /// let go, and targets held, alone: so a substep is solved again so often, and once for each of them, at most.
 bool settle_rows(const FigureView& view, const LoopView& loops, int round);
-/// All of it, for figures that touch nothing. Two ways up and down: the second takes back what rounding, and limits::loop_compliance, have left of
-/// the first, and tells joints of the tree what they give.
+/// No machine is settled, and none stands: a solve begins.
+void open_machines(const FigureView& view, const LoopView& loops);
+
+/// Of figures that touch nothing: two ways up and down. The second takes back what rounding, and limits::loop_compliance, have left of the first, and
+/// tells joints of the tree what they give. Machines that are settled come to the same again. Bodies have what their trees alone give them: loops
+/// close by close_all_loops.
+void pass_looped(const FigureView& view, const LoopView& loops);
+/// All of it.
 void solve_loops(const FigureView& view, const LoopView& loops);
 
 /// Joints keep their impulses, as those of the trees do in keep_figures.

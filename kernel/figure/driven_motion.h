@@ -3,7 +3,7 @@
 #pragma once
 
 #include "../math/quaternion.h"
-#include "measure_joint.h"
+#include "moving_joint.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -34,36 +34,35 @@ INGOT_INLINE Vector least_turn(const Vector& turn) {
 INGOT_INLINE Matrix triad_of(const Vector& axis, const Vector& side) { return {axis, side, cross(axis, side)}; }
 INGOT_INLINE Matrix times_transposed(const Matrix& a, const Matrix& b) { return a * transposed(b); }
 
-/// Of a ball joint: three of them, in world axes. elapsed: s, of the step.
-template <unsigned width>
-void ball_errors(const FigureRows<width>& rows, const OneLane<width>& at, const DrivenRowView& all, int row_i, DriveError (&errors)[3]) {
-    const FigureNode& node = rows.node(row_i, at.lane_i);
+/// Of a ball joint: three of them, in world axes.
+template <class Joint>
+void ball_errors(const Joint& joint, const DrivenRowView& all, DriveError (&errors)[3]) {
+    const FigureNode& node = joint.node();
     const DriveRecord* const of = drives_of(node, all);
-    const JointSides<scalar> sides = sides_now(rows, at, row_i, true);
+    const JointSides<scalar> sides = joint.sides();
     const Matrix own = triad_of(sides.axis, sides.side), parent = triad_of(sides.axis_of_parent, sides.side_of_parent);
-    Matrix A_of_A = read(at, rows[row_i].A);
-    if (!node.is_A) A_of_A = node.parent == no_node ? ground_of(rows, at).A : read(at, rows[node.parent].A);
+    const Matrix A_of_A = node.is_A ? joint.A_of_child() : joint.A_of_parent();
     const auto vector = [&](scalar JointDrive::*part) { return A_of_A * Vector{of[0].drive.*part, of[1].drive.*part, of[2].drive.*part}; };
-    const Vector target_rate = vector(&JointDrive::target_rate), target = vector(&JointDrive::target) + target_rate * rows.view.elapsed;
+    const Vector target_rate = vector(&JointDrive::target_rate), target = vector(&JointDrive::target) + target_rate * joint.view().elapsed;
     const Vector feedforward = vector(&JointDrive::feedforward);
     const scalar sign = node.is_A ? scalar(-1) : scalar(1);
     const Vector off = rotation_vector_of(times_transposed(node.is_A ? parent : own, rotation_by(target) * (node.is_A ? own : parent))) * sign;
-    const Vector rate = free_rates_now(rows, at, row_i) - target_rate * sign;
+    const Vector rate = joint.rates() - target_rate * sign;
     errors[0] = {off.x, rate.x, feedforward.x * sign};
     errors[1] = {off.y, rate.y, feedforward.y * sign};
     errors[2] = {off.z, rate.z, feedforward.z * sign};
 }
 
 /// Of a direction of another joint.
-template <unsigned width>
-DriveError error_of(const FigureRows<width>& rows, const OneLane<width>& at, const DrivenRowView& all, int row_i, int direction_i) {
-    const FigureNode& node = rows.node(row_i, at.lane_i);
+template <class Joint>
+DriveError error_of(const Joint& joint, const DrivenRowView& all, int direction_i) {
+    const FigureNode& node = joint.node();
     const JointDrive& drive = drive_of(node, all, direction_i);
     const scalar sign = of_record(node, direction_i).sign;
-    const Vector rates = free_rates_now(rows, at, row_i);
-    const scalar target = (drive.target + drive.target_rate * rows.view.elapsed) * sign, feedforward = drive.feedforward * sign;
+    const Vector rates = joint.rates();
+    const scalar target = (drive.target + drive.target_rate * joint.view().elapsed) * sign, feedforward = drive.feedforward * sign;
     if (direction_i == 2) {
-        const scalar off = steering_of(node.kind, sides_now(rows, at, row_i, true)) - target;
+        const scalar off = steering_of(node.kind, joint.sides()) - target;
         int32_t turns = 0;
         return {nearest_turn(off, 0, turns), rates.z - drive.target_rate * sign, feedforward};
     }

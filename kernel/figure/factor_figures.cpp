@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "factor_figures.h"
 
-#include "../base/limits.h"
+#include "../base/figure_limits.h"
 #include "ground.h"
 #include "tree_passes.h"
 
@@ -165,6 +165,12 @@ void factor_figures(const FigureView& view, const Loops& loops, scalar h) {
 }
 
 void factor_figures(const FigureView& view, const DrivenRowView& all, scalar h) { factor_all(view, NoLoops{}, Drives{all}, h); }
+void factor_figures(const FigureView& view, const LoopedRowView& all, scalar h) {
+    if (all.drives_of_joint > 0)
+        factor_all(view, *all.loops, Drives{all}, h);
+    else
+        factor_all(view, *all.loops, NoDrives{}, h);
+}
 
 // The linker takes the one that the scene calls.
 template void factor_figures(const FigureView&, const NoLoops&, scalar);

@@ -21,5 +21,6 @@ void factor_figures(const FigureView& view, const Loops& loops, scalar h);
 
 /// The same of joints that may have drives, which resist a change of their rates. Needs: prepare_drives.
 void factor_figures(const FigureView& view, const DrivenRowView& all, scalar h);
+void factor_figures(const FigureView& view, const LoopedRowView& all, scalar h);
 
 } }  // namespace ingot

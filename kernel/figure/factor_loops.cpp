@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "factor_loops.h"
 
-#include "../base/limits.h"
+#include "../base/figure_limits.h"
 #include "../math/sqrt.h"
-#include "ground.h"
+#include "loop_sides.h"
 #include "target_rows.h"
 #include "tree_passes.h"
 
@@ -46,15 +46,17 @@ void set_directions(LoopJoint& loop, const PlacedFrame& child, const PlacedFrame
         add(is_turn, frame.side);
         add(is_turn, frame.third);
     };
-    if (loop.kind == JointKind::slider)
+    if (loop.kind == JointKind::slider || loop.kind == JointKind::wheel)
         add_across(false, other);
+    else if (loop.kind == JointKind::carriage)
+        add_across(false, child);
     else if (has_length(loop.kind))
         add(false, loop.direction[0]);
     else if (loop.kind != JointKind::parallel)
         add_all(false);
     if (loop.kind == JointKind::hinge || loop.kind == JointKind::parallel) add_across(true, child);
     if (loop.kind == JointKind::fixed || loop.kind == JointKind::slider || loop.kind == JointKind::target) add_all(true);
-    if (loop.kind == JointKind::universal) {
+    if (loop.kind == JointKind::universal || is_wheel(loop.kind)) {
         const Vector x = cross(other.axis, child.axis);
         add(true, x * (1 / sqrt(length_sq(x))));
     }
@@ -66,6 +68,11 @@ void set_line(const Vector& apart, scalar most, LoopJoint& loop) {
     const scalar length = sqrt(length_sq(apart));
     loop.is_slack = loop.is_slack && !(length > most);
     loop.direction[0] = length > 0 ? apart * (1 / length) : Vector{1, 0, 0};
+}
+
+/// A unit impulse on both bodies, and against it.
+LoopRow row_of(const Spatial<scalar>& unit, const Vector& at_child, const Vector& at_other, bool is_tied) {
+    return {impulse_from(unit, at_child), is_tied ? Spatial<scalar>{} : impulse_from(unit, at_other) * scalar(-1)};
 }
 
 void place_loop(const FigureView& view, const LoopView& loops, LoopJoint& loop) {
@@ -82,16 +89,28 @@ void place_loop(const FigureView& view, const LoopView& loops, LoopJoint& loop) 
         set_line((between + child.arm) - other.arm, most, loop);
     }
     set_directions(loop, child, other);
-    // Both sides act at the child's, so that they turn nothing between them.
-    const Vector at_child = from_q(view, loop.child, child.arm);
+    // Both sides act at the child's, so that they turn nothing between them; or at a wheel's.
+    const Vector arm = loop.kind == JointKind::carriage ? other.arm - between : child.arm;
+    const Vector at_child = from_q(view, loop.child, arm);
     Vector at_other{};
-    if (!is_tied) at_other = from_q(view, loop.other, between + child.arm);
+    if (!is_tied) at_other = from_q(view, loop.other, between + arm);
     for (int row = 0; row < loop.row_count; ++row) {  // bound: rows_of_joint_max
         const Vector d = loop.direction[row], none{};
-        const Spatial<scalar> unit = loop.is_turn[row] ? Spatial<scalar>{d, none} : Spatial<scalar>{none, d};
-        loop.rows[row].on_child = impulse_from(unit, at_child);
-        loop.rows[row].on_other = is_tied ? Spatial<scalar>{} : impulse_from(unit, at_other) * scalar(-1);
+        loop.rows[row] = row_of(loop.is_turn[row] ? Spatial<scalar>{d, none} : Spatial<scalar>{none, d}, at_child, at_other, is_tied);
     }
+}
+
+/// The same of the directions that it leaves free.
+void place_free(const FigureView& view, LoopJoint& loop) {
+    const LoopSides sides = sides_of(view, loop, 0);
+    const bool is_tied = loop.other == no_node;
+    const Vector at_child = from_q(view, loop.child, sides.arm_of_child(loop.kind));
+    Vector at_other{};
+    if (!is_tied) at_other = from_q(view, loop.other, sides.arm_of_other(loop.kind));
+    Spatial<scalar> s[3];
+    const int free = free_directions(loop.kind, sides.now(), s);
+    for (int i = 0; i < free; ++i) loop.rows[loop.row_count + i] = row_of(s[i], at_child, at_other, is_tied);  // bound: 3
+    loop.row_end = static_cast<uint8_t>(loop.row_count + free);
 }
 
 template <class At>
@@ -255,6 +274,14 @@ void place_loops(const FigureView& view, const LoopView& loops) {
     });
 }
 
+void place_free_rows(const FigureView& view, const LoopView& loops) {
+    for_looped_figures(view, loops, [&](const LoopFigure& of) {
+        for_loop_joints(loops, of, [&](LoopJoint& loop) {
+            if (!is_tie(loop.kind)) place_free(view, loop);
+        });
+    });
+}
+
 void factor_loops_of(const FigureView& view, const LoopView& loops, LoopFigure& of) {
     scalar* const L = loops.L + of.first_entry;
     scalar* const free = loops.z + of.first_row;  // z is not asked for yet
@@ -268,6 +295,14 @@ void factor_loops_of(const FigureView& view, const LoopView& loops, LoopFigure& 
 
 void factor_loops(const FigureView& view, const LoopView& loops) {
     for_looped_figures(view, loops, [&](LoopFigure& of) { factor_loops_of(view, loops, of); });
+}
+
+void factor_open_loops(const FigureView& view, const LoopView& loops) {
+    for_looped_figures(view, loops, [&](LoopFigure& of) {
+        if (of.is_settled) return;
+        factor_loops_of(view, loops, of);
+        for (int i = 0; i < of.row_count; ++i) loops.z[of.first_row + i] = 0;  // bound: limits::loop_rows_max
+    });
 }
 
 } }  // namespace ingot

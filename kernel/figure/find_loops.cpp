@@ -14,7 +14,8 @@ bool is_node(const FigureView& view, Index slot) {
 
 uint8_t row_count_of(JointKind kind) {
     switch (kind) {
-        case JointKind::ball: return 3;
+        case JointKind::ball:
+        case JointKind::wheel: return 3;
         case JointKind::universal: return 4;
         case JointKind::target:
         case JointKind::fixed: return 6;
@@ -59,10 +60,10 @@ bool add_loop(const FigureView& view, LoopView& loops, Index joint_i, Index node
     loop.child = child;
     loop.other = is_A ? no_node : node_A;
     loop.ground = is_A ? record.body_B : record.body_A;
-    loop.kind = record.kind;
+    loop.kind = record.kind == JointKind::wheel && is_A ? JointKind::carriage : record.kind;
     loop.is_A = is_A;
     loop.first_row = static_cast<uint8_t>(of.row_count);
-    loop.row_count = row_count;
+    loop.row_count = loop.row_end = row_count;
     of.row_count = static_cast<Index>(of.row_count + row_count);
     Index* last = &of.first_joint;
     while (*last != no_loop) last = &loops.joints[*last].next;  // bound: max_loops

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "joint_drives.h"
 
-#include "../base/limits.h"
+#include "../base/figure_limits.h"
 #include "driven_motion.h"
 #include "row_compliance.h"
 #include "step_poles.h"
@@ -13,14 +13,14 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
-/// Calls each(rows, at, row_i) for every joint of the batch that has a drive.
-template <class Each>
-void for_driven(const FigureView& view, const DrivenRowView& all, const Each& each) {
-    for_joints(view, [&](const auto& rows, const auto& at, int row_i) {
-        const FigureNode& node = rows.node(row_i, at.lane_i);
+/// Calls each(joint, node) for every joint of the batch that has a drive.
+template <class Rows, class Each>
+void for_driven(const FigureView& view, const Rows& all, const Each& each) {
+    for_moving_joints(view, all, [&](const auto& joint) {
+        const FigureNode& node = joint.node();
         bool driven = false;
-        for (int i = 0; i < driven_directions(node.kind); ++i) driven = driven || is_driven(node, all, i);  // bound: 3
-        if (driven) each(rows, at, row_i, node);
+        for (int i = 0; i < drives_in(node.kind, all); ++i) driven = driven || is_driven(node, all, i);  // bound: 3
+        if (driven) each(joint, node);
     });
 }
 
@@ -47,22 +47,26 @@ void set_gains(const JointDrive& drive, DriveMotion& motion, scalar h) {
 }
 
 /// How a wheel's spring meets what it carries: of a wheel that is held. Where that cannot move, as any joint.
-template <unsigned width>
-scalar compliance_of_carried(const FigureRows<width>& rows, const OneLane<width>& at, const JointRowView& all, int row_i) {
-    const FigureRow<width>& row = rows[row_i];
-    const FigureNode& node = rows.node(row_i, at.lane_i);
+template <unsigned width, class Rows>
+scalar compliance_of_carried(const TreeJoint<width>& joint, const Rows& all) {
+    const auto& at = joint.at;
+    const FigureRow<width>& row = joint.row();
+    const FigureNode& node = joint.node();
     if (node.kind == JointKind::carriage) return at.get(row.inv_D[1]);
-    if (node.parent == no_node) return compliance_of(rows, at, all, row_i, unit_along(1));
+    if (node.parent == no_node) return compliance_of(joint, all, unit_along(1));
     const Vector d = read(at, row.d), along = read(at, row.axis_of_parent);
     const Spatial<scalar> sent = impulse_from(Spatial<scalar>{Vector{}, along}, d);
-    return dot(along, twist_at(read(at, rows.response(all.responses, node.parent)) * sent, d).v);
+    return dot(along, twist_at(read(at, joint.rows.response(all.responses, node.parent)) * sent, d).v);
 }
+/// One that closes a loop is tuned for both.
+scalar compliance_of_carried(const LoopedJoint& joint, const LoopedRowView& all) { return compliance_of(joint, all, unit_along(1)); }
 
 /// What the drives of a joint have given in the solve: pull - R dq of each, without the digits that this loses where R is much more than the inertia.
 template <unsigned width>
-void given_by_drives(const FigureRows<width>& rows, const OneLane<width>& at, const DrivenRowView& all, int row_i, scalar (&given)[3]) {
-    const FigureRow<width>& row = rows[row_i];
-    const FigureNode& node = rows.node(row_i, at.lane_i);
+void given_by_drives(const TreeJoint<width>& joint, const DrivenRowView& all, scalar (&given)[3]) {
+    const auto& [rows, at, row_i] = joint;
+    const FigureRow<width>& row = joint.row();
+    const FigureNode& node = joint.node();
     Spatial<scalar> u = change_of_parent(rows, at, row_i) + read(at, row.bias), P = read(at, row.impulse), s[3];
     const Vector drive = read(at, row.drive);
     const int free = free_directions(at, row, node.kind, s);
@@ -91,11 +95,12 @@ bool is_beyond(JointKind kind, const scalar (&given)[3], int direction_i, scalar
 
 }  // namespace
 
-void name_driven_kinds(const FigureView& view, const DrivenRowView& all) {
+template <class Rows>
+void name_driven_kinds(const FigureView& view, const Rows& all) {
     for (int node_i = 0; node_i < view.node_count; ++node_i) {  // bound: max_bodies
         FigureNode& node = view.nodes[node_i];
         if (node.kind == JointKind::wheel && node.is_A) node.kind = JointKind::carriage;
-        if (node.kind == JointKind::ball && drives_of(node, all)->drive.kind != DriveKind::none) node.kind = JointKind::driven_ball;
+        if (node.kind == JointKind::ball && drives_in(node.kind, all) > 0 && is_driven(node, all, 0)) node.kind = JointKind::driven_ball;
     }
 }
 
@@ -118,12 +123,13 @@ bool place_carriages(const FigureView& view) {
     return some;
 }
 
-void begin_drives(const FigureView& view, const DrivenRowView& all) {
-    for_driven(view, all, [&](const auto& rows, const auto& at, int row_i, const FigureNode& node) {
-        const int count = driven_directions(node.kind);
+template <class Rows>
+void begin_drives(const FigureView& view, const Rows& all) {
+    for_driven(view, all, [&](const auto& joint, const FigureNode& node) {
+        const int count = drives_in(node.kind, all);
         scalar K[3] = {}, sum = 0;
         for (int i = 0; i < count; ++i) {  // bound: 3
-            K[i] = is_wheel(node.kind) && i == 1 ? compliance_of_carried(rows, at, all, row_i) : compliance_of(rows, at, all, row_i, unit_along(i));
+            K[i] = is_wheel(node.kind) && i == 1 ? compliance_of_carried(joint, all) : compliance_of(joint, all, unit_along(i));
             sum += K[i] / 3;
         }
         for (int i = 0; i < count; ++i) {
@@ -135,10 +141,11 @@ void begin_drives(const FigureView& view, const DrivenRowView& all) {
     });
 }
 
-void prepare_drives(const FigureView& view, const DrivenRowView& all, scalar h) {
-    for_joints(view, [&](const auto& rows, const auto& at, int row_i) {
-        const FigureNode& node = rows.node(row_i, at.lane_i);
-        for (int i = 0; i < driven_directions(node.kind); ++i) {  // bound: 3
+template <class Rows>
+void prepare_drives(const FigureView& view, const Rows& all, scalar h) {
+    for_moving_joints(view, all, [&](const auto& joint) {
+        const FigureNode& node = joint.node();
+        for (int i = 0; i < drives_in(node.kind, all); ++i) {  // bound: 3
             DriveMotion& motion = drive_motion(node, all, i);
             motion.saturated = false;
             set_gains(drive_of(node, all, i), motion, h);
@@ -146,9 +153,10 @@ void prepare_drives(const FigureView& view, const DrivenRowView& all, scalar h) 
     });
 }
 
-void aim_drive(const FigureView& view, const DrivenRowView& all, JointRow& row, scalar h) {
-    at_node(view, row.node, [&](const auto& rows, const auto& at, int row_i) {
-        const FigureNode& node = rows.node(row_i, at.lane_i);
+template <class Rows>
+void aim_drive(const FigureView& view, const Rows& all, JointRow& row, scalar h) {
+    at_joint(view, all, row, [&](const auto& joint) {
+        const FigureNode& node = joint.node();
         DriveMotion& motion = drive_motion(node, all, row.direction_i);
         const auto pull_of = [&](const DriveError& error) {
             return h * error.feedforward - motion.spring * error.angle - motion.resist * error.rate;
@@ -157,43 +165,60 @@ void aim_drive(const FigureView& view, const DrivenRowView& all, JointRow& row, 
         row.along = unit_along(row.direction_i);
         if (is_ball(node.kind)) {
             DriveError errors[3];
-            ball_errors(rows, at, all, row_i, errors);
+            ball_errors(joint, all, errors);
             pulls = {pull_of(errors[0]), pull_of(errors[1]), pull_of(errors[2])};
             motion.pull = along(pulls, row.direction_i);
         } else {
-            motion.pull = pull_of(error_of(rows, at, all, row_i, row.direction_i));
+            motion.pull = pull_of(error_of(joint, all, row.direction_i));
         }
+        const bool is_one = !is_ball(node.kind), is_row = motion.saturated || joint.closes;
         row.K = row.gamma = row.lower = row.upper = row.direction = 0;
         row.most = most_of(drive_of(node, all, row.direction_i), h);
         row.j = row.j_sweep = motion.pull;
-        if (!motion.saturated) return;
+        if (!is_row) return;
         row.j = row.j_sweep = max(-row.most, min(row.most, motion.pull));
         scalar pull = motion.pull;
-        if (is_ball(node.kind)) {
+        if (!is_one && motion.saturated) {
             // Along the torque that is asked for, as far as it may go; the other two rows are none.
             pull = row.direction_i == 0 ? sqrt(length_sq(pulls)) : 0;
             row.along = pull > 0 ? pulls * (1 / pull) : row.along;
             row.j = row.j_sweep = min(row.most, pull);
         }
-        if (!(motion.resist > 0) || (is_ball(node.kind) && row.direction_i > 0)) return;
-        row.K = compliance_of(rows, at, all, row_i, row.along);
+        if (!(motion.resist > 0) || (!is_one && motion.saturated && row.direction_i > 0)) return;
+        row.K = compliance_of(joint, all, row.along);
         row.gamma = 1 / motion.resist;
         row.lower = row.upper = pull * row.gamma;
     });
 }
 
-bool saturate_drives(const FigureView& view, const DrivenRowView& all) {
+namespace {
+
+/// What the drives of a row's joint have given in the solve.
+template <unsigned width>
+void given_in_solve(const TreeJoint<width>& joint, const DrivenRowView& all, const JointRow*, scalar (&given)[3]) {
+    given_by_drives(joint, all, given);
+}
+/// Those of one that closes a loop are rows of their own; of a ball joint three, one after the other.
+void given_in_solve(const LoopedJoint& joint, const DrivenRowView&, const JointRow* row, scalar (&given)[3]) {
+    const JointRow* const first = is_ball(joint.node().kind) ? row - row->direction_i : row;
+    for (int i = 0; i < 3; ++i) given[i] = is_ball(joint.node().kind) ? first[i].j : i == row->direction_i ? row->j : 0;
+}
+
+}  // namespace
+
+template <class Rows>
+bool saturate_drives(const FigureView& view, const Rows& all) {
     bool some = false;
     for (int i = 0; i < all.count; ++i) {  // bound: the rows of joint_row_capacity
         JointRow& row = all.list[i];
         row.gave_way = false;
         if (!row.is_drive || !(row.most < unlimited)) continue;
-        at_node(view, row.node, [&](const auto& rows, const auto& at, int row_i) {
-            const FigureNode& node = rows.node(row_i, at.lane_i);
+        at_joint(view, all, row, [&](const auto& joint) {
+            const FigureNode& node = joint.node();
             DriveMotion& motion = drive_motion(node, all, row.direction_i);
-            if (motion.saturated) return;
+            if (motion.saturated || (joint.closes && !is_ball(node.kind))) return;
             scalar given[3] = {};
-            given_by_drives(rows, at, all, row_i, given);
+            given_in_solve(joint, all, &row, given);
             if (!is_beyond(node.kind, given, row.direction_i, row.most)) return;
             some = row.gave_way = motion.saturated = true;
             if (is_ball(node.kind))
@@ -203,15 +228,16 @@ bool saturate_drives(const FigureView& view, const DrivenRowView& all) {
     return some;
 }
 
-void note_drives(const FigureView& view, const DrivenRowView& all) {
+template <class Rows>
+void note_drives(const FigureView& view, const Rows& all) {
     for (int i = 0; i < all.count; ++i) {
         const JointRow& row = all.list[i];
         if (!row.is_drive) continue;
-        at_node(view, row.node, [&](const auto& rows, const auto& at, int row_i) {
-            const FigureNode& node = rows.node(row_i, at.lane_i);
+        at_joint(view, all, row, [&](const auto& joint) {
+            const FigureNode& node = joint.node();
             DriveMotion& motion = drive_motion(node, all, row.direction_i);
             scalar given[3] = {};
-            given_by_drives(rows, at, all, row_i, given);
+            given_in_solve(joint, all, &row, given);
             if (is_ball(node.kind) && motion.saturated) {
                 if (row.direction_i != 0) return;
                 for (int k = 0; k < 3; ++k) drive_motion(node, all, k).sum += along(row.along, k) * row.j;
@@ -223,19 +249,19 @@ void note_drives(const FigureView& view, const DrivenRowView& all) {
     }
 }
 
-void keep_drives(const FigureView& view, const DrivenRowView& all, int doublings) {
-    for_driven(view, all, [&](const auto& rows, const auto& at, int row_i, const FigureNode& node) {
-        if (rows.figure(at.lane_i).doublings > doublings) return;
+template <class Rows>
+void keep_drives(const FigureView& view, const Rows& all, int doublings) {
+    for_driven(view, all, [&](const auto& joint, const FigureNode& node) {
+        if (joint.figure().doublings > doublings) return;
         DriveRecord* const of = drives_of(node, all);
         scalar torque[3] = {};
-        const int count = driven_directions(node.kind);
+        const int count = drives_in(node.kind, all);
         for (int i = 0; i < count; ++i) {  // bound: 3
             const DirectionOfRecord direction = is_ball(node.kind) ? DirectionOfRecord{i, scalar(1)} : of_record(node, i);
             torque[direction.direction_i] = drive_motion(node, all, i).sum * direction.sign / view.h;
         }
         if (is_ball(node.kind)) {
-            Matrix A = read(at, rows[row_i].A);
-            if (!node.is_A) A = node.parent == no_node ? ground_of(rows, at).A : read(at, rows[node.parent].A);
+            const Matrix A = node.is_A ? joint.A_of_child() : joint.A_of_parent();
             const Vector in_A = transpose_times(A, Vector{torque[0], torque[1], torque[2]}) * (node.is_A ? scalar(-1) : scalar(1));
             for (int i = 0; i < 3; ++i) torque[i] = along(in_A, i);
         }
@@ -249,6 +275,19 @@ void keep_drives(const FigureView& view, const DrivenRowView& all, int doublings
         for (int i = 0; i < 3; ++i) of[i].drive.target = along(target, i);
     });
 }
+
+// The linker takes the one that the scene calls.
+#define INGOT_ROWS(Rows)                                                     \
+    template void name_driven_kinds(const FigureView&, const Rows&);         \
+    template void begin_drives(const FigureView&, const Rows&);              \
+    template void prepare_drives(const FigureView&, const Rows&, scalar);    \
+    template void aim_drive(const FigureView&, const Rows&, JointRow&, scalar); \
+    template bool saturate_drives(const FigureView&, const Rows&);           \
+    template void note_drives(const FigureView&, const Rows&);               \
+    template void keep_drives(const FigureView&, const Rows&, int)
+INGOT_ROWS(DrivenRowView);
+INGOT_ROWS(LoopedRowView);
+#undef INGOT_ROWS
 
 } }  // namespace ingot
 

@@ -17,30 +17,39 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
+// Rows: DrivenRowView; or LoopedRowView, where joints close loops. Drives of such a joint stand in no factor: they are rows always, as limits are.
+
 /// The batch begins: what drives move. Needs: factor_figures without drives, responses.
-void begin_drives(const FigureView& view, const DrivenRowView& all);
+template <class Rows>
+void begin_drives(const FigureView& view, const Rows& all);
 
 /// What drives resist in a substep of h seconds. Before factor_figures with them.
-void prepare_drives(const FigureView& view, const DrivenRowView& all, scalar h);
+template <class Rows>
+void prepare_drives(const FigureView& view, const Rows& all, scalar h);
 
 /// What a drive gives if its rate does not change; of a saturated one the row. Needs: begin_solve, measure_joints.
-void aim_drive(const FigureView& view, const DrivenRowView& all, JointRow& row, scalar h);
+template <class Rows>
+void aim_drive(const FigureView& view, const Rows& all, JointRow& row, scalar h);
 
 /// Marks the drives that are beyond their largest torque: JointRow::gave_way of those that were not yet. True where there are some: their figures are
 /// solved again. Needs: pass_impulses.
-bool saturate_drives(const FigureView& view, const DrivenRowView& all);
+template <class Rows>
+bool saturate_drives(const FigureView& view, const Rows& all);
 
 /// What drives have given in the substep. Needs: pass_impulses.
-void note_drives(const FigureView& view, const DrivenRowView& all);
+template <class Rows>
+void note_drives(const FigureView& view, const Rows& all);
 
 /// Mean torques of the step, and targets that go on: of figures that do not begin it again. Before keep_figures. doublings: of the batch.
-void keep_drives(const FigureView& view, const DrivenRowView& all, int doublings);
+template <class Rows>
+void keep_drives(const FigureView& view, const Rows& all, int doublings);
 
 /// Where wheels are nearer to the root than what they carry: twists of that are taken on its suspension, where the wheel is. After place_joints.
 /// False: there are none.
 bool place_carriages(const FigureView& view);
 
 /// Ball joints that have a drive, and wheels that are nearer to the root than what they carry, of the figures of the step. After build_figures.
-void name_driven_kinds(const FigureView& view, const DrivenRowView& all);
+template <class Rows>
+void name_driven_kinds(const FigureView& view, const Rows& all);
 
 } }  // namespace ingot

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "joint_motions.h"
 
-#include "../base/limits.h"
-#include "measure_joint.h"
+#include "../base/figure_limits.h"
+#include "moving_joint.h"
 #include "row_motion.h"
 
 #pragma GCC diagnostic push
@@ -11,6 +11,13 @@
 namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
+
+/// way: rad, that the joint has gone since.
+void count_turns(JointMotion& motion, scalar angle, scalar way) {
+    int32_t more = 0;
+    (void)nearest_turn(angle, motion.value[0] + way, more);
+    motion.turns += more;
+}
 
 /// Values of all lanes; angles of hinges beside h times their rates.
 template <unsigned width>
@@ -27,13 +34,24 @@ void measure_row(const FigureRows<width>& rows, const JointRowView& all, int row
     rows.all.put(ways, way);
     for (int lane_i = 0; lane_i < static_cast<int>(width); ++lane_i) {  // bound: lanes
         JointMotion& motion = all.motions[rows.node(row_i, lane_i).joint];
-        if (turns_round(kind)) {
-            int32_t more = 0;
-            (void)nearest_turn(values[0][lane_i], motion.value[0] + ways[lane_i], more);
-            motion.turns += more;
-        }
+        if (turns_round(kind)) count_turns(motion, values[0][lane_i], ways[lane_i]);
         for (int i = 0; i < 2; ++i) motion.value[i] = values[i][lane_i];
     }
+}
+
+/// Of the joints that close loops.
+void measure_loops(const FigureView&, const JointRowView&, scalar) {}
+void measure_loops(const FigureView& view, const LoopedRowView& all, scalar h) {
+    for_looped_figures(view, *all.loops, [&](const LoopFigure& of) {
+        for_loop_joints(*all.loops, of, [&](LoopJoint& loop) {
+            if (limited_directions(loop.kind) == 0) return;
+            const LoopedJoint joint{view, *all.loops, loop};
+            const JointValues<scalar> now = measure(loop.kind, joint.sides());
+            JointMotion& motion = all.motions[loop.joint];
+            if (turns_round(loop.kind)) count_turns(motion, now.of[0], h > 0 ? joint.rates().x * h : scalar(0));
+            for (int i = 0; i < 2; ++i) motion.value[i] = now.of[i];
+        });
+    });
 }
 
 /// Of a joint as its record has it.
@@ -62,37 +80,41 @@ bool is_good(const JointMotion& motion) {
 
 }  // namespace
 
-void begin_joint_motions(const FigureView& view, const JointRowView& all) {
-    for_joints(view, [&](const auto& rows, const auto& at, int row_i) {
-        const FigureNode& node = rows.node(row_i, at.lane_i);
-        const scalar share = 1 / static_cast<scalar>(1 << rows.figure(at.lane_i).doublings);
+template <class Rows>
+void begin_joint_motions(const FigureView& view, const Rows& all) {
+    for_moving_joints(view, all, [&](const auto& joint) {
+        const FigureNode& node = joint.node();
+        const scalar share = 1 / static_cast<scalar>(1 << joint.figure().doublings);
         all.motions[node.joint] = recalled(node, all, share);
     });
     for_groups(view, [](const auto& rows) { set_spins(rows); });
     measure_joints(view, all, 0);
-    for_joints(view, [&](const auto& rows, const auto& at, int row_i) {
-        const FigureNode& node = rows.node(row_i, at.lane_i);
+    for_moving_joints(view, all, [&](const auto& joint) {
+        const FigureNode& node = joint.node();
         JointMotion& motion = all.motions[node.joint];
         for (int i = 0; i < limits_of(node, all); ++i) {  // bound: 2
             const JointRange ends = ends_of(node, i, all.limits[node.joint].limits);
             const scalar value = value_of(node, motion, i);
-            const scalar slack = limits::limit_slack * unit_of_travel(node.kind, i, rows.view.unit);
+            const scalar slack = limits::limit_slack * unit_of_travel(node.kind, i, view.unit);
             motion.returns[i] = ends.lower - value > slack || value - ends.upper > slack;
         }
     });
 }
 
-void measure_joints(const FigureView& view, const JointRowView& all, scalar h) {
+template <class Rows>
+void measure_joints(const FigureView& view, const Rows& all, scalar h) {
     for_groups(view, [&](const auto& rows) {
         for (int row_i = 0; row_i < rows.count(); ++row_i) measure_row(rows, all, row_i, h);  // bound: max_bodies
     });
+    measure_loops(view, all, h);
 }
 
-void keep_joint_motions(const FigureView& view, const JointRowView& all, int doublings) {
+template <class Rows>
+void keep_joint_motions(const FigureView& view, const Rows& all, int doublings) {
     const auto scale = static_cast<scalar>(1 << doublings);
-    for_joints(view, [&](const auto& rows, const auto& at, int row_i) {
-        if (rows.figure(at.lane_i).doublings > doublings) return;
-        const FigureNode& node = rows.node(row_i, at.lane_i);
+    for_moving_joints(view, all, [&](const auto& joint) {
+        if (joint.figure().doublings > doublings) return;
+        const FigureNode& node = joint.node();
         const JointMotion& motion = all.motions[node.joint];
         if (!is_good(motion)) return;
         for (int i = 0; i < limits_of(node, all); ++i) {  // bound: 2
@@ -107,6 +129,16 @@ void keep_joint_motions(const FigureView& view, const JointRowView& all, int dou
         angle.turns = node.is_A ? -motion.turns : motion.turns;
     });
 }
+
+// The linker takes the one that the scene calls.
+#define INGOT_ROWS(Rows)                                                       \
+    template void begin_joint_motions(const FigureView&, const Rows&);         \
+    template void measure_joints(const FigureView&, const Rows&, scalar);      \
+    template void keep_joint_motions(const FigureView&, const Rows&, int)
+INGOT_ROWS(JointRowView);
+INGOT_ROWS(DrivenRowView);
+INGOT_ROWS(LoopedRowView);
+#undef INGOT_ROWS
 
 } }  // namespace ingot
 

@@ -7,12 +7,15 @@
 namespace ingot { inline namespace INGOT_ABI {
 
 /// The batch begins: joints are where the bodies are, and remember their last step. Needs: group_figures.
-void begin_joint_motions(const FigureView& view, const JointRowView& rows);
+template <class Rows>
+void begin_joint_motions(const FigureView& view, const Rows& rows);
 
 /// Joints are where the bodies have got to, in h seconds at the speeds that they have. Angles of hinges go on over whole turns.
-void measure_joints(const FigureView& view, const JointRowView& rows, scalar h);
+template <class Rows>
+void measure_joints(const FigureView& view, const Rows& rows, scalar h);
 
 /// What joints remember of the step: of figures that do not begin it again. Before keep_figures. doublings: of the batch.
-void keep_joint_motions(const FigureView& view, const JointRowView& rows, int doublings);
+template <class Rows>
+void keep_joint_motions(const FigureView& view, const Rows& rows, int doublings);
 
 } }  // namespace ingot

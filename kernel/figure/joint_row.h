@@ -4,7 +4,7 @@
 
 #include "../joint/drives.h"
 #include "../joint/limit_record.h"
-#include "figure_view.h"
+#include "loop_view.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -30,8 +30,9 @@ struct DriveMotion {
 
 /// A free direction that is near its end; or one that is driven. Visited between the contacts of its figure, at the parent of its joint.
 struct JointRow {
-    Index node;           ///< of the child
+    Index node;           ///< of the child; of a joint that closes a loop: which of LoopView::joints
     uint8_t direction_i;
+    bool closes;          ///< its joint closes a loop
     bool rests;           ///< it was at its end as the substep began
     bool is_drive;        ///< K is 0 then, and j what the drive gives beside what it resists, unless it is saturated
     bool gave_way;        ///< the last saturate_drives has found it beyond its largest torque
@@ -50,7 +51,7 @@ struct JointRow {
 
 /// Without its capacities.
 struct JointRowView {
-    static constexpr bool has_drives = false;
+    static constexpr bool has_drives = false, closes = false;
 
     LimitRecord* limits;         ///< by joint; null: there are none
     AngleRecord* angles;         ///< by joint
@@ -68,6 +69,13 @@ struct DrivenRowView : JointRowView {
     int drives_of_joint;
 };
 
+/// Of scenes in which loops are closed, too. One for all: without drives drives_of_joint is 0.
+struct LoopedRowView : DrivenRowView {
+    static constexpr bool closes = true;
+
+    LoopView* loops;
+};
+
 /// How many directions of a joint may end.
 INGOT_INLINE int limits_of(const FigureNode& node, const JointRowView& all) {
     return all.limits == nullptr ? 0 : limited_directions(node.kind);
@@ -78,6 +86,10 @@ INGOT_INLINE DriveRecord* drives_of(const FigureNode& node, const DrivenRowView&
 INGOT_INLINE DriveMotion& drive_motion(const FigureNode& node, const DrivenRowView& all, int direction_i) {
     return all.drive_motions[node.joint * all.drives_of_joint + direction_i];
 }
+
+/// How many directions of a joint may be driven.
+INGOT_INLINE int drives_in(JointKind kind, const DrivenRowView&) { return driven_directions(kind); }
+INGOT_INLINE int drives_in(JointKind kind, const LoopedRowView& all) { return all.drives_of_joint == 0 ? 0 : driven_directions(kind); }
 
 /// Calls each(rows, at, row_i) for every node of the batch that has a joint, figure by figure.
 template <class Each>

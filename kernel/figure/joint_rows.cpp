@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "joint_rows.h"
 
-#include "../base/limits.h"
+#include "../base/figure_limits.h"
 #include "joint_drives.h"
 #include "row_compliance.h"
 
@@ -12,49 +12,59 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
+void forget_free_rows(const FigureView& view, const LoopView& loops) {
+    for_looped_figures(view, loops, [&](const LoopFigure& of) {
+        for_loop_joints(loops, of, [](LoopJoint& loop) {
+            for (int row = loop.row_count; row < loop.row_end; ++row) loop.j[row] = 0;  // bound: 3
+        });
+    });
+}
+
 /// Adds a row where the joint is near an end of the direction; else it forgets what it had there.
-template <unsigned width>
-void list_row(const FigureRows<width>& rows, const OneLane<width>& at, JointRowView& all, int row_i, int direction_i, scalar h) {
-    const FigureNode& node = rows.node(row_i, at.lane_i);
+template <class Joint>
+void list_row(const Joint& joint, JointRowView& all, int direction_i, scalar h) {
+    const FigureNode& node = joint.node();
     JointMotion& motion = all.motions[node.joint];
     const JointRange ends = ends_of(node, direction_i, all.limits[node.joint].limits);
     const scalar value = value_of(node, motion, direction_i);
     JointRow row{};
     bool is_near = motion.leave[direction_i] != 0;
     if (ends.lower > -unlimited || ends.upper < unlimited) {
-        row.along = along_direction(node.kind, direction_i, sides_now(rows, at, row_i, true));
-        row.rate_begin = dot(row.along, free_rates_now(rows, at, row_i));
-        const scalar reach = limits::limit_reach * unit_of_travel(node.kind, direction_i, rows.view.unit) + 2 * h * abs(row.rate_begin);
+        row.along = along_direction(node.kind, direction_i, joint.sides());
+        row.rate_begin = dot(row.along, joint.rates());
+        const scalar reach = limits::limit_reach * unit_of_travel(node.kind, direction_i, joint.view().unit) + 2 * h * abs(row.rate_begin);
         is_near = is_near || value - ends.lower < reach || ends.upper - value < reach;
     }
     if (!is_near) {
         motion.j[direction_i] = motion.leave[direction_i] = 0;
         return;
     }
-    row.node = static_cast<Index>(rows.figure(at.lane_i).first_node + row_i);
+    joint.name(row);
     row.direction_i = static_cast<uint8_t>(direction_i);
     row.most = scalar_max;
     all.list[all.count++] = row;
 }
 
 /// Adds a row for each driven direction of a joint.
-template <unsigned width>
-void list_drives(const FigureRows<width>& rows, const OneLane<width>& at, DrivenRowView& all, int row_i) {
-    const FigureNode& node = rows.node(row_i, at.lane_i);
-    for (int i = 0; i < driven_directions(node.kind); ++i) {  // bound: 3
+template <class Joint, class Rows>
+void list_drives(const Joint& joint, Rows& all) {
+    const FigureNode& node = joint.node();
+    for (int i = 0; i < drives_in(node.kind, all); ++i) {  // bound: 3
         if (!is_driven(node, all, i)) continue;
         JointRow row{};
-        row.node = static_cast<Index>(rows.figure(at.lane_i).first_node + row_i);
+        joint.name(row);
         row.direction_i = static_cast<uint8_t>(i);
         row.is_drive = true;
         all.list[all.count++] = row;
     }
 }
 
-/// Where a direction will be at the end of the substep, as the sides are ahead. value: where it is.
-scalar value_ahead(JointKind kind, const JointSides<scalar>& sides, const JointRow& row, scalar value, scalar h) {
+/// Where a direction will be at the end of the substep, as the sides are then. value: where it is.
+template <class Joint>
+scalar value_ahead(const Joint& joint, const JointSides<scalar>& sides, const JointRow& row, scalar value, scalar h) {
+    const JointKind kind = joint.node().kind;
     const scalar ahead = measure(kind, sides).of[row.direction_i];
-    if (kind == JointKind::carriage && row.direction_i == 1) return value + ahead;  // its sides are taken where the wheel is
+    if (joint.goes_on() && row.direction_i == 1) return value + ahead;
     int32_t turns = 0;
     return turns_round(kind, row.direction_i) ? nearest_turn(ahead, value + h * row.rate, turns) : ahead;
 }
@@ -66,17 +76,17 @@ scalar rate_to_end(scalar room, scalar room_ahead, scalar rate, scalar leave, sc
     return room <= slack ? -rate : -room_ahead / h;
 }
 
-template <unsigned width>
-void aim_row(const FigureRows<width>& rows, const OneLane<width>& at, const JointRowView& all, int row_i, JointRow& row, scalar h) {
-    const FigureNode& node = rows.node(row_i, at.lane_i);
+template <class Joint, class Rows>
+void aim_row(const Joint& joint, const Rows& all, JointRow& row, scalar h) {
+    const FigureNode& node = joint.node();
     const JointMotion& motion = all.motions[node.joint];
     const JointRange ends = ends_of(node, row.direction_i, all.limits[node.joint].limits);
-    const JointSides<scalar> sides = sides_ahead(rows, at, row_i, h, rows.figure(at.lane_i).resolved, true);
+    const JointSides<scalar> sides = joint.sides_after(h);
     if (is_ball(node.kind)) row.along = along_direction(node.kind, row.direction_i, sides);
-    row.rate = dot(row.along, free_rates_now(rows, at, row_i));
-    const scalar value = value_of(node, motion, row.direction_i), ahead = value_ahead(node.kind, sides, row, value, h);
-    const scalar leave = motion.leave[row.direction_i], slack = limits::limit_slack * unit_of_travel(node.kind, row.direction_i, rows.view.unit);
-    row.K = compliance_of(rows, at, all, row_i, row.along);
+    row.rate = dot(row.along, joint.rates());
+    const scalar value = value_of(node, motion, row.direction_i), ahead = value_ahead(joint, sides, row, value, h);
+    const scalar leave = motion.leave[row.direction_i], slack = limits::limit_slack * unit_of_travel(node.kind, row.direction_i, joint.view().unit);
+    row.K = compliance_of(joint, all, row.along);
     row.lower = -unlimited;
     row.upper = unlimited;
     if (ends.upper < unlimited) row.upper = -rate_to_end(ends.upper - value, ends.upper - ahead, -row.rate, -leave, slack, h);
@@ -97,9 +107,7 @@ scalar speed_after(scalar e, scalar v, scalar a, scalar room, scalar h) {
     return after > gain && after > 0 ? after : 0;
 }
 
-template <unsigned width>
-void note_row(const FigureRows<width>& rows, const OneLane<width>& at, const JointRowView& all, int row_i, const JointRow& of, scalar h) {
-    const FigureNode& node = rows.node(row_i, at.lane_i);
+void note_row(const FigureNode& node, const JointRowView& all, const JointRow& of, scalar h) {
     JointMotion& motion = all.motions[node.joint];
     const LimitRecord& limit = all.limits[node.joint];
     const bool leaves = motion.leave[of.direction_i] != 0;  // what throws it back is no end that it meets
@@ -118,10 +126,10 @@ void note_row(const FigureRows<width>& rows, const OneLane<width>& at, const Joi
 template <class Rows>
 void list_joint_rows(const FigureView& view, Rows& all, scalar h) {
     all.count = 0;
-    for_joints(view, [&](const auto& rows, const auto& at, int row_i) {
-        const int directions = limits_of(rows.node(row_i, at.lane_i), all);
-        for (int i = 0; i < directions; ++i) list_row(rows, at, all, row_i, i, h);  // bound: 2
-        if constexpr (Rows::has_drives) list_drives(rows, at, all, row_i);
+    for_moving_joints(view, all, [&](const auto& joint) {
+        const int directions = limits_of(joint.node(), all);
+        for (int i = 0; i < directions; ++i) list_row(joint, all, i, h);  // bound: 2
+        if constexpr (Rows::has_drives) list_drives(joint, all);
     });
 }
 
@@ -136,7 +144,7 @@ void aim_joint_rows(const FigureView& view, const Rows& all, scalar h) {
                 continue;
             }
         }
-        at_node(view, row.node, [&](const auto& rows, const auto& at, int row_i) { aim_row(rows, at, all, row_i, row, h); });
+        at_joint(view, all, row, [&](const auto& joint) { aim_row(joint, all, row, h); });
     }
     give_joint_rows(view, all);
 }
@@ -146,20 +154,20 @@ void note_joint_rows(const FigureView& view, const Rows& all, scalar h) {
     for (int i = 0; i < all.count; ++i) {  // bound: rows_of_joint max_joints
         const JointRow& row = all.list[i];
         if (row.is_drive) continue;
-        at_node(view, row.node, [&](const auto& rows, const auto& at, int row_i) { note_row(rows, at, all, row_i, row, h); });
+        at_joint(view, all, row, [&](const auto& joint) { note_row(joint.node(), all, row, h); });
     }
     if constexpr (Rows::has_drives) note_drives(view, all);
 }
 
-void give_joint_rows(const FigureView& view, const JointRowView& all) {
+template <class Rows>
+void give_joint_rows(const FigureView& view, const Rows& all) {
     for_groups(view, [](const auto& rows) {
         for (int row_i = 0; row_i < rows.count(); ++row_i) write(rows.all, rows[row_i].drive, rows.no_twist().v);  // bound: max_bodies
     });
+    if constexpr (Rows::closes) forget_free_rows(view, *all.loops);
     for (int i = 0; i < all.count; ++i) {  // bound: rows_of_joint max_joints
         const JointRow& row = all.list[i];
-        at_node(view, row.node, [&](const auto& rows, const auto& at, int row_i) {
-            write(at, rows[row_i].drive, read(at, rows[row_i].drive) + row.along * row.j);
-        });
+        at_joint(view, all, row, [&](const auto& joint) { joint.add_drive(row.along * row.j); });
     }
 }
 
@@ -167,9 +175,11 @@ void give_joint_rows(const FigureView& view, const JointRowView& all) {
 #define INGOT_ROWS(Rows)                                                    \
     template void list_joint_rows(const FigureView&, Rows&, scalar);        \
     template void aim_joint_rows(const FigureView&, const Rows&, scalar);   \
-    template void note_joint_rows(const FigureView&, const Rows&, scalar)
+    template void note_joint_rows(const FigureView&, const Rows&, scalar);  \
+    template void give_joint_rows(const FigureView&, const Rows&)
 INGOT_ROWS(JointRowView);
 INGOT_ROWS(DrivenRowView);
+INGOT_ROWS(LoopedRowView);
 #undef INGOT_ROWS
 
 } }  // namespace ingot

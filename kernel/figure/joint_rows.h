@@ -13,7 +13,9 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-// Rows: JointRowView; or DrivenRowView, where drives have rows too: see joint_drives.h.
+// Rows: JointRowView; DrivenRowView, where drives have rows too: see joint_drives.h; or LoopedRowView, where joints close loops. A row of a joint
+// that closes a loop is met as a contact of its two bodies is. All rows feel the loops of their machine, and these feel them, at once: see
+// loop_view.h.
 
 /// Which joints are near their limits, and how fast they are before forces act. Needs: place_joints, measure_joints.
 template <class Rows>
@@ -28,18 +30,23 @@ void aim_joint_rows(const FigureView& view, const Rows& all, scalar h);
 template <class Rows>
 void note_joint_rows(const FigureView& view, const Rows& all, scalar h);
 
-/// One visit. Returns by how much the rate was changed, rad/s or m/s. The figure's cursor is at the parent then, or at the root.
-scalar visit_joint_row(const FigureView& view, const JointRowView& all, JointRow& row);
+/// One visit. Returns by how much the rate was changed, rad/s or m/s. The figure's cursor is at the parent then, or at the root; at the child of a
+/// joint that closes a loop.
+template <class Rows>
+scalar visit_joint_row(const FigureView& view, const Rows& all, JointRow& row);
 
 /// Sweeps over the rows of each figure until none changes a rate by more than `settled`, or as often as limits::limit_sweeps_max. Of figures that
 /// touch nothing. Needs: changes of all bodies; afterwards they are those of the cursor.
-void settle_joint_rows(const FigureView& view, const JointRowView& all, scalar settled);
+template <class Rows>
+void settle_joint_rows(const FigureView& view, const Rows& all, scalar settled);
 
 /// Gives the impulses of all rows as they stand to the drives of their joints. Needs: drives that are those of nothing else.
-void give_joint_rows(const FigureView& view, const JointRowView& all);
+template <class Rows>
+void give_joint_rows(const FigureView& view, const Rows& all);
 
 /// Joints that are beyond their limits are pushed back; those that the step began with so, by no more than limits::limit_return h. Measures first:
 /// gone: s, since that was done last.
 void push_joint_rows(const FigureView& view, JointRowView& all, scalar h, scalar gone);
+void push_joint_rows(const FigureView& view, LoopedRowView& all, scalar h, scalar gone);
 
 } }  // namespace ingot

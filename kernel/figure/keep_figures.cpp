@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "keep_figures.h"
 
-#include "../base/limits.h"
+#include "../base/figure_limits.h"
 #include "../body/kinematics.h"
 
 #pragma GCC diagnostic push

@@ -43,6 +43,7 @@ struct LoopJoint {
     bool is_A;          ///< the child is A of the joint
     bool is_slack;      ///< a rope that has no row in the substep at hand
     uint8_t first_row, row_count;  ///< of the rows of its figure
+    uint8_t row_end;     ///< of its own: from row_count on those of its free directions, whose j are given by limits and drives; see place_free_rows
     bool is_turn[rows_of_joint_max];     ///< the row is of a turn
     Vector direction[rows_of_joint_max]; ///< world, unit
     LoopRow rows[rows_of_joint_max];
@@ -128,17 +129,18 @@ INGOT_INLINE void for_looped(const FigureRows<width>& rows, const LoopView& loop
         if (loops_i != no_loop) each(loops.figures[loops_i], lane_i);
     }
 }
+INGOT_INLINE bool is_of_batch(const FigureView& view, Index figure_i) {
+    const Figure& figure = view.figures[figure_i];
+    if (figure.group >= view.group_count) return false;
+    const FigureGroup& group = view.groups[figure.group];
+    const bool has_lane = figure.lane_i == 0 || group.is_wide;  // else what is there is of another batch
+    return has_lane && group.figure[figure.lane_i] == figure_i;
+}
 /// Calls each(of) for those of the batch: all figures of a machine are in one.
 template <class Each>
 INGOT_INLINE void for_looped_figures(const FigureView& view, const LoopView& loops, const Each& each) {
-    for (int loops_i = 0; loops_i < loops.figure_count; ++loops_i) {  // bound: max_loops
-        const Index figure_i = loops.figures[loops_i].figure;
-        const Figure& figure = view.figures[figure_i];
-        if (figure.group >= view.group_count) continue;
-        const FigureGroup& group = view.groups[figure.group];
-        const bool has_lane = figure.lane_i == 0 || group.is_wide;  // else what is there is of another batch
-        if (has_lane && group.figure[figure.lane_i] == figure_i) each(loops.figures[loops_i]);
-    }
+    for (int loops_i = 0; loops_i < loops.figure_count; ++loops_i)  // bound: max_loops
+        if (is_of_batch(view, loops.figures[loops_i].figure)) each(loops.figures[loops_i]);
 }
 
 /// Calls each(rows, at) for the figures of a machine.

@@ -2,7 +2,7 @@
 // Where a joint is in its free directions, of its child against its parent.
 #pragma once
 
-#include "../base/limits.h"
+#include "../base/figure_limits.h"
 #include "../math/arctangent.h"
 #include "joint_row.h"
 #include "joint_sides.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "move_figures.h"
 
-#include "../base/limits.h"
+#include "../base/figure_limits.h"
 #include "../body/kinematics.h"
 #include "../math/sqrt.h"
 #include "close_loops.h"
@@ -253,6 +253,10 @@ void begin_solve(const FigureView& view, const LoopView& loops, scalar h) {
     for_looped_figures(view, loops, [&](const LoopFigure& of) { aim_loops(view, loops, of, h); });
     hold_back_targets(view, loops, h);
     if (loops.targets != nullptr) for_looped_figures(view, loops, [&](const LoopFigure& of) { aim_targets(view, loops, of, h); });
+    clear_solve(view);
+}
+
+void clear_solve(const FigureView& view) {
     for_groups(view, [](const auto& rows) { clear_impulses(rows); });
 }
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "../base/limits.h"
 #include "displace_rows.h"
 #include "joint_motions.h"
 #include "joint_rows.h"
-#include "row_compliance.h"
+#include "limit_pushes.h"
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpsabi"  // see lanes.h
@@ -12,54 +11,15 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
-/// How far a joint is pushed back that is so far beyond its end, rad or units of length.
-struct WayBack {
-    scalar most;  ///< where it returns from further away
-    bool again;   ///< such a one has had its share
-
-    scalar of(scalar beyond, scalar unit, bool returns) const { return beyond <= most * unit || !returns ? beyond : again ? 0 : most * unit; }
-};
-
-bool pushes(const JointRow& row, scalar unit) { return row.lower > limits::limit_slack * unit || row.upper < -limits::limit_slack * unit; }
-
 /// Lists the rows of a lane that are near to their ends; drops them again where none is beyond. False then.
 template <unsigned width>
 bool list_limits(const FigureRows<width>& rows, const OneLane<width>& at, JointRowView& all, const WayBack& way) {
     const int count = all.count;
     bool some = false;
-    for (int row_i = 0; row_i < rows.count(); ++row_i) {  // bound: max_bodies
-        const FigureNode& node = rows.node(row_i, at.lane_i);
-        for (int i = 0; i < limited_directions(node.kind); ++i) {  // bound: 2
-            const JointRange ends = ends_of(node, i, all.limits[node.joint].limits);
-            const JointMotion& motion = all.motions[node.joint];
-            const scalar value = value_of(node, motion, i), unit = unit_of_travel(node.kind, i, rows.view.unit), reach = limits::limit_reach * unit;
-            if (value - ends.lower > reach && ends.upper - value > reach) continue;
-            JointRow row{};
-            row.node = static_cast<Index>(rows.figure(at.lane_i).first_node + row_i);
-            row.direction_i = static_cast<uint8_t>(i);
-            row.most = scalar_max;
-            row.lower = way.of(ends.lower - value, unit, motion.returns[i]);
-            row.upper = -way.of(value - ends.upper, unit, motion.returns[i]);
-            some = some || pushes(row, unit);
-            all.list[all.count++] = row;
-        }
-    }
+    for (int row_i = 0; row_i < rows.count(); ++row_i)  // bound: max_bodies
+        some = list_limits(TreeJoint<width>{rows, at, row_i}, all, way) || some;
     if (!some) all.count = count;
     return some;
-}
-
-/// Needs: factor_figures, and where bodies are now.
-void aim_limits(const FigureView& view, JointRowView& all) {
-    for (int i = 0; i < all.count; ++i) {  // bound: limits_of_joint max_joints
-        JointRow& row = all.list[i];
-        at_node(view, row.node, [&](const auto& rows, const auto& at, int row_i) {
-            const JointKind kind = rows.node(row_i, at.lane_i).kind;
-            JointSides<scalar> sides{};
-            if (is_ball(kind)) sides = sides_now(rows, at, row_i, true);
-            row.along = along_direction(kind, row.direction_i, sides);
-            row.K = compliance_of(rows, at, all, row_i, row.along);
-        });
-    }
 }
 
 /// One push of the lanes of a group that have something beyond its end, or a gap that such a push has left. False: there is none.
@@ -85,7 +45,7 @@ bool push_limits(const FigureRows<width>& rows, JointRowView& all, const WayBack
     if (!any(off)) return false;
     clear_impulses(rows);
     pass_from_none(rows);
-    aim_limits(rows.view, all);
+    for (int i = 0; i < all.count; ++i) aim_limit(rows.view, all, all.list[i]);  // bound: limits_of_joint max_joints
     settle_joint_rows(rows.view, all, limits::limit_slack / 4);
     for (int row_i = 0; row_i < rows.count(); ++row_i) write(rows.all, rows[row_i].impulse, rows.no_twist());
     pass_from_none(rows);

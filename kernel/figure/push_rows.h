@@ -2,7 +2,7 @@
 // Pushes: joints that are off their places are taken back to them, by displacements that no velocity sees.
 #pragma once
 
-#include "../base/limits.h"
+#include "../base/figure_limits.h"
 #include "displace_rows.h"
 
 #pragma GCC diagnostic push

@@ -97,6 +97,14 @@ Spatial<scalar> twist_across(const FigureRows<width>& rows, const OneLane<width>
 
 }  // namespace
 
+Spatial<scalar> twist_across(const FigureView& view, const Spatial6Rows<1>* responses, Index node_A, Index node_B, const Spatial<scalar>& on_B) {
+    if (view.nodes[node_A].figure != view.nodes[node_B].figure) return {};
+    const int row_B = node_B - view.figures[view.nodes[node_B].figure].first_node;
+    return at_node(view, node_A, [&](const auto& rows, const auto& at, int row_A) {
+        return twist_across(rows, at, responses, row_A, row_B, on_B);
+    });
+}
+
 template <class Loops>
 Across response_across(const FigureView& view, [[maybe_unused]] const Loops& loops, const Spatial6Rows<1>* responses, Index node_A, Index node_B) {
     const int row_B = node_B - view.figures[view.nodes[node_B].figure].first_node;

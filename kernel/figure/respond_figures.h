@@ -24,4 +24,7 @@ struct Across {
 template <class Loops>
 Across response_across(const FigureView& view, const Loops& loops, const Spatial6Rows<1>* responses, Index node_A, Index node_B);
 
+/// The twist of A, at its q, for an impulse on B at its, without loops: none where they are of different trees.
+Spatial<scalar> twist_across(const FigureView& view, const Spatial6Rows<1>* responses, Index node_A, Index node_B, const Spatial<scalar>& on_B);
+
 } }  // namespace ingot

@@ -2,27 +2,106 @@
 // How the rate of a joint's direction answers an impulse on it.
 #pragma once
 
-#include "measure_joint.h"
-#include "tree_passes.h"
+#include "../base/figure_limits.h"
+#include "moving_joint.h"
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpsabi"  // see lanes.h
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// The change of a row's rate by an impulse of 1 on it: up to the parent, which answers with all of its figure, and down over the joint.
+/// An impulse of 1 along a row on both bodies of its joint, at their q.
+struct ImpulseAlong {
+    LoopRow row;
+    Index child, other;  ///< nodes; no_node: what cannot move
+};
 template <unsigned width>
-scalar compliance_of(const FigureRows<width>& rows, const OneLane<width>& at, const JointRowView& all, int row_i, const Vector& along) {
-    const FigureRow<width>& row = rows[row_i];
-    const FigureNode& node = rows.node(row_i, at.lane_i);
+ImpulseAlong impulse_along(const TreeJoint<width>& joint, const Vector& along) {
+    const FigureNode& node = joint.node();
+    const Index first = joint.figure().first_node;
+    Spatial<scalar> f = {along, {}}, s[3];
+    if (!turns_freely(node.kind)) {
+        const scalar parts[3] = {along.x, along.y, along.z};
+        const int free = free_directions(joint.at, joint.row(), node.kind, s);
+        f = {};
+        for (int i = 0; i < free; ++i) f = f + s[i] * parts[i];  // bound: 3
+    }
+    const auto child = static_cast<Index>(first + joint.row_i);
+    if (node.parent == no_node) return {{f, {}}, child, no_node};
+    return {{f, impulse_from(f, read(joint.at, joint.row().d)) * scalar(-1)}, child, static_cast<Index>(first + node.parent)};
+}
+inline ImpulseAlong impulse_along(const LoopedJoint& joint, const Vector& along) {
+    const LoopJoint& loop = joint.loop;
+    const scalar parts[3] = {along.x, along.y, along.z};
+    LoopRow row{};
+    for (int i = 0; i < loop.row_end - loop.row_count; ++i) {  // bound: 3
+        const LoopRow& of = loop.rows[loop.row_count + i];
+        row = {row.on_child + of.on_child * parts[i], row.on_other + of.on_other * parts[i]};
+    }
+    return {row, loop.child, loop.other};
+}
+
+/// What the rows of a machine's loops feel of it: z is less by so much.
+struct FeltByLoops {
+    LoopFigure* of;  ///< null: the machine has no loops
+    scalar parts[limits::loop_rows_max];
+};
+inline FeltByLoops felt_by_loops(const FigureView& view, const LoopView& loops, const ImpulseAlong& impulse) {
+    FeltByLoops felt;
+    felt.of = loops.of_node(view, impulse.child);
+    if (felt.of == nullptr) return felt;
+    const Spatial<scalar>* const of_child = loops.X_of(*felt.of, impulse.child - felt.of->first_node);
+    const Spatial<scalar>* const of_other = impulse.other == no_node ? nullptr : loops.X_of(*felt.of, impulse.other - felt.of->first_node);
+    for (int i = 0; i < felt.of->rank; ++i) {  // bound: limits::loop_rows_max
+        felt.parts[i] = dot(of_child[i], impulse.row.on_child);
+        if (of_other != nullptr) felt.parts[i] += dot(of_other[i], impulse.row.on_other);
+    }
+    return felt;
+}
+
+/// By how much a row gives way to an impulse of 1, once its loops hold, which without them gives way by K. 0: they hold it, but for rounding.
+inline scalar compliance_with_loops(const FigureView& view, const LoopView& loops, const ImpulseAlong& impulse, scalar K) {
+    const FeltByLoops felt = felt_by_loops(view, loops, impulse);
+    if (felt.of == nullptr) return K;
+    scalar left = K;
+    for (int i = 0; i < felt.of->rank; ++i) left -= felt.parts[i] * felt.parts[i];  // bound: limits::loop_rows_max
+    return left > limits::row_compliance * K ? left : scalar(0);
+}
+
+/// The change of a row's rate by an impulse of 1 on it: up to the parent, which answers with all of its figure, and down over the joint.
+template <unsigned width, class Rows>
+scalar compliance_of(const TreeJoint<width>& joint, const Rows& all, const Vector& along) {
+    const auto& at = joint.at;
+    const FigureRow<width>& row = joint.row();
+    const FigureNode& node = joint.node();
     const Spatial<scalar> none{};
     Spatial<scalar> of_parent{};
     if (node.parent != no_node) {
         const Vector d = read(at, row.d);
         const Spatial<scalar> sent = impulse_from(impulse_through(at, row, node.kind, none, along), d);
-        of_parent = twist_at(read(at, rows.response(all.responses, node.parent)) * sent, d);
+        of_parent = twist_at(read(at, joint.rows.response(all.responses, node.parent)) * sent, d);
     }
-    return dot(along, free_rates(at, row, node.kind, twist_through(at, row, node.kind, of_parent, none, along) - of_parent));
+    const scalar K = dot(along, free_rates(at, row, node.kind, twist_through(at, row, node.kind, of_parent, none, along) - of_parent));
+    if constexpr (Rows::closes)
+        return compliance_with_loops(joint.view(), *all.loops, impulse_along(joint, along), K);
+    else
+        return K;
+}
+/// Of a joint that closes a loop: both of its bodies answer, each to what is on either.
+inline scalar compliance_of(const LoopedJoint& joint, const LoopedRowView& all, const Vector& along) {
+    const FigureView& view = joint.view();
+    const ImpulseAlong impulse = impulse_along(joint, along);
+    const auto own = [&](Index node_i, const Spatial<scalar>& f) {
+        return at_node(view, node_i, [&](const auto& rows, const auto& at, int row_i) {
+            return dot(f, read(at, rows.response(all.responses, row_i)) * f);
+        });
+    };
+    scalar K = own(impulse.child, impulse.row.on_child);
+    if (impulse.other != no_node) {
+        K += own(impulse.other, impulse.row.on_other);
+        K += 2 * dot(impulse.row.on_child, twist_across(view, all.responses, impulse.child, impulse.other, impulse.row.on_other));
+    }
+    return compliance_with_loops(view, joint.loops, impulse, K);
 }
 
 } }  // namespace ingot

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "slack_ropes.h"
 
-#include "../base/limits.h"
+#include "../base/figure_limits.h"
 #include "../body/auxiliary.h"
 #include "../body/kinematics.h"
 #include "../math/sqrt.h"

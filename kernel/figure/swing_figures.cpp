@@ -8,5 +8,6 @@ template void swing_figures(FigureView&, NoLoops&, NoReactions, int);
 template void swing_figures(FigureView&, LoopView&, NoReactions, int);
 template void swing_figures(FigureView&, JointRowView&, NoReactions, int);
 template void swing_figures(FigureView&, DrivenRowView&, NoReactions, int);
+template void swing_figures(FigureView&, LoopedRowView&, NoReactions, int);
 
 } }  // namespace ingot

@@ -9,5 +9,6 @@ template void swing_figures(FigureView&, NoLoops&, ReactionView, int);
 template void swing_figures(FigureView&, LoopView&, ReactionView, int);
 template void swing_figures(FigureView&, JointRowView&, ReactionView, int);
 template void swing_figures(FigureView&, DrivenRowView&, ReactionView, int);
+template void swing_figures(FigureView&, LoopedRowView&, ReactionView, int);
 
 } }  // namespace ingot

@@ -2,7 +2,7 @@
 // swing_figures, for the files that compile it: see swing_figures.h.
 #pragma once
 
-#include "../base/limits.h"
+#include "../base/figure_limits.h"
 #include "build_figures.h"
 #include "close_loops.h"
 #include "factor_figures.h"
@@ -13,6 +13,7 @@
 #include "joint_rows.h"
 #include "keep_figures.h"
 #include "move_figures.h"
+#include "moving_joint.h"
 #include "respond_figures.h"
 #include "swing_figures.h"
 #include "target_rows.h"
@@ -41,27 +42,18 @@ void kick_rows(const FigureRows<width>& rows, scalar h) {
     }
 }
 
-/// Figures as they are now. Those of a scene with loops are factored as the batch begins, and again after each drift: pushes meet them as they are
-/// then. The others are factored as each substep begins.
-void factor_now(const FigureView& view, const NoLoops& loops, scalar h) {
-    place_joints(view);
-    factor_figures(view, loops, h);
-}
-void factor_now(const FigureView& view, const LoopView& loops, scalar h) {
-    place_joints(view);
-    place_loops(view, loops);
-    factor_figures(view, loops, h);
-    factor_loops(view, loops);
-}
-
-// What joints have beside what they lock, and what a batch does for it: `begin` it, `factor` figures and `list` rows as a substep begins, `solve` it,
-// `push` what is off its place after the drift, and `keep` what the joints remember.
+// What joints have beside what they lock, and what a batch does for it: `begin` it, `factor` figures, `list` rows as a substep begins, `solve` it,
+// `push` what is off its place after the drift, and `keep` what the joints remember. Figures are factored as each substep begins; those of a scene
+// with loops as the batch begins, and again after each drift: pushes meet them as they are then.
 
 struct NothingBeside {
     static constexpr bool closes = false;
     static constexpr NoLoops loops = {};
     static void begin(const FigureView&, scalar) {}
-    static void factor(const FigureView& view, scalar h) { factor_now(view, loops, h); }
+    static void factor(const FigureView& view, scalar h) {
+        place_joints(view);
+        factor_figures(view, loops, h);
+    }
     static void list(const FigureView&, scalar) {}
     static void solve(const FigureView& view, scalar) { pass_impulses(view); }
     static void push(const FigureView&, scalar) {}
@@ -75,7 +67,13 @@ struct LoopsBeside {
 
     void begin(const FigureView& view, scalar h) const {
         load_loops(view, loops, h);
-        factor_now(view, loops, h);
+        factor(view, h);
+    }
+    void factor(const FigureView& view, scalar h) const {
+        place_joints(view);
+        place_loops(view, loops);
+        factor_figures(view, loops, h);
+        factor_loops(view, loops);
     }
     static void list(const FigureView&, scalar) {}
     void solve(const FigureView& view, scalar) const {
@@ -146,6 +144,99 @@ private:
     }
 };
 
+/// Rows stand where their machine is settled.
+void stand_with_machines(const FigureView& view, const LoopedRowView& all) {
+    for (int i = 0; i < all.count; ++i) {  // bound: rows_of_joint max_joints
+        const LoopFigure* const of = all.loops->of_node(view, node_of(all, all.list[i]));
+        all.list[i].stands = of != nullptr && of->is_settled;
+    }
+}
+/// Machines with a drive that has given way are solved again.
+void reopen_driven(const FigureView& view, const LoopedRowView& all) {
+    for (int i = 0; i < all.count; ++i) {
+        LoopFigure* const of = all.loops->of_node(view, node_of(all, all.list[i]));
+        if (of != nullptr && all.list[i].gave_way) of->is_settled = false;
+    }
+}
+
+/// Both: loops are closed, and their joints may end and be driven as others.
+struct LoopedRowsBeside {
+    static constexpr bool closes = true;
+    const LoopView& loops;
+    LoopedRowView& all;
+
+    bool is_driven() const { return all.drives_of_joint > 0; }
+    void begin(const FigureView& view, scalar h) const {
+        load_loops(view, loops, h);
+        begin_joint_motions(view, all);
+        factor(view, h);
+        begin_drives(view, all);
+    }
+    void factor(const FigureView& view, scalar h) const {
+        place(view);
+        factor_figures(view, loops, h);
+        factor_loops(view, loops);
+        respond_figures(view, all.responses);
+    }
+    void list(const FigureView& view, scalar h) const {
+        if (is_driven()) {
+            place(view);
+            prepare_drives(view, all, h);
+            factor_with_drives(view, h);
+            factor_loops(view, loops);
+        }
+        list_joint_rows(view, all, h);
+    }
+    void solve(const FigureView& view, scalar h) const {
+        open_machines(view, loops);
+        solve_machines(view, h);
+        for (int round = 1; round < limits::drive_rounds && saturate_drives(view, all); ++round) {
+            reopen_driven(view, all);
+            factor_with_drives(view, h);
+            factor_open_loops(view, loops);
+            clear_solve(view);
+            solve_machines(view, h);
+        }
+        end_loops(view, loops);
+        note_joint_rows(view, all, h);
+        note_targets(view, loops);
+    }
+    void push(const FigureView& view, scalar h) const { push_joint_rows(view, all, h, h); }
+    void keep(const FigureView& view, int doublings) const {
+        keep_joint_motions(view, all, doublings);
+        keep_drives(view, all, doublings);
+        keep_loops(view, loops, doublings);
+    }
+
+private:
+    void place(const FigureView& view) const {
+        place_joints(view);
+        if (is_driven()) place_carriages(view);
+        place_loops(view, loops);
+        place_free_rows(view, loops);
+    }
+    void factor_with_drives(const FigureView& view, scalar h) const {
+        factor_figures(view, all, h);
+        respond_figures(view, all.responses);
+    }
+    /// Until no rope comes to its end or is let go. Machines that are settled come to the same again.
+    void solve_machines(const FigureView& view, scalar h) const {
+        bool again = true;
+        for (int round = 0; again; ++round) {  // bound: see settle_rows
+            stand_with_machines(view, all);
+            aim_joint_rows(view, all, h);
+            pass_looped(view, loops);
+            if (all.count > 0) {
+                settle_joint_rows(view, all, limits::settled_speed);
+                give_joint_rows(view, all);  // from the impulses alone: what a figure gets depends on no rounding of the sweeps
+                pass_looped(view, loops);
+            }
+            close_all_loops(view, loops);
+            again = settle_rows(view, loops, round);
+        }
+    }
+};
+
 template <class Beside, class Reactions>
 void swing_substep(FigureView& view, const Beside& beside, Reactions reactions, scalar h) {
     if constexpr (!Beside::closes) beside.factor(view, h);
@@ -157,7 +248,7 @@ void swing_substep(FigureView& view, const Beside& beside, Reactions reactions, 
     note_reactions(view, beside.loops, reactions);
     drift_figures(view, h);
     view.elapsed += h;
-    if constexpr (Beside::closes) factor_now(view, beside.loops, h);
+    if constexpr (Beside::closes) beside.factor(view, h);
     push_figures(view, beside.loops, false);
     beside.push(view, h);
 }
@@ -187,6 +278,10 @@ RowsBeside<JointRowView> beside_of(const FigureView&, JointRowView& rows) { retu
 RowsBeside<DrivenRowView> beside_of(const FigureView& view, DrivenRowView& rows) {
     name_driven_kinds(view, rows);
     return {rows};
+}
+LoopedRowsBeside beside_of(const FigureView& view, LoopedRowView& rows) {
+    name_driven_kinds(view, rows);
+    return {*rows.loops, rows};
 }
 
 }  // namespace

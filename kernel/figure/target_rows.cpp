@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "target_rows.h"
 
-#include "../base/limits.h"
+#include "../base/figure_limits.h"
 #include "../body/check_body.h"
 #include "../math/sqrt.h"
 #include "close_loops.h"

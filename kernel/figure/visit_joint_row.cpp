@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "../base/limits.h"
+#include "../base/figure_limits.h"
 #include "cursor.h"
 #include "cursor_moves.h"
 #include "joint_rows.h"
-#include "measure_joint.h"
+#include "row_compliance.h"
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpsabi"  // see lanes.h
@@ -21,17 +21,41 @@ scalar impulse_within(const JointRow& row, scalar free) {
     return max(-row.most, min(row.most, j));
 }
 
-template <unsigned width>
-scalar visit(const FigureRows<width>& rows, const OneLane<width>& at, const JointRowView& all, int row_i, JointRow& of) {
-    FigureRow<width>& row = rows[row_i];
-    const FigureNode& node = rows.node(row_i, at.lane_i);
+/// Gives a row the impulse that it should have, where its rate has changed so far by `change`. Returns by how much that is more.
+scalar give_row(JointRow& row, scalar change) {
+    const scalar j = impulse_within(row, change - row.K * row.j), more = j - row.j;
+    row.j = j;
+    return more;
+}
+
+scalar lack_of_loops(const LoopView& loops, const FeltByLoops& felt) {
+    scalar change = 0;
+    if (felt.of == nullptr) return change;
+    for (int i = 0; i < felt.of->rank; ++i) change += felt.parts[i] * loops.z[felt.of->first_row + i];  // bound: limits::loop_rows_max
+    return change;
+}
+void feel(const LoopView& loops, const FeltByLoops& felt, scalar j) {
+    if (felt.of == nullptr) return;
+    for (int i = 0; i < felt.of->rank; ++i) loops.z[felt.of->first_row + i] -= felt.parts[i] * j;  // bound: limits::loop_rows_max
+}
+
+template <unsigned width, class Rows>
+scalar visit(const TreeJoint<width>& joint, const Rows& all, JointRow& of) {
+    const auto& [rows, at, row_i] = joint;
+    FigureRow<width>& row = joint.row();
+    const FigureNode& node = joint.node();
     const Spatial<scalar> of_parent = change_of_parent(rows, at, row_i);
     const Spatial<scalar> u = change_of_child(at, row, node.kind, of_parent);
-    const scalar change = dot(of.along, free_rates(at, row, node.kind, u - of_parent));
-    const scalar j = impulse_within(of, change - of.K * of.j), more = j - of.j;
+    scalar change = dot(of.along, free_rates(at, row, node.kind, u - of_parent));
+    [[maybe_unused]] FeltByLoops felt;
+    if constexpr (Rows::closes) {
+        felt = felt_by_loops(joint.view(), *all.loops, impulse_along(joint, of.along));
+        change += lack_of_loops(*all.loops, felt);
+    }
+    const scalar more = give_row(of, change);
     if (more == 0) return 0;
-    of.j = j;
-    write(at, row.drive, read(at, row.drive) + of.along * more);
+    if constexpr (Rows::closes) feel(*all.loops, felt, more);
+    joint.add_drive(of.along * more);
     if (node.parent != no_node)
         climb(rows, at, all.responses, row_i);
     else
@@ -39,23 +63,65 @@ scalar visit(const FigureRows<width>& rows, const OneLane<width>& at, const Join
     return more * of.K;
 }
 
+/// Both bodies of a joint that closes a loop, one after the other.
+scalar visit(const LoopedJoint& joint, const LoopedRowView& all, JointRow& of) {
+    const FigureView& view = joint.view();
+    const ImpulseAlong impulse = impulse_along(joint, of.along);
+    const auto change_at = [&](Index node_i, const Spatial<scalar>& f) {
+        bring_cursor(view, all.responses, node_i);
+        return at_node(view, node_i, [&](const auto& rows, const auto& at, int row_i) { return dot(f, read(at, rows[row_i].change)); });
+    };
+    const auto give = [&](Index node_i, const Spatial<scalar>& f) {
+        bring_cursor(view, all.responses, node_i);
+        at_node(view, node_i, [&](const auto& rows, const auto& at, int row_i) {
+            write(at, rows[row_i].impulse, read(at, rows[row_i].impulse) + f);
+            write(at, rows[row_i].change, read(at, rows[row_i].change) + read(at, rows.response(all.responses, row_i)) * f);
+        });
+    };
+    const FeltByLoops felt = felt_by_loops(view, joint.loops, impulse);
+    scalar change = lack_of_loops(joint.loops, felt) + change_at(impulse.child, impulse.row.on_child);
+    if (impulse.other != no_node) change += change_at(impulse.other, impulse.row.on_other);
+    const scalar more = give_row(of, change);
+    if (more == 0) return 0;
+    joint.add_drive(of.along * more);
+    feel(joint.loops, felt, more);
+    if (impulse.other != no_node) give(impulse.other, impulse.row.on_other * more);
+    give(impulse.child, impulse.row.on_child * more);
+    return more * of.K;
+}
+
+/// Rows of a machine follow each other.
+Index machine_of(const FigureView& view, const JointRowView&, const JointRow& row) { return view.nodes[row.node].figure; }
+Index machine_of(const FigureView& view, const LoopedRowView& all, const JointRow& row) {
+    const Index node_i = node_of(all, row);
+    const LoopFigure* const of = all.loops->of_node(view, node_i);
+    return of == nullptr ? view.nodes[node_i].figure : of->figure;
+}
+
 }  // namespace
 
-scalar visit_joint_row(const FigureView& view, const JointRowView& all, JointRow& row) {
+template <class Rows>
+scalar visit_joint_row(const FigureView& view, const Rows& all, JointRow& row) {
     if (!(row.K > 0)) return 0;
+    if constexpr (Rows::closes)
+        if (row.closes) return visit(LoopedJoint{view, *all.loops, all.loops->joints[row.node]}, all, row);
     const FigureNode& node = view.nodes[row.node];
     const Index parent = node.parent == no_node ? row.node : static_cast<Index>(view.figures[node.figure].first_node + node.parent);
     bring_cursor(view, all.responses, parent);
-    return at_node(view, row.node, [&](const auto& rows, const auto& at, int row_i) { return visit(rows, at, all, row_i, row); });
+    return at_node(view, row.node, [&](const auto& rows, const auto& at, int row_i) {
+        return visit(tree_joint(rows, at, row_i), all, row);
+    });
 }
 
-void settle_joint_rows(const FigureView& view, const JointRowView& all, scalar settled) {
-    const auto figure_of = [&](int i) { return view.nodes[all.list[i].node].figure; };
+template <class Rows>
+void settle_joint_rows(const FigureView& view, const Rows& all, scalar settled) {
+    const auto figure_of = [&](int i) { return machine_of(view, all, all.list[i]); };
     const auto visited = [&](JointRow& row) {
-        return abs(visit_joint_row(view, all, row)) / unit_of_travel(view.nodes[row.node].kind, row.direction_i, view.unit);
+        return abs(visit_joint_row(view, all, row)) / unit_of_travel(kind_of(view, all, row), row.direction_i, view.unit);
     };
     for (int begin = 0, end = 0; begin < all.count; begin = end) {  // bound: limits_of_joint max_joints
         while (end < all.count && figure_of(end) == figure_of(begin)) ++end;  // bound: limits_of_joint max_joints
+        if (Rows::closes && all.list[begin].stands) continue;
         scalar most = scalar_max;
         for (int sweep_i = 0; sweep_i < limits::limit_sweeps_max && most > settled; ++sweep_i) {
             most = 0;
@@ -65,6 +131,15 @@ void settle_joint_rows(const FigureView& view, const JointRowView& all, scalar s
         }
     }
 }
+
+// The linker takes the one that the scene calls.
+#define INGOT_ROWS(Rows)                                                            \
+    template scalar visit_joint_row(const FigureView&, const Rows&, JointRow&);     \
+    template void settle_joint_rows(const FigureView&, const Rows&, scalar)
+INGOT_ROWS(JointRowView);
+INGOT_ROWS(DrivenRowView);
+INGOT_ROWS(LoopedRowView);
+#undef INGOT_ROWS
 
 } }  // namespace ingot
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "check_joint.h"
 
-#include "../base/limits.h"
+#include "../base/figure_limits.h"
 #include "../body/check_body.h"
 #include "../math/sqrt.h"
 #include "../math/rotation.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "check_limits.h"
 
-#include "../base/limits.h"
+#include "../base/figure_limits.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "check_target.h"
 
-#include "../base/limits.h"
+#include "../base/figure_limits.h"
 #include "../body/check_body.h"
 
 namespace ingot { inline namespace INGOT_ABI {

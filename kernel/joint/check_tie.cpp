@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "check_tie.h"
 
-#include "../base/limits.h"
+#include "../base/figure_limits.h"
 #include "../body/check_body.h"
 #include "../math/sqrt.h"
 

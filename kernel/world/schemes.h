@@ -132,11 +132,12 @@ struct JointedFlight {
         FigureView figures = now.storage.figures(now.h);
         auto loops = now.storage.loop_view();
         build_figures(figures, loops);
+        if constexpr (has_loops<S>) count(now.report.joints_lost, find_loops(figures, loops));
         if constexpr (has_joint_rows<S>) {
             auto rows = now.storage.joint_row_view();
+            if constexpr (has_loops<S>) rows.loops = &loops;
             swing_figures(figures, rows, now.storage.reactions(), S::effort.substeps);
         } else {
-            if constexpr (has_loops<S>) count(now.report.joints_lost, find_loops(figures, loops));
             swing_figures(figures, loops, now.storage.reactions(), S::effort.substeps);
         }
         leave_swung(now);

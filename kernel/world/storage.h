@@ -13,7 +13,7 @@ namespace ingot { inline namespace INGOT_ABI {
 
 /// What joints of a scene have beside what they lock.
 template <class S>
-using JointRowViewOf = If<has_joint_drives<S>, DrivenRowView, JointRowView>;
+using JointRowViewOf = If<has_loops<S>, LoopedRowView, If<has_joint_drives<S>, DrivenRowView, JointRowView>>;
 
 template <class S>
 struct Storage : features::All::Memory<S> {
@@ -154,8 +154,9 @@ struct Storage : features::All::Memory<S> {
     auto jointed_contact_solver() {
         auto plain = plain_contact_solver();
         using Plain = decltype(plain);
-        using Unrowed = If<has_loops<S>, LoopedViewOf<Plain>, JointedViewOf<Plain>>;
-        using Unread = If<has_joint_rows<S>, RowedViewOf<Plain, JointRowViewOf<S>>, Unrowed>;
+        using Looped = If<has_joint_rows<S>, LoopedRowedViewOf<Plain>, LoopedViewOf<Plain>>;
+        using Open = If<has_joint_rows<S>, RowedViewOf<Plain, JointRowViewOf<S>>, JointedViewOf<Plain>>;
+        using Unread = If<has_loops<S>, Looped, Open>;
         using Jointed = If<has_joint_reactions<S>, ReactingViewOf<Unread>, Unread>;
         If<S::kinematic_bodies, KinematicViewOf<Jointed>, Jointed> view{};
         static_cast<Plain&>(view) = plain;

@@ -23,6 +23,8 @@ INGOT_VIEW(RowedView);
 INGOT_VIEW(RowedMaterialView);
 INGOT_VIEW(DrivenView);
 INGOT_VIEW(DrivenMaterialView);
+INGOT_VIEW(LoopedRowedView);
+INGOT_VIEW(LoopedRowedMaterialView);
 INGOT_KINEMATIC_VIEW(JointedView);
 INGOT_KINEMATIC_VIEW(LoopedView);
 INGOT_KINEMATIC_VIEW(JointedMaterialView);
@@ -31,6 +33,8 @@ INGOT_KINEMATIC_VIEW(RowedView);
 INGOT_KINEMATIC_VIEW(RowedMaterialView);
 INGOT_KINEMATIC_VIEW(DrivenView);
 INGOT_KINEMATIC_VIEW(DrivenMaterialView);
+INGOT_KINEMATIC_VIEW(LoopedRowedView);
+INGOT_KINEMATIC_VIEW(LoopedRowedMaterialView);
 #undef INGOT_VIEW
 #undef INGOT_KINEMATIC_VIEW
 

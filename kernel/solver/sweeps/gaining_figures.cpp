@@ -4,6 +4,7 @@
 #include "../../base/limits.h"
 #include "../../constraint/contact.h"
 #include "../../figure/joint_rows.h"
+#include "../../figure/moving_joint.h"
 #include "jointed_visits.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -66,7 +67,7 @@ void give_shares(Whole& whole, scalar h) {
     if constexpr (Whole::has_joint_rows) {
         const auto& rows = whole.joint_rows;
         for (int i = 0; i < rows.count; ++i) {  // bound: rows_of_joint max_joints
-            const Index body_i = solver.local_of[jointed.figures.nodes[rows.list[i].node].slot];
+            const Index body_i = solver.local_of[jointed.figures.nodes[node_of(rows, rows.list[i])].slot];
             if (body_i != 0 && is_candidate(solver.islands[solver.island_of[body_i]])) {
                 JointRow& row = rows.list[i];
                 row.j = part_of(row.j, solver.islands[solver.island_of[body_i]].beta);
@@ -135,5 +136,6 @@ template void hold_gaining_figures(JointedView&, const BodyView&, scalar);
 template void hold_gaining_figures(LoopedView&, const BodyView&, scalar);
 template void hold_gaining_figures(RowedView&, const BodyView&, scalar);
 template void hold_gaining_figures(DrivenView&, const BodyView&, scalar);
+template void hold_gaining_figures(LoopedRowedView&, const BodyView&, scalar);
 
 } }  // namespace ingot

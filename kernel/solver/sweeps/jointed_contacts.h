@@ -6,11 +6,13 @@
 #include "../../figure/close_loops.h"
 #include "../../figure/cursor.h"
 #include "../../figure/factor_figures.h"
+#include "../../figure/factor_loops.h"
 #include "../../figure/joint_drives.h"
 #include "../../figure/joint_motions.h"
 #include "../../figure/joint_rows.h"
 #include "../../figure/keep_figures.h"
 #include "../../figure/move_figures.h"
+#include "../../figure/moving_joint.h"
 #include "../../figure/respond_figures.h"
 #include "../../figure/target_rows.h"
 #include "jointed_visits.h"
@@ -25,6 +27,7 @@ struct SeesJoints : Contacts {
 
     void begin(const ContactStep& step, StepReport& report) {
         build_figures(jointed.figures, this->view.loops);
+        if constexpr (closes && Whole::has_joint_rows) rows().loops = &this->view.loops;
         if constexpr (Whole::has_drives) name_driven_kinds(jointed.figures, rows());
         if constexpr (closes) count(report.joints_lost, find_loops(jointed.figures, this->view.loops));
         Contacts::begin(step, report);
@@ -34,7 +37,9 @@ struct SeesJoints : Contacts {
         if (!Contacts::next_batch(step)) return false;
         if constexpr (Whole::has_joint_rows) begin_joint_motions(jointed.figures, rows());
         if constexpr (Whole::has_drives) {
-            if (place_carriages(jointed.figures)) {
+            if (closes)
+                factor_undriven(step.h / static_cast<scalar>(this->view.substeps));
+            else if (place_carriages(jointed.figures)) {
                 factor_figures(jointed.figures, this->view.loops, step.h / static_cast<scalar>(this->view.substeps));
                 respond_figures(jointed.figures, jointed.responses);
             }
@@ -47,11 +52,11 @@ struct SeesJoints : Contacts {
         // What next_batch has prepared is right for the first substep.
         const bool is_first = jointed.is_fresh;
         if constexpr (Whole::has_drives) {
-            place_joints(jointed.figures);
-            place_carriages(jointed.figures);
+            place();
             prepare_drives(jointed.figures, rows(), h);
             factor_figures(jointed.figures, rows(), h);
             respond_figures(jointed.figures, jointed.responses);
+            if constexpr (closes) factor_loops(jointed.figures, this->view.loops);
         } else if (!is_first) {
             factor_jointed(this->view, jointed, this->view.loops);
         }
@@ -66,16 +71,17 @@ struct SeesJoints : Contacts {
         begin_solve(jointed.figures, this->view.loops, h);
         if constexpr (closes) forget_lacks(jointed.figures, this->view.loops);
         if constexpr (Whole::has_joint_rows) aim_joint_rows(jointed.figures, rows(), h);
+        if constexpr (closes) open_machines(jointed.figures, this->view.loops);
         this->sweep_passively(step.bodies, h);
-        // Again where ropes come to their ends or are let go, and where targets are drawn to with all there is.
-        if constexpr (closes)
-            // bound: see settle_rows
-            for (int round = 0; settle_rows(jointed.figures, this->view.loops, round); ++round) solve_loops_again(step.bodies, h);
-        if constexpr (closes) end_loops(jointed.figures, this->view.loops);
-        if constexpr (closes) note_targets(jointed.figures, this->view.loops);
+        if constexpr (closes) settle_machines(step.bodies, h);
         // Again where drives turn out to be at their largest torque: figures answer contacts otherwise then.
         if constexpr (Whole::has_drives)
-            for (int round = 1; round < limits::drive_rounds && saturate_drives(jointed.figures, rows()); ++round) solve_driven_again(step.bodies, h);
+            for (int round = 1; round < limits::drive_rounds && saturate_drives(jointed.figures, rows()); ++round) {
+                solve_driven_again(step.bodies, h);
+                if constexpr (closes) settle_machines(step.bodies, h);
+            }
+        if constexpr (closes) end_loops(jointed.figures, this->view.loops);
+        if constexpr (closes) note_targets(jointed.figures, this->view.loops);
         if constexpr (closes || Whole::has_drives) open_batch();
         this->end_velocities(step.bodies, h);
         if constexpr (Whole::has_joint_rows) note_joint_rows(jointed.figures, rows(), h);
@@ -87,7 +93,10 @@ struct SeesJoints : Contacts {
         jointed.figures.elapsed += h;
         // Pushes of loops meet their figures as they are, and so do those of contacts.
         if constexpr (closes) {
-            factor_jointed(this->view, jointed, this->view.loops);
+            if constexpr (Whole::has_joint_rows)
+                factor_undriven(h);
+            else
+                factor_jointed(this->view, jointed, this->view.loops);
             refresh_jointed_blocks(this->view, bodies);
         }
         push_figures(jointed.figures, this->view.loops, false);
@@ -145,6 +154,27 @@ private:
     void open_island(Index node) {
         if (Island* const island = island_of(node)) island->in_batch = true;
     }
+    /// Where joints are now.
+    void place() {
+        place_joints(jointed.figures);
+        if (!closes || rows().drives_of_joint > 0) place_carriages(jointed.figures);
+        if constexpr (closes) {
+            place_loops(jointed.figures, this->view.loops);
+            place_free_rows(jointed.figures, this->view.loops);
+        }
+    }
+    /// Figures as they are now, with their loops; as pushes meet them.
+    void factor_undriven(scalar h) {
+        place();
+        factor_figures(jointed.figures, this->view.loops, h);
+        respond_figures(jointed.figures, jointed.responses);
+        if constexpr (closes) factor_loops(jointed.figures, this->view.loops);
+    }
+    /// Again where ropes come to their ends or are let go, and where targets are drawn to with all there is.
+    void settle_machines(const BodyView& bodies, scalar h) {
+        // bound: see settle_rows
+        for (int round = 0; settle_rows(jointed.figures, this->view.loops, round); ++round) solve_loops_again(bodies, h);
+    }
     /// Of islands whose ties are not as they were.
     void solve_loops_again(const BodyView& bodies, scalar h) {
         close_batch();
@@ -152,23 +182,45 @@ private:
             if (!of.is_settled) open_island(of.first_node);
         });
         refresh_in_solve(this->view, bodies);
+        if constexpr (Whole::has_joint_rows) {
+            stand_rows();
+            aim_joint_rows(jointed.figures, rows(), h);
+        }
         this->sweep_passively(bodies, h);
     }
     /// Of islands that have a drive which has given way.
     void solve_driven_again(const BodyView& bodies, scalar h) {
         close_batch();
         for (int i = 0; i < rows().count; ++i)  // bound: rows_of_joint max_joints
-            if (rows().list[i].gave_way) open_island(rows().list[i].node);
-        for (int i = 0; i < rows().count; ++i) {
-            const Island* const island = island_of(rows().list[i].node);
-            rows().list[i].stands = island == nullptr || !island->in_batch;
-        }
+            if (rows().list[i].gave_way) open_island(node_of(rows(), rows().list[i]));
+        stand_rows();
         factor_figures(jointed.figures, rows(), h);
         respond_figures(jointed.figures, jointed.responses);
+        if constexpr (closes) {
+            reopen_machines();
+            factor_open_loops(jointed.figures, this->view.loops);
+        }
         refresh_in_solve(this->view, bodies);
-        begin_solve(jointed.figures, this->view.loops, h);
+        if constexpr (closes)
+            clear_solve(jointed.figures);
+        else
+            begin_solve(jointed.figures, this->view.loops, h);
         aim_joint_rows(jointed.figures, rows(), h);
         this->sweep_passively(bodies, h);
+    }
+    /// Rows of islands that are not in the batch any more.
+    void stand_rows() {
+        for (int i = 0; i < rows().count; ++i) {  // bound: rows_of_joint max_joints
+            const Island* const island = island_of(node_of(rows(), rows().list[i]));
+            rows().list[i].stands = island == nullptr || !island->in_batch;
+        }
+    }
+    /// Machines of the islands that are in it are not settled.
+    void reopen_machines() {
+        for_looped_figures(jointed.figures, this->view.loops, [&](LoopFigure& of) {
+            const Island* const island = island_of(of.first_node);
+            of.is_settled = island == nullptr || !island->in_batch;
+        });
     }
     /// Of the islands of the batch: those of the others stand.
     void forget_doublings() {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "plan_islands.h"
 
-#include "../../base/limits.h"
+#include "../../base/figure_limits.h"
 #include "../../body/turning_inertia.h"
 #include "../../figure/build_figures.h"
 #include "../../island/disjoint_sets.h"

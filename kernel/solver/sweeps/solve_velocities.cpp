@@ -140,6 +140,8 @@ template void solve_velocities(RowedView&);
 template void solve_velocities(RowedMaterialView&);
 template void solve_velocities(DrivenView&);
 template void solve_velocities(DrivenMaterialView&);
+template void solve_velocities(LoopedRowedView&);
+template void solve_velocities(LoopedRowedMaterialView&);
 template void solve_velocities(SolverView&);
 template void solve_velocities(BallView&);
 template void solve_velocities(RollingView&);

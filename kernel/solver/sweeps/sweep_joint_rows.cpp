@@ -2,14 +2,16 @@
 #include "sweep_joint_rows.h"
 
 #include "../../figure/joint_rows.h"
+#include "../../figure/moving_joint.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
 /// Null: the island is settled, or its body has gone bad.
-Island* live_island(const SolverView& solver, const JointedBodies& jointed, const JointRow& row) {
-    const Index body_i = solver.local_of[jointed.figures.nodes[row.node].slot];
+template <class Rows>
+Island* live_island(const SolverView& solver, const JointedBodies& jointed, const Rows& rows, const JointRow& row) {
+    const Index body_i = solver.local_of[jointed.figures.nodes[node_of(rows, row)].slot];
     if (body_i == 0) return nullptr;
     Island& island = solver.islands[solver.island_of[body_i]];
     return island.in_batch && island.sweeps_on ? &island : nullptr;
@@ -17,28 +19,31 @@ Island* live_island(const SolverView& solver, const JointedBodies& jointed, cons
 
 }  // namespace
 
-void sweep_joint_rows(const SolverView& solver, const JointedBodies& jointed, const JointRowView& rows, bool up) {
+template <class Rows>
+void sweep_joint_rows(const SolverView& solver, const JointedBodies& jointed, const Rows& rows, bool up) {
     for (int i = 0; i < rows.count; ++i) {  // bound: limits_of_joint max_joints
         JointRow& row = rows.list[up ? i : rows.count - 1 - i];
-        if (live_island(solver, jointed, row) != nullptr) row.change = visit_joint_row(jointed.figures, rows, row);
+        if (live_island(solver, jointed, rows, row) != nullptr) row.change = visit_joint_row(jointed.figures, rows, row);
     }
 }
 
-void measure_joint_rows(const SolverView& solver, const JointedBodies& jointed, const JointRowView& rows) {
+template <class Rows>
+void measure_joint_rows(const SolverView& solver, const JointedBodies& jointed, const Rows& rows) {
     for (int i = 0; i < rows.count; ++i) {
         const JointRow& row = rows.list[i];
-        Island* const island = live_island(solver, jointed, row);
+        Island* const island = live_island(solver, jointed, rows, row);
         if (island == nullptr || !(row.K > 0)) continue;
         island->size += row.change * row.change / row.K;
-        const scalar unit = unit_of_travel(jointed.figures.nodes[row.node].kind, row.direction_i, solver.unit);
+        const scalar unit = unit_of_travel(kind_of(jointed.figures, rows, row), row.direction_i, solver.unit);
         island->residual = max(island->residual, abs(row.change) * (solver.unit / unit));
     }
 }
 
-void extrapolate_joint_rows(const SolverView& solver, const JointedBodies& jointed, const JointRowView& rows) {
+template <class Rows>
+void extrapolate_joint_rows(const SolverView& solver, const JointedBodies& jointed, const Rows& rows) {
     for (int i = 0; i < rows.count; ++i) {
         JointRow& row = rows.list[i];
-        const Island* const island = live_island(solver, jointed, row);
+        const Island* const island = live_island(solver, jointed, rows, row);
         if (island == nullptr) continue;
         row.direction = island->beta * row.direction + (row.j - row.j_sweep);
         row.j = row.j_sweep = row.j + island->beta * row.direction;
@@ -46,17 +51,31 @@ void extrapolate_joint_rows(const SolverView& solver, const JointedBodies& joint
     give_joint_rows(jointed.figures, rows);
 }
 
-void excuse_driven(const SolverView& solver, const JointedBodies& jointed, const JointRowView& rows) {
+template <class Rows>
+void excuse_driven(const SolverView& solver, const JointedBodies& jointed, const Rows& rows) {
     for (int i = 0; i < rows.count; ++i) {  // bound: rows_of_joint max_joints
-        const Index body_i = solver.local_of[jointed.figures.nodes[rows.list[i].node].slot];
+        const Index body_i = solver.local_of[jointed.figures.nodes[node_of(rows, rows.list[i])].slot];
         if (rows.list[i].is_drive && body_i != 0) solver.islands[solver.island_of[body_i]].at_bound = false;
     }
 }
 
-bool are_joint_rows_live(const SolverView& solver, const JointedBodies& jointed, const JointRowView& rows) {
+template <class Rows>
+bool are_joint_rows_live(const SolverView& solver, const JointedBodies& jointed, const Rows& rows) {
     bool live = false;
-    for (int i = 0; i < rows.count; ++i) live = live || live_island(solver, jointed, rows.list[i]) != nullptr;
+    for (int i = 0; i < rows.count; ++i) live = live || live_island(solver, jointed, rows, rows.list[i]) != nullptr;
     return live;
 }
+
+// The linker takes the one that the scene calls.
+#define INGOT_ROWS(Rows)                                                                              \
+    template void sweep_joint_rows(const SolverView&, const JointedBodies&, const Rows&, bool);       \
+    template void measure_joint_rows(const SolverView&, const JointedBodies&, const Rows&);           \
+    template void extrapolate_joint_rows(const SolverView&, const JointedBodies&, const Rows&);       \
+    template void excuse_driven(const SolverView&, const JointedBodies&, const Rows&);                \
+    template bool are_joint_rows_live(const SolverView&, const JointedBodies&, const Rows&)
+INGOT_ROWS(JointRowView);
+INGOT_ROWS(DrivenRowView);
+INGOT_ROWS(LoopedRowView);
+#undef INGOT_ROWS
 
 } }  // namespace ingot

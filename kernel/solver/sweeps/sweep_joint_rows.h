@@ -7,14 +7,19 @@
 namespace ingot { inline namespace INGOT_ABI {
 
 /// One visit to each row whose island is not settled yet; `up` or back.
-void sweep_joint_rows(const SolverView& solver, const JointedBodies& jointed, const JointRowView& rows, bool up);
+template <class Rows>
+void sweep_joint_rows(const SolverView& solver, const JointedBodies& jointed, const Rows& rows, bool up);
 /// Adds what the sweep changed to what measure_sweep has found.
-void measure_joint_rows(const SolverView& solver, const JointedBodies& jointed, const JointRowView& rows);
+template <class Rows>
+void measure_joint_rows(const SolverView& solver, const JointedBodies& jointed, const Rows& rows);
 /// Impulses go on along the conjugate direction of their islands, as those of contacts do.
-void extrapolate_joint_rows(const SolverView& solver, const JointedBodies& jointed, const JointRowView& rows);
+template <class Rows>
+void extrapolate_joint_rows(const SolverView& solver, const JointedBodies& jointed, const Rows& rows);
 /// Islands with drives may gain energy: it is these that give it.
-void excuse_driven(const SolverView& solver, const JointedBodies& jointed, const JointRowView& rows);
+template <class Rows>
+void excuse_driven(const SolverView& solver, const JointedBodies& jointed, const Rows& rows);
 /// Whether an island that is not settled has rows.
-bool are_joint_rows_live(const SolverView& solver, const JointedBodies& jointed, const JointRowView& rows);
+template <class Rows>
+bool are_joint_rows_live(const SolverView& solver, const JointedBodies& jointed, const Rows& rows);
 
 } }  // namespace ingot

@@ -62,8 +62,6 @@ struct LoopJoints : Feature {
     static constexpr bool check() {
         static_assert(S::max_loops >= 0 && S::max_loops <= S::max_joints,
                       "joints that close loops are among the joints: set max_loops to max_joints at most");
-        static_assert(!has_loops<S> || !has_joint_rows<S>,
-                      "limits and drives are of joints of trees: set max_loops = 0, or leave WithLimits and WithDrives out");
         return true;
     }
 };
