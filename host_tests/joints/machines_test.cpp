@@ -167,6 +167,27 @@ ingot::JointId joint_of_begun(const Built& built, int first, int joint_i) {
     return built.joints[static_cast<std::size_t>((joint_i - first + count) % count)];
 }
 
+/// What a limit may be exceeded by, as in JointLimits; loops add what their own rows leave, limits::loop_gap.
+constexpr double slack =
+    std::max(2 * static_cast<double>(ingot::limits::limit_slack), 1e-6) + static_cast<double>(ingot::limits::loop_gap) + 16 * eps;
+
+TEST(Machines, limits_end_where_they_say) {
+    RandomInput random(2);
+    for (int run_i = 0; run_i < ingot_reference::draws(120); ++run_i) {
+        const FigureScene scene = limited_ring(random, 9, run_i % 3 != 0, 4);
+        const double rate = rates[random.integer(0, 4)];
+        const JointRows rows(scene);
+        const auto world = std::make_unique<ingot::World<LimitedWorkshop>>();
+        const Built built = add_scene(*world, scene);
+        ASSERT_TRUE(built.sound);
+        for (int step_i = 0; step_i < static_cast<int>(rate); ++step_i) {
+            ASSERT_TRUE(ingot::step(*world, static_cast<scalar>(1 / rate)).clean()) << run_i;
+            ASSERT_LE(worst_gap(*world, built), held) << run_i << ", " << rate << " Hz, step " << step_i;
+            ASSERT_LE(worst_excess(rows, state_of(*world, built)), slack) << run_i << ", " << rate << " Hz, step " << step_i;
+        }
+    }
+}
+
 /// A motor on the crank of an engine, or on its piston's rod: the crank goes round, through both dead centres, and the piston is where it should be.
 TEST(Machines, an_engine_runs_through_its_dead_centres) {
     for (const double rate : rates)

@@ -183,7 +183,7 @@ void allow_driven_speed(const FigureView& view, const LoopFigure& of, scalar spe
 }
 
 /// The same of scenes with loops.
-void hold_back_targets(const FigureView& view, const LoopView& loops, scalar h) {
+void hold_back_targets(const FigureView& view, const LoopView& loops, scalar h, scalar gain) {
     for_groups(view, [&](const auto& rows) {
         if (any(doubtful_lanes(rows, loops))) pass_alone(rows);
     });
@@ -202,7 +202,6 @@ void hold_back_targets(const FigureView& view, const LoopView& loops, scalar h) 
         const auto doubtful = doubtful_lanes(rows, loops);
         if (!any(doubtful)) return;
         const auto of = read(rows.all, rows[0].drive);
-        const scalar gain = loops.ties == nullptr ? limits::target_gain : limits::target_gain_of_ties;
         const auto gains = both(doubtful, gaining_lanes(rows, {of.x, of.y}, of.z, h, gain));
         if (!any(gains)) return;
         leave_out_biases(rows, gains);
@@ -248,12 +247,24 @@ void begin_solve(const FigureView& view, const NoLoops&, scalar h) {
     });
 }
 
-void begin_solve(const FigureView& view, const LoopView& loops, scalar h) {
+namespace {
+
+void begin_solve(const FigureView& view, const LoopView& loops, scalar h, scalar gain) {
     for_groups(view, [h](const auto& rows) { aim_joints(rows, h); });
     for_looped_figures(view, loops, [&](const LoopFigure& of) { aim_loops(view, loops, of, h); });
-    hold_back_targets(view, loops, h);
+    hold_back_targets(view, loops, h, gain);
     if (loops.targets != nullptr) for_looped_figures(view, loops, [&](const LoopFigure& of) { aim_targets(view, loops, of, h); });
     clear_solve(view);
+}
+
+}  // namespace
+
+void begin_solve(const FigureView& view, const LoopView& loops, scalar h) {
+    begin_solve(view, loops, h, loops.ties == nullptr ? limits::target_gain : limits::target_gain_of_machines);
+}
+void begin_flight_solve(const FigureView& view, const NoLoops& loops, scalar h, bool) { begin_solve(view, loops, h); }
+void begin_flight_solve(const FigureView& view, const LoopView& loops, scalar h, bool driven) {
+    begin_solve(view, loops, h, driven && loops.ties == nullptr ? limits::target_gain : limits::target_gain_of_machines);
 }
 
 void clear_solve(const FigureView& view) {

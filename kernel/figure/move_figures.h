@@ -12,6 +12,10 @@ namespace ingot { inline namespace INGOT_ABI {
 /// Needs: place_joints, velocities after the forces. h: s, of the substep.
 void begin_solve(const FigureView& view, const NoLoops& loops, scalar h);
 void begin_solve(const FigureView& view, const LoopView& loops, scalar h);
+/// The same of figures that touch nothing: what energy a machine has it has by itself, unless it may be driven, and its targets get less of it.
+void begin_flight_solve(const FigureView& view, const NoLoops& loops, scalar h, bool driven);
+void begin_flight_solve(const FigureView& view, const LoopView& loops, scalar h, bool driven);
+
 /// The same once more in a substep, of what gives way otherwise now: what the joints lack is as it was. No impulse is on any body, and no drive.
 void clear_solve(const FigureView& view);
 

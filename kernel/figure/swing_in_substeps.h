@@ -48,6 +48,7 @@ void kick_rows(const FigureRows<width>& rows, scalar h) {
 
 struct NothingBeside {
     static constexpr bool closes = false;
+    static constexpr bool is_driven() { return false; }
     static constexpr NoLoops loops = {};
     static void begin(const FigureView&, scalar) {}
     static void factor(const FigureView& view, scalar h) {
@@ -63,6 +64,7 @@ struct NothingBeside {
 /// Some joints close loops.
 struct LoopsBeside {
     static constexpr bool closes = true;
+    static constexpr bool is_driven() { return false; }
     const LoopView& loops;
 
     void begin(const FigureView& view, scalar h) const {
@@ -88,6 +90,7 @@ struct LoopsBeside {
 template <class Rows>
 struct RowsBeside {
     static constexpr bool closes = false;
+    static constexpr bool is_driven() { return Rows::has_drives; }
     static constexpr NoLoops loops = {};
     Rows& all;
 
@@ -242,7 +245,7 @@ void swing_substep(FigureView& view, const Beside& beside, Reactions reactions, 
     if constexpr (!Beside::closes) beside.factor(view, h);
     beside.list(view, h);
     for_groups(view, [&](const auto& rows) { kick_rows(rows, h); });
-    begin_solve(view, beside.loops, h);
+    begin_flight_solve(view, beside.loops, h, beside.is_driven());
     beside.solve(view, h);
     end_solve(view, h);
     note_reactions(view, beside.loops, reactions);
