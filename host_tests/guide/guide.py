@@ -1,0 +1,348 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""The pages of the guide, held to what is so.
+
+    guide.py --extract FILE              writes all C++ of the pages and of the README as one program: what is shown compiles and runs
+    guide.py --check PROGRAM...          fails where a figure is stale, a link leads nowhere, or a name is none of ingot's; with --partly figures
+                                         that these programs do not print are left alone
+    guide.py --update PROGRAM...         writes the figures
+
+Code. A block of C++ is a program, or declarations and statements; a line of three dots between them stands for what is left out. Statements go into
+a function. A block goes on where the one before it ended if `<!-- continues -->` stands above it. What a reader does not need is in a comment:
+
+    <!-- cpp
+    struct Pen { ... };
+    -->
+
+which begins anew, or goes on, `<!-- cpp continues`. CHECK(condition) in it is a test; a call of a world in a line of its own has to be answered with
+ok. Scenes of the same text on several pages are compiled once.
+
+Figures stand between `<!--=name-->` and `<!--/-->`, tables between `<!-- table: name -->` and `<!-- end of table -->`. PROGRAM prints them, a line each:
+name, a tab, what stands there; \\n in a table is a line of it. Others come from ../tables and from the presets.
+
+A figure with a unit that is measured, as KB, mm or instructions, is refused where it stands by itself.
+"""
+import collections
+import csv
+import pathlib
+import re
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+GUIDE = ROOT / "host_tests" / "guide"
+TABLES = ROOT / "host_tests" / "tables"
+FIGURE = re.compile(r"<!--=([\w.+-]+)-->(.*?)<!--/-->")
+TABLE = re.compile(r"<!-- table: ([\w.-]+) -->\n(.*?)<!-- end of table -->\n", re.S)
+CHUNK = re.compile(r"^(?:<!-- cpp(?P<hidden_goes_on> continues)?\n(?P<hidden>.*?)^-->|(?P<goes_on><!-- continues -->\n\n?)?```cpp\n(?P<shown>.*?)^```)$", re.M | re.S)
+CODE = re.compile(r"^```.*?^```$|^<!-- cpp.*?^-->$", re.M | re.S)
+IN_TICKS = re.compile(r"`([^`\n]+)`")
+DECLARATION = re.compile(r"(struct|class|enum|using|namespace|template|static|inline|constexpr|int main)\b|#|void \w+\(")
+SCENE = re.compile(r"^struct (\w+) : ingot::Scene \{(?:[^\n]*\};|.*?^\};)[^\n]*$", re.M | re.S)
+CALL = re.compile(r"^( *)((?:\w+\.)(?:set_|add|remove|apply_|move_to|wake|sleep|collide)\w*\(.*\));( *//.*)?$")
+MEASURED = re.compile(r"(?<![\w.`])\d[\d ,.]*(?:e-?\d+)? ?(?:bytes?|B|KB|MB|mm|ms|instructions|cycles|%|per cent|flops)(?![\w`])")
+
+
+def pages():
+    return [ROOT / "README.md"] + sorted(GUIDE.glob("*.md"))
+
+
+# Code.
+
+class Chain:
+    """Blocks that follow each other: what is declared, and what is done, by line of the page."""
+
+    def __init__(self, page, line):
+        self.page, self.line, self.declared, self.done = page, line, [], []
+
+    def add(self, line, text):
+        """A piece ends where brackets are closed and a line ends in ; or }."""
+        piece, begin, depth = [], line, 0
+        for row in text.split("\n"):
+            line += 1
+            if row.strip() == "..." or not (piece or row.strip()):
+                begin = line
+                continue
+            row = row.replace("{ ... }", "{}")
+            bare = re.sub(r"//.*|\"[^\"]*\"", "", row).rstrip()
+            depth += sum(map(bare.count, "({[")) - sum(map(bare.count, ")}]"))
+            piece.append(row)
+            if depth == 0 and bare.endswith((";", "}")) or bare.startswith("#"):
+                self.add_piece(begin, piece)
+                piece, begin = [], line
+        self.add_piece(begin, piece)
+
+    def add_piece(self, line, rows):
+        first = next((row for row in rows if not row.lstrip().startswith("//")), None)
+        if first is not None:
+            (self.declared if DECLARATION.match(first) else self.done).append((line, rows))
+
+    def is_program(self):
+        return any("int main(" in row for _, rows in self.declared for row in rows)
+
+    def source(self, number, shared):
+        out, marks = [], f'"{self.page.name}"'
+        for line, rows in self.declared:
+            text = "\n".join("" if row.startswith("#include") else row for row in rows)
+            text = SCENE.sub(lambda scene: shared.used(scene, self.page, line + text[:scene.start()].count("\n")), text)
+            out.append(f"#line {line} {marks}\n{text}")
+        if self.done:
+            out.append("static void statements() {")
+            for line, rows in self.done:
+                out.append(f"#line {line} {marks}\n" + "\n".join(CALL.sub(r"\1MUST(\2);\3", row) for row in rows))
+            out.append("}")
+        body = "\n".join(out)
+        return f"namespace chain_{number} {{\n{body}\n}}\n"
+
+
+class SharedScenes:
+    """Scenes of one text are one type: each takes a quarter of a second to compile."""
+
+    def __init__(self, all_chains):
+        self.sources = {}
+        self.counts = collections.Counter(scene[0] for chain in all_chains for _, rows in chain.declared for scene in SCENE.finditer("\n".join(rows)))
+
+    def used(self, scene, page, line):
+        name, text = scene[1], scene[0]
+        if self.counts[text] == 1:
+            return text
+        if text not in self.sources:
+            self.sources[text] = (f"scenes_{len(self.sources)}", f'#line {line} "{page.name}"\n{text}')
+        return f"using {name} = {self.sources[text][0]}::{name};" + "\n" * text.count("\n")
+
+    def source(self):
+        return "".join(f"namespace {space} {{\n{text}\n}}\n" for space, text in self.sources.values())
+
+
+def contexts_of_readme():
+    """The README is for people who read it as it is: what its blocks need stands in of_readme.txt, by the line that a block begins with."""
+    text = (GUIDE / "of_readme.txt").read_text(encoding="utf-8")
+    contexts = {}
+    for first, context in re.findall(r"^## ([^\n]*)\n(.*?)(?=^## |\Z)", text, re.M | re.S):
+        before, _, after = context.partition("and after it\n")
+        contexts[first] = (list(CHUNK.finditer(before)), list(CHUNK.finditer(after)))
+    return contexts
+
+
+def chains():
+    found = []
+    contexts = contexts_of_readme()
+    for page in pages():
+        text = page.read_text(encoding="utf-8")
+        of_page = len(found)
+
+        def add(chunk, text, page=page):
+            hidden = chunk["hidden"] is not None
+            group = "hidden" if hidden else "shown"
+            line = text[:chunk.start(group)].count("\n") + 1
+            if not (chunk["hidden_goes_on"] if hidden else chunk["goes_on"]):
+                found.append(Chain(page, line))
+            elif len(found) == of_page:
+                sys.exit(f"{page.name}: a block goes on, and there is none before it")
+            found[-1].add(line, chunk[group])
+
+        for chunk in CHUNK.finditer(text):
+            before, after = contexts.pop(chunk["shown"].split("\n", 1)[0], ((), ())) if page.parent == ROOT else ((), ())
+            for hidden in before:
+                add(hidden, hidden.string)
+            if before:
+                found[-1].add(text[:chunk.start("shown")].count("\n") + 1, chunk["shown"])
+            else:
+                add(chunk, text)
+            for hidden in after:
+                add(hidden, hidden.string)
+    if contexts:
+        sys.exit(f"of_readme.txt: no block of the README begins with {', '.join(contexts)}")
+    return found
+
+
+def extracted():
+    found = chains()
+    shared, parts, runs = SharedScenes(found), [], []
+    for number, chain in enumerate(found):
+        parts.append(chain.source(number, shared))
+        where = f'"{chain.page.name}", {chain.line}'
+        if chain.is_program():
+            runs.append(f"    {{{where}, [] {{ CHECK(chain_{number}::main() == 0); }}}},")
+        if chain.done:
+            runs.append(f"    {{{where}, chain_{number}::statements}},")
+    listed = "static constexpr Page pages[] = {\n" + "\n".join(runs) + "\n};\n"
+    return '#include "pages.h"\n' + shared.source() + "".join(parts) + '#line 1 "all pages"\n' + listed + "int main() { return run(pages); }\n"
+
+
+# Figures.
+
+def rows_of(name):
+    with open(TABLES / name, encoding="utf-8", newline="") as file:
+        return list(csv.DictReader(line for line in file if not line.startswith("#")))
+
+
+def figures_of_tables():
+    """From what is measured elsewhere."""
+    figures = {}
+    for row in rows_of("budgets.csv"):
+        core = row["core"].removeprefix("cortex-")
+        for column in ("flash", "world_ram", "stack_computed", "instructions_last", "instructions_worst"):
+            figures[f"{row['scene']}.{core}.{column.replace('stack_computed', 'stack').replace('world_ram', 'ram')}"] = row[column]
+    for row in rows_of("footprint.csv"):
+        figures[f"footprint.{row['scene']}.flash"] = row["flash"]
+        figures[f"footprint.{row['scene']}.ram"] = row["world_ram"]
+    pairs = rows_of("pairs.csv")
+    figures["pairs"] = str(len(pairs))
+    figures["pairs.refused"] = str(sum(1 for row in pairs if row["sentence"]))
+    version = (ROOT / "kernel/base/version.h").read_text()
+    number = dict(re.findall(r"INGOT_(\w+) (\d+)", version))
+    figures["version"] = ".".join(number[part] for part in ("VERSION_MAJOR", "VERSION_MINOR", "VERSION_PATCH"))
+    figures["determinism"] = number["DETERMINISM_VERSION"]
+    figures["examples"] = str(len(list((ROOT / "host_tests/examples").glob("*.cpp"))) - 1)
+    return figures
+
+
+def tables_of_source():
+    """What the compiler says of a scene that cannot be, and why a call may refuse."""
+    sentences = set()
+    for file in sorted((ROOT / "kernel/world").rglob("*.h")):
+        for assertion in re.findall(r"static_assert\((.*?)\);", file.read_text(encoding="utf-8"), re.S):
+            sentences.update(re.findall(r'"(\w[^"]*: [^"]*)"$', assertion))
+    rows = [sentence.split(": ", 1) for sentence in sorted(sentences)]
+    listed = ["| what the compiler says | and what to do |", "| --- | --- |"] + [f"| {what} | {do} |" for what, do in rows]
+    status = (ROOT / "kernel/base/status.h").read_text(encoding="utf-8")
+    reasons = re.findall(r"^    (\w+)(?: = 0)?, *///< (.*)$", status, re.M)
+    return {"sentences": "\n".join(listed), "statuses": "\n".join(["| status | why |", "| --- | --- |"] + [f"| `{name}` | {why} |" for name, why in reasons])}
+
+
+def figures(programs):
+    """A table of budgets/capacities has rows of its own, without a name."""
+    known = {**figures_of_tables(), **tables_of_source()}
+    for program in programs:
+        lines = subprocess.run([program], check=True, capture_output=True, text=True).stdout.splitlines()
+        for line in lines:
+            name, tab, value = line.partition("\t")
+            if tab:
+                known[name] = value.replace("\\n", "\n")
+        rows = [line.rsplit(",", 2) for line in lines if "\t" not in line]
+        if rows:
+            head = ["| a world of | a body | a manifold, or a contact of `max_contacts` |", "| --- | ---: | ---: |"]
+            known["capacities"] = "\n".join(head + [f"| {name} | {body} | {manifold} |" for name, body, manifold in rows])
+    return known
+
+
+def with_figures(page, text, known, complaints, partly=False):
+    def written(match, form):
+        if match[1] not in known:
+            if not partly:
+                complaints.append(f"{page.name}: nobody knows the figure {match[1]}")
+            return match[0]
+        return form.format(match[1], known[match[1]])
+    text = TABLE.sub(lambda match: written(match, "<!-- table: {0} -->\n{1}\n<!-- end of table -->\n"), text)
+    return FIGURE.sub(lambda match: written(match, "<!--={0}-->{1}<!--/-->"), text)
+
+
+# Links and names.
+
+def prose_of(text):
+    return CODE.sub(lambda match: "\n" * match[0].count("\n"), text)
+
+
+def anchors(page):
+    """As the pages of a repository make them of headings."""
+    seen, found = {}, set()
+    for heading in re.findall(r"^#+ +(.*?)\s*$", prose_of(page.read_text(encoding="utf-8")), re.M):
+        slug = re.sub(r"[^\w\- ]", "", re.sub(r"<!--.*?-->", "", heading).lower().replace("`", "")).replace(" ", "-")
+        number = seen.get(slug, 0)
+        seen[slug] = number + 1
+        found.add(slug if number == 0 else f"{slug}-{number}")
+    return found
+
+
+def check_links(page, text, complaints):
+    for target in re.findall(r"\]\(([^)\s]+)\)", prose_of(text)):
+        if re.match(r"[a-z]+:", target):
+            continue
+        path, _, anchor = target.partition("#")
+        file = (page.parent / path).resolve() if path else page
+        if not file.exists():
+            complaints.append(f"{page.name}: no file {target}")
+        elif anchor and anchor not in anchors(file):
+            complaints.append(f"{page.name}: no heading {target}")
+
+
+def words_of_ingot():
+    """All identifiers of the tree, and the names of tests, presets and targets."""
+    words = set()
+    for folder, ends in (("kernel", ".h .cpp .txt"), ("platform", ".h .cpp .cmake .txt .py .c .ld"), ("toolchains", ".cmake .py .md .in"),
+                         ("host_tests", ".h .cpp .txt .cmake .py .toml")):
+        for file in (ROOT / folder).rglob("*"):
+            if file.suffix in ends.split() and file.parent != GUIDE:
+                words.update(re.findall(r"[A-Za-z_]\w*", file.read_text(encoding="utf-8")))
+                words.add(file.name)
+                words.add(file.stem)
+    words.update(file.name for file in GUIDE.iterdir())
+    for file in ("CMakeLists.txt", "CMakePresets.json"):
+        text = (ROOT / file).read_text(encoding="utf-8")
+        words.update(re.findall(r"[A-Za-z_][\w-]*", text))
+    return words
+
+
+def check_names(page, text, words, complaints):
+    """Of what stands in ticks: paths that there are, identifiers that somebody declares. In the README paths alone."""
+    own = set(re.findall(r"[A-Za-z_]\w*", "\n".join(CODE.findall(text))))
+    for ticked in IN_TICKS.findall(prose_of(text)):
+        for path in re.findall(r"(?:kernel|platform|host_tests|toolchains|fuzz)/[\w./*-]*\w", ticked):
+            if not (list(ROOT.glob(path)) if "*" in path else (ROOT / path).exists()):
+                complaints.append(f"{page.name}: no path {path}")
+        name = re.fullmatch(r"((?:\w+(?:<[^`]*>)?(?:::|\.))*~?[A-Za-z_]\w*)(?:\(.*\))?", ticked)
+        if page.parent == GUIDE and name and "/" not in ticked:
+            for word in re.findall(r"[A-Za-z_]\w*", name[1]) if ticked not in words else ():
+                if word not in words and word not in own:
+                    complaints.append(f"{page.name}: nothing is called {word}: `{ticked}`")
+
+
+def check_article(page, text, complaints):
+    """Rows of an equation: what their third cell names stands in the files of the fourth."""
+    for cells in re.findall(r"^\| [\d to]+ \|[^|]*\|([^|]*)\|([^|]*)\|$", text, re.M):
+        source = "".join((ROOT / path).read_text(encoding="utf-8") for path in IN_TICKS.findall(cells[1]) if (ROOT / path).exists())
+        for name in IN_TICKS.findall(cells[0]):
+            if not re.search(rf"\b{name}\b", source):
+                complaints.append(f"{page.name}: {name} is not in {cells[1].strip()}")
+
+
+def check_measured(page, text, complaints):
+    """Figures that a person typed."""
+    bare = TABLE.sub("", text)
+    bare = FIGURE.sub("", IN_TICKS.sub("", prose_of(bare)))
+    for found in MEASURED.finditer(bare):
+        complaints.append(f"{page.name}: who wrote this figure? {found[0].strip()}")
+
+
+def complaints_about(page, text, known, words, partly=False):
+    complaints = []
+    if with_figures(page, text, known, complaints, partly) != text:
+        complaints.append(f"{page.name}: stale figures: cmake --build <a host build> --target update_guide")
+    check_links(page, text, complaints)
+    check_names(page, text, words, complaints)
+    if page.parent == GUIDE:
+        check_measured(page, text, complaints)
+        check_article(page, text, complaints)
+    return complaints
+
+
+def main():
+    if sys.argv[1] == "--extract":
+        pathlib.Path(sys.argv[2]).write_text(extracted(), encoding="utf-8")
+        return
+    known = figures([argument for argument in sys.argv[2:] if argument != "--partly"])
+    if sys.argv[1] == "--update":
+        for page in pages():
+            text, complaints = page.read_text(encoding="utf-8"), []
+            page.write_text(with_figures(page, text, known, complaints), encoding="utf-8")
+            print(*complaints, sep="\n", end="\n" if complaints else "")
+        return
+    words = words_of_ingot()
+    complaints = [complaint for page in pages() for complaint in complaints_about(page, page.read_text(encoding="utf-8"), known, words, "--partly" in sys.argv)]
+    if complaints:
+        sys.exit("\n".join(complaints))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,53 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""guide.py refuses what it should: a figure that somebody changed, a link that leads nowhere, a name that nobody has, code that goes on from nothing."""
+import pathlib
+import sys
+import unittest
+
+sys.dont_write_bytecode = True
+import guide  # noqa: E402
+
+PAGE = guide.GUIDE / "a_page.md"  # it is nowhere, and would be beside the others
+KNOWN = {"a.size": "72", "a.list": "| one | 1 |"}
+WORDS = {"World", "add", "tilde"}
+ARTICLE = "| 9 | tilde | `{}` | `kernel/math/rotation.h` |\n"
+
+
+class Refusals(unittest.TestCase):
+    def complaints(self, text):
+        return " ".join(guide.complaints_about(PAGE, text, KNOWN, WORDS))
+
+    def test_what_is_right_is_not_refused(self):
+        self.assertEqual(self.complaints("It takes <!--=a.size-->72<!--/--> bytes, see [the README](../../README.md#use-it), `World::add`, `kernel/world/step.h`.\n"
+                                         "<!-- table: a.list -->\n| one | 1 |\n<!-- end of table -->\n" + ARTICLE.format("tilde")), "")
+
+    def test_figures(self):
+        self.assertIn("stale", self.complaints("It takes <!--=a.size-->73<!--/--> bytes.\n"))
+        self.assertIn("stale", self.complaints("<!-- table: a.list -->\n| one | 2 |\n<!-- end of table -->\n"))
+        self.assertIn("nobody knows", self.complaints("It takes <!--=b.size-->72<!--/--> bytes.\n"))
+        for typed in ("72 bytes", "1.5 KB", "0.02 mm", "3 %", "2,000 instructions"):
+            self.assertIn("who wrote this figure", self.complaints(f"It takes {typed}.\n"))
+
+    def test_links(self):
+        self.assertIn("no file", self.complaints("[a page](nowhere.md)\n"))
+        self.assertIn("no heading", self.complaints("[the README](../../README.md#nowhere)\n"))
+
+    def test_names(self):
+        self.assertIn("nothing is called sing", self.complaints("Call `World::sing`.\n"))
+        self.assertIn("no path", self.complaints("See `kernel/world/stop.h`.\n"))
+        self.assertIn("is not in", self.complaints(ARTICLE.format("axis_angel")))
+
+    def test_code_that_goes_on_from_nothing(self):
+        chunk = guide.CHUNK.search("<!-- continues -->\n```cpp\nint i;\n```\n")
+        self.assertTrue(chunk["goes_on"])
+        chain = guide.Chain(PAGE, 1)
+        chain.add(1, "struct S : ingot::Scene {};\nstatic ingot::World<S> w;\n...\nw.add(def);   // a comment\nint i = 1;\n")
+        source = chain.source(0, guide.SharedScenes([chain]))
+        self.assertIn("MUST(w.add(def));", source)
+        self.assertLess(source.index("static ingot::World<S> w;"), source.index("static void statements()"))
+        self.assertGreater(source.index("int i = 1;"), source.index("static void statements()"))
+
+
+if __name__ == "__main__":
+    unittest.main()
