@@ -8,7 +8,7 @@ namespace ingot::platform {
 
 /// A formatted number by value: long enough for every number below, always zero-terminated.
 struct NumberText {
-    char text[24];  // sign, 20 digits, decimal point, terminator, and one to spare
+    char text[24];  ///< sign, 20 digits, decimal point, terminator, and one to spare
 };
 
 /// Decimal digits, no sign, no leading zeros. Cost: at most 9 subtractions per digit; no division.

@@ -15,8 +15,8 @@ namespace ingot::platform {
 /// A zeroed extension is valid: it counts from a counter value of 0. Not safe against interrupts by itself; the caller
 /// holds them off.
 struct CounterExtension {
-    uint64_t total;  // ticks
-    uint32_t last;   // counter value at the last call
+    uint64_t total;  ///< ticks
+    uint32_t last;   ///< counter value at the last call
 
     /// Begins again at zero ticks, with the counter standing at `now`.
     void restart(uint32_t now) {

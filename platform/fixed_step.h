@@ -16,14 +16,14 @@ namespace ingot::platform {
 
 /// So many steps in so many seconds: {60, 1} for a game, {60000, 1001} for NTSC video, {1, 10} for a slow orbit.
 struct StepRate {
-    uint32_t steps;
-    uint32_t seconds;
+    uint32_t steps;    ///< above 0
+    uint32_t seconds;  ///< above 0
 };
 
 /// What advance() asks for.
 struct StepsDue {
-    uint32_t steps;    // to take now, at most the catch-up limit
-    uint64_t dropped;  // were due beyond the limit and will never be taken: the world is late by so many more steps
+    uint32_t steps;    ///< to take now, at most the catch-up limit
+    uint64_t dropped;  ///< were due beyond the limit and will never be taken: the world is late by so many more steps
 };
 
 /// Fixed-step accumulator in whole ticks.
@@ -110,7 +110,7 @@ public:
 
     /// Sums since restart().
     constexpr uint64_t steps_taken() const { return steps_taken_; }
-    constexpr uint64_t steps_dropped() const { return steps_dropped_; }
+    constexpr uint64_t steps_dropped() const { return steps_dropped_; }  ///< that were due and never taken
 
 private:
     static constexpr uint64_t checked_units_per_step(uint64_t ticks_per_second, StepRate rate) {

@@ -28,13 +28,14 @@ enum class Agreement : uint8_t {
 
 /// The first step at which two recordings differ.
 struct Divergence {
+    /// What differs.
     enum class Kind : uint8_t {
         none,   ///< every step that both have is the same
         input,  ///< the machines were told different things
         hash,   ///< they were told the same, and came to different states
     };
-    Kind kind;
-    uint32_t step;
+    Kind kind;  ///< what differs
+    uint32_t step;  ///< the first that does
     bool is_first;  ///< the step before it is in both and the same; else it may have begun earlier than both recall
 };
 
@@ -88,17 +89,17 @@ public:
         return true;
     }
 
-    int step_count() const { return count_; }
-    int state_count() const { return state_count_; }
+    int step_count() const { return count_; }  ///< that it recalls
+    int state_count() const { return state_count_; }  ///< that it recalls
     /// Of a recording that is not empty.
     uint32_t first_step() const { return first_step_; }
-    uint32_t last_step() const { return first_step_ + static_cast<uint32_t>(count_) - 1; }
-    bool has(uint32_t step) const { return step - first_step_ < static_cast<uint32_t>(count_); }
+    uint32_t last_step() const { return first_step_ + static_cast<uint32_t>(count_) - 1; }  ///< of a recording that is not empty
+    bool has(uint32_t step) const { return step - first_step_ < static_cast<uint32_t>(count_); }  ///< it recalls that step
 
     /// Of a step that it has.
     uint64_t hash(uint32_t step) const { return at(step).hash; }
-    size_t input_size(uint32_t step) const { return at(step).input_size; }
-    const uint8_t* input(uint32_t step) const { return at(step).input; }
+    size_t input_size(uint32_t step) const { return at(step).input_size; }  ///< bytes, of a step that it has
+    const uint8_t* input(uint32_t step) const { return at(step).input; }  ///< of a step that it has
 
     /// Whether a hash that came from another machine is that of the same step here.
     Agreement compare(uint32_t step, uint64_t hash_of_other) const {
@@ -133,8 +134,8 @@ public:
         out.u64(out.checksum);
     }
 
-    static constexpr char magic[8] = {'\x89', 'i', 'n', 'g', 'r', 'e', 'c', '\n'};
-    static constexpr uint32_t format = 1;
+    static constexpr char magic[8] = {'\x89', 'i', 'n', 'g', 'r', 'e', 'c', '\n'};  ///< what a recording begins with
+    static constexpr uint32_t format = 1;  ///< raised when the bytes of a recording change
 
 private:
     struct Step {

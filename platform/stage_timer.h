@@ -21,16 +21,16 @@ namespace ingot::platform {
 
 /// A stage of a StageTimer. Zero is null: what add_stage() returns when the array is full, and what is ignored elsewhere.
 struct StageId {
-    int32_t value = 0;
-    constexpr explicit operator bool() const { return value > 0; }
+    int32_t value = 0;  ///< 1 .. size(); 0: null
+    constexpr explicit operator bool() const { return value > 0; }  ///< it is not null
 };
 
 /// What was measured of one stage. All times in ticks, zero before the first measurement.
 struct StageStats {
-    const char* name;
-    uint32_t count;
-    uint64_t min, max, last;
-    uint64_t sum;
+    const char* name;  ///< of add_stage
+    uint32_t count;  ///< measurements
+    uint64_t min, max, last;  ///< ticks
+    uint64_t sum;  ///< ticks, of all
 
     /// Rounded down. Cost: one 64-bit division.
     constexpr uint64_t mean() const { return count == 0 ? 0 : sum / count; }
@@ -67,6 +67,7 @@ public:
         stages_[id.value - 1].begun_at = now_ticks;
         stages_[id.value - 1].running = true;
     }
+    /// The other end, at that time.
     constexpr void end_at(StageId id, uint64_t now_ticks) {
         if (!knows(id) || !stages_[id.value - 1].running) return;
         stages_[id.value - 1].running = false;
@@ -100,7 +101,7 @@ public:
 
     /// For listing: ids are 1 .. size() in the order of add_stage().
     constexpr int32_t size() const { return size_; }
-    static constexpr int32_t capacity() { return stages_max; }
+    static constexpr int32_t capacity() { return stages_max; }  ///< stages that it has room for
 
 private:
     struct Stage {
@@ -119,6 +120,7 @@ private:
 template <class Timer>
 class StageScope {
 public:
+    /// Begins to measure.
     StageScope(Timer& timer, StageId id) : timer_(timer), id_(id) { timer_.begin(id_); }
     ~StageScope() { timer_.end(id_); }
     StageScope(const StageScope&) = delete;

@@ -17,7 +17,7 @@ struct Effort {
     /// sweep, or solve, until they have settled, whatever it says.
     int sweeps = limits::sweeps;
 
-    static constexpr int substeps_max = 16, sweeps_max = 16;
+    static constexpr int substeps_max = 16, sweeps_max = 16;  ///< the most there may be
 };
 
 /// The least with which walls of 465 cubes and random piles are less wrong than in the best engine for games.

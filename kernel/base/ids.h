@@ -14,14 +14,15 @@ namespace ingot { inline namespace INGOT_ABI {
 /// the other for its own where slot and generation fit. A world holds no pointer and knows of no other, so nothing can tell: who has two worlds gives
 /// each a tag.
 struct BodyId {
-    Index slot{};
+    Index slot{};           ///< where the body is: World::body_at; 0 .. max_bodies - 1
     uint16_t world_tag{};   ///< World::set_tag; tells apart the ids of several worlds of one scene
-    uint32_t generation{};
+    uint32_t generation{};  ///< odd while the body lives; 0: the null id
 
+    /// The same body of the same world.
     constexpr bool operator==(const BodyId& other) const {
         return slot == other.slot && world_tag == other.world_tag && generation == other.generation;
     }
-    constexpr bool operator!=(const BodyId& other) const { return !(*this == other); }
+    constexpr bool operator!=(const BodyId& other) const { return !(*this == other); }  ///< another
 };
 
 } }  // namespace ingot

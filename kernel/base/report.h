@@ -85,8 +85,9 @@ inline void note_figures(StepReport& report, uint8_t bits) { report.figures = st
 ///     const ingot::StepReport report = ingot::step(world, h);
 ///     most.raise(world.room_needed(report));   // in the end: what to set the traits to, if anything was lost
 struct RoomNeeded {
-    int32_t max_pairs{}, max_manifolds{}, max_contacts{}, max_overlaps{}, max_events{};
+    int32_t max_pairs{}, max_manifolds{}, max_contacts{}, max_overlaps{}, max_events{};  ///< of the trait of that name
 
+    /// Each number is raised to that of the other, where that is greater: the high-water mark of both.
     constexpr void raise(const RoomNeeded& other) {
         if (other.max_pairs > max_pairs) max_pairs = other.max_pairs;
         if (other.max_manifolds > max_manifolds) max_manifolds = other.max_manifolds;

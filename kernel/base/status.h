@@ -69,10 +69,10 @@ constexpr const char* name(Status status) {
 /// A value, or the reason why there is none (the value is then all zero).
 template <class T>
 struct [[nodiscard]] Result {
-    Status status{};
-    T value{};
+    Status status{};  ///< ok, or why there is none
+    T value{};        ///< all zero where there is none
 
-    constexpr bool ok() const { return status == Status::ok; }
+    constexpr bool ok() const { return status == Status::ok; }  ///< there is a value
     /// The value, or this one where there is none: for who does not ask why.
     constexpr T value_or(const T& other) const { return ok() ? value : other; }
 };

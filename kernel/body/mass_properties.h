@@ -35,7 +35,7 @@ struct MassProperties {
 
 /// A triangle of a mesh: indices of its vertices, counter-clockwise as seen from outside the solid.
 struct MeshTriangle {
-    int a{}, b{}, c{};
+    int a{}, b{}, c{};  ///< index of a vertex
 };
 
 namespace solids {

@@ -14,6 +14,7 @@ struct BodyFilter {
 /// Bodies that say nothing else are of the first category and meet all.
 inline constexpr BodyFilter meets_all = {1u, 0xffffffffu};
 
+/// Each is of a category that the other's mask names.
 INGOT_INLINE constexpr bool meet(const BodyFilter& A, const BodyFilter& B) {
     return (A.category & B.mask) != 0 && (B.category & A.mask) != 0;
 }

@@ -8,7 +8,7 @@ namespace ingot { inline namespace INGOT_ABI {
 
 /// From a to b, m, world.
 struct Line {
-    Vector a{}, b{};
+    Vector a{}, b{};  ///< m, world: an end
 };
 
 inline constexpr int lines_of_circle = 16;  ///< chords; they miss the circle by 2 % of its radius

@@ -37,7 +37,7 @@ struct EnergyMomentum {
                   "the energy-momentum step has order 2, or 4 by composition: EnergyMomentum<Snap::keep, 4>");
     static constexpr bool is_implicit = true;
     static constexpr Snap snap = snap_of_scene;
-    static constexpr int order = order_of_scene;
+    static constexpr int order = order_of_scene;  ///< of the error in h
 };
 
 } }  // namespace ingot

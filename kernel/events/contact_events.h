@@ -19,10 +19,11 @@ enum class EventKind : uint8_t {
     leave,  ///< it is no more, or one of them is removed
 };
 
+/// One thing that a step tells of two bodies.
 struct Event {
-    EventKind kind{};
+    EventKind kind{};              ///< what
     uint8_t shape_A{}, shape_B{};  ///< which of their shapes, where a body has several; else 0
-    BodyId A{}, B{};
+    BodyId A{}, B{};               ///< of enter and leave A is the sensor
     Vector P{};    ///< m, world, of the point that met fastest, at the begin of the step, or when fast bodies met in it; begin and hit
     Vector n{};    ///< unit, from B to A; begin and hit
     scalar speed{};  ///< m/s, at which A and B approached each other along n at P, just before they met; begin and hit
@@ -42,12 +43,12 @@ INGOT_INLINE void write_event(Event& to, const Event& event) {
 
 /// The events of a step, for reading: valid until the next step. `for (const ingot::Event& event : world.events())`.
 struct EventView {
-    const Event* first{};
-    int count{};
+    const Event* first{};  ///< of them count
+    int count{};           ///< 0 and more
 
-    const Event* begin() const { return first; }
-    const Event* end() const { return first + count; }
-    const Event& operator[](int index) const { return first[index]; }
+    const Event* begin() const { return first; }  ///< for a range for
+    const Event* end() const { return first + count; }  ///< for a range for
+    const Event& operator[](int index) const { return first[index]; }  ///< 0 <= index < count
 };
 
 /// Where events are put, without its capacity.

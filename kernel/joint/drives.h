@@ -6,6 +6,7 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
+/// Which law a JointDrive follows: that of SpringDrive, TunedDrive or MotorDrive.
 enum class DriveKind : uint8_t { none, spring, tuned, motor };
 
 /// Of one free direction of a joint, or of all turns of a ball joint; the kinds below convert to it. Of B against A.
@@ -13,7 +14,7 @@ enum class DriveKind : uint8_t { none, spring, tuned, motor };
 /// Torque: feedforward - stiffness (angle - target) - damping (rate - target_rate), with angle and rate as they are at the end of each substep, so
 /// that no stiffness rings or gains energy; cut at max_torque in every substep. Of a slider read force and travel.
 struct JointDrive {
-    DriveKind kind{};
+    DriveKind kind{};                ///< by which of the kinds below it was made; none: it does nothing
     scalar stiffness = 0;            ///< N m/rad, N/m, 0 to limits::drive_gain_max; tuned: Hz, 0 to limits::drive_hertz_max
     scalar damping = 0;              ///< N m s/rad, N s/m, 0 to limits::drive_gain_max; tuned: the damping ratio, 0 to limits::damping_ratio_max
     scalar target = 0;               ///< rad, m, as the next step begins; it goes on with target_rate
@@ -24,9 +25,9 @@ struct JointDrive {
 
 /// A spring and a damper; a servo, where its target is set in every step.
 struct SpringDrive {
-    scalar stiffness = 0, damping = 0;
-    scalar target = 0, target_rate = 0, feedforward = 0;
-    scalar max_torque = unlimited;
+    scalar stiffness = 0, damping = 0;  ///< N m/rad or N/m; N m s/rad or N s/m: see JointDrive
+    scalar target = 0, target_rate = 0, feedforward = 0;  ///< see JointDrive
+    scalar max_torque = unlimited;  ///< N m, N; 0 or more
     constexpr operator JointDrive() const { return {DriveKind::spring, stiffness, damping, target, target_rate, feedforward, max_torque}; }
 };
 /// The same by how it swings: the poles of a substep are those of the exact motion, for the inertia that the joint has in its figure. Above a quarter
@@ -34,15 +35,15 @@ struct SpringDrive {
 /// still. That is one corner of a car by itself; for a car of mass M on four wheels that bounces at f take SpringDrives of the stiffness
 /// M (2 pi f)^2 / 4.
 struct TunedDrive {
-    scalar hertz = 1, damping_ratio = 1;
-    scalar target = 0, target_rate = 0, feedforward = 0;
-    scalar max_torque = unlimited;
+    scalar hertz = 1, damping_ratio = 1;  ///< Hz, 0 to limits::drive_hertz_max; 0 to limits::damping_ratio_max
+    scalar target = 0, target_rate = 0, feedforward = 0;  ///< see JointDrive
+    scalar max_torque = unlimited;  ///< N m, N; 0 or more
     constexpr operator JointDrive() const { return {DriveKind::tuned, hertz, damping_ratio, target, target_rate, feedforward, max_torque}; }
 };
 /// Keeps a rate, with what torque it takes.
 struct MotorDrive {
     scalar rate = 0;                 ///< rad/s, m/s
-    scalar max_torque = unlimited;
+    scalar max_torque = unlimited;  ///< N m, N; 0 or more
     constexpr operator JointDrive() const { return {DriveKind::motor, 0, 0, 0, rate, 0, max_torque}; }
 };
 

@@ -21,7 +21,7 @@ inline constexpr scalar unlimited = scalar_max;
 
 /// How far a joint goes in one of its free directions.
 struct JointRange {
-    scalar lower = -unlimited, upper = unlimited;
+    scalar lower = -unlimited, upper = unlimited;  ///< rad or m; lower <= upper
 };
 
 /// Where the free directions of a joint end. In scenes that name WithLimits.
@@ -31,14 +31,14 @@ struct JointRange {
 /// and range[1] of its travel. All are of B against A, and 0 where the bodies were joined. A joint that is beyond a limit goes back by no more than
 /// limits::limit_return.
 struct JointLimits {
-    JointRange range[2];
+    JointRange range[2];     ///< of which direction: see above
     scalar restitution = 0;  ///< of all, 0 to 1
 };
 
 /// Of any kind; the kinds below convert to it.
 struct Joint {
-    JointKind kind{};
-    JointLimits limits{};
+    JointKind kind{};      ///< which
+    JointLimits limits{};  ///< in scenes that name WithLimits
     Vector middle{};  ///< of the cone of a ball joint
 };
 
@@ -47,7 +47,7 @@ struct BallJoint {
     static constexpr JointKind kind = JointKind::ball;
     scalar cone = unlimited;                                     ///< rad, 0.01 to 3: how far the axis, which is B's, is from the middle, which is A's
     scalar twist_lower = -unlimited, twist_upper = unlimited;    ///< rad, -3 to 3: turn about the axis, once the swing of the axis is taken off
-    scalar restitution = 0;
+    scalar restitution = 0;  ///< of its limits, 0 to 1
     Vector middle = {};                                          ///< unit, world; 0: the axis as it is now
     constexpr operator Joint() const { return {kind, {{{twist_lower, twist_upper}, {-unlimited, cone}}, restitution}, middle}; }
 };
@@ -55,21 +55,21 @@ struct BallJoint {
 struct HingeJoint {
     static constexpr JointKind kind = JointKind::hinge;
     scalar lower = -unlimited, upper = unlimited;  ///< rad; more than a turn, if wanted
-    scalar restitution = 0;
+    scalar restitution = 0;  ///< of its limits, 0 to 1
     constexpr operator Joint() const { return {kind, {{{lower, upper}, {}}, restitution}, {}}; }
 };
 /// Goes along an axis, and does not turn: a piston.
 struct SliderJoint {
     static constexpr JointKind kind = JointKind::slider;
     scalar lower = -unlimited, upper = unlimited;  ///< m
-    scalar restitution = 0;
+    scalar restitution = 0;  ///< of its limits, 0 to 1
     constexpr operator Joint() const { return {kind, {{{lower, upper}, {}}, restitution}, {}}; }
 };
 /// Turns about an axis of A and about an axis of B, which stay at right angles: a cardan.
 struct UniversalJoint {
     static constexpr JointKind kind = JointKind::universal;
     JointRange about_A = {}, about_B = {};  ///< rad
-    scalar restitution = 0;
+    scalar restitution = 0;  ///< of its limits, 0 to 1
     constexpr operator Joint() const { return {kind, {{about_A, about_B}, restitution}, {}}; }
 };
 /// Neither turns nor goes: two bodies that are one.
@@ -86,7 +86,7 @@ struct WheelJoint {
     static constexpr JointKind kind = JointKind::wheel;
     static constexpr int spin = 0, travel = 1, steering = 2;  ///< `which` of its drives, and of joint_angle and joint_rate
     scalar lower = -unlimited, upper = unlimited;  ///< m, of its travel: B against A along `axis`
-    scalar restitution = 0;
+    scalar restitution = 0;  ///< of its limits, 0 to 1
     constexpr operator Joint() const { return {kind, {{{}, {lower, upper}}, restitution}, {}}; }
 };
 
@@ -163,6 +163,7 @@ inline constexpr bool is_same<A, A> = true;
 /// `ingot::Joints<ingot::HingeJoint, ingot::WithLimits>`.
 template <class... Kinds>
 struct Joints {
+    /// The scene names this kind.
     static constexpr bool has(JointKind kind) { return kind != JointKind::none && ((Kinds::kind == kind) || ...); }
     static constexpr bool has_ties = (is_tie(Kinds::kind) || ...);
     static constexpr bool has_limits = (is_same<Kinds, WithLimits> || ...);
@@ -186,7 +187,7 @@ struct Joints {
 /// What World::add_joint needs to know. The bodies are joined as they are now: a hinge has the angle 0.
 struct JointDef {
     BodyId body_A{}, body_B{};     ///< the null id: the world
-    Joint joint{};
+    Joint joint{};                 ///< HingeJoint{} or another kind
     Vector P{};                    ///< m, world; of a rod and a rope: on A
     /// Unit, world: of a hinge, a slider, a parallel joint, of A of a universal one, of B of a ball joint with limits, of the suspension of a wheel.
     Vector axis = {0, 0, 1};
@@ -197,14 +198,15 @@ struct JointDef {
 
 /// Names one joint of one world for as long as it is there, as BodyId does a body.
 struct JointId {
-    Index slot{};
-    uint16_t world_tag{};
-    uint32_t generation{};
+    Index slot{};           ///< where the joint is: World::joint_at; 0 .. max_joints - 1
+    uint16_t world_tag{};   ///< World::set_tag
+    uint32_t generation{};  ///< odd while the joint is there; 0: the null id
 
+    /// The same joint of the same world.
     constexpr bool operator==(const JointId& other) const {
         return slot == other.slot && world_tag == other.world_tag && generation == other.generation;
     }
-    constexpr bool operator!=(const JointId& other) const { return !(*this == other); }
+    constexpr bool operator!=(const JointId& other) const { return !(*this == other); }  ///< another
 };
 
 } }  // namespace ingot

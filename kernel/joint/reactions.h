@@ -23,8 +23,8 @@ struct JointStrength {
 
 /// A joint that broke in the last step, and what it bore in it.
 struct JointBreak {
-    JointId joint{};
-    JointReaction reaction{};
+    JointId joint{};           ///< until it is removed, or enabled again
+    JointReaction reaction{};  ///< more than its JointStrength
 };
 
 /// Of impulses, N s and N m s, of a step of h seconds; nothing of bodies that have gone bad.

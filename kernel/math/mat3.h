@@ -11,18 +11,19 @@ namespace ingot { inline namespace INGOT_ABI {
 /// A 3x3 matrix by columns. As an orientation its columns are the body's axes seen from the world.
 template <class T>
 struct Mat3 {
-    Vec3<T> c0, c1, c2;
+    Vec3<T> c0, c1, c2;  ///< column
 
-    INGOT_INLINE friend constexpr Mat3 operator+(const Mat3& a, const Mat3& b) { return {a.c0 + b.c0, a.c1 + b.c1, a.c2 + b.c2}; }
-    INGOT_INLINE friend constexpr Mat3 operator-(const Mat3& a, const Mat3& b) { return {a.c0 - b.c0, a.c1 - b.c1, a.c2 - b.c2}; }
-    INGOT_INLINE friend constexpr Mat3 operator*(const Mat3& a, T s) { return {a.c0 * s, a.c1 * s, a.c2 * s}; }
+    INGOT_INLINE friend constexpr Mat3 operator+(const Mat3& a, const Mat3& b) { return {a.c0 + b.c0, a.c1 + b.c1, a.c2 + b.c2}; }  ///< by entries
+    INGOT_INLINE friend constexpr Mat3 operator-(const Mat3& a, const Mat3& b) { return {a.c0 - b.c0, a.c1 - b.c1, a.c2 - b.c2}; }  ///< by entries
+    INGOT_INLINE friend constexpr Mat3 operator*(const Mat3& a, T s) { return {a.c0 * s, a.c1 * s, a.c2 * s}; }  ///< each entry times s
+    /// A v: what it turns v into.
     INGOT_INLINE friend constexpr Vec3<T> operator*(const Mat3& a, const Vec3<T>& v) {
         return a.c0 * v.x + a.c1 * v.y + a.c2 * v.z;
     }
-    INGOT_INLINE friend constexpr Mat3 operator*(const Mat3& a, const Mat3& b) { return {a * b.c0, a * b.c1, a * b.c2}; }
+    INGOT_INLINE friend constexpr Mat3 operator*(const Mat3& a, const Mat3& b) { return {a * b.c0, a * b.c1, a * b.c2}; }  ///< matrix product
 };
 
-using Matrix = Mat3<scalar>;
+using Matrix = Mat3<scalar>;  ///< of one body: as a rotation, body to world
 
 /// A^T v: for an orientation, a world vector seen from the body.
 template <class T>
@@ -30,27 +31,32 @@ INGOT_INLINE constexpr Vec3<T> transpose_times(const Mat3<T>& a, const Vec3<T>& 
     return {dot(a.c0, v), dot(a.c1, v), dot(a.c2, v)};
 }
 
+/// a^T, which of a rotation is the way back.
 template <class T>
 INGOT_INLINE constexpr Mat3<T> transposed(const Mat3<T>& a) {
     return {{a.c0.x, a.c1.x, a.c2.x}, {a.c0.y, a.c1.y, a.c2.y}, {a.c0.z, a.c1.z, a.c2.z}};
 }
 
+/// 1 of a rotation, -1 of a mirror.
 template <class T>
 INGOT_INLINE constexpr T determinant(const Mat3<T>& a) {
     return dot(a.c0, cross(a.c1, a.c2));
 }
 
+/// No turn.
 template <class T>
 INGOT_INLINE constexpr Mat3<T> identity_matrix() {
     const T zero{}, one = splat<T>(1);
     return {{one, zero, zero}, {zero, one, zero}, {zero, zero, one}};
 }
 
+/// All entries are.
 template <class T>
 INGOT_INLINE constexpr auto is_finite(const Mat3<T>& a) {
     return both(both(is_finite(a.c0), is_finite(a.c1)), is_finite(a.c2));
 }
 
+/// a where m holds, else b; of one body, or in each lane.
 template <class M, class T>
 INGOT_INLINE constexpr Mat3<T> select(M m, const Mat3<T>& a, const Mat3<T>& b) {
     return {select(m, a.c0, b.c0), select(m, a.c1, b.c1), select(m, a.c2, b.c2)};

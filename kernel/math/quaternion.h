@@ -18,13 +18,15 @@ inline constexpr int slerp_terms_max = INGOT_DOUBLE ? 56 : 27;
 
 /// The turn by an angle about the unit axis n: w = cos(angle/2), (x, y, z) = n sin(angle/2). q and -q are the same turn.
 struct Quaternion {
-    scalar w = 1, x = 0, y = 0, z = 0;
+    scalar w = 1, x = 0, y = 0, z = 0;  ///< see above; as it is, no turn
 };
 
 namespace quaternions {
 
+/// p . q: the cosine of half of the angle between two turns, but for its sign.
 constexpr scalar dot(const Quaternion& p, const Quaternion& q) { return (p.w * q.w + p.x * q.x) + (p.y * q.y + p.z * q.z); }
 
+/// Each component times s.
 constexpr Quaternion scaled(const Quaternion& q, scalar s) { return {q.w * s, q.x * s, q.y * s, q.z * s}; }
 
 /// The quaternion of a rotation A with w >= 0, and its largest component above 0 where w is 0.

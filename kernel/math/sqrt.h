@@ -47,6 +47,7 @@ INGOT_INLINE scalar sqrt(scalar x) {
 }
 
 #if INGOT_LANES > 1
+/// The same in each lane.
 INGOT_INLINE lane sqrt(lane x) {
     for (int lane_i = 0; lane_i < lanes; ++lane_i) x[lane_i] = sqrt(static_cast<scalar>(x[lane_i]));
     return x;

@@ -12,23 +12,27 @@ namespace ingot { inline namespace INGOT_ABI {
 /// their minus sign inside).
 template <class T>
 struct Sym3 {
-    T xx, yy, zz, xy, xz, yz;
+    T xx, yy, zz, xy, xz, yz;  ///< entry
 
+    /// By entries.
     INGOT_INLINE friend constexpr Sym3 operator+(const Sym3& a, const Sym3& b) {
         return {a.xx + b.xx, a.yy + b.yy, a.zz + b.zz, a.xy + b.xy, a.xz + b.xz, a.yz + b.yz};
     }
+    /// By entries.
     INGOT_INLINE friend constexpr Sym3 operator-(const Sym3& a, const Sym3& b) {
         return {a.xx - b.xx, a.yy - b.yy, a.zz - b.zz, a.xy - b.xy, a.xz - b.xz, a.yz - b.yz};
     }
+    /// Each entry times s.
     INGOT_INLINE friend constexpr Sym3 operator*(const Sym3& a, T s) {
         return {a.xx * s, a.yy * s, a.zz * s, a.xy * s, a.xz * s, a.yz * s};
     }
+    /// Matrix times vector.
     INGOT_INLINE friend constexpr Vec3<T> operator*(const Sym3& a, const Vec3<T>& v) {
         return {a.xx * v.x + a.xy * v.y + a.xz * v.z, a.xy * v.x + a.yy * v.y + a.yz * v.z, a.xz * v.x + a.yz * v.y + a.zz * v.z};
     }
 };
 
-using SymmetricMatrix = Sym3<scalar>;
+using SymmetricMatrix = Sym3<scalar>;  ///< of one body: a tensor of inertia
 
 /// A diag(d) A^T: a tensor known in its principal axes, seen from the world (Hecker 1997, Eq. 2).
 template <class T>
@@ -61,6 +65,7 @@ INGOT_INLINE constexpr Sym3<T> rotated(const Mat3<T>& a, const Sym3<T>& b) {
             ab.c0.x * a.c0.z + ab.c1.x * a.c1.z + ab.c2.x * a.c2.z, ab.c0.y * a.c0.z + ab.c1.y * a.c1.z + ab.c2.y * a.c2.z};
 }
 
+/// Of a ball: 1 on the diagonal.
 template <class T>
 INGOT_INLINE constexpr Sym3<T> identity_sym3() {
     const T zero{}, one = splat<T>(1);

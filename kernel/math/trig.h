@@ -6,10 +6,11 @@
 namespace ingot { inline namespace INGOT_ABI {
 
 template <class T>
+/// Both of one angle.
 struct SinCosOf {
-    T sin, cos;
+    T sin, cos;  ///< -1 to 1
 };
-using SinCos = SinCosOf<scalar>;
+using SinCos = SinCosOf<scalar>;  ///< of one angle
 
 /// pi/2 in four parts, of which the first three are so short that a multiple of them by up to 1000 is exact.
 #if INGOT_DOUBLE

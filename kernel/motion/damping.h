@@ -11,7 +11,7 @@ namespace ingot { inline namespace INGOT_ABI {
 
 /// Of a body, in 1/s: without forces v_CM goes as exp(-linear t), L as exp(-angular t).
 struct Damping {
-    scalar linear = 0, angular = 0;
+    scalar linear = 0, angular = 0;  ///< 1/s, 0 to limits::damping_max
 };
 
 /// Errors: not_finite, out_of_range (outside 0 .. limits::damping_max).

@@ -37,11 +37,11 @@ INGOT_INLINE Vec3<lane> moments_of(const BodyMotion& body) {
 /// A force through the centre of mass, N, and a torque about it, N m; world axes. (About the fixed point, for a scene whose
 /// bodies turn about one.)
 struct Wrench {
-    Vec3<lane> F, tau;
+    Vec3<lane> F, tau;  ///< N; N m
 
-    INGOT_INLINE static Wrench force(const Vec3<lane>& F) { return {F, Vec3<lane>{}}; }
-    INGOT_INLINE static Wrench torque(const Vec3<lane>& tau) { return {Vec3<lane>{}, tau}; }
-    INGOT_INLINE friend Wrench operator+(const Wrench& a, const Wrench& b) { return {a.F + b.F, a.tau + b.tau}; }
+    INGOT_INLINE static Wrench force(const Vec3<lane>& F) { return {F, Vec3<lane>{}}; }  ///< a force alone
+    INGOT_INLINE static Wrench torque(const Vec3<lane>& tau) { return {Vec3<lane>{}, tau}; }  ///< a torque alone
+    INGOT_INLINE friend Wrench operator+(const Wrench& a, const Wrench& b) { return {a.F + b.F, a.tau + b.tau}; }  ///< both
 };
 
 /// The same vector for every body.
@@ -73,7 +73,7 @@ INGOT_INLINE Vec3<lane> splat(const Vector& v) { return {splat<lane>(v.x), splat
 /// Only + - * / sqrt, and select() in place of branches, keep the bits equal on all targets. A field that gives NaN or infinity
 /// makes the body freeze, see World::is_frozen. What it gives to immovable bodies counts nothing.
 struct ForceField {
-    static constexpr bool depends_on_velocity = true;
+    static constexpr bool depends_on_velocity = true;  ///< it reads v_CM or omega
     /// What the field gives a body at rest depends on the body, its place and the numbers of the field alone, not on the time: bodies may sleep in
     /// it, and wake when its numbers change. See Scene::sleeps.
     static constexpr bool is_steady = false;
@@ -81,7 +81,7 @@ struct ForceField {
 
 /// No field: bodies are driven by gravity, forces and torques that are constant over a step.
 struct NoForceField : ForceField {
-    static constexpr bool depends_on_velocity = false;
+    static constexpr bool depends_on_velocity = false;  ///< it reads neither
 };
 
 template <class Field>

@@ -191,12 +191,13 @@ template <int thrusters, int bodies = 1>
 struct ThrusterTable : ForceField {
     static constexpr bool is_steady = true;
     static constexpr bool depends_on_velocity = false;
+    /// One thruster of a body.
     struct Thruster {
         Vector r_body{};  ///< m, body axes, from the centre of mass
         Vector F_body{};  ///< N, body axes, at full throttle
         scalar throttle[static_cast<unsigned>((bodies + lanes - 1) / lanes * lanes)]{};  ///< by slot of the body, 0 .. 1
     };
-    Thruster thruster[static_cast<unsigned>(thrusters)]{};
+    Thruster thruster[static_cast<unsigned>(thrusters)]{};  ///< each in turn
 
     template <class Each>
     constexpr void numbers(Each& each) {
@@ -224,8 +225,8 @@ template <class First, class Second>
 struct BothFields : ForceField {
     static constexpr bool is_steady = First::is_steady && Second::is_steady;
     static constexpr bool depends_on_velocity = First::depends_on_velocity || Second::depends_on_velocity;
-    First first{};
-    Second second{};
+    First first{};  ///< with its own numbers
+    Second second{};  ///< with its own numbers
 
     template <class Each>
     constexpr void numbers(Each& each) {

@@ -48,7 +48,7 @@ int drift(const BodyView& bodies, scalar h, const FlightClock& clock) {
 /// Source:  Strang 1968; for rigid bodies Celledoni, Fasso, Safstrom, Zanna 2008.
 struct KickDriftKick {
     static constexpr const char* name = "kick_drift_kick";
-    static constexpr int order = 2;
+    static constexpr int order = 2;  ///< of the error in h
     static constexpr bool takes_velocities = true;
 
     template <class Rotation, class Field>
@@ -70,7 +70,7 @@ struct KickDriftKick {
 /// Source:  Blanes and Moan 2002, table 2, SRKN 6 stages, order 4 (b).
 struct BlanesMoan4 {
     static constexpr const char* name = "blanes_moan_4";
-    static constexpr int order = 4;
+    static constexpr int order = 4;  ///< of the error in h
     static constexpr bool takes_velocities = false;
 
     template <class Rotation, class Field>
@@ -107,7 +107,7 @@ struct BlanesMoan4 {
 /// Source:  Celledoni, Marthinsen, Owren 2003, "Commutator-free Lie group methods".
 struct CommutatorFree4 {
     static constexpr const char* name = "commutator_free_4";
-    static constexpr int order = 4;
+    static constexpr int order = 4;  ///< of the error in h
     static constexpr bool takes_velocities = true;
 
     template <class Rotation, class Field>

@@ -14,7 +14,7 @@ namespace ingot { inline namespace INGOT_ABI {
 /// Source:     Krysl and Endres 2005 (LIEMID[EA]).
 struct LieMidpoint {
     static constexpr const char* name = "lie_midpoint";
-    static constexpr int order = 2;
+    static constexpr int order = 2;  ///< of the error in h
     static constexpr bool as_printed = false, compensates = false, returns_energy = false;
     static int integrate_A(const BodyView& bodies, scalar h, const FlightClock& clock);
 };

@@ -18,7 +18,7 @@ struct Listing1Euler {
     static constexpr bool as_printed = true;    ///< every right-hand side is of step n
     static constexpr bool compensates = false;
     static constexpr bool returns_energy = false;
-    static constexpr int order = 1;
+    static constexpr int order = 1;  ///< of the error in h
     static constexpr const char* name = "listing1_euler";
 };
 

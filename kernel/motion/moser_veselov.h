@@ -39,7 +39,7 @@ struct DiscreteMoserVeselov {
     static_assert(substeps_max >= 1 && substeps_max <= 64 && (substeps_max & (substeps_max - 1)) == 0,
                   "substeps_max is 1, 2, 4, 8, 16, 32 or 64");
     static constexpr const char* name = "moser_veselov";
-    static constexpr int order = order_, substeps = substeps_max;
+    static constexpr int order = order_, substeps = substeps_max;  ///< of the error in h
     static constexpr bool as_printed = false;
     static constexpr bool compensates = compensate;
     static constexpr bool returns_energy = energy_return;

@@ -15,7 +15,7 @@ namespace ingot { inline namespace INGOT_ABI {
 /// Source:     Kutta 1901; Eq. 10 of Hecker 1997.
 struct Rk4Polar {
     static constexpr const char* name = "rk4_polar";
-    static constexpr int order = 4;
+    static constexpr int order = 4;  ///< of the error in h
     static constexpr bool as_printed = false, compensates = false, returns_energy = false;
     static int integrate_A(const BodyView& bodies, scalar h, const FlightClock& clock);
 };

@@ -35,7 +35,7 @@ template <int order_>
 struct SymmetricTopSplitting {
     static_assert(order_ == 2 || order_ == 6, "the splitting comes in orders 2 and 6");
     static constexpr const char* name = order_ == 2 ? "symmetric_top_splitting_2" : "symmetric_top_splitting_6";
-    static constexpr int order = order_;
+    static constexpr int order = order_;  ///< of the error in h
     static constexpr bool as_printed = false, compensates = false, returns_energy = false;
     static int integrate_A(const BodyView& bodies, scalar h, const FlightClock& clock);
 };

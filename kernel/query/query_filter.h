@@ -23,7 +23,7 @@ struct QueryHit {
     Vector n{};       ///< unit, away from the body; where the way begins inside, against the motion; zero if it meets none
     int shape{};      ///< which of the body's shapes, where it has several; else 0
 
-    constexpr bool found() const { return body.generation != 0; }
+    constexpr bool found() const { return body.generation != 0; }  ///< there is a body
 };
 
 /// The body nearest to a point.
@@ -34,7 +34,7 @@ struct QueryNearest {
     Vector n{};       ///< unit, out of the body
     int shape{};      ///< which of the body's shapes, where it has several; else 0
 
-    constexpr bool found() const { return body.generation != 0; }
+    constexpr bool found() const { return body.generation != 0; }  ///< there is a body
 };
 
 /// No body.

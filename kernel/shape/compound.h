@@ -26,11 +26,11 @@ namespace ingot { inline namespace INGOT_ABI {
 /// One shape of a body of several, and its material. Place in the user's frame of the body's MassProperties: that of their r_CM and A_principal;
 /// an immovable body without them lies in its own frame.
 struct ShapeDef {
-    Shape shape{};
+    Shape shape{};  ///< in its own frame
     Vector r{};                            ///< m, of the origin of the shape's own frame
     Matrix A = identity_matrix<scalar>();  ///< the shape's axes in the user's frame; a rotation
     scalar restitution = 0;                ///< as in BodyDef
-    scalar friction = scalar(0.5);
+    scalar friction = scalar(0.5);  ///< as in BodyDef
     bool sensor = false;                   ///< this shape is a sensor; for scenes with max_overlaps
 };
 

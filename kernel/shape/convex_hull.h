@@ -11,21 +11,21 @@ struct HullFace {
     Vector n{};           ///< unit, outward
     scalar offset{};      ///< m
     uint8_t loop_first{};  ///< its corners in ConvexHull::loops, counter-clockwise as seen from outside
-    uint8_t loop_count{};
+    uint8_t loop_count{};  ///< corners of the face
 };
 
 /// An edge from vertex a to vertex b, with face_left on the left as seen from outside.
 struct HullEdge {
-    uint8_t a{}, b{}, face_left{}, face_right{};
+    uint8_t a{}, b{}, face_left{}, face_right{};  ///< index of a corner, or of the face beside
 };
 
 /// Views of constant arrays; the frame is the hull's own. Made by HullOf::view(), see hull_of_points.h.
 struct ConvexHull {
-    const Vector* vertices{};
-    const HullFace* faces{};
-    const HullEdge* edges{};
-    const uint8_t* loops{};
-    uint8_t vertex_count{}, face_count{}, edge_count{};
+    const Vector* vertices{};  ///< m, from the origin of the body
+    const HullFace* faces{};  ///< of them face_count
+    const HullEdge* edges{};  ///< of them edge_count
+    const uint8_t* loops{};  ///< corners of all faces, one face behind the other
+    uint8_t vertex_count{}, face_count{}, edge_count{};  ///< how many there are
     Vector centre{};  ///< m, a point well inside
     scalar radius{};  ///< m, of the ball about the origin that holds the hull
     scalar inner_radius{};  ///< m, of the ball about the centre that the hull holds

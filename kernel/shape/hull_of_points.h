@@ -23,15 +23,16 @@ namespace ingot { inline namespace INGOT_ABI {
 /// The arrays of a hull of up to N points. Faces of any number of corners; points inside, or on an edge, are left out.
 template <unsigned N>
 struct HullOf {
-    static constexpr unsigned room = N < 4 ? 4 : N;
-    Vector vertices[room];
-    HullFace faces[2 * room - 4];
-    HullEdge edges[3 * room - 6];
-    uint8_t loops[6 * room - 12];
-    uint8_t vertex_count, face_count, edge_count;
-    Vector centre;
-    scalar radius, inner_radius;
+    static constexpr unsigned room = N < 4 ? 4 : N;  ///< for so many points
+    Vector vertices[room];  ///< see ConvexHull
+    HullFace faces[2 * room - 4];  ///< see ConvexHull
+    HullEdge edges[3 * room - 6];  ///< see ConvexHull
+    uint8_t loops[6 * room - 12];  ///< see ConvexHull
+    uint8_t vertex_count, face_count, edge_count;  ///< see ConvexHull
+    Vector centre;  ///< m, see ConvexHull
+    scalar radius, inner_radius;  ///< m, see ConvexHull
 
+    /// What Scene::hulls, PlacedShape and solid_hull take: it points here.
     constexpr ConvexHull view() const {
         return {vertices, faces, edges, loops, vertex_count, face_count, edge_count, centre, radius, inner_radius};
     }

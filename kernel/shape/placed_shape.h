@@ -9,7 +9,7 @@ namespace ingot { inline namespace INGOT_ABI {
 
 /// A shape and where it is, as the narrow phase and the queries take it.
 struct PlacedShape {
-    Shape shape{};
+    Shape shape{};  ///< in its own frame
     Vector r{};              ///< m, world position of the origin of the shape's own frame
     Matrix A = identity_matrix<scalar>();  ///< shape to world, orthonormal
     const ConvexHull* hull = nullptr;  ///< for ShapeKind::hull; else null

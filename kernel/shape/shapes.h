@@ -13,7 +13,7 @@ enum class ShapeKind : uint8_t { none, sphere, capsule, box, cylinder, hull, hal
 /// The surface of a body in its own frame (origin at the centre of mass, principal axes). Made from Sphere, Box, HalfSpace,
 /// Capsule, Cylinder or Hull.
 struct Shape {
-    ShapeKind kind{};
+    ShapeKind kind{};  ///< which
     /// sphere: radius, 0, 0; box: half extents; half space: outward unit normal; capsule, cylinder: radius, half length, 0;
     /// hull: radius of the ball about the origin that holds it, its number in Scene::hulls, 0
     Vector size{};
@@ -23,22 +23,22 @@ struct Shape {
 /// A ball about the centre of mass. radius in m, limits::size_min .. size_max.
 struct Sphere {
     static constexpr ShapeKind kind = ShapeKind::sphere;
-    scalar radius{};
+    scalar radius{};  ///< m
     constexpr operator Shape() const { return {kind, {radius, 0, 0}, 0}; }
 };
 
 /// A box about the centre of mass, along the principal axes. half_extents in m, each limits::size_min .. size_max.
 struct Box {
     static constexpr ShapeKind kind = ShapeKind::box;
-    Vector half_extents{};
+    Vector half_extents{};  ///< m, of each edge the half
     constexpr operator Shape() const { return {kind, half_extents, 0}; }
 };
 
 /// All points with normal . r <= offset: solid ground; a wall. For immovable bodies only.
 struct HalfSpace {
     static constexpr ShapeKind kind = ShapeKind::half_space;
-    Vector normal{};
-    scalar offset{};
+    Vector normal{};  ///< unit, out of the solid
+    scalar offset{};    ///< m, of the face from the origin along the normal
     constexpr operator Shape() const { return {kind, normal, offset}; }
 };
 
@@ -46,14 +46,14 @@ struct HalfSpace {
 /// limits::size_min .. size_max.
 struct Capsule {
     static constexpr ShapeKind kind = ShapeKind::capsule;
-    scalar radius{}, half_length{};
+    scalar radius{}, half_length{};  ///< m
     constexpr operator Shape() const { return {kind, {radius, half_length, 0}, 0}; }
 };
 
 /// A cylinder about the origin, its axis along z. radius and half_length in m, each limits::size_min .. size_max.
 struct Cylinder {
     static constexpr ShapeKind kind = ShapeKind::cylinder;
-    scalar radius{}, half_length{};
+    scalar radius{}, half_length{};  ///< m
     constexpr operator Shape() const { return {kind, {radius, half_length, 0}, 0}; }
 };
 
@@ -61,15 +61,15 @@ struct Cylinder {
 /// radius of the ball about the origin that holds it is ConvexHull::radius, limits::size_min .. size_max. See hull_of.
 struct Hull {
     static constexpr ShapeKind kind = ShapeKind::hull;
-    scalar radius{};
-    int form = 0;
+    scalar radius{};  ///< m
+    int form = 0;  ///< of Scene::hulls
     constexpr operator Shape() const { return {kind, {radius, static_cast<scalar>(form), 0}, 0}; }
 };
 
 /// The shapes a scene names: `using shapes = ingot::Shapes<ingot::Sphere, ingot::HalfSpace>;`. Only their tests are linked.
 template <class... Named>
 struct Shapes {
-    static constexpr bool has([[maybe_unused]] ShapeKind kind) { return ((Named::kind == kind) || ... || false); }
+    static constexpr bool has([[maybe_unused]] ShapeKind kind) { return ((Named::kind == kind) || ... || false); }  ///< the scene names this kind
 };
 
 /// Radius of the sphere about the centre of mass that holds the shape; 0 for a half space, which has none. Units: m.

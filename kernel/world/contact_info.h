@@ -28,7 +28,7 @@ struct ContactInfo {
     Vector j_friction{};      ///< N s, given to A, and to B against it; at the middle of the points
     int shape_A{}, shape_B{};  ///< which of their shapes, where a body has several; else 0
     int point_count{};        ///< 1 .. 4; in scenes with max_contacts each point is a contact, and 0 unless the scene names reads_contacts
-    ContactPoint points[Manifold::points_max]{};
+    ContactPoint points[Manifold::points_max]{};  ///< point_count of them
 };
 
 /// Where contacts of the last step stand in storage: those of the step in the order of slots, then those of bodies that sleep.
@@ -133,8 +133,8 @@ public:
         const ContactRange& of_;
         int place_;
     };
-    Iterator begin() const { return {*this, end_ == 0 ? 0 : places_.next(0, slot_)}; }
-    Iterator end() const { return {*this, end_}; }
+    Iterator begin() const { return {*this, end_ == 0 ? 0 : places_.next(0, slot_)}; }  ///< for a range for
+    Iterator end() const { return {*this, end_}; }  ///< for a range for
 
 private:
     ContactPlaces<S> places_;

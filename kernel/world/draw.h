@@ -24,7 +24,7 @@ struct Draw {
     static constexpr unsigned impulses = 1u << 8;  ///< what A got there: along the normal, and by friction
     static constexpr unsigned joints   = 1u << 9;  ///< arms from the centres to the joint, and its axis
     static constexpr unsigned islands  = 1u << 10; ///< from each centre to that of the body that stands for its island
-    static constexpr unsigned all      = (1u << 11) - 1;
+    static constexpr unsigned all      = (1u << 11) - 1;  ///< everything there is
     static constexpr unsigned of_movable = axes | centres | L | omega | islands;  ///< of these, what immovable bodies have not
 };
 

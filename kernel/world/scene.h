@@ -35,7 +35,7 @@ namespace ingot { inline namespace INGOT_ABI {
 /// assert what matters, static_assert(Crates::max_bodies == 10). Where a range ends at 65535, INGOT_INDEX_BITS=32 lets it go on to 16 million.
 struct Scene {
     static constexpr int  max_bodies   = 1;      ///< 1 .. 65536
-    static constexpr bool translates   = false;
+    static constexpr bool translates   = false;  ///< bodies have a place and a velocity: r_CM, v_CM, forces, gravity
     static constexpr scalar length_unit = 1;     ///< m, 1e-5 .. 1e5: the size of a typical thing, which the lengths and speeds of limits.h are for
     static constexpr bool gravity_shares = false; ///< bodies may feel more or less of gravity than others: World::set_gravity_share
     static constexpr bool body_forces  = false;  ///< forces and torques that turn with their body: World::add_body_force
@@ -80,7 +80,7 @@ struct Scene {
     /// SequentialImpulses is for a few bodies on a small target: a third less flash than BlockSweeps, and half of the RAM. These three have friction,
     /// stacks and piles. FrictionlessImpacts is the article's collision: what flies and bounces, in max_contacts.
     using solver = BlockSweeps;
-    using shapes   = Shapes<>;
+    using shapes   = Shapes<>;  ///< or those of its bodies: Shapes<Sphere, Box, HalfSpace>
     using joints   = Joints<>;                   ///< or the kinds there are: Joints<BallJoint, HingeJoint, WithDrives>, see joint/joints.h
     using figure_motion = ArticulatedSubsteps;   ///< or EnergyMomentum<>, for what swings freely: see energy_momentum/energy_momentum.h
     static constexpr NoHulls hulls = {};         ///< or `static constexpr ConvexHull hulls[]`, in flash: the forms of its Hull shapes, in body frames

@@ -23,9 +23,8 @@ namespace ingot { inline namespace INGOT_ABI {
 /// Units are SI; vectors and points are in world axes unless they say body. Cost is O(1) unless said.
 ///
 /// Its calls stand in twelve files: bodies, their state and forces here, what scenes may name of a body in world_bodies.h, edits in world_edits.h,
-/// bodies that move as they are told in world_kinematic.h, joints and figures in world_joints.h, drives in world_drives.h, what joints bear in
-/// world_reactions.h, rods, ropes and targets in world_ties.h, who touched whom in world_touching.h, who may in world_contacts.h, where
-/// things are in world_reads.h, queries in world_queries.h.
+/// kinematic bodies in world_kinematic.h, joints and figures in world_joints.h, drives in world_drives.h, what joints bear in world_reactions.h,
+/// rods and ropes in world_ties.h, who touched in world_touching.h, who may in world_contacts.h, places in world_reads.h, queries in world_queries.h.
 template <class User>
 class World : public WorldQueries<SceneOf<User>> {
     using S = SceneOf<User>;
@@ -44,8 +43,8 @@ public:
     using Base::is_alive;  // of a joint
     using Base::remove;
 
-    using scene = S;
-    static constexpr int max_bodies = S::max_bodies;
+    using scene = S;                                  ///< what it is made of
+    static constexpr int max_bodies = S::max_bodies;  ///< slots: see body_at
 
     // Bodies.
 
@@ -96,10 +95,9 @@ public:
         storage_.hold_shapes(slot);
         return {Status::ok, id_of(slot)};
     }
+    /// The same, of an array.
     template <unsigned N>
-    Result<BodyId> add(const BodyDef& def, const ShapeDef (&shapes)[N]) {
-        return add(def, shapes, static_cast<int>(N));
-    }
+    Result<BodyId> add(const BodyDef& def, const ShapeDef (&shapes)[N]) { return add(def, shapes, static_cast<int>(N)); }
 
     /// Takes a body out. Its id, and every copy of it, is stale from now on.
     Status remove(BodyId id) {
@@ -117,7 +115,7 @@ public:
         return Status::ok;
     }
 
-    bool is_alive(BodyId id) const { return find(id).ok(); }
+    bool is_alive(BodyId id) const { return find(id).ok(); }  ///< false for ids of none
 
     /// True for a body that legal input drove to a value that is not finite: it stands still until it is removed.
     bool is_frozen(BodyId id) const {
@@ -137,7 +135,7 @@ public:
 
     // State.
 
-    /// Of a kinematic body L is its angular velocity, rad/s.
+    /// Where a body is and how it moves; of a kinematic body L is its angular velocity, rad/s. Errors: those of ids.
     Result<BodyState> state(BodyId id) const {
         const Result<int> slot = find(id);
         if (!slot.ok()) return {slot.status, {}};
@@ -256,6 +254,7 @@ public:
         if (status == Status::ok) storage_.gravity = gravity + Vector{};
         return status;
     }
+    /// As it is now, m s^-2; 0 until it is set.
     Vector gravity() const {
         static_assert(translation_only());
         return storage_.gravity;
@@ -266,6 +265,7 @@ public:
         static_assert(field_only());
         return storage_.field;
     }
+    /// The same, to read.
     const typename S::force_field& force_field() const {
         static_assert(field_only());
         return storage_.field;
@@ -282,22 +282,22 @@ public:
     Vector linear_momentum() const { return linear_momentum_of_all(storage_.bodies()); }           ///< kg m/s
     Vector angular_momentum() const { return angular_momentum_of_all(storage_.bodies()); }         ///< kg m^2/s, about the origin
 
-    // The same of one body.
+    // The same of one body. Errors: those of ids.
 
+    /// J
     Result<scalar> kinetic_energy(BodyId id) const {
         const Result<int> slot = find(id);
-        if (!slot.ok()) return {slot.status, 0};
-        return {Status::ok, kinetic_energy_of(storage_.bodies(), slot.value)};
+        return {slot.status, slot.ok() ? kinetic_energy_of(storage_.bodies(), slot.value) : 0};
     }
+    /// kg m/s
     Result<Vector> linear_momentum(BodyId id) const {
         const Result<int> slot = find(id);
-        if (!slot.ok()) return {slot.status, {}};
-        return {Status::ok, linear_momentum_of(storage_.bodies(), slot.value)};
+        return {slot.status, slot.ok() ? linear_momentum_of(storage_.bodies(), slot.value) : Vector{}};
     }
+    /// kg m^2/s, about the origin
     Result<Vector> angular_momentum(BodyId id) const {
         const Result<int> slot = find(id);
-        if (!slot.ok()) return {slot.status, {}};
-        return {Status::ok, angular_momentum_of(storage_.bodies(), slot.value)};
+        return {slot.status, slot.ok() ? angular_momentum_of(storage_.bodies(), slot.value) : Vector{}};
     }
 
     // The world as a whole.

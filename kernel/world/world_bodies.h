@@ -32,6 +32,7 @@ public:
         storage_.shares_of_gravity[slot.value] = share + scalar(0);  // -0 becomes +0: one value, one set of bits
         return touched(slot.value, Status::ok);
     }
+    /// What set_gravity_share has set; 1 as a body is added. Errors: those of ids.
     Result<scalar> gravity_share(BodyId id) const {
         static_assert(shares_only());
         const Result<int> slot = find(id);
@@ -66,6 +67,7 @@ public:
         if (status == Status::ok) storage_.damping[slot.value] = {damping.linear + 0, damping.angular + 0};  // -0 becomes +0
         return touched(slot.value, status);
     }
+    /// What set_damping has set, 1/s; none as a body is added. Errors: those of ids.
     Result<Damping> damping(BodyId id) const {
         static_assert(damping_only());
         const Result<int> slot = find(id);
@@ -81,6 +83,7 @@ public:
         if (slot.ok()) storage_.user_words[slot.value] = word;
         return slot.status;
     }
+    /// What set_user_data has set. Errors: those of ids.
     Result<uint32_t> user_data(BodyId id) const {
         static_assert(user_data_only());
         const Result<int> slot = find(id);

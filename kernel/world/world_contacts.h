@@ -8,7 +8,7 @@ namespace ingot { inline namespace INGOT_ABI {
 
 /// A body that was in a sensor in the last step.
 struct OverlapInfo {
-    BodyId sensor{}, visitor{};
+    BodyId sensor{}, visitor{};  ///< who was in whom
     int sensor_shape{}, visitor_shape{};  ///< which of their shapes, where a body has several; else 0
 };
 /// Calls of World, see world.h.
@@ -51,6 +51,7 @@ public:
 
     // Whom a body meets, in scenes with filters: two bodies do when each is of a category that the other's mask names.
 
+    /// What set_filter, or BodyDef, has set. Errors: those of ids.
     Result<BodyFilter> filter(BodyId id) const {
         static_assert(filters_only());
         const Result<int> slot = find(id);
@@ -81,6 +82,7 @@ public:
         storage_.rolling_levers[shape_slot.value] = lever + scalar(0);  // -0 becomes +0: one value, one set of bits
         return touched(shape_slot.value / S::max_shapes_of_body, Status::ok);
     }
+    /// What set_rolling_resistance has set, m. Errors: those of ids, out_of_range (a shape that the body has not).
     Result<scalar> rolling_resistance(BodyId id, int shape_i = 0) const {
         static_assert(rolling_only());
         const Result<int> shape_slot = find_shape(id, shape_i);
@@ -100,6 +102,7 @@ public:
         storage_.surface_velocities[shape_slot.value] = velocity + Vector{};
         return touched(shape_slot.value / S::max_shapes_of_body, Status::ok);
     }
+    /// What set_surface_velocity has set, m/s, in the axes of the shape. Errors: those of rolling_resistance.
     Result<Vector> surface_velocity(BodyId id, int shape_i = 0) const {
         static_assert(belts_only());
         const Result<int> shape_slot = find_shape(id, shape_i);
@@ -111,10 +114,12 @@ public:
     // order of slots.
     // Full: those that come first in this order are kept, the others count in StepReport::overlaps_lost.
 
+    /// How many there are.
     int overlap_count() const {
         static_assert(sensors_only());
         return storage_.overlap_count;
     }
+    /// One of them. Errors: out_of_range.
     Result<OverlapInfo> overlap(int index) const {
         static_assert(sensors_only());
         if (index < 0 || index >= storage_.overlap_count || index >= S::max_overlaps) return {Status::out_of_range, {}};

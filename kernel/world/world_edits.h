@@ -86,6 +86,7 @@ public:
         if (status == Status::ok) storage_.surfaces[shape_slot.value].mu = mu + scalar(0);  // -0 becomes +0: one value, one set of bits
         return status == Status::ok ? mixed_anew(shape_slot.value) : status;
     }
+    /// The coefficient, as it is now. Errors: those of ids, out_of_range.
     Result<scalar> friction(BodyId id, int shape_i = 0) const {
         static_assert(shapes_only());
         const Result<int> shape_slot = find_shape(id, shape_i);
@@ -102,6 +103,7 @@ public:
         if (status == Status::ok) storage_.surfaces[shape_slot.value].e = e + scalar(0);
         return status == Status::ok ? mixed_anew(shape_slot.value) : status;
     }
+    /// As it is now, 0 to 1. Errors: those of ids, out_of_range.
     Result<scalar> restitution(BodyId id, int shape_i = 0) const {
         static_assert(shapes_only());
         const Result<int> shape_slot = find_shape(id, shape_i);
@@ -128,6 +130,7 @@ public:
             storage_.surfaces[shape_slot].bounding_radius = radius_about_body(shape, storage_.shape_places[shape_slot]);
         return come_back(slot.value);
     }
+    /// As it is now, in its own frame: see placed_shape for where it is. Errors: those of ids, out_of_range.
     Result<Shape> shape(BodyId id, int shape_i = 0) const {
         static_assert(shapes_only());
         const Result<int> shape_slot = find_shape(id, shape_i);
@@ -152,6 +155,7 @@ public:
         surface.bounding_radius = radius_about_body(surface.shape, storage_.shape_places[shape_slot.value]);
         return come_back(slot);
     }
+    /// Where it is in the body, in m. Errors: those of ids, out_of_range.
     Result<ShapePlace> shape_place(BodyId id, int shape_i) const {
         static_assert(compounds_only());
         const Result<int> shape_slot = find_shape(id, shape_i);
@@ -169,6 +173,7 @@ public:
         storage_.is_sensor[shape_slot.value] = sensor ? 1 : 0;
         return come_back(slot);
     }
+    /// As it is now. Errors: those of ids, out_of_range.
     Result<bool> is_sensor(BodyId id, int shape_i = 0) const {
         static_assert(sensors_only());
         const Result<int> shape_slot = find_shape(id, shape_i);

@@ -78,7 +78,7 @@ public:
         features::Figures::take_out(storage_, joint.value);
         return Status::ok;
     }
-    bool is_alive(JointId id) const { return find(id).ok(); }
+    bool is_alive(JointId id) const { return find(id).ok(); }  ///< false for ids of none
     /// Joint in a slot, 0 .. max_joints - 1; the null id where there is none.
     JointId joint_at(int slot) const {
         static_assert(joints_only());

@@ -35,8 +35,8 @@ public:
         const Storage<S>& storage_;
         int joint_i_;
     };
-    Iterator begin() const { return {storage_, 0}; }
-    Iterator end() const { return {storage_, storage_.joint_slots_used}; }
+    Iterator begin() const { return {storage_, 0}; }  ///< for a range for
+    Iterator end() const { return {storage_, storage_.joint_slots_used}; }  ///< for a range for
 
 private:
     const Storage<S>& storage_;
@@ -88,6 +88,7 @@ public:
         this->wake_sides(joint.value);
         return Status::ok;
     }
+    /// What set_joint_strength has set. Errors: those of ids.
     Result<JointStrength> joint_strength(JointId id) const {
         static_assert(breaking_only());
         const Result<int> joint = find(id);

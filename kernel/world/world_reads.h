@@ -9,12 +9,12 @@ namespace ingot { inline namespace INGOT_ABI {
 
 /// A box along the world axes, m. Empty: low above high.
 struct BoundsInfo {
-    Vector low{}, high{};
+    Vector low{}, high{};  ///< a corner
 };
 
 /// Where a joint is on both of its bodies; of the world, where it is in the world.
 struct JointPlace {
-    JointKind kind{};
+    JointKind kind{};  ///< which
     BodyId A{}, B{};            ///< the null id: the world
     Vector P_A{}, P_B{};        ///< m, world: apart by what a joint gives, or by the length of a rod or a rope
     Vector axis_A{}, axis_B{};  ///< unit, world: see JointDef

@@ -65,6 +65,7 @@ public:
         this->wake_sides(joint.value);
         return Status::ok;
     }
+    /// How a body is drawn, as set_target_drive has set it. Errors: those of ids, not_in_scene (another kind).
     Result<TargetDrive> target_drive(JointId id) const {
         static_assert(targets_only());
         const Result<int> joint = find_target(id);

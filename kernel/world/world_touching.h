@@ -20,6 +20,7 @@ public:
     // Contacts of the last step, whatever solves them: see ContactInfo. They stand in the order of slots, those of bodies that sleep behind the
     // others, until the next step; what is removed or edited meanwhile takes its contacts along.
 
+    /// Of the last step, those of bodies that sleep among them.
     int contact_count() const {
         static_assert(shapes_only());
         if constexpr (collides<S>)
