@@ -6,6 +6,7 @@
     guide.py --check PROGRAM...          fails where a figure is stale, a link leads nowhere, or a name is none of ingot's; with --partly figures
                                          that these programs do not print are left alone
     guide.py --update PROGRAM...         writes the figures
+    guide.py --try PAGE FOLDER           does what a reader of the page does, in a new folder: writes its files, and runs its commands
 
 Code. A block of C++ is a program, or declarations and statements; a line of three dots between them stands for what is left out. Statements go into
 a function. A block goes on where the one before it ended if `<!-- continues -->` stands above it. What a reader does not need is in a comment:
@@ -20,12 +21,15 @@ ok. Scenes of the same text on several pages are compiled once.
 Figures stand between `<!--=name-->` and `<!--/-->`, tables between `<!-- table: name -->` and `<!-- end of table -->`. PROGRAM prints them, a line each:
 name, a tab, what stands there; \\n in a table is a line of it. Others come from ../tables and from the presets.
 
+Files of a project stand below `<!-- file: name -->`. Commands of a reader are those of blocks of sh, but for what installs packages.
+
 A figure with a unit that is measured, as KB, mm or instructions, is refused where it stands by itself.
 """
 import collections
 import csv
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 
@@ -327,7 +331,24 @@ def complaints_about(page, text, known, words, partly=False):
     return complaints
 
 
+def try_page(page, folder):
+    """As a stranger: this repository lies in the folder `ingot`."""
+    text = (GUIDE / page).read_text(encoding="utf-8")
+    folder = pathlib.Path(folder)
+    shutil.rmtree(folder, ignore_errors=True)  # of the time before
+    folder.mkdir(parents=True)
+    (folder / "ingot").symlink_to(ROOT, target_is_directory=True)
+    for name, content in re.findall(r"^<!-- file: (\S+) -->\n```\w+\n(.*?)^```$", text, re.M | re.S):
+        (folder / name).write_text(content, encoding="utf-8")
+    for commands in re.findall(r"^```sh\n(.*?)^```$", text, re.M | re.S):
+        if "apt-get" not in commands:
+            subprocess.run(["sh", "-ex", "-c", commands], cwd=folder, check=True)
+
+
 def main():
+    if sys.argv[1] == "--try":
+        try_page(sys.argv[2], sys.argv[3])
+        return
     if sys.argv[1] == "--extract":
         pathlib.Path(sys.argv[2]).write_text(extracted(), encoding="utf-8")
         return

@@ -7,6 +7,7 @@ import unittest
 
 sys.dont_write_bytecode = True
 import guide  # noqa: E402
+import reference  # noqa: E402
 
 PAGE = guide.GUIDE / "a_page.md"  # it is nowhere, and would be beside the others
 KNOWN = {"a.size": "72", "a.list": "| one | 1 |"}
@@ -47,6 +48,12 @@ class Refusals(unittest.TestCase):
         self.assertIn("MUST(w.add(def));", source)
         self.assertLess(source.index("static ingot::World<S> w;"), source.index("static void statements()"))
         self.assertGreater(source.index("int i = 1;"), source.index("static void statements()"))
+
+    def test_what_the_reference_hides_is_there(self):
+        for name, hidden in reference.INTERNAL.items():
+            text = (reference.KERNEL / name).read_text(encoding="utf-8")
+            for internal in hidden.split():
+                self.assertIsNotNone(reference.declared(internal).search(text) or f"namespace {internal} {{" in text or None, f"{name}: {internal}")
 
 
 if __name__ == "__main__":
