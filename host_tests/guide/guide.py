@@ -311,6 +311,14 @@ def check_article(page, text, complaints):
                 complaints.append(f"{page.name}: {name} is not in {cells[1].strip()}")
 
 
+def check_other_page(page, text, complaints):
+    """Pages of the repository that are none of the guide: their links, and the paths that they name, in the kernel from there too."""
+    check_links(page, text, complaints)
+    for path in re.findall(r"`((?:\w+/)+\w+\.(?:h|cpp|py|md|cmake|csv|sh))`", prose_of(text)):
+        if not any((folder / path).exists() for folder in (ROOT, page.parent, ROOT / "kernel", ROOT / "host_tests")):
+            complaints.append(f"{page.relative_to(ROOT)}: no path {path}")
+
+
 def check_measured(page, text, complaints):
     """Figures that a person typed."""
     bare = TABLE.sub("", text)
@@ -361,6 +369,10 @@ def main():
         return
     words = words_of_ingot()
     complaints = [complaint for page in pages() for complaint in complaints_about(page, page.read_text(encoding="utf-8"), known, words, "--partly" in sys.argv)]
+    for folder in (ROOT, *(ROOT / name for name in ("kernel", "platform", "host_tests", "toolchains", "fuzz"))):
+        for page in sorted(folder.glob("*.md") if folder == ROOT else folder.rglob("*.md")):
+            if page not in pages():
+                check_other_page(page, page.read_text(encoding="utf-8"), complaints)
     if complaints:
         sys.exit("\n".join(complaints))
 

@@ -34,6 +34,11 @@ class Refusals(unittest.TestCase):
         self.assertIn("no file", self.complaints("[a page](nowhere.md)\n"))
         self.assertIn("no heading", self.complaints("[the README](../../README.md#nowhere)\n"))
 
+    def test_other_pages(self):
+        complaints = []
+        guide.check_other_page(guide.ROOT / "kernel" / "a_page.md", "[x](nowhere.md), `motion/integrate_v.cpp`, `motion/integrate_w.cpp`\n", complaints)
+        self.assertEqual(complaints, ["a_page.md: no file nowhere.md", "kernel/a_page.md: no path motion/integrate_w.cpp"])
+
     def test_names(self):
         self.assertIn("nothing is called sing", self.complaints("Call `World::sing`.\n"))
         self.assertIn("no path", self.complaints("See `kernel/world/stop.h`.\n"))

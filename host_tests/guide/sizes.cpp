@@ -48,7 +48,9 @@ WITH(Breaking, using joints = Joints<HingeJoint, WithBreaking>);
 // Powers of two: the tree of boxes has as many.
 constexpr int some = 1024;
 
-void begin(const char* name, const char* head) { std::printf("%s.%d\t%s", name, lanes, head); }
+constexpr char build[] = {static_cast<char>('0' + lanes), INGOT_DOUBLE ? 'd' : '\0', '\0'};  // 1, 4, 8, 1d
+
+void begin(const char* name, const char* head) { std::printf("%s.%s\t%s", name, build, head); }
 void add(const char* name, long bytes) { std::printf("\\n| %s | %ld |", name, bytes); }
 void end() { std::printf("\n"); }
 
@@ -66,17 +68,30 @@ void add_joint(const char* name) {
 template <class With>
 void print_pair(const char* name) {
     constexpr long bytes = (size_of<some, 2 * some, 8 * some, With>() - size_of<some, 2 * some, 4 * some, With>()) / (4 * some);
-    std::printf("%s.%d\t%ld\n", name, lanes, bytes);
+    std::printf("%s.%s\t%ld\n", name, build, bytes);
 }
 // What a solver has of its own, in a world of fifty bodies.
 template <class With>
 void print_solver(const char* name) {
-    std::printf("%s.%d\t%ld\n", name, lanes, size_of<50, 150, 300, With>() - size_of<50, 150, 300, Touching>());
+    std::printf("%s.%s\t%ld\n", name, build, size_of<50, 150, 300, With>() - size_of<50, 150, 300, Touching>());
+}
+
+template <class With, int manifolds = 0>
+void print_body(const char* name) {
+    constexpr long bytes = (size_of<2 * some, manifolds, 2 * manifolds, With>() - size_of<some, manifolds, 2 * manifolds, With>()) / some;
+    std::printf("%s.%s\t%ld\n", name, build, bytes);
 }
 
 }  // namespace
 
 int main() {
+    print_body<Scene>("sizes.turning");
+    print_body<Flying>("sizes.flying");
+    print_body<Touching, 8 * some>("sizes.touching");
+    constexpr long manifolds = size_of<some, 4 * some, 8 * some, Touching>() - size_of<some, 2 * some, 4 * some, Touching>();
+    std::printf("sizes.manifold.%s\t%ld\n", build, manifolds / (2 * some));
+    if (lanes != 1 || INGOT_DOUBLE) return 0;
+
     print_pair<Touching>("sizes.pair");
     print_pair<Tree>("sizes.pair_of_tree");
 
