@@ -23,6 +23,8 @@ name, a tab, what stands there; \\n in a table is a line of it. Others come from
 
 Files of a project stand below `<!-- file: name -->`. Commands of a reader are those of blocks of sh, but for what installs packages.
 
+What a page says of scenes that are refused ends with it: `<!--while: sentence-->`, as the compiler says it.
+
 A figure with a unit that is measured, as KB, mm or instructions, is refused where it stands by itself.
 """
 import collections
@@ -212,7 +214,7 @@ def tables_of_source():
     listed = ["| what the compiler says | and what to do |", "| --- | --- |"] + [f"| {what} | {do} |" for what, do in rows]
     status = (ROOT / "kernel/base/status.h").read_text(encoding="utf-8")
     reasons = re.findall(r"^    (\w+)(?: = 0)?, *///< (.*)$", status, re.M)
-    return {"sentences": "\n".join(listed), "statuses": "\n".join(["| status | why |", "| --- | --- |"] + [f"| `{name}` | {why} |" for name, why in reasons])}
+    return {"sentences_of_compiler": "\n".join(sorted(sentences)), "sentences": "\n".join(listed), "statuses": "\n".join(["| status | why |", "| --- | --- |"] + [f"| `{name}` | {why} |" for name, why in reasons])}
 
 
 def figures(programs):
@@ -333,6 +335,9 @@ def complaints_about(page, text, known, words, partly=False):
         complaints.append(f"{page.name}: stale figures: cmake --build <a host build> --target update_guide")
     check_links(page, text, complaints)
     check_names(page, text, words, complaints)
+    for sentence in re.findall(r"<!--while: (.*?)-->", text):
+        if sentence not in known["sentences_of_compiler"]:
+            complaints.append(f"{page.name}: the compiler does not say any more: {sentence}")
     if page.parent == GUIDE:
         check_measured(page, text, complaints)
         check_article(page, text, complaints)

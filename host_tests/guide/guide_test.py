@@ -10,7 +10,7 @@ import guide  # noqa: E402
 import reference  # noqa: E402
 
 PAGE = guide.GUIDE / "a_page.md"  # it is nowhere, and would be beside the others
-KNOWN = {"a.size": "72", "a.list": "| one | 1 |"}
+KNOWN = {"a.size": "72", "a.list": "| one | 1 |", "sentences_of_compiler": "stones do not fly: set stones = false"}
 WORDS = {"World", "add", "tilde"}
 ARTICLE = "| 9 | tilde | `{}` | `kernel/math/rotation.h` |\n"
 
@@ -33,6 +33,10 @@ class Refusals(unittest.TestCase):
     def test_links(self):
         self.assertIn("no file", self.complaints("[a page](nowhere.md)\n"))
         self.assertIn("no heading", self.complaints("[the README](../../README.md#nowhere)\n"))
+
+    def test_sentences(self):
+        self.assertEqual(self.complaints("Stones stay where they are<!--while: stones do not fly-->.\n"), "")
+        self.assertIn("does not say any more", self.complaints("Stones stay where they are<!--while: stones do not swim-->.\n"))
 
     def test_other_pages(self):
         complaints = []
