@@ -23,7 +23,7 @@ const plus = (a, b, s = 1) => [a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]
 const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 const unit = a => { const l = Math.hypot(...a); return [a[0] / l, a[1] / l, a[2] / l]; };
 
-const LIGHT = unit([-0.75, -0.3, 1.1]);
+const LIGHT = unit([-0.45, -0.7, 1.05]);
 
 const SHADOW_GLSL = `
 uniform highp sampler2DShadow shadow; uniform mat4 to_light; uniform vec3 light;
@@ -56,7 +56,7 @@ void main() {
     base *= 1.0 - 0.25 * (1.0 - smoothstep(0.6, 1.8, min(d.x, min(d.y, d.z))));
   }
   float sun = max(dot(n, light), 0.0); if (sun > 0.0) sun *= lit(world, n);
-  color = vec4(base * (mix(0.5, 0.68, 0.5 + 0.5 * n.z) + 0.46 * sun * contrast), 1.0);
+  color = vec4(base * (mix(0.52, 0.72, 0.5 + 0.5 * n.z) + 0.4 * sun * contrast), 1.0);
 }`;
 const DEPTH_FS = `#version 300 es
 precision mediump float; void main() {}`;
@@ -75,18 +75,18 @@ void main() {
 }`;
 const LINE_VS = `#version 300 es
 layout(location=0) in vec2 p; layout(location=1) in vec3 a; layout(location=2) in vec3 b; layout(location=3) in vec4 color;
-uniform mat4 view; uniform vec2 size; uniform float width; out vec4 paint;
+uniform mat4 view; uniform vec2 size; uniform float width, veil; out vec4 paint;
 void main() {
   vec4 A = view * vec4(a, 1.0), B = view * vec4(b, 1.0);
   float near = 0.02; if (A.w < near && B.w < near) { gl_Position = vec4(2, 2, 2, 1); return; }
   if (A.w < near) A = mix(A, B, (near - A.w) / (B.w - A.w)); if (B.w < near) B = mix(B, A, (near - B.w) / (A.w - B.w));
   vec2 d = (B.xy / B.w - A.xy / A.w) * size; float l = length(d); vec2 t = l > 1e-6 ? d / l : vec2(1, 0), n = vec2(-t.y, t.x);
   vec4 P = p.x < 0.5 ? A : B; P.xy += (n * (p.y - 0.5) * width + t * (p.x - 0.5) * width * 0.5) / size * P.w * 2.0; P.z -= 0.0004 * P.w;
-  gl_Position = P; paint = color;
+  gl_Position = P; paint = color * veil;
 }`;
 const POINT_VS = `#version 300 es
-layout(location=0) in vec3 a; layout(location=1) in vec4 color; uniform mat4 view; uniform float width; out vec4 paint;
-void main() { gl_Position = view * vec4(a, 1.0); gl_Position.z -= 0.0006 * gl_Position.w; gl_PointSize = width; paint = color; }`;
+layout(location=0) in vec3 a; layout(location=1) in vec4 color; uniform mat4 view; uniform float width, veil; out vec4 paint;
+void main() { gl_Position = view * vec4(a, 1.0); gl_Position.z -= 0.0006 * gl_Position.w; gl_PointSize = width; paint = color * veil; }`;
 const FLAT_FS = `#version 300 es
 precision mediump float; in vec4 paint; out vec4 color; uniform float round_;
 void main() { if (round_ > 0.5 && length(gl_PointCoord - 0.5) > 0.5) discard; color = paint; }`;
@@ -215,7 +215,7 @@ class Renderer {
   frame(camera, i, n) {
     const [, , w, h] = this.part(i, n), aspect = w / h;
     let tall = 0.32, wide = tall * aspect;
-    if (wide < 0.3) { wide = 0.3; tall = wide / aspect; }  // narrow: as wide as needed
+    if (wide < 0.42) { wide = 0.42; tall = wide / aspect; }  // narrow: as wide as needed
     const eye = plus(camera.at, [Math.cos(camera.pitch) * Math.sin(camera.yaw), -Math.cos(camera.pitch) * Math.cos(camera.yaw), Math.sin(camera.pitch)], camera.distance);
     const look = mat4.look(eye, camera.at), near = Math.max(0.02, camera.distance * 0.02);
     return {eye, tall, wide, look, matrix: mat4.times(mat4.perspective(tall, wide, near, camera.distance * 12 + 60), look)};
@@ -285,26 +285,32 @@ class Renderer {
     gl.bindVertexArray(this.square.vao);
     gl.drawArrays(gl.TRIANGLES, 0, 6);
   }
+  /// What is behind something shows through it, faintly.
   draw_lines(matrix, part, view, theme) {
-    const gl = this.gl, ratio = theme.ratio;
+    const gl = this.gl;
     gl.disable(gl.CULL_FACE);
-    for (const [program, data, width] of [[this.line, view.lines, 1.7 * ratio], [this.point, view.points, 6 * ratio]]) {
-      if (!data || data.floats === 0) continue;
+    gl.enable(gl.BLEND);
+    gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
+    gl.depthMask(false);
+    for (const [program, data, width, floats] of [[this.line, view.lines, 1.7 * theme.ratio, 10], [this.point, view.points, 6 * theme.ratio, 7]]) {
+      if (data.floats === 0) continue;
+      const is_line = program === this.line;
       gl.useProgram(program.of);
       gl.uniformMatrix4fv(program.at.view, false, matrix);
       gl.uniform1f(program.at.width, width);
-      gl.uniform1f(program.at.round_, program === this.point ? 1 : 0);
-      if (program === this.line) {
-        gl.uniform2f(program.at.size, part[2], part[3]);
-        gl.bindVertexArray(this.quad.vao);
-        this.fill(this.line_buffer, data);
-        gl.drawArraysInstanced(gl.TRIANGLES, 0, 6, data.floats / 10);
-      } else {
-        gl.bindVertexArray(this.points.vao);
-        this.fill(this.points.buffer, data);
-        gl.drawArrays(gl.POINTS, 0, data.floats / 7);
+      gl.uniform1f(program.at.round_, is_line ? 0 : 1);
+      if (is_line) gl.uniform2f(program.at.size, part[2], part[3]);
+      gl.bindVertexArray(is_line ? this.quad.vao : this.points.vao);
+      this.fill(is_line ? this.line_buffer : this.points.buffer, data);
+      for (const [test, veil] of [[gl.GREATER, 0.35], [gl.LEQUAL, 1]]) {
+        gl.depthFunc(test);
+        gl.uniform1f(program.at.veil, veil);
+        is_line ? gl.drawArraysInstanced(gl.TRIANGLES, 0, 6, data.floats / floats) : gl.drawArrays(gl.POINTS, 0, data.floats / floats);
       }
     }
+    gl.depthFunc(gl.LESS);
+    gl.depthMask(true);
+    gl.disable(gl.BLEND);
     gl.enable(gl.CULL_FACE);
   }
 }

@@ -69,11 +69,13 @@ class Page {
     this.runs.length = 1;
     const [x, y, z, distance, yaw, pitch] = this.scene.camera;
     this.camera = {at: [x, y, z], distance, yaw, pitch};
-    this.followed = null;
+    this.followed = this.scene.id === 'car' ? 1 : null;
     this.begin();
     const spins = ['flip', 'spin'].includes(this.scene.id);
     for (const name of ['L', 'ω']) spins ? this.shown.add(name) : this.shown.delete(name);
     this.scene.id === 'flip' ? this.shown.add('Axes') : this.shown.delete('Axes');
+    this.scene.id === 'pendulums' ? this.shown.add('Joints') : this.shown.delete('Joints');
+    this.scene.id === 'heavy' ? this.shown.delete('Sleep') : this.shown.add('Sleep');
     for (const box of document.querySelectorAll('[data-show]')) box.checked = this.shown.has(box.dataset.show);
     $('title').textContent = this.scene.title;
     $('text').textContent = this.scene.text;
@@ -117,6 +119,7 @@ class Page {
       $('kind' + tail).value = run.kind;
     });
     $('other').hidden = $('halves').hidden = this.runs.length === 1;
+    $('text').hidden = this.runs.length > 1;
     this.runs.forEach((run, i) => { $('halves').children[i].textContent = `${run.rate} steps a second · ${KINDS[run.kind]}`; });
     $('error').hidden = !this.exact && this.runs.length === 1;
     const target = this.run.kind === 0, spring = this.run.kind === 1 || this.run.kind === 2;
@@ -359,7 +362,7 @@ class Page {
     const canvas = $('chart'), ratio = devicePixelRatio, w = canvas.clientWidth, h = canvas.clientHeight;
     if (!w) return;
     if (canvas.width !== Math.round(w * ratio)) { canvas.width = Math.round(w * ratio); canvas.height = Math.round(h * ratio); }
-    const to = canvas.getContext('2d'), style = getComputedStyle(document.body), left = 40, low = h - 18, top = 8;
+    const to = canvas.getContext('2d'), style = getComputedStyle(document.body), left = 46, low = h - 18, top = 8;
     to.setTransform(ratio, 0, 0, ratio, 0, 0);
     to.clearRect(0, 0, w, h);
     to.font = '11px ' + style.fontFamily;
@@ -370,7 +373,8 @@ class Page {
     to.textAlign = 'right';
     to.fillStyle = soft;
     to.strokeStyle = getComputedStyle(canvas.parentElement).color;
-    const unit_of = this.free ? e => e >= 1 ? `${e}` : `${e}`.replace('1e-', '10⁻').replace(/⁻(\d+)/, (_, n) => '⁻' + [...n].map(d => '⁰¹²³⁴⁵⁶⁷⁸⁹'[d]).join('')) : e => e >= 1 ? `${e} m` : e >= 1e-3 ? `${+(e * 1e3).toPrecision(1)} mm` : `${+(e * 1e6).toPrecision(1)} µm`;
+    const raised = n => [...String(n)].map(d => '⁰¹²³⁴⁵⁶⁷⁸⁹'['0123456789'.indexOf(d)] || '⁻').join('');
+    const mark = n => this.free ? '10' + raised(n) : n >= 0 ? `${10 ** n} m` : n >= -3 ? `${10 ** (n + 3)} mm` : `${10 ** (n + 6)} µm`;
     for (let n = deep; n <= high; n += Math.ceil((high - deep) / 4)) {
       to.globalAlpha = 0.25;
       to.beginPath();
@@ -378,7 +382,7 @@ class Page {
       to.lineTo(w, y(10 ** n));
       to.stroke();
       to.globalAlpha = 1;
-      to.fillText(unit_of(+`1e${n}`), left - 5, y(10 ** n) + 4);
+      to.fillText(mark(n), left - 5, y(10 ** n) + 4);
     }
     to.fillText(`${t_end.toFixed(0)} s`, w - 2, h - 4);
     to.textAlign = 'left';
@@ -460,7 +464,7 @@ class Page {
       return [k(0), k(8), k(4)];
     }
     if (name === 'asleep' && this.shown.has('Sleep')) return theme.asleep;
-    const base = body % 5 === 3 ? theme.other : theme.body, shade = 0.93 + 0.035 * (body * 7 % 5);
+    const base = (this.scene.id === 'heavy' ? this.engine.body(0, body).mass >= 100 : body % 5 === 3) ? theme.other : theme.body, shade = 0.93 + 0.035 * (body * 7 % 5);
     return base.map(x => x * shade);
   }
   line_color(color) { return this.paints[color] ||= [...rgb(LINE_COLORS[COLORS[color]] || '#888888'), 1]; }

@@ -30,6 +30,7 @@ struct Stage {
     Vector hold;          ///< m, where: in the frame of the body, in others
     Vector pointer;       ///< m, where the mouse is
     scalar throttle, steering;  ///< -1 to 1
+    float L_scale;  ///< m for 1 kg m^2/s
     int32_t shots;
     BodyId shot[shots_max];
     ingot::StepReport report;
@@ -156,7 +157,11 @@ bool set_up(Stage& stage, const SceneInfo& scene) {
     scene.set_up(builder);
     bool good = builder.good();
     if constexpr (S::translates)
-        if (scene.set_up != spinning) good = world_of<S>(stage).set_gravity({0, 0, scalar(-9.81)}) == Status::ok && good;
+        if (scene.set_up != spinning && scene.set_up != flip) good = world_of<S>(stage).set_gravity({0, 0, scalar(-9.81)}) == Status::ok && good;
+    // The longest is a metre to begin with.
+    scalar most_sq = 0;
+    for (int slot = 0; slot < S::max_bodies; ++slot) most_sq = ingot::max(most_sq, ingot::length_sq(world_of<S>(stage).state(world_of<S>(stage).body_at(slot)).value.L));
+    stage.L_scale = most_sq > 0 ? 1 / ingot::sqrt(most_sq) : scalar(0.1);
     return good;
 }
 
@@ -400,6 +405,7 @@ const int32_t* viewer_draw(int stage_i, unsigned colors, float scale) {
     ingot::DrawScale sizes;
     sizes.axis = scalar(0.6) * scale;
     sizes.impulse = scalar(0.5) * scale;
+    sizes.L = stage_at(stage_i).L_scale * scale;
     return for_world(stage_at(stage_i), static_cast<const int32_t*>(counts), [&](auto& world, auto) {
         draw_stage(world, colors, sizes);
         return static_cast<const int32_t*>(counts);

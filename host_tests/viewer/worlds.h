@@ -13,6 +13,7 @@ using ingot::Vector;
 struct Things : ingot::Scene {
     static constexpr int max_bodies = 640, max_manifolds = 4096, max_pairs = 12288;
     static constexpr bool translates = true, sleeps = true;
+    static constexpr bool hides_internal_edges = false, holds_crowds = false;  // no floor of several boxes, and room for all there is: 20 KB of module
     using shapes = ingot::Shapes<ingot::Sphere, ingot::Capsule, ingot::Box, ingot::Cylinder, ingot::HalfSpace>;
     using broad_phase = ingot::SortedTree;
 };
