@@ -40,7 +40,7 @@ public:
 private:
     static constexpr double size = 960;
     // Unit vectors, to the rounding of the digits printed.
-    static constexpr double right[3] = {0.903, 0.430, 0}, up[3] = {-0.129, 0.271, 0.954};
+    static constexpr double right[3] = {0.980, 0.199, 0}, up[3] = {-0.060, 0.294, 0.954};
 
     double along(const double (&axis)[3], const ingot::Vector& P) const {
         const ingot::Vector d = P - middle_;

@@ -19,6 +19,9 @@ struct CountingPen {
     void point(const Vector&, DrawColor) { ++points; }
 };
 
+// So long that what turns once in ten seconds shows it, and what bears a crate does not leave the picture.
+constexpr ingot::DrawScale scale = {scalar(0.8), scalar(0.05), 1, scalar(0.02), 1, 1};
+
 int count(const std::string& text, const std::string& part) {
     int found = 0;
     for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
@@ -31,8 +34,8 @@ std::string picture_of(const World& world, const char* name) {
     std::FILE* const file = folder == nullptr ? std::tmpfile() : std::fopen((std::string(folder) + "/" + name + ".svg").c_str(), "w+");
     if (file == nullptr) return "";
     {
-        draw::SvgPen pen(file, 18, {0, 0, 2});
-        ingot::draw<what>(world, pen);
+        draw::SvgPen pen(file, 18, {0, 0, scalar(1.5)});
+        ingot::draw<what>(world, pen, scale);
     }
     std::string text(static_cast<std::size_t>(std::ftell(file)), '\0');
     std::rewind(file);
@@ -45,7 +48,7 @@ template <unsigned flag>
 void expect_picture(const World& world, const char* name) {
     const std::string text = picture_of<ingot::Draw::shapes | flag>(world, name);
     CountingPen pen;
-    ingot::draw<ingot::Draw::shapes | flag>(world, pen);
+    ingot::draw<ingot::Draw::shapes | flag>(world, pen, scale);
     EXPECT_EQ(count(text, "<path "), pen.lines) << name;
     EXPECT_EQ(count(text, "<circle "), pen.points) << name;
     EXPECT_EQ(count(text, "nan") + count(text, "inf"), 0) << name;
