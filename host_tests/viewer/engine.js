@@ -5,8 +5,11 @@
 const INPUT = {grab: 0, move: 1, release: 2, shoot: 3, steer: 4};
 const COLORS = ['awake', 'asleep', 'immovable', 'kinematic', 'frozen', 'sensor', 'axis_x', 'axis_y', 'axis_z', 'centre', 'bounds', 'L', 'omega',
                 'contact', 'impulse', 'friction', 'joint', 'joint_axis', 'island'];
-const KINDS = ['Sweeps', 'Sweeps, or a direct solve where they do not serve', 'Sweeps, joints with limits and motors', 'Moser–Veselov: ingot’s own', 'Moser–Veselov, order 4',
-               'Runge–Kutta 4', 'Midpoint on the group', 'Euler, as the article printed it'];
+const KINDS = ['Sweeps', 'Sweeps, or a direct solve where they do not serve', 'Sweeps, joints with limits and motors', 'Moser–Veselov: ingot’s own',
+               'Moser–Veselov, order 4', 'Runge–Kutta 4', 'Midpoint on the group', 'Euler, as the article printed it',
+               'Less effort: 2 substeps, 3 sweeps each', 'More effort: 8 substeps, 6 sweeps each'];
+/// Of one body that only turns.
+const turns = kind => kind >= 3 && kind <= 7;
 const SHAPE_FLOATS = 20, LINE_FLOATS = 7, POINT_FLOATS = 4;
 
 class Engine {

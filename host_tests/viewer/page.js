@@ -122,9 +122,9 @@ class Page {
     $('text').hidden = this.runs.length > 1;
     this.runs.forEach((run, i) => { $('halves').children[i].textContent = `${run.rate} steps a second · ${KINDS[run.kind]}`; });
     $('error').hidden = !this.exact && this.runs.length === 1;
-    const target = this.run.kind === 0, spring = this.run.kind === 1 || this.run.kind === 2;
+    const target = this.run.kind === 0, spring = !target && !turns(this.run.kind);
     $('mouse').textContent = target ? 'The mouse is a joint of the kernel, a target, that pulls at 4 Hz.'
-      : spring ? 'In this world the mouse is a spring, critically damped, at 4 Hz: its joints know no targets.' : '';
+      : spring ? 'In this world the mouse is a spring, critically damped, at 4 Hz: it knows no targets.' : '';
   }
   rate_of(value) {
     const rate = 30 * (1000 / 30) ** (value / 1000);
@@ -533,12 +533,12 @@ class Page {
     const joule = x => Math.abs(x) >= 1e5 ? `${(x / 1000).toFixed(0)} kJ` : Math.abs(x) >= 1e3 ? `${(x / 1000).toFixed(2)} kJ` : `${x.toFixed(Math.abs(x) < 10 ? 3 : 1)} J`;
     const speed = x => x >= 0.1 ? `${x.toFixed(2)} m/s` : x >= 1e-3 ? `${(x * 1e3).toFixed(1)} mm/s` : x > 0 ? `${(x * 1e6).toFixed(1)} µm/s` : 'nothing';
     const facts = [['Bodies', number(report.bodies)]];
-    if (run.kind < 3) {
+    if (!turns(run.kind)) {
       facts.push(['asleep', number(report.asleep)], ['Touching pairs', number(report.contacts)], ['Islands awake', number(report.islands)]);
       if (report.joints) facts.push(['Joints', number(report.joints)]);
       facts.push(['Sweeps', number(report.sweeps)], ['left to correct', speed(report.residual)]);
     }
-    facts.push(['Energy', joule(energy)], ['since the start', run.kind >= 3 ? `${gain >= 0 ? '+' : '−'}${(Math.abs(gain / run.energy_0) * 100).toPrecision(2)} %` : `${gain > 0 ? '+' : gain < 0 ? '−' : ''}${joule(Math.abs(gain))}`]);
+    facts.push(['Energy', joule(energy)], ['since the start', turns(run.kind) ? `${gain >= 0 ? '+' : '−'}${(Math.abs(gain / run.energy_0) * 100).toPrecision(2)} %` : `${gain > 0 ? '+' : gain < 0 ? '−' : ''}${joule(Math.abs(gain))}`]);
     if (timing) facts.push(['A step takes', `${timing.median.toFixed(2)} ms`], ['at worst', `${timing.worst.toFixed(1)} ms`]);
     const text = facts.map(pair => pair.join('\t')).join('\n');
     if (text !== this.facts) {
@@ -563,7 +563,7 @@ class Page {
     if (report.joints_lost) said.push(many(report.joints_lost, 'joint holds', 'joints hold') + ' nothing');
     if (report.direct & 1) said.push('an island was solved directly');
     if (report.direct & 2) said.push('a direct solve gave way to sweeps');
-    if (report.bodies && this.run.kind < 3 && report.awake === 0) said.push('everything sleeps');
+    if (report.bodies && !turns(this.run.kind) && report.awake === 0) said.push('everything sleeps');
     if (!said.length) return this.run.at ? 'The step did all it was asked for.' : '';
     const text = said.join('; ') + '.';
     return text[0].toUpperCase() + text.slice(1);

@@ -78,11 +78,11 @@ inline void ground(Builder& to, scalar friction = scalar(0.6), scalar restitutio
 inline void pit(Builder& to, scalar side, scalar friction) {
     ground(to, friction);
     const Vector inwards[4] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}};
-    for (const Vector& n : inwards)
-        to.add(fixed(ingot::HalfSpace{n, -side / 2}, {}, friction));
+    for (const Vector& n : inwards) to.add(fixed(ingot::HalfSpace{n, -side / 2}, {}, friction));
 }
 
-/// In [-1, 1), of index and channel alone: the mixing function of Steele, Lea and Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014.
+/// In [-1, 1), of index and channel alone.
+/// Source: the mixing function of Steele, Lea and Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014.
 inline scalar scattered(int index, int channel) {
     uint64_t bits = (static_cast<uint64_t>(index) * 64 + static_cast<uint64_t>(channel) + 1) * 0x9e3779b97f4a7c15u;
     bits = (bits ^ (bits >> 30)) * 0xbf58476d1ce4e5b9u;
@@ -107,8 +107,8 @@ inline void crate(Builder& to) {
     to.add(spin(def, {1, scalar(0.5), 2}));
 }
 inline constexpr Vector brick = {half, scalar(0.3), scalar(0.1)};
-/// The anchor of free rotation, 1.0 x 0.6 x 0.2 m, 1 kg, 10 rad/s about the middle axis; but half a rad/s beside it. With the hundredth of one that the
-/// anchor has, an error of one rounding grows a million times from flip to flip, and floats have no more digits.
+/// The anchor of free rotation, 1.0 x 0.6 x 0.2 m, 1 kg, 10 rad/s about the middle axis; but half a rad/s beside it. With the hundredth of one that
+/// the anchor has, an error of one rounding grows a million times from flip to flip, and floats have no more digits.
 inline void flip(Builder& to) {
     ingot::BodyDef def = solid(ingot::Box{brick}, 1, {});
     def.shape = {};
@@ -121,8 +121,8 @@ inline void bounce(Builder& to) {
 }
 /// Ten bodies, nothing that touches, no gravity.
 inline void spinning(Builder& to) {
-    const ingot::Shape shapes[5] = {ingot::Box{{scalar(0.6), scalar(0.36), scalar(0.12)}}, ingot::Cylinder{half, scalar(0.1)}, ingot::Capsule{scalar(0.2), half},
-                                    ingot::Box{{scalar(0.7), scalar(0.1), scalar(0.1)}}, ingot::Sphere{half}};
+    const ingot::Shape shapes[5] = {ingot::Box{{scalar(0.6), scalar(0.36), scalar(0.12)}}, ingot::Cylinder{half, scalar(0.1)},
+                                    ingot::Capsule{scalar(0.2), half}, ingot::Box{{scalar(0.7), scalar(0.1), scalar(0.1)}}, ingot::Sphere{half}};
     for (int i = 0; i < 10; ++i) {
         ingot::BodyDef def = solid(shapes[i % 5], 10, {static_cast<scalar>(2 * (i % 5) - 4), 0, static_cast<scalar>(2 * (i / 5)) + scalar(1.5)});
         def.state.A = i < 5 ? scattered_rotation(i) : ingot::axis_angle({1, 0, 0}, scalar(0.1));
@@ -137,16 +137,15 @@ inline void pyramid(Builder& to) {
     constexpr int base = 20;
     for (int row = 0; row < base; ++row)
         for (int i = 0; i < base - row; ++i)
-            to.add(solid(cube(), 1, {scalar(1.1) * (static_cast<scalar>(i) - static_cast<scalar>(base - row - 1) / 2), 0, static_cast<scalar>(row) + half}));
+            to.add(solid(cube(), 1,
+                         {scalar(1.1) * (static_cast<scalar>(i) - static_cast<scalar>(base - row - 1) / 2), 0, static_cast<scalar>(row) + half}));
 }
 inline void balls(Builder& to) {
     constexpr int n = 8;
     constexpr scalar pitch = scalar(1.125), side = pitch * n;
     pit(to, side, half);
     for (int i = 0; i < n * n * n; ++i) {
-        const auto place = [&](int cell, int channel) {
-            return pitch * (static_cast<scalar>(cell) + half) + scalar(0.05) * scattered(i, channel);
-        };
+        const auto place = [&](int cell, int channel) { return pitch * (static_cast<scalar>(cell) + half) + scalar(0.05) * scattered(i, channel); };
         to.add(solid(ingot::Sphere{half}, 1, {place(i % n, 0) - side / 2, place(i / n % n, 1) - side / 2, place(i / (n * n), 2) + 1}, half));
     }
 }
@@ -169,7 +168,8 @@ inline void mixed(Builder& to) {
         if (i % 4 == 2) shape = ingot::Capsule{r * scalar(0.7), l};
         if (i % 4 == 3) shape = ingot::Cylinder{r, l * scalar(0.8)};
         const auto place = [&](int cell, int channel) { return scalar(1.3) * static_cast<scalar>(cell) + scalar(0.1) * scattered(i, channel); };
-        to.add(turned(solid(shape, 10, {place(i % 4, 2) - scalar(1.95), place(i / 4 % 4, 3) - scalar(1.95), place(i / 16, 4) + 1}, half), scattered_rotation(i)));
+        to.add(turned(solid(shape, 10, {place(i % 4, 2) - scalar(1.95), place(i / 4 % 4, 3) - scalar(1.95), place(i / 16, 4) + 1}, half),
+                      scattered_rotation(i)));
     }
 }
 inline void tower(Builder& to) {
@@ -203,8 +203,9 @@ inline void slope(Builder& to) {
     const ingot::Matrix A = ingot::axis_angle({0, 1, 0}, scalar(0.34906585));
     to.add(turned(fixed(ingot::Box{{5, 4, scalar(0.2)}}, {0, 0, scalar(1.9)}, 1), A));
     for (int i = 0; i < 6; ++i) {
-        const scalar mu = scalar(0.1) * static_cast<scalar>(i + 1);  // of the pair: the mean of mu^2 and 1 by geometry
-        const Vector at = Vector{0, 0, scalar(1.9)} + A.c0 * scalar(-4) + A.c1 * (scalar(1.25) * static_cast<scalar>(i) - scalar(3.125)) + A.c2 * scalar(0.601);
+        const scalar mu = scalar(0.1) * static_cast<scalar>(i + 1);  // of the pair: the geometric mean of mu^2 and 1
+        const Vector at =
+            Vector{0, 0, scalar(1.9)} + A.c0 * scalar(-4) + A.c1 * (scalar(1.25) * static_cast<scalar>(i) - scalar(3.125)) + A.c2 * scalar(0.601);
         to.add(turned(solid(ingot::Box{{scalar(0.4), scalar(0.4), scalar(0.4)}}, 10, at, mu * mu), A));
     }
 }
@@ -224,10 +225,10 @@ inline void heavy(Builder& to) {
 inline void bullets(Builder& to) {
     ground(to, half, scalar(0.25));
     to.add(fixed(ingot::Box{{scalar(0.005), 3, scalar(1.5)}}, {5, 0, scalar(1.5)}, half, scalar(0.25)));
-    for (int i = 0; i < 4; ++i)
-        to.add(solid(ingot::Box{{scalar(0.01), half, half}}, 2, {static_cast<scalar>(i) + 1, 0, half}, half, scalar(0.25)));
+    for (int i = 0; i < 4; ++i) to.add(solid(ingot::Box{{scalar(0.01), half, half}}, 2, {static_cast<scalar>(i) + 1, 0, half}, half, scalar(0.25)));
     for (int i = 0; i < 4; ++i) {
-        ingot::BodyDef def = solid(ingot::Sphere{scalar(0.05)}, 1, {-60 - 100 * static_cast<scalar>(i), scalar(0.1) * scattered(i, 0), 1}, half, scalar(0.25));
+        ingot::BodyDef def =
+            solid(ingot::Sphere{scalar(0.05)}, 1, {-60 - 100 * static_cast<scalar>(i), scalar(0.1) * scattered(i, 0), 1}, half, scalar(0.25));
         def.state.v_CM = {100 * static_cast<scalar>(i + 1), 0, 1};
         to.add(def);
     }
@@ -283,7 +284,8 @@ inline void ragdoll(Builder& to, const Vector& place, const ingot::Matrix& A) {
 inline void ragdolls(Builder& to) {
     ground(to);
     for (int i = 0; i < 3; ++i)  // stairs
-        to.add(fixed(ingot::Box{{half, 2, scalar(0.25) * static_cast<scalar>(i + 1)}}, {static_cast<scalar>(-i) - 1, 0, scalar(0.25) * static_cast<scalar>(i + 1)}));
+        to.add(fixed(ingot::Box{{half, 2, scalar(0.25) * static_cast<scalar>(i + 1)}},
+                     {static_cast<scalar>(-i) - 1, 0, scalar(0.25) * static_cast<scalar>(i + 1)}));
     for (int i = 0; i < 8; ++i)
         ragdoll(to, {scattered(i, 0) - scalar(0.8), scattered(i, 1), scalar(2.4) + scalar(1.3) * static_cast<scalar>(i)},
                 ingot::axis_angle({0, 0, 1}, 3 * scattered(i, 2)) * ingot::axis_angle({0, 1, 0}, scattered(i, 3)));
@@ -293,14 +295,16 @@ inline void bridge(Builder& to) {
     constexpr int planks = 16;
     ground(to);
     const auto height = [](scalar x) { return scalar(0.02) * x * x + scalar(1.2); };  // hangs through by 0.98 m over 14 m
-    for (int side = -1; side <= 1; side += 2) to.add(fixed(ingot::Box{{scalar(1.5), scalar(1.2), scalar(1.09)}}, {scalar(8.55) * static_cast<scalar>(side), 0, scalar(1.09)}));
+    for (int side = -1; side <= 1; side += 2)
+        to.add(fixed(ingot::Box{{scalar(1.5), scalar(1.2), scalar(1.09)}}, {scalar(8.55) * static_cast<scalar>(side), 0, scalar(1.09)}));
     int before = -1;
     for (int i = 0; i <= planks; ++i) {
         const scalar x_0 = 14 * static_cast<scalar>(i) / planks - 7, x_1 = x_0 + scalar(14) / planks, dx = x_1 - x_0, dz = height(x_1) - height(x_0);
         int plank = -1;
         if (i < planks) {
             const scalar length = ingot::sqrt(dx * dx + dz * dz);
-            ingot::BodyDef def = solid(ingot::Box{{length / 2 - scalar(0.04), 1, scalar(0.05)}}, 30, {(x_0 + x_1) / 2, 0, (height(x_0) + height(x_1)) / 2});
+            ingot::BodyDef def =
+                solid(ingot::Box{{length / 2 - scalar(0.04), 1, scalar(0.05)}}, 30, {(x_0 + x_1) / 2, 0, (height(x_0) + height(x_1)) / 2});
             const Vector along = {dx / length, 0, dz / length};
             def.state.A = {along, {0, 1, 0}, {-along.z, 0, along.x}};
             plank = to.add(def);
@@ -319,19 +323,21 @@ inline void car(Builder& to) {
     const scalar radius = scalar(0.35), base = scalar(2.6), track = scalar(1.6);
     const auto hub = [&](int i) { return Vector{i < 2 ? base / 2 : -base / 2, i % 2 == 0 ? track / 2 : -track / 2, radius}; };
     to.add(solid(ingot::Box{{scalar(1.9), scalar(0.65), scalar(0.25)}}, 900, {0, 0, scalar(0.7)}));
-    for (int i = 0; i < 4; ++i)
-        to.add(turned(solid(ingot::Cylinder{radius, scalar(0.1)}, 20, hub(i), 1), {{1, 0, 0}, {0, 0, -1}, {0, 1, 0}}));
+    for (int i = 0; i < 4; ++i) to.add(turned(solid(ingot::Cylinder{radius, scalar(0.1)}, 20, hub(i), 1), {{1, 0, 0}, {0, 0, -1}, {0, 1, 0}}));
     for (int i = 0; i < 4; ++i) {
         const int wheel = to.join(car_chassis, car_chassis + 1 + i, ingot::WheelJoint{scalar(-0.15), scalar(0.15)}, hub(i), {0, 0, 1}, {0, 1, 0});
         to.drive(wheel, ingot::SpringDrive{25000, 3000}, ingot::WheelJoint::travel);
         if (i >= 2) to.drive(wheel, ingot::MotorDrive{12, 300}, ingot::WheelJoint::spin);
     }
     for (int i = 0; i < 6; ++i)
-        to.add(turned(fixed(ingot::Capsule{scalar(0.15), scalar(1.2)}, {5 + scalar(1.7) * static_cast<scalar>(i), scalar(i % 2 == 0 ? 0.9 : -0.9), scalar(-0.04)}, 1),
+        to.add(turned(fixed(ingot::Capsule{scalar(0.15), scalar(1.2)},
+                            {5 + scalar(1.7) * static_cast<scalar>(i), scalar(i % 2 == 0 ? 0.9 : -0.9), scalar(-0.04)}, 1),
                       {{1, 0, 0}, {0, 0, -1}, {0, 1, 0}}));
     to.add(turned(fixed(ingot::Box{{3, scalar(1.6), scalar(0.1)}}, {scalar(20.5), 0, scalar(0.45)}, 1), ingot::axis_angle({0, 1, 0}, scalar(-0.2))));
     for (int row = 0; row < 4; ++row)
-        for (int i = 0; i < 4; ++i) to.add(solid(ingot::Box{{scalar(0.3), scalar(0.3), scalar(0.3)}}, 8, {scalar(30), scalar(0.65) * static_cast<scalar>(i) - 1, scalar(0.3) + scalar(0.6) * static_cast<scalar>(row)}));
+        for (int i = 0; i < 4; ++i)
+            to.add(solid(ingot::Box{{scalar(0.3), scalar(0.3), scalar(0.3)}}, 8,
+                         {scalar(30), scalar(0.65) * static_cast<scalar>(i) - 1, scalar(0.3) + scalar(0.6) * static_cast<scalar>(row)}));
 }
 
 /// A chain with a ball of 300 kg swings into a wall.
@@ -343,7 +349,8 @@ inline void chain(Builder& to) {
     const ingot::Matrix A = {{scalar(0.6), 0, scalar(-0.8)}, {0, 1, 0}, {scalar(0.8), 0, scalar(0.6)}};
     int before = -1;
     for (int i = 0; i < 12; ++i) {
-        const int link = to.add(turned(solid(ingot::Capsule{scalar(0.07), scalar(0.16)}, 3, top + down * (pitch * (static_cast<scalar>(i) + half))), A));
+        const int link =
+            to.add(turned(solid(ingot::Capsule{scalar(0.07), scalar(0.16)}, 3, top + down * (pitch * (static_cast<scalar>(i) + half))), A));
         to.join(before, link, ingot::BallJoint{}, top + down * (pitch * static_cast<scalar>(i)));
         before = link;
     }
@@ -352,8 +359,9 @@ inline void chain(Builder& to) {
     to.join(before, ball, ingot::BallJoint{}, end);
     for (int row = 0; row < 6; ++row)
         for (int i = 0; i < 5 - row % 2; ++i)
-            to.add(solid(ingot::Box{{scalar(0.25), scalar(0.4), scalar(0.25)}}, 6,
-                         {2, scalar(0.82) * (static_cast<scalar>(i) - static_cast<scalar>(4 - row % 2) / 2), scalar(0.25) + half * static_cast<scalar>(row)}));
+            to.add(solid(
+                ingot::Box{{scalar(0.25), scalar(0.4), scalar(0.25)}}, 6,
+                {2, scalar(0.82) * (static_cast<scalar>(i) - static_cast<scalar>(4 - row % 2) / 2), scalar(0.25) + half * static_cast<scalar>(row)}));
 }
 
 /// Balls on rods whose lengths make 15, 16, 17 ... swings in 30 s: they drift apart and come together again.
@@ -380,39 +388,138 @@ struct SceneInfo {
     Kind kind;
     unsigned kinds;  ///< bits: those it can run in
     Camera camera;
-    float wall;      ///< m, half of the side of a pit; else 0
+    float wall;  ///< m, half of the side of a pit; else 0
     void (*set_up)(Builder&);
 };
 
 inline constexpr unsigned of(Kind kind) { return 1u << kind; }
-inline constexpr unsigned loose = of(swept) | of(chosen), turns = of(turn_moser_veselov) | of(turn_order_4) | of(turn_runge_kutta) | of(turn_lie_midpoint) | of(turn_listing_1);
+inline constexpr unsigned loose = of(swept) | of(chosen) | of(coarse) | of(fine),
+                          turns = of(turn_moser_veselov) | of(turn_order_4) | of(turn_runge_kutta) | of(turn_lie_midpoint) | of(turn_listing_1);
 
 inline constexpr SceneInfo scenes[] = {
-    {"crate", "The article", "A crate falls", "It tumbles, lands on an edge, comes to rest and falls asleep: from then on it costs nothing.", swept, loose,
-     {0, 0, 1.2f, 9, 0.6f, 0.25f}, 0, crate},
-    {"flip", "The article", "A body that flips over", "Spun about its middle axis, a free body turns over again and again. Beside it: the exact motion.", turn_moser_veselov, turns,
-     {0, 0, 0, 3, 0.7f, 0.35f}, 0, flip},
-    {"spin", "The article", "Ten that spin", "No gravity, nothing touches. Only a ball, or what turns about an axis of its own, turns evenly.", swept, loose,
-     {0, 0, 2.5f, 13, 0.3f, 0.2f}, 0, spinning},
-    {"bounce", "The article", "A ball that bounces", "Each bounce keeps eight tenths of the speed. Beside it: where an ideal ball would be.", swept, loose,
-     {0, 0, 1.7f, 9, 0.5f, 0.15f}, 0, bounce},
+    {"crate",
+     "The article",
+     "A crate falls",
+     "It tumbles, lands on an edge, comes to rest and falls asleep: from then on it costs nothing.",
+     swept,
+     loose,
+     {0, 0, 1.2f, 9, 0.6f, 0.25f},
+     0,
+     crate},
+    {"flip",
+     "The article",
+     "A body that flips over",
+     "Spun about its middle axis, a free body turns over again and again. Beside it: the exact motion.",
+     turn_moser_veselov,
+     turns,
+     {0, 0, 0, 3, 0.7f, 0.35f},
+     0,
+     flip},
+    {"spin",
+     "The article",
+     "Ten that spin",
+     "No gravity, nothing touches. Only a ball, or what turns about an axis of its own, turns evenly.",
+     swept,
+     loose,
+     {0, 0, 2.5f, 13, 0.3f, 0.2f},
+     0,
+     spinning},
+    {"bounce",
+     "The article",
+     "A ball that bounces",
+     "Each bounce keeps eight tenths of the speed. Beside it: where an ideal ball would be.",
+     swept,
+     loose,
+     {0, 0, 1.7f, 9, 0.5f, 0.15f},
+     0,
+     bounce},
     {"pyramid", "Contact", "Pyramid of 210", "Twenty cubes in the lowest row. Pull one out.", swept, loose, {0, 0, 9, 36, 0.5f, 0.1f}, 0, pyramid},
     {"balls", "Contact", "512 balls", "They fall into a pit and come to rest.", swept, loose, {0, 0, 3.5f, 24, 0.7f, 0.35f}, 4.5f, balls},
     {"boxes", "Contact", "125 boxes", "Mixed sizes, dropped into a pit.", swept, loose, {0, 0, 3, 19, 0.7f, 0.4f}, 3.25f, boxes},
     {"mixed", "Contact", "All shapes", "Balls, boxes, capsules and cylinders.", swept, loose, {0, 0, 3, 18, 0.7f, 0.4f}, 3, mixed},
-    {"tower", "Contact", "Tower of twenty", "Twenty cubes in one column stand for as long as you like.", chosen, loose, {0, 0, 10.5f, 37, 0.6f, 0.08f}, 0, tower},
+    {"tower",
+     "Contact",
+     "Tower of twenty",
+     "Twenty cubes in one column stand for as long as you like.",
+     chosen,
+     loose,
+     {0, 0, 10.5f, 37, 0.6f, 0.08f},
+     0,
+     tower},
     {"dominoes", "Contact", "Dominoes", "Ninety in a spiral. The first is pushed.", swept, loose, {0, 0, 0.4f, 15, 0.8f, 0.6f}, 0, dominoes},
-    {"slope", "Contact", "Slope", "Twenty degrees; friction from 0.1 to 0.6. Below 0.36 they slide.", swept, loose, {1, 0, 1, 17, 0.9f, 0.35f}, 0, slope},
-    {"heavy", "Hard cases", "1000 to 1", "A ton on a kilogram, on nine, ten tons on a hundred kilograms. Solved directly nothing gives; by sweeps alone a millimetre does.", chosen, loose,
-     {0, 0, 5.6f, 21, 0.5f, 0.12f}, 0, heavy},
-    {"bullets", "Hard cases", "Bullets", "Up to 400 m/s, seven metres a frame, and plates of 2 cm: none goes through.", chosen, loose, {2.2f, 0, 0.8f, 9, -0.7f, 0.25f}, 0, bullets},
-    {"overhang", "Hard cases", "Overhang of 1 mm", "One cube's middle is 1 mm on this side of the edge, the other's 1 mm beyond it.", swept, loose, {0.3f, 0, 1, 7, 0.9f, 0.2f}, 0, overhang},
-    {"ragdolls", "Joints", "Ragdolls", "Eight, of eleven parts, whose joints bend as far as ours.", machines, of(machines), {-0.6f, 0, 1.6f, 12, 0.7f, 0.3f}, 0, ragdolls},
-    {"bridge", "Joints", "Bridge", "Sixteen planks on hinges, held at both ends; one of the balls weighs a ton.", swept, of(swept), {0, 0, 1.6f, 22, 0.6f, 0.25f}, 0, bridge},
-    {"car", "Joints", "Car", "Suspension, motor and steering in each wheel. Arrow keys drive it.", machines, of(machines), {0, 0, 0.8f, 11, -1, 0.3f}, 0, car},
+    {"slope",
+     "Contact",
+     "Slope",
+     "Twenty degrees; friction from 0.1 to 0.6. Below 0.36 they slide.",
+     swept,
+     loose,
+     {1, 0, 1, 17, 0.9f, 0.35f},
+     0,
+     slope},
+    {"heavy",
+     "Hard cases",
+     "1000 to 1",
+     "A ton on a kilogram, on nine, ten tons on a hundred kilograms. Solved directly nothing gives; by sweeps alone a millimetre does.",
+     chosen,
+     loose,
+     {0, 0, 5.6f, 21, 0.5f, 0.12f},
+     0,
+     heavy},
+    {"bullets",
+     "Hard cases",
+     "Bullets",
+     "Up to 400 m/s, seven metres a frame, and plates of 2 cm: none goes through.",
+     chosen,
+     loose,
+     {2.2f, 0, 0.8f, 9, -0.7f, 0.25f},
+     0,
+     bullets},
+    {"overhang",
+     "Hard cases",
+     "Overhang of 1 mm",
+     "One cube's middle is 1 mm on this side of the edge, the other's 1 mm beyond it.",
+     swept,
+     loose,
+     {0.3f, 0, 1, 7, 0.9f, 0.2f},
+     0,
+     overhang},
+    {"ragdolls",
+     "Joints",
+     "Ragdolls",
+     "Eight, of eleven parts, whose joints bend as far as ours.",
+     machines,
+     of(machines),
+     {-0.6f, 0, 1.6f, 12, 0.7f, 0.3f},
+     0,
+     ragdolls},
+    {"bridge",
+     "Joints",
+     "Bridge",
+     "Sixteen planks on hinges, held at both ends; one of the balls weighs a ton.",
+     swept,
+     of(swept),
+     {0, 0, 1.6f, 22, 0.6f, 0.25f},
+     0,
+     bridge},
+    {"car",
+     "Joints",
+     "Car",
+     "Suspension, motor and steering in each wheel. Arrow keys drive it.",
+     machines,
+     of(machines),
+     {0, 0, 0.8f, 11, -1, 0.3f},
+     0,
+     car},
     {"chain", "Joints", "Wrecking ball", "A chain of 36 kg holds a ball of 300 kg.", swept, of(swept), {0, 0, 3.4f, 20, 0.8f, 0.15f}, 0, chain},
-    {"pendulums", "Joints", "Pendulum wave", "In half a minute the first swings 12 times, the next 13, and so on: then they are together again.", swept, of(swept),
-     {0, 0, 1.5f, 8, 0.7f, 0.25f}, 0, pendulums},
+    {"pendulums",
+     "Joints",
+     "Pendulum wave",
+     "In half a minute the first swings 12 times, the next 13, and so on: then they are together again.",
+     swept,
+     of(swept),
+     {0, 0, 1.5f, 8, 0.7f, 0.25f},
+     0,
+     pendulums},
 };
 inline constexpr int scene_count = sizeof(scenes) / sizeof(scenes[0]);
 

@@ -5,8 +5,7 @@
 
 #include "scenes.h"
 
-namespace viewer {
-namespace {
+namespace viewer { namespace {
 
 using ingot::BodyId;
 using ingot::BodyState;
@@ -20,17 +19,18 @@ constexpr scalar mouse_reach = 20;  ///< N for 1 N of weight: what the mouse pul
 
 constexpr unsigned larger(unsigned a, unsigned b) { return a > b ? a : b; }
 constexpr unsigned room_of_world =
-    larger(sizeof(ingot::World<Swept>), larger(sizeof(ingot::World<Chosen>), larger(sizeof(ingot::World<Machines>), sizeof(ingot::World<Turning<ingot::MoserVeselov>>))));
+    larger(sizeof(ingot::World<Swept>),
+           larger(sizeof(ingot::World<Chosen>), larger(sizeof(ingot::World<Machines>), sizeof(ingot::World<Turning<ingot::MoserVeselov>>))));
 
 /// All zero: nothing is there. No member has a value to begin with, so that stages are no part of the module.
 struct Stage {
-    int32_t scene, kind;  ///< numbers in scenes, and Kind
-    int32_t grabbed;      ///< number of the body that the mouse holds, and 1; 0: none
-    JointId target;       ///< by which it holds it, in worlds that have targets
-    Vector hold;          ///< m, where: in the frame of the body, in others
-    Vector pointer;       ///< m, where the mouse is
+    int32_t scene, kind;        ///< numbers in scenes, and Kind
+    int32_t grabbed;            ///< number of the body that the mouse holds, and 1; 0: none
+    JointId target;             ///< by which it holds it, in worlds that have targets
+    Vector hold;                ///< m, where: in the frame of the body, in others
+    Vector pointer;             ///< m, where the mouse is
     scalar throttle, steering;  ///< -1 to 1
-    float L_scale;  ///< m for 1 kg m^2/s
+    float L_scale;              ///< m for 1 kg m^2/s
     int32_t shots;
     BodyId shot[shots_max];
     ingot::StepReport report;
@@ -75,6 +75,7 @@ void put(float* to, const Matrix& A) {
 }
 
 /// A pen of the kernel's drawing that writes numbers down. Of what is not asked for it writes nothing.
+/// Impulses that point downwards, which the ground has of what lies on it, are shown as that has them: above the ground.
 struct Pen {
     unsigned colors;  ///< bits of ingot::DrawColor
 
@@ -82,8 +83,9 @@ struct Pen {
     void line(const Vector& a, const Vector& b, ingot::DrawColor color) const {
         if (!wants(color) || counts[1] == lines_max) return;
         float* const to = line_room + counts[1]++ * line_floats;
+        const bool is_impulse = color == ingot::DrawColor::impulse || color == ingot::DrawColor::friction;
         put(to, a);
-        put(to + 3, b);
+        put(to + 3, is_impulse && b.z < a.z ? a + (a - b) : b);
         to[6] = static_cast<float>(color);
     }
     void point(const Vector& P, ingot::DrawColor color) const {
@@ -158,10 +160,11 @@ bool set_up(Stage& stage, const SceneInfo& scene) {
     bool good = builder.good();
     if constexpr (S::translates)
         if (scene.set_up != spinning && scene.set_up != flip) good = world_of<S>(stage).set_gravity({0, 0, scalar(-9.81)}) == Status::ok && good;
-    // The longest is a metre to begin with.
+    // The longest L is a metre and a half to begin with.
     scalar most_sq = 0;
-    for (int slot = 0; slot < S::max_bodies; ++slot) most_sq = ingot::max(most_sq, ingot::length_sq(world_of<S>(stage).state(world_of<S>(stage).body_at(slot)).value.L));
-    stage.L_scale = most_sq > 0 ? 1 / ingot::sqrt(most_sq) : scalar(0.1);
+    for (int slot = 0; slot < S::max_bodies; ++slot)
+        most_sq = ingot::max(most_sq, ingot::length_sq(world_of<S>(stage).state(world_of<S>(stage).body_at(slot)).value.L));
+    stage.L_scale = most_sq > 0 ? scalar(1.5) / ingot::sqrt(most_sq) : scalar(0.1);
     return good;
 }
 
@@ -248,8 +251,10 @@ void steer(Stage& stage, ingot::World<S>& world) {
         if (scenes[stage.scene].set_up != car) return;
         for (int i = 0; i < 4; ++i) {
             const JointId wheel = world.joint_at(i);
-            if (i < 2) (void)world.set_joint_target(wheel, stage.steering * scalar(0.5), 0, ingot::WheelJoint::steering);
-            else (void)world.set_joint_drive(wheel, ingot::MotorDrive{30 * stage.throttle, 400}, ingot::WheelJoint::spin);
+            if (i < 2)
+                (void)world.set_joint_target(wheel, stage.steering * scalar(0.5), 0, ingot::WheelJoint::steering);
+            else
+                (void)world.set_joint_drive(wheel, ingot::MotorDrive{30 * stage.throttle, 400}, ingot::WheelJoint::spin);
         }
     }
 }
@@ -273,8 +278,7 @@ void clear(Stage& stage) {
     for (unsigned i = 0; i < sizeof(Stage) / sizeof(uint64_t); ++i) words[i] = 0;
 }
 
-}  // namespace
-}  // namespace viewer
+}}  // namespace viewer
 
 using namespace viewer;
 
@@ -376,9 +380,16 @@ int viewer_body(int stage_i, int slot) {
 int viewer_report(int stage_i) {
     Stage& stage = stage_at(stage_i);
     const ingot::StepReport& report = stage.report;
-    const float numbers[] = {static_cast<float>(report.contacts), static_cast<float>(report.sweeps), report.residual, static_cast<float>(report.sweeps_unfinished),
-                             static_cast<float>(report.contacts_lost), static_cast<float>(report.impacts_deferred), static_cast<float>(report.spins_clamped),
-                             static_cast<float>(report.bodies_frozen), static_cast<float>(report.direct), report.clean() ? 1.0f : 0.0f,
+    const float numbers[] = {static_cast<float>(report.contacts),
+                             static_cast<float>(report.sweeps),
+                             report.residual,
+                             static_cast<float>(report.sweeps_unfinished),
+                             static_cast<float>(report.contacts_lost),
+                             static_cast<float>(report.impacts_deferred),
+                             static_cast<float>(report.spins_clamped),
+                             static_cast<float>(report.bodies_frozen),
+                             static_cast<float>(report.direct),
+                             report.clean() ? 1.0f : 0.0f,
                              static_cast<float>(report.joints_lost)};
     for (unsigned i = 0; i < sizeof(numbers) / sizeof(numbers[0]); ++i) answer[i] = numbers[i];
     return for_world(stage, 0, [&](auto& world, auto named) {

@@ -13,7 +13,8 @@ using ingot::Vector;
 struct Things : ingot::Scene {
     static constexpr int max_bodies = 640, max_manifolds = 4096, max_pairs = 12288;
     static constexpr bool translates = true, sleeps = true;
-    static constexpr bool hides_internal_edges = false, holds_crowds = false;  // no floor of several boxes, and room for all there is: 20 KB of module
+    static constexpr bool hides_internal_edges = false,
+                          holds_crowds = false;  // no floor of several boxes, and room for all there is: 20 KB of module
     using shapes = ingot::Shapes<ingot::Sphere, ingot::Capsule, ingot::Box, ingot::Cylinder, ingot::HalfSpace>;
     using broad_phase = ingot::SortedTree;
 };
@@ -33,6 +34,13 @@ struct Machines : Things {
     static constexpr int max_joints = 128;
     using joints = ingot::Joints<ingot::BallJoint, ingot::HingeJoint, ingot::WheelJoint, ingot::WithLimits, ingot::WithDrives>;
 };
+/// Sweeps again, with less and with more effort.
+struct Coarse : Things {
+    static constexpr ingot::Effort effort = ingot::low_effort;
+};
+struct Fine : Things {
+    static constexpr ingot::Effort effort = ingot::high_effort;
+};
 
 /// One body that turns, by a method.
 template <class Method>
@@ -41,7 +49,19 @@ struct Turning : ingot::Scene {
 };
 
 /// In the order of the page's list of methods.
-enum Kind { swept, chosen, machines, turn_moser_veselov, turn_order_4, turn_runge_kutta, turn_lie_midpoint, turn_listing_1, kind_count };
+enum Kind {
+    swept,
+    chosen,
+    machines,
+    turn_moser_veselov,
+    turn_order_4,
+    turn_runge_kutta,
+    turn_lie_midpoint,
+    turn_listing_1,
+    coarse,
+    fine,
+    kind_count
+};
 
 template <class S>
 struct Named {
@@ -59,6 +79,8 @@ Answer for_kind(int kind, Answer none, const Ask& ask) {
         case turn_runge_kutta: return ask(Named<Turning<ingot::Rk4Polar>>{});
         case turn_lie_midpoint: return ask(Named<Turning<ingot::LieMidpoint>>{});
         case turn_listing_1: return ask(Named<Turning<ingot::Listing1Euler>>{});
+        case coarse: return ask(Named<Coarse>{});
+        case fine: return ask(Named<Fine>{});
         default: return none;
     }
 }
