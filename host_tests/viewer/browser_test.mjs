@@ -65,10 +65,14 @@ const tests = {
     await page.close();
   },
   async the_mouse_drags_a_body_and_the_replay_has_its_bits() {
-    const page = await open('#scene=crate&step=200'), from = await place(page, 1), before = await page.evaluate(() => globalThis.page.engine.body(0, 1).r);
+    const page = await open('#scene=crate&step=200'), from = await place(page, 1),
+          before = await page.evaluate(() => globalThis.page.engine.body(0, 1).r);
     await page.mouse.move(from.x, from.y);
     await page.mouse.down();
-    for (let i = 1; i <= 8; ++i) { await page.mouse.move(from.x + 8 * i, from.y - 18 * i); await page.waitForTimeout(60); }
+    for (let i = 1; i <= 8; ++i) {
+      await page.mouse.move(from.x + 8 * i, from.y - 18 * i);
+      await page.waitForTimeout(60);
+    }
     await later(page, z => globalThis.page.engine.body(0, 1).r[2] > z + 0.4, before[2]);
     await page.mouse.up();
     await later(page, z => globalThis.page.engine.body(0, 1).r[2] < z + 0.3, before[2]);
@@ -99,7 +103,8 @@ const tests = {
     await page.close();
   },
   async space_shoots_once_and_F_follows() {
-    const page = await open('#scene=pyramid&step=10'), count = () => page.evaluate(() => globalThis.page.engine.report(0).bodies), before = await count();
+    const page = await open('#scene=pyramid&step=10'), count = () => page.evaluate(() => globalThis.page.engine.report(0).bodies),
+          before = await count();
     await page.focus('#pause');  // space must not click it too
     await page.keyboard.press(' ');
     assert.equal(await count(), before + 1);

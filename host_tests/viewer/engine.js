@@ -5,9 +5,11 @@
 const INPUT = {grab: 0, move: 1, release: 2, shoot: 3, steer: 4};
 const COLORS = ['awake', 'asleep', 'immovable', 'kinematic', 'frozen', 'sensor', 'axis_x', 'axis_y', 'axis_z', 'centre', 'bounds', 'L', 'omega',
                 'contact', 'impulse', 'friction', 'joint', 'joint_axis', 'island'];
-const KINDS = ['Sweeps', 'Sweeps, or a direct solve where they do not serve', 'Sweeps, joints with limits and motors', 'Moser–Veselov: ingot’s own',
-               'Moser–Veselov, order 4', 'Runge–Kutta 4', 'Midpoint on the group', 'Euler, as the article printed it',
-               'Less effort: 2 substeps, 3 sweeps each', 'More effort: 8 substeps, 6 sweeps each'];
+const KINDS = [
+  'Sweeps', 'Sweeps or a direct solve, island by island', 'Sweeps; joints with limits and motors', 'Moser–Veselov: ingot’s own',
+  'Moser–Veselov, order 4', 'Runge–Kutta 4', 'Midpoint on the group', 'Euler, as the article printed it', 'Less effort: 2 substeps, 3 sweeps each',
+  'More effort: 8 substeps, 6 sweeps each'
+];
 /// Of one body that only turns.
 const turns = kind => kind >= 3 && kind <= 7;
 const SHAPE_FLOATS = 20, LINE_FLOATS = 7, POINT_FLOATS = 4;
@@ -89,7 +91,21 @@ class Run {
   }
   /// rate: steps a second.
   open(scene, kind, rate) {
-    Object.assign(this, {scene, kind, rate, h: 1 / rate, at: 0, end: 0, inputs: [], applied: 0, hashes: [], times: [], differs: false, spacing: Run.every, held: false});
+    Object.assign(this, {
+      scene,
+      kind,
+      rate,
+      h: 1 / rate,
+      at: 0,
+      end: 0,
+      inputs: [],
+      applied: 0,
+      hashes: [],
+      times: [],
+      differs: false,
+      spacing: Run.every,
+      held: false
+    });
     this.good = this.engine.calls.open(this.stage, scene, kind) === 1;
     this.snapshots = [];
     this.hashes[0] = this.engine.hash(this.stage);

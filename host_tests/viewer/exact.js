@@ -69,8 +69,11 @@ class FreeBody {
   /// In a frame whose z is along L: Euler's angles, with axis 3 as the one that is inclined.
   attitude(t, psi) {
     const w = this.spin(t), k = this.i[2], [x, y, z] = [(k + 1) % 3, (k + 2) % 3, k], l = [x, y, z].map(i => this.I[i] * w[i] / this.L);
-    const rho = Math.hypot(l[0], l[1]), [sp, cp] = [l[0] / rho, l[1] / rho], st = rho, ct = l[2], ss = Math.sin(psi), cs = Math.cos(psi), B = new Array(9);
-    const columns = [[cs * cp - ss * ct * sp, ss * cp + cs * ct * sp, st * sp], [-cs * sp - ss * ct * cp, -ss * sp + cs * ct * cp, st * cp], [ss * st, -cs * st, ct]];
+    const rho = Math.hypot(l[0], l[1]), [sp, cp] = [l[0] / rho, l[1] / rho], st = rho, ct = l[2], ss = Math.sin(psi), cs = Math.cos(psi),
+          B = new Array(9);
+    const columns = [
+      [cs * cp - ss * ct * sp, ss * cp + cs * ct * sp, st * sp], [-cs * sp - ss * ct * cp, -ss * sp + cs * ct * cp, st * cp], [ss * st, -cs * st, ct]
+    ];
     [x, y, z].forEach((i, n) => columns[n].forEach((value, r) => { B[3 * i + r] = value; }));
     return B;
   }

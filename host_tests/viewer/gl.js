@@ -5,13 +5,18 @@
 const mat4 = {
   times(a, b) {
     const c = new Float32Array(16);
-    for (let i = 0; i < 4; ++i) for (let j = 0; j < 4; ++j) for (let k = 0; k < 4; ++k) c[4 * i + j] += a[4 * k + j] * b[4 * i + k];
+    for (let i = 0; i < 4; ++i)
+      for (let j = 0; j < 4; ++j)
+        for (let k = 0; k < 4; ++k) c[4 * i + j] += a[4 * k + j] * b[4 * i + k];
     return c;
   },
   perspective(half_height, half_width, near, far) {  // tangents of half angles
-    return new Float32Array([1 / half_width, 0, 0, 0, 0, 1 / half_height, 0, 0, 0, 0, (near + far) / (near - far), -1, 0, 0, 2 * near * far / (near - far), 0]);
+    return new Float32Array(
+        [1 / half_width, 0, 0, 0, 0, 1 / half_height, 0, 0, 0, 0, (near + far) / (near - far), -1, 0, 0, 2 * near * far / (near - far), 0]);
   },
-  box(reach, depth) { return new Float32Array([1 / reach, 0, 0, 0, 0, 1 / reach, 0, 0, 0, 0, -1 / depth, 0, 0, 0, 0, 1]); },
+  box(reach, depth) {
+    return new Float32Array([1 / reach, 0, 0, 0, 0, 1 / reach, 0, 0, 0, 0, -1 / depth, 0, 0, 0, 0, 1]);
+  },
   look(eye, at) {
     const z = unit(minus(eye, at)), x = unit(cross([0, 0, 1], z)), y = cross(z, x);
     return new Float32Array([x[0], y[0], z[0], 0, x[1], y[1], z[1], 0, x[2], y[2], z[2], 0, -dot(x, eye), -dot(y, eye), -dot(z, eye), 1]);
@@ -36,7 +41,8 @@ float lit(vec3 p, vec3 n) {
 }`;
 const SOLID_VS = `#version 300 es
 layout(location=0) in vec3 p; layout(location=1) in vec3 n; layout(location=2) in float end;
-layout(location=3) in vec4 size; layout(location=4) in vec3 r; layout(location=5) in vec3 c0; layout(location=6) in vec3 c1; layout(location=7) in vec3 c2;
+layout(location=3) in vec4 size; layout(location=4) in vec3 r;
+layout(location=5) in vec3 c0; layout(location=6) in vec3 c1; layout(location=7) in vec3 c2;
 layout(location=8) in vec4 color;
 uniform mat4 view; out vec3 world, normal, body, face; out vec4 paint; flat out vec3 extent;
 void main() {
@@ -135,7 +141,8 @@ class Renderer {
     this.ground = this.program(GROUND_VS, GROUND_FS);
     this.line = this.program(LINE_VS, FLAT_FS);
     this.point = this.program(POINT_VS, FLAT_FS);
-    this.meshes = {[KIND.box]: this.mesh(mesh_of_box()), [KIND.sphere]: this.mesh(mesh_of_ball(24, 16)), [KIND.cylinder]: this.mesh(mesh_of_cylinder(28))};
+    this.meshes =
+        {[KIND.box]: this.mesh(mesh_of_box()), [KIND.sphere]: this.mesh(mesh_of_ball(24, 16)), [KIND.cylinder]: this.mesh(mesh_of_cylinder(28))};
     this.meshes[KIND.capsule] = this.mesh(mesh_of_ball(24, 16));
     this.quad = this.array([[0, 2, 0]], new Float32Array([0, 0, 1, 0, 1, 1, 0, 0, 1, 1, 0, 1]), 2);
     this.square = this.array([[0, 2, 0]], new Float32Array([-1, -1, 1, -1, 1, 1, -1, -1, 1, 1, -1, 1]), 2);
@@ -157,7 +164,10 @@ class Renderer {
     gl.linkProgram(of);
     if (!gl.getProgramParameter(of, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(of));
     const at = {};
-    for (let i = 0; i < gl.getProgramParameter(of, gl.ACTIVE_UNIFORMS); ++i) { const {name} = gl.getActiveUniform(of, i); at[name] = gl.getUniformLocation(of, name); }
+    for (let i = 0; i < gl.getProgramParameter(of, gl.ACTIVE_UNIFORMS); ++i) {
+      const {name} = gl.getActiveUniform(of, i);
+      at[name] = gl.getUniformLocation(of, name);
+    }
     return {of, at};
   }
   array(attributes, data, floats) {
@@ -165,7 +175,10 @@ class Renderer {
     gl.bindVertexArray(vao);
     gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
     gl.bufferData(gl.ARRAY_BUFFER, data, gl.DYNAMIC_DRAW);
-    for (const [i, size, offset] of attributes) { gl.enableVertexAttribArray(i); gl.vertexAttribPointer(i, size, gl.FLOAT, false, 4 * floats, 4 * offset); }
+    for (const [i, size, offset] of attributes) {
+      gl.enableVertexAttribArray(i);
+      gl.vertexAttribPointer(i, size, gl.FLOAT, false, 4 * floats, 4 * offset);
+    }
     return {vao, buffer, count: data.length / floats};
   }
   instanced(attributes) {
@@ -216,7 +229,9 @@ class Renderer {
     const [, , w, h] = this.part(i, n), aspect = w / h;
     let tall = 0.32, wide = tall * aspect;
     if (wide < 0.42) { wide = 0.42; tall = wide / aspect; }  // narrow: as wide as needed
-    const eye = plus(camera.at, [Math.cos(camera.pitch) * Math.sin(camera.yaw), -Math.cos(camera.pitch) * Math.cos(camera.yaw), Math.sin(camera.pitch)], camera.distance);
+    const eye = plus(
+        camera.at, [Math.cos(camera.pitch) * Math.sin(camera.yaw), -Math.cos(camera.pitch) * Math.cos(camera.yaw), Math.sin(camera.pitch)],
+        camera.distance);
     const look = mat4.look(eye, camera.at), near = Math.max(0.02, camera.distance * 0.02);
     return {eye, tall, wide, look, matrix: mat4.times(mat4.perspective(tall, wide, near, camera.distance * 12 + 60), look)};
   }

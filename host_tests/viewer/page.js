@@ -5,20 +5,54 @@ const $ = id => document.getElementById(id);
 const clamp = (x, low, high) => Math.min(high, Math.max(low, x));
 
 // What may be shown: the words, the colours of the kernel's drawing, and whether it is on to begin with.
-const SHOW = [['Axes', ['axis_x', 'axis_y', 'axis_z']], ['Centre of mass', ['centre']], ['Bounds', ['bounds']], ['Contacts', ['contact']],
-              ['Impulses', ['impulse', 'friction']], ['Joints', ['joint', 'joint_axis']], ['L', ['L']], ['ω', ['omega']], ['Islands', []], ['Sleep', []],
-              ['Trails', []]];
+const SHOW = [
+  ['Axes', ['axis_x', 'axis_y', 'axis_z']], ['Centre of mass', ['centre']], ['Bounds', ['bounds']], ['Contacts', ['contact']],
+  ['Impulses', ['impulse', 'friction']], ['Joints', ['joint', 'joint_axis']], ['L', ['L']], ['ω', ['omega']], ['Islands', []], ['Sleep', []],
+  ['Trails', []]
+];
 const LINE_COLORS = {axis_x: '#d64545', axis_y: '#3a9d4b', axis_z: '#3f6fd8', centre: '#8a8f98', bounds: '#c9a63c', L: '#b04bc4', omega: '#1a9bb5',
                      contact: '#e2553f', impulse: '#ee8b2d', friction: '#7fa82e', joint: '#8a8f98', joint_axis: '#9a5fe0', island: '#c48ac4'};
 const rgb = text => [1, 3, 5].map(i => parseInt(text.substr(i, 2), 16) / 255);
 const THEMES = {
-  light: {far: rgb('#e9ecee'), ground: rgb('#dfe2e4'), net: rgb('#c9ced2'), contrast: 1, body: rgb('#6f9fc8'), other: rgb('#d59a5b'), asleep: rgb('#a9b4bd'), fixed: rgb('#b9bcc0'), bad: rgb('#c04a3a'), held: rgb('#e0b040')},
-  dark: {far: rgb('#14171a'), ground: rgb('#22262a'), net: rgb('#343a40'), contrast: 1, body: rgb('#5f93c2'), other: rgb('#c98d50'), asleep: rgb('#66717b'), fixed: rgb('#6d7379'), bad: rgb('#d06050'), held: rgb('#e8bc50')},
+  light: {
+    far: rgb('#e9ecee'),
+    ground: rgb('#dfe2e4'),
+    net: rgb('#c9ced2'),
+    contrast: 1,
+    body: rgb('#6f9fc8'),
+    other: rgb('#d59a5b'),
+    asleep: rgb('#a9b4bd'),
+    fixed: rgb('#b9bcc0'),
+    bad: rgb('#c04a3a'),
+    held: rgb('#e0b040')
+  },
+  dark: {
+    far: rgb('#14171a'),
+    ground: rgb('#22262a'),
+    net: rgb('#343a40'),
+    contrast: 1,
+    body: rgb('#5f93c2'),
+    other: rgb('#c98d50'),
+    asleep: rgb('#66717b'),
+    fixed: rgb('#6d7379'),
+    bad: rgb('#d06050'),
+    held: rgb('#e8bc50')
+  },
 };
 
 class Page {
   constructor(engine, native) {
-    Object.assign(this, {engine, native, shown: new Set(['Sleep']), pace: 1, playing: true, due: 0, trails: new Map(), curve: [], camera: {at: [0, 0, 0], distance: 5, yaw: 0, pitch: 0}});
+    Object.assign(this, {
+      engine,
+      native,
+      shown: new Set(['Sleep']),
+      pace: 1,
+      playing: true,
+      due: 0,
+      trails: new Map(),
+      curve: [],
+      camera: {at: [0, 0, 0], distance: 5, yaw: 0, pitch: 0}
+    });
     this.runs = [new Run(engine, 0)];
     this.canvas = $('view');
     this.renderer = new Renderer(this.canvas);
@@ -119,7 +153,7 @@ class Page {
       $('kind' + tail).value = run.kind;
     });
     $('other').hidden = $('halves').hidden = this.runs.length === 1;
-    $('text').hidden = this.runs.length > 1;
+    $('text').hidden = $('both').checked = this.runs.length > 1;
     this.runs.forEach((run, i) => { $('halves').children[i].textContent = `${run.rate} steps a second · ${KINDS[run.kind]}`; });
     $('error').hidden = !this.exact && this.runs.length === 1;
     const target = this.run.kind === 0, spring = !target && !turns(this.run.kind);
@@ -196,7 +230,8 @@ class Page {
 
   /// A place on the canvas, CSS px: in which world, and the ray there.
   ray_at({x, y}) {
-    const box = this.canvas.getBoundingClientRect(), ratio = this.canvas.width / box.width, px = (x - box.left) * ratio, py = this.canvas.height - (y - box.top) * ratio;
+    const box = this.canvas.getBoundingClientRect(), ratio = this.canvas.width / box.width, px = (x - box.left) * ratio,
+          py = this.canvas.height - (y - box.top) * ratio;
     for (let i = 0; i < this.runs.length; ++i) {
       const [left, low, w, h] = this.renderer.part(i, this.runs.length);
       if (px < left || py < low || px > left + w || py > low + h) continue;
@@ -275,7 +310,9 @@ class Page {
     on('follow', 'click', () => this.follow());
     on('scrub', 'input', () => this.seek(+$('scrub').value));
     on('pace', 'change', () => { this.pace = +$('pace').value; });
-    on('both', 'change', () => this.open_again(settings => { settings[1] = $('both').checked ? {kind: settings[0].kind, rate: settings[0].rate === 60 ? 240 : 60} : null; }));
+    on('both', 'change', () => this.open_again(settings => {
+      settings[1] = $('both').checked ? {kind: settings[0].kind, rate: settings[0].rate === 60 ? 240 : 60} : null;
+    }));
     ['', '_2'].forEach((tail, i) => {
       on('rate' + tail, 'input', () => this.open_again(settings => { settings[i].rate = this.rate_of(+$('rate' + tail).value); }));
       on('kind' + tail, 'change', () => this.open_again(settings => { settings[i].kind = +$('kind' + tail).value; }));
@@ -291,11 +328,21 @@ class Page {
     addEventListener('keyup', event => this.key(event, false));
     addEventListener('hashchange', () => this.open_link());
   }
-  mark_tab() { for (const button of document.querySelectorAll('#tabs button')) button.setAttribute('aria-pressed', button.dataset.tab === document.body.dataset.tab); }
+  mark_tab() {
+    for (const button of document.querySelectorAll('#tabs button'))
+      button.setAttribute('aria-pressed', button.dataset.tab === document.body.dataset.tab);
+  }
   key(event, down) {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     if (event.target.matches('select') || (event.target.matches('input[type=range]') && event.key.startsWith('Arrow'))) return;
-    const does = {p: () => this.play(!this.playing), o: () => this.one(), r: () => this.restart(), y: () => this.replay(), f: () => this.follow(), ' ': () => this.shoot()}[event.key.toLowerCase()];
+    const does = {
+      p: () => this.play(!this.playing),
+      o: () => this.one(),
+      r: () => this.restart(),
+      y: () => this.replay(),
+      f: () => this.follow(),
+      ' ': () => this.shoot()
+    }[event.key.toLowerCase()];
     if (does && down && !(event.key === ' ' && event.repeat)) {
       event.preventDefault();
       does();
@@ -348,7 +395,10 @@ class Page {
   }
   /// m: how far bodies are from themselves in the other world, on average.
   difference() {
-    const places = this.runs.map(run => { const {shapes, shape_count} = this.engine.draw(run.stage, [], 1); return Array.from(shapes.subarray(0, shape_count * SHAPE_FLOATS)); });
+    const places = this.runs.map(run => {
+      const {shapes, shape_count} = this.engine.draw(run.stage, [], 1);
+      return Array.from(shapes.subarray(0, shape_count * SHAPE_FLOATS));
+    });
     let sum = 0, count = 0;
     for (let at = 0; at < Math.min(places[0].length, places[1].length); at += SHAPE_FLOATS) {
       if (COLORS[places[0][at + 17]] === 'immovable') continue;
@@ -368,8 +418,10 @@ class Page {
     to.font = '11px ' + style.fontFamily;
     const soft = getComputedStyle($('error_text')).color, t_end = Math.max(2, this.run.time);
     const values = this.curve.flatMap(point => point.errors).filter(e => e > 0), floor = this.free ? 1e-7 : 1e-6;
-    const high = Math.ceil(Math.log10(Math.max(floor * 100, ...values.slice(-4000)))), deep = Math.max(Math.log10(floor), Math.min(high - 2, Math.floor(Math.log10(Math.max(floor, Math.min(...values, 1))))));
-    const x = t => left + (w - left - 4) * t / t_end, y = e => low - (low - top) * clamp((Math.log10(Math.max(e, 1e-30)) - deep) / (high - deep), 0, 1);
+    const high = Math.ceil(Math.log10(Math.max(floor * 100, ...values.slice(-4000)))),
+          deep = Math.max(Math.log10(floor), Math.min(high - 2, Math.floor(Math.log10(Math.max(floor, Math.min(...values, 1))))));
+    const x = t => left + (w - left - 4) * t / t_end,
+          y = e => low - (low - top) * clamp((Math.log10(Math.max(e, 1e-30)) - deep) / (high - deep), 0, 1);
     to.textAlign = 'right';
     to.fillStyle = soft;
     to.strokeStyle = getComputedStyle(canvas.parentElement).color;
@@ -395,8 +447,14 @@ class Page {
       this.curve.forEach((point, n) => to[n ? 'lineTo' : 'moveTo'](x(point.t), y(point.errors[i])));
       to.stroke();
     });
-    const last = this.curve[this.curve.length - 1], say = e => this.free ? (e > 0.02 ? `${(e * 57.29578).toFixed(1)}°` : `${e.toExponential(1)} rad`) : e >= 0.01 ? `${e.toFixed(3)} m` : e >= 1e-5 ? `${(e * 1e3).toFixed(2)} mm` : `${(e * 1e6).toFixed(1)} µm`;
-    const what = this.free ? 'Turned away from the exact motion by' : this.scene.id === 'bounce' ? 'Away from the exact height by' : 'Bodies of the two worlds are apart by, on average,';
+    const last = this.curve[this.curve.length - 1],
+          say = e => this.free ? (e > 0.02 ? `${(e * 57.29578).toFixed(1)}°` : `${e.toExponential(1)} rad`) :
+        e >= 0.01 ? `${e.toFixed(3)} m` :
+        e >= 1e-5 ? `${(e * 1e3).toFixed(2)} mm` :
+                    `${(e * 1e6).toFixed(1)} µm`;
+    const what = this.free         ? 'Turned away from the exact motion by' :
+        this.scene.id === 'bounce' ? 'Away from the exact height by' :
+                                     'Bodies of the two worlds are apart by, on average,';
     $('error_text').textContent = last ? `${what} ${last.errors.map(say).join(' and ')}.` : '';
   }
 
@@ -435,19 +493,23 @@ class Page {
     const instances = {}, counts = {};
     let ground = null;
     for (let n = 0; n < drawn.shape_count; ++n) { const kind = shapes[SHAPE_FLOATS * n]; counts[kind] = (counts[kind] || 0) + 1; }
-    for (const kind in counts) if (+kind !== KIND.half_space) instances[kind] = {array: this.renderer.take(`${i} ${kind}`, 20 * counts[kind]), floats: 0};
+    for (const kind in counts)
+      if (+kind !== KIND.half_space) instances[kind] = {array: this.renderer.take(`${i} ${kind}`, 20 * counts[kind]), floats: 0};
     for (let at = 0; at < drawn.shape_count * SHAPE_FLOATS; at += SHAPE_FLOATS) {
       const kind = shapes[at];
       if (kind === KIND.half_space) { if (shapes[at + 3] > 0.9) ground = shapes[at + 16]; continue; }
       const to = instances[kind], a = to.array, size = shapes.subarray(at + 1, at + 4), r = size[0];
-      const of = kind === KIND.box ? [size[0], size[1], size[2], 0] : kind === KIND.sphere ? [r, r, r, 0] : kind === KIND.capsule ? [r, r, r, size[1]] : [r, r, size[1], 0];
+      const of = kind === KIND.box ? [size[0], size[1], size[2], 0] :
+          kind === KIND.sphere     ? [r, r, r, 0] :
+          kind === KIND.capsule    ? [r, r, r, size[1]] :
+                                     [r, r, size[1], 0];
       a.set(of, to.floats);
       a.set(shapes.subarray(at + 4, at + 16), to.floats + 4);
       a.set(this.paint(shapes[at + 17], shapes[at + 18], shapes[at + 19], theme), to.floats + 16);
       a[to.floats + 19] = kind === KIND.box ? 1 : 2;
       to.floats += 20;
     }
-    const lines = this.lines_of(drawn), points = this.points_of(drawn);
+    const lines = this.lines_of(drawn, i), points = this.points_of(drawn, i);
     this.add_wall(lines);
     if (this.shown.has('Trails')) this.add_trails(run, i, drawn, lines);
     if (this.free) this.add_exact(run, lines);
@@ -460,17 +522,21 @@ class Page {
     if (name === 'frozen') return theme.bad;
     if (this.held && this.held.body === body) return theme.held;
     if (this.shown.has('Islands') && island >= 0) {
-      const hue = island * 0.61803398875 % 1, k = n => { const x = (n + hue * 12) % 12; return 0.58 - 0.24 * Math.max(-1, Math.min(x - 3, 9 - x, 1)); };
+      const hue = island * 0.61803398875 % 1, k = n => {
+        const x = (n + hue * 12) % 12;
+        return 0.58 - 0.17 * Math.max(-1, Math.min(x - 3, 9 - x, 1));
+      };
       return [k(0), k(8), k(4)];
     }
     if (name === 'asleep' && this.shown.has('Sleep')) return theme.asleep;
-    const base = (this.scene.id === 'heavy' ? this.engine.body(0, body).mass >= 100 : body % 5 === 3) ? theme.other : theme.body, shade = 0.93 + 0.035 * (body * 7 % 5);
+    const base = (this.scene.id === 'heavy' ? this.engine.body(0, body).mass >= 100 : body % 5 === 3) ? theme.other : theme.body,
+          shade = 0.93 + 0.035 * (body * 7 % 5);
     return base.map(x => x * shade);
   }
   line_color(color) { return this.paints[color] ||= [...rgb(LINE_COLORS[COLORS[color]] || '#888888'), 1]; }
   paints = [];
-  lines_of({lines, line_count}) {
-    const to = {array: this.renderer.take('lines', 10 * (line_count + 20000)), floats: 0};
+  lines_of({lines, line_count}, i) {
+    const to = {array: this.renderer.take(`${i} lines`, 10 * (line_count + 20000)), floats: 0};
     for (let at = 0; at < line_count * LINE_FLOATS; at += LINE_FLOATS) {
       to.array.set(lines.subarray(at, at + 6), to.floats);
       to.array.set(this.line_color(lines[at + 6]), to.floats + 6);
@@ -485,8 +551,8 @@ class Page {
     to.array.set(color, to.floats + 6);
     to.floats += 10;
   }
-  points_of({points, point_count}) {
-    const to = {array: this.renderer.take('points', 7 * (point_count + 1)), floats: 0};
+  points_of({points, point_count}, i) {
+    const to = {array: this.renderer.take(`${i} points`, 7 * (point_count + 1)), floats: 0};
     for (let at = 0; at < point_count * POINT_FLOATS; at += POINT_FLOATS) {
       to.array.set(points.subarray(at, at + 3), to.floats);
       to.array.set(this.line_color(points[at + 3]), to.floats + 3);
@@ -508,7 +574,8 @@ class Page {
   add_trails(run, i, {shapes, shape_count}, lines) {
     for (let at = 0; at < shape_count * SHAPE_FLOATS; at += SHAPE_FLOATS) {
       if (COLORS[shapes[at + 17]] === 'immovable') continue;
-      const key = i * 1e5 + shapes[at + 18], trail = this.trails.get(key) || [], r = Array.from(shapes.subarray(at + 4, at + 7)), end = trail[trail.length - 1];
+      const key = i * 1e5 + shapes[at + 18], trail = this.trails.get(key) || [], r = Array.from(shapes.subarray(at + 4, at + 7)),
+            end = trail[trail.length - 1];
       this.trails.set(key, trail);
       if (!end || Math.hypot(...minus(r, end)) > 0.02) trail.push(r);
       if (trail.length > 90) trail.shift();
@@ -517,12 +584,19 @@ class Page {
   }
   /// The exact motion, as the edges of a box.
   add_exact(run, lines) {
-    const A = this.free.at(run.time), half = [0.5, 0.3, 0.1].map(x => x * 1.004), corner = n => [0, 1, 2].reduce((p, i) => plus(p, A.slice(3 * i, 3 * i + 3), (n >> i & 1 ? 1 : -1) * half[i]), [0, 0, 0]);
-    for (let n = 0; n < 8; ++n) for (let i = 0; i < 3; ++i) if (!(n >> i & 1)) this.add_line(lines, corner(n), corner(n | 1 << i), [0.92, 0.45, 0.3, 1]);
+    const A = this.free.at(run.time), half = [0.5, 0.3, 0.1].map(x => x * 1.004),
+          corner = n => [0, 1, 2].reduce((p, i) => plus(p, A.slice(3 * i, 3 * i + 3), (n >> i & 1 ? 1 : -1) * half[i]), [0, 0, 0]);
+    for (let n = 0; n < 8; ++n)
+      for (let i = 0; i < 3; ++i)
+        if (!(n >> i & 1)) this.add_line(lines, corner(n), corner(n | 1 << i), [0.92, 0.45, 0.3, 1]);
   }
   add_ideal_ball(run, lines) {
-    const z = 0.5 + bounce_height(run.time), at = (a, k) => { const c = 0.505 * Math.cos(a), s = 0.505 * Math.sin(a); return [[c, s, z], [c, 0, z + s], [0, c, z + s]][k]; };
-    for (let k = 0; k < 3; ++k) for (let n = 0; n < 40; ++n) this.add_line(lines, at(n * Math.PI / 20, k), at((n + 1) * Math.PI / 20, k), [0.92, 0.45, 0.3, 1]);
+    const z = 0.5 + bounce_height(run.time), at = (a, k) => {
+      const c = 0.505 * Math.cos(a), s = 0.505 * Math.sin(a);
+      return [[c, s, z], [c, 0, z + s], [0, c, z + s]][k];
+    };
+    for (let k = 0; k < 3; ++k)
+      for (let n = 0; n < 40; ++n) this.add_line(lines, at(n * Math.PI / 20, k), at((n + 1) * Math.PI / 20, k), [0.92, 0.45, 0.3, 1]);
   }
 
   // Words.
@@ -530,20 +604,37 @@ class Page {
   tell() {
     const {run} = this, report = this.engine.report(0), energy = this.engine.energy(0), timing = run.timing(), gain = energy - run.energy_0;
     const number = x => x.toLocaleString('en', {maximumFractionDigits: 0});
-    const joule = x => Math.abs(x) >= 1e5 ? `${(x / 1000).toFixed(0)} kJ` : Math.abs(x) >= 1e3 ? `${(x / 1000).toFixed(2)} kJ` : `${x.toFixed(Math.abs(x) < 10 ? 3 : 1)} J`;
-    const speed = x => x >= 0.1 ? `${x.toFixed(2)} m/s` : x >= 1e-3 ? `${(x * 1e3).toFixed(1)} mm/s` : x > 0 ? `${(x * 1e6).toFixed(1)} µm/s` : 'nothing';
+    const joule = x => Math.abs(x) >= 1e5 ? `${(x / 1000).toFixed(0)} kJ` :
+        Math.abs(x) >= 1e3 ? `${(x / 1000).toFixed(2)} kJ` :
+                             `${x.toFixed(Math.abs(x) < 10 ? 3 : 1)} J`;
+    const speed = x => x >= 0.1 ? `${x.toFixed(2)} m/s` :
+        x >= 1e-3 ? `${(x * 1e3).toFixed(1)} mm/s` :
+        x > 0 ? `${(x * 1e6).toFixed(1)} µm/s` :
+                'nothing';
     const facts = [['Bodies', number(report.bodies)]];
     if (!turns(run.kind)) {
       facts.push(['asleep', number(report.asleep)], ['Touching pairs', number(report.contacts)], ['Islands awake', number(report.islands)]);
       if (report.joints) facts.push(['Joints', number(report.joints)]);
       facts.push(['Sweeps', number(report.sweeps)], ['left to correct', speed(report.residual)]);
     }
-    facts.push(['Energy', joule(energy)], ['since the start', turns(run.kind) ? `${gain >= 0 ? '+' : '−'}${(Math.abs(gain / run.energy_0) * 100).toPrecision(2)} %` : `${gain > 0 ? '+' : gain < 0 ? '−' : ''}${joule(Math.abs(gain))}`]);
+    facts.push(['Energy', joule(energy)], [
+      'since the start',
+      turns(run.kind) ? `${gain >= 0 ? '+' : '−'}${(Math.abs(gain / run.energy_0) * 100).toPrecision(2)} %` :
+                        `${
+                            gain > 0     ? '+' :
+                                gain < 0 ? '−' :
+                                           ''}${joule(Math.abs(gain))}`
+    ]);
     if (timing) facts.push(['A step takes', `${timing.median.toFixed(2)} ms`], ['at worst', `${timing.worst.toFixed(1)} ms`]);
     const text = facts.map(pair => pair.join('\t')).join('\n');
     if (text !== this.facts) {
       this.facts = text;
-      $('facts').replaceChildren(...facts.flatMap(([name, value]) => { const dt = document.createElement('dt'), dd = document.createElement('dd'); dt.textContent = name; dd.textContent = value; return [dt, dd]; }));
+      $('facts').replaceChildren(...facts.flatMap(([name, value]) => {
+        const dt = document.createElement('dt'), dd = document.createElement('dd');
+        dt.textContent = name;
+        dd.textContent = value;
+        return [dt, dd];
+      }));
     }
     $('words').textContent = this.words(report);
     $('scrub').max = run.end;
@@ -569,11 +660,14 @@ class Page {
     return text[0].toUpperCase() + text.slice(1);
   }
   tell_bits() {
-    const {run} = this, table = this.native.compare(this.scene.id, run, this.scene.kind), code = `<code>${run.hash.toString(16).padStart(16, '0')}</code>`;
+    const {run} = this, table = this.native.compare(this.scene.id, run, this.scene.kind),
+          code = `<code>${run.hash.toString(16).padStart(16, '0')}</code>`;
     let mark = '';
     if (run.differs) mark = '<span class="bad">This replay differs from what was recorded.</span>';
     else if (table && !table.same) mark = '<span class="bad">Not the bits that the native build computed.</span>';
-    else if (table && table.checked) mark = `<span class="good">✓ Same bits as native</span>, each step up to ${table.checked}${table.whole.length ? `; whole hash at ${table.whole.join(', ')}` : ''}.`;
+    else if (table && table.checked)
+      mark = `<span class="good">✓ Same bits as native</span>, each step up to ${table.checked}${
+          table.whole.length ? `; whole hash at ${table.whole.join(', ')}` : ''}.`;
     else if (run.replays) mark = '<span class="good">✓ Same bits as recorded</span> so far.';
     else if (!run.untouched) mark = 'You have changed it. Replay computes the same bits again.';
     else if (run.at) mark = 'The native table is of 60 steps a second and the method that the scene begins with.';

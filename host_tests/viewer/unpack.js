@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Takes apart what inline.py packed: text of 85 signs, then LZMA ("LZMA specification", I. Pavlov, public domain), which is a quarter smaller than gzip.
+// Takes apart what inline.py packed: text of 85 signs, then LZMA, which is a quarter smaller than gzip.
+// Source: "LZMA specification", I. Pavlov, public domain.
 
 function from_85(text) {
   const signs = '0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz!#$%.()*+-;:=>?@^_,{|}~', value = {};
@@ -26,8 +27,17 @@ function from_lzma(data, size, lc = 3) {
     range -= bound; code -= bound; p[i] -= p[i] >> 5; more(); return 1;
   };
   const tree = (p, bits, from = 0) => { let m = 1; for (let i = 0; i < bits; ++i) m = m << 1 | bit(p, from + m); return m - (1 << bits); };
-  const reverse = (p, bits, from = 0) => { let m = 1, n = 0; for (let i = 0; i < bits; ++i) { const b = bit(p, from + m); m = m << 1 | b; n |= b << i; } return n; };
-  const literal = half(0x300 << lc), is_match = half(12), is_rep = half(12), is_rep0 = half(12), is_long = half(12), is_rep1 = half(12), is_rep2 = half(12);
+  const reverse = (p, bits, from = 0) => {
+    let m = 1, n = 0;
+    for (let i = 0; i < bits; ++i) {
+      const b = bit(p, from + m);
+      m = m << 1 | b;
+      n |= b << i;
+    }
+    return n;
+  };
+  const literal = half(0x300 << lc), is_match = half(12), is_rep = half(12), is_rep0 = half(12), is_long = half(12), is_rep1 = half(12),
+        is_rep2 = half(12);
   const lengths = () => ({choice: half(2), low: half(8), middle: half(8), high: half(256)}), match_length = lengths(), rep_length = lengths();
   const length = l => bit(l.choice, 0) ? bit(l.choice, 1) ? 16 + tree(l.high, 8) : 8 + tree(l.middle, 3) : tree(l.low, 3);
   const slots = [half(64), half(64), half(64), half(64)], special = half(128), align = half(16);

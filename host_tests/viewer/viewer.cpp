@@ -31,6 +31,8 @@ struct Stage {
     Vector pointer;             ///< m, where the mouse is
     scalar throttle, steering;  ///< -1 to 1
     float L_scale;              ///< m for 1 kg m^2/s
+    float force_scale;          ///< m for 1 N
+    float h;                    ///< s, of the last step
     int32_t shots;
     BodyId shot[shots_max];
     ingot::StepReport report;
@@ -134,6 +136,24 @@ void draw_stage(const ingot::World<S>& world, unsigned colors, const ingot::Draw
 
 // Scenes.
 
+/// How long arrows are: the longest L is a metre and a half to begin with, and so is what bears the heaviest body; less in a heap, where all bear
+/// each other.
+template <class S>
+void set_scales(Stage& stage, const ingot::World<S>& world) {
+    scalar L_sq = 0, heaviest = 0, total = 0;
+    for (int slot = 0; slot < S::max_bodies; ++slot) {
+        const BodyId id = world.body_at(slot);
+        if (id.generation == 0 || !world.is_movable(id)) continue;
+        L_sq = ingot::max(L_sq, ingot::length_sq(world.state(id).value.L));
+        if constexpr (S::translates) {
+            const scalar M = world.mass(id).value;
+            heaviest = ingot::max(heaviest, M);
+            total += M;
+        }
+    }
+    stage.L_scale = L_sq > 0 ? scalar(1.5) / ingot::sqrt(L_sq) : scalar(0.1);
+    stage.force_scale = heaviest > 0 ? ingot::min(scalar(1.5) / heaviest, 6 / total) / scalar(9.81) : 0;
+}
 template <class S>
 bool set_up(Stage& stage, const SceneInfo& scene) {
     using World = ingot::World<S>;
@@ -160,11 +180,7 @@ bool set_up(Stage& stage, const SceneInfo& scene) {
     bool good = builder.good();
     if constexpr (S::translates)
         if (scene.set_up != spinning && scene.set_up != flip) good = world_of<S>(stage).set_gravity({0, 0, scalar(-9.81)}) == Status::ok && good;
-    // The longest L is a metre and a half to begin with.
-    scalar most_sq = 0;
-    for (int slot = 0; slot < S::max_bodies; ++slot)
-        most_sq = ingot::max(most_sq, ingot::length_sq(world_of<S>(stage).state(world_of<S>(stage).body_at(slot)).value.L));
-    stage.L_scale = most_sq > 0 ? scalar(1.5) / ingot::sqrt(most_sq) : scalar(0.1);
+    set_scales(stage, world_of<S>(stage));
     return good;
 }
 
@@ -309,6 +325,7 @@ int viewer_open(int stage_i, int scene_i, int kind) {
 int viewer_step(int stage_i, float h) {
     Stage& stage = stage_at(stage_i);
     return for_world(stage, 0, [&](auto& world, auto) {
+        stage.h = h;
         pull(stage, world, h);
         stage.report = ingot::step(world, h);
         return static_cast<int>(stage.report.status);
@@ -415,8 +432,9 @@ const int32_t* viewer_draw(int stage_i, unsigned colors, float scale) {
     counts[0] = counts[1] = counts[2] = 0;
     ingot::DrawScale sizes;
     sizes.axis = scalar(0.6) * scale;
-    sizes.impulse = scalar(0.5) * scale;
-    sizes.L = stage_at(stage_i).L_scale * scale;
+    const Stage& stage = stage_at(stage_i);
+    sizes.impulse = stage.h > 0 ? stage.force_scale / stage.h * scale : 0;
+    sizes.L = stage.L_scale * scale;
     return for_world(stage_at(stage_i), static_cast<const int32_t*>(counts), [&](auto& world, auto) {
         draw_stage(world, colors, sizes);
         return static_cast<const int32_t*>(counts);

@@ -9,8 +9,8 @@ import vm from 'node:vm';
 const [, , page_path, module_path, table_path] = process.argv;
 const here = dirname(fileURLToPath(import.meta.url));
 const read = name => readFileSync(join(here, name), 'utf8');
-const {Engine, Run, NativeTable, FreeBody, angle_between, transpose_times, bounce_height, from_85, from_lzma, KINDS, SHAPE_FLOATS} = vm.runInThisContext(
-  `${read('unpack.js')}${read('engine.js')}${read('exact.js')}
+const {Engine, Run, NativeTable, FreeBody, angle_between, transpose_times, bounce_height, from_85, from_lzma, KINDS, SHAPE_FLOATS} =
+    vm.runInThisContext(`${read('unpack.js')}${read('engine.js')}${read('exact.js')}
   ;({Engine, Run, NativeTable, FreeBody, angle_between, transpose_times, bounce_height, from_85, from_lzma, KINDS, SHAPE_FLOATS})`);
 const page = readFileSync(page_path, 'utf8'), bytes = readFileSync(module_path), table = readFileSync(table_path, 'utf8');
 const engine = await Engine.load(bytes), native = new NativeTable(table);
@@ -27,7 +27,8 @@ const away = (a, b) => length(a.map((x, i) => x - b[i]));
 const tests = {
   the_page_holds_the_module_and_asks_for_nothing() {
     assert(page.length <= 250000, `${page.length} bytes`);
-    const sizes = page.match(/const sizes = \[(\d+), (\d+), (\d+)\]/).slice(1).map(Number), all = from_lzma(from_85(page.match(/from_85\('([^']*)'\)/)[1]), sizes[0] + sizes[1] + sizes[2]);
+    const sizes = page.match(/const sizes = \[(\d+), (\d+), (\d+)\]/).slice(1).map(Number),
+          all = from_lzma(from_85(page.match(/from_85\('([^']*)'\)/)[1]), sizes[0] + sizes[1] + sizes[2]);
     assert.deepEqual(Buffer.from(all.subarray(0, sizes[0])), bytes);
     assert.equal(Buffer.from(all.subarray(sizes[0], sizes[0] + sizes[1])).toString(), table);
     new vm.Script(Buffer.from(all.subarray(sizes[0] + sizes[1])).toString());
@@ -42,7 +43,7 @@ const tests = {
       assert(bodies > 0 && shape_count === bodies, `${scene.id}, ${KINDS[kind]}`);
       assert(scene.title && scene.text && scene.group);
       assert.equal(run.at, 3);
-    }
+      }
     assert.equal(engine.calls.open(0, 0, engine.scenes[0].kind + 5), 0);  // a kind it has not
     assert.equal(engine.calls.open(0, 999, 0), 0);
   },
@@ -144,7 +145,8 @@ const tests = {
   },
   many_balls_are_shot_and_the_oldest_goes() {
     const run = open('crate');
-    for (let i = 0; i < 60; ++i) { run.input('shoot', 0, -8, 2, i % 7 - 3, 15, 5); go(run, 3); }
+    for (let i = 0; i < 60; ++i) { run.input('shoot', 0, -8, 2, i % 7 - 3, 15, 5); go(run, 3);
+    }
     assert.equal(engine.report(0).bodies, 2 + 24);
   },
   the_drawing_is_what_is_asked_for() {
@@ -169,16 +171,22 @@ const tests = {
   },
   the_closed_form_of_a_free_body_is_its_equation() {
     const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-    for (const [I, w] of [[[1, 2, 2.5], [0.3, -0.5, 2]], [[1, 2, 2.5], [-2, 0.5, -0.3]], [[2.5, 1, 2], [0.5, 0.7, -0.4]], [[2, 1, 2.5], [0.5, -0.7, 0.4]], [[2, 2.5, 1], [0.1, -0.7, 0.9]], [[2, 2.5, 1], [0.1, 2.7, -0.1]]]) {
+    for (const [I, w] of [
+             [[1, 2, 2.5], [0.3, -0.5, 2]], [[1, 2, 2.5], [-2, 0.5, -0.3]], [[2.5, 1, 2], [0.5, 0.7, -0.4]], [[2, 1, 2.5], [0.5, -0.7, 0.4]],
+             [[2, 2.5, 1], [0.1, -0.7, 0.9]], [[2, 2.5, 1], [0.1, 2.7, -0.1]]]) {
       let A = [1, 0, 0, 0, 1, 0, 0, 0, 1];
       const L = w.map((x, i) => x * I[i]), body = new FreeBody(I, A, L), steps = 4000, h = 5 / steps;
-      const rate = B => { const s = transpose_times(B, L).map((l, i) => l / I[i]), W = [0, 1, 2].map(r => B[r] * s[0] + B[3 + r] * s[1] + B[6 + r] * s[2]); return [0, 1, 2].flatMap(c => cross(W, B.slice(3 * c, 3 * c + 3))); };
+      const rate = B => {
+        const s = transpose_times(B, L).map((l, i) => l / I[i]), W = [0, 1, 2].map(r => B[r] * s[0] + B[3 + r] * s[1] + B[6 + r] * s[2]);
+        return [0, 1, 2].flatMap(c => cross(W, B.slice(3 * c, 3 * c + 3)));
+      };
       const add = (B, k, s) => B.map((b, i) => b + s * k[i]);
       for (let i = 0; i < steps; ++i) {
         const a = rate(A), b = rate(add(A, a, h / 2)), c = rate(add(A, b, h / 2)), d = rate(add(A, c, h));
         A = A.map((x, n) => x + h / 6 * (a[n] + 2 * b[n] + 2 * c[n] + d[n]));
       }
-      assert(angle_between(A, body.at(5)) < 1e-9, `${I} ${w}: ${angle_between(A, body.at(5))}`);  // of order 4: (|omega| h)^4 over 5 s is 5e-10 at most
+      assert(
+          angle_between(A, body.at(5)) < 1e-9, `${I} ${w}: ${angle_between(A, body.at(5))}`);  // of order 4: (|omega| h)^4 over 5 s is 5e-10 at most
     }
   },
   methods_are_told_apart_by_the_exact_motion() {
