@@ -39,6 +39,13 @@ struct Machined : Looped {
 struct Roped : Tied {
     using joints = AllJointsWith<ingot::RodJoint, ingot::RopeJoint, ingot::WithLimits, ingot::WithDrives>;
 };
+/// Each guest on a turntable of its own.
+struct DrivenRound : Driven {
+    static constexpr bool kinematic_bodies = true;
+};
+struct MachinedRound : Machined {
+    static constexpr bool kinematic_bodies = true;
+};
 struct Swinging : Party {
     using figure_motion = ingot::EnergyMomentum<>;
 };
@@ -49,6 +56,7 @@ struct Sleepy : Limited {
 struct Guest {
     FigureScene scene;
     double torque;  ///< N m, the most of its drives
+    Vector3d spin;  ///< rad/s, of what it falls on, where that turns
     std::vector<ingot::BodyId> bodies;
     std::vector<ingot::JointId> joints;
 };
@@ -89,7 +97,7 @@ Guest drawn_guest(RandomInput& random) {
             if (random.integer(0, 1) == 1) tie.least = tie.most;
             scene.join(tie);
         }
-    return {scene, random.real(0.5, 200), {}, {}};
+    return {scene, random.real(0.5, 200), {random.real(-0.1, 0.1), 0, random.real(-3, 3)}, {}, {}};
 }
 
 /// Guests 30 m apart, whose bodies and joints come in at random turns.
@@ -100,6 +108,8 @@ public:
         sound = add_ground(*world_) && weigh(*world_);
         for (std::size_t i = 0; i < guests_.size(); ++i)
             for (FigureBody& body : guests_[i].scene.bodies) body.r_CM.x() += 30.0 * places[i];
+        if constexpr (Scene::kinematic_bodies)
+            for (std::size_t i = 0; i < guests_.size(); ++i) add_turntable(guests_[i], 30.0 * places[i]);
         in_turns([](const Guest& guest) { return guest.bodies.size() < guest.scene.bodies.size(); }, [&](Guest& guest) {
             const auto id = world_->add(definition_of<Scene>(guest.scene.bodies[guest.bodies.size()]));
             sound = sound && id.ok();
@@ -129,6 +139,16 @@ private:
             if (some && waits(guest)) act(guest);
         }
     }
+    /// Flush with the ground, which it comes out of as it tilts.
+    void add_turntable(const Guest& guest, double x) {
+        ingot::BodyDef table;
+        table.kinematic = true;
+        table.shape = ingot::Box{{3, 3, 1}};
+        table.friction = scalar(0.6);
+        table.state.r_CM = {static_cast<scalar>(x), 0, -1};
+        const auto id = world_->add(table);
+        sound = sound && id.ok() && world_->set_velocity(id.value, {}, ingot_reference::to_vector(guest.spin)) == ingot::Status::ok;
+    }
     ingot::JointId join(const Guest& guest, const FigureJoint& joint) {
         const auto body_of = [&](int body_i) { return body_i == the_world ? ingot::BodyId{} : guest.bodies[static_cast<std::size_t>(body_i)]; };
         const auto id = world_->add_joint(joint_def(joint, body_of));
@@ -147,12 +167,14 @@ private:
 
 template <class Scene>
 class FiguresInCompany : public testing::Test {};
-using Scenes = testing::Types<Party, Limited, Driven, Looped, Machined, Tied, Roped, Swinging, Sleepy>;
+using Scenes = testing::Types<Party, Limited, Driven, DrivenRound, Looped, Machined, MachinedRound, Tied, Roped, Swinging, Sleepy>;
 TYPED_TEST_SUITE(FiguresInCompany, Scenes);
 
 TYPED_TEST(FiguresInCompany, move_as_if_alone) {
     RandomInput random(21);
-    for (int case_i = 0; case_i < ingot_reference::draws(24); ++case_i) {
+    // Ropes beside drives are solved again and again: a few are as long as all the others.
+    constexpr int cases = TypeParam::joints::has_ties && TypeParam::joints::has_drives ? 4 : 24;
+    for (int case_i = 0; case_i < ingot_reference::draws(cases); ++case_i) {
         std::vector<Guest> guests;
         for (int i = 0; i < 4; ++i) guests.push_back(drawn_guest<TypeParam>(random));
         const double rate = rates[random.integer(0, 4)];

@@ -4,6 +4,7 @@
 #include "collect_blocks.h"
 #include "contact.h"
 #include "jointed_response.h"
+#include "kinematic_levers.h"
 #include "prepare_responses.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -80,7 +81,7 @@ void prepare_block(const View& solver, int block_i, Contacts& contacts) {
 }
 
 /// Prepares a block again. It keeps its separations, from which drift_kinematic_bodies has taken what a kinematic body has turned by, and what the
-/// substep asks for: its targets, and where it lands.
+/// substep asks for: its targets, and where it lands. Bodies that stand for kinematic ones are seen as before.
 template <class View>
 void refresh_block(const View& solver, const BodyView& bodies, int block_i) {
     ContactBlock& block = solver.blocks[block_i];
@@ -96,6 +97,12 @@ void refresh_block(const View& solver, const BodyView& bodies, int block_i) {
         store(block.row[row].target, target[row]);
         store(block.row[row].landing, landing[row]);
     }
+    if constexpr (View::articulates)
+        for (int lane_i = 0; lane_i < lanes; ++lane_i) {
+            if (block.manifold[lane_i] == no_manifold) continue;
+            if (block.body_A[lane_i] >= solver.jointed.body_count) see_kinematic_rows(solver, block_i, lane_i, true);
+            if (block.body_B[lane_i] >= solver.jointed.body_count) see_kinematic_rows(solver, block_i, lane_i, false);
+        }
 }
 
 /// The same in the middle of a solve: it keeps how friction turns round, too, and of islands that stand the inverse as it is.

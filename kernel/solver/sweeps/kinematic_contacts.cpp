@@ -4,34 +4,16 @@
 #include "../../body/auxiliary.h"
 #include "../../constraint/contact.h"
 #include "../../constraint/jointed_view.h"
+#include "../../constraint/kinematic_levers.h"
 #include "../../constraint/kinematic_motion_at.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
-void set_opposite(LaneRow (&to)[3], int lane_i, const Vector& of) { set_lane(to, lane_i, -of); }
-
-/// What a row reads of the kinematic body: k = -J of its partner.
-void see_levers(Levers& levers, int lane_i, bool is_A) {
-    set_opposite(is_A ? levers.k_A : levers.k_B, lane_i, lane_of(is_A ? levers.J_B : levers.J_A, lane_i));
-}
-
-/// The rows of one manifold. J of a partner along an axis is the axis for A, its opposite for B.
 template <class View>
 void see_rows(const View& solver, const KinematicContact& contact) {
-    const int block_i = contact.position / lanes, lane_i = contact.position % lanes;
-    ContactBlock& block = solver.blocks[block_i];
-    const bool is_A = contact.is_A != 0;
-    for (int row = 0; row < block_rows && row < block.rows; ++row) see_levers(block.row[row].levers, lane_i, is_A);  // bound: 4: block_rows
-    for (Levers& levers : block.friction.levers) see_levers(levers, lane_i, is_A);
-    const scalar sign = is_A ? scalar(-1) : scalar(1);
-    if (block.rows > 1) set_opposite(is_A ? block.torsion.k_A : block.torsion.k_B, lane_i, lane_of(block.n, lane_i) * sign);
-    if constexpr (View::rolls) {
-        RollingRows& rolling = solver.rolling[block_i];
-        set_opposite(is_A ? rolling.k_A[0] : rolling.k_B[0], lane_i, lane_of(block.t_1, lane_i) * sign);
-        set_opposite(is_A ? rolling.k_A[1] : rolling.k_B[1], lane_i, lane_of(block.t_2, lane_i) * sign);
-    }
+    see_kinematic_rows(solver, contact.position / lanes, contact.position % lanes, contact.is_A != 0);
 }
 
 SolverBody& body_of(const SolverView& solver, const KinematicContacts& kinematic, int contact_i) {
