@@ -39,6 +39,9 @@ struct ByCommutatorFree : Dragged {
 struct Floating : Scene {
     static constexpr bool translates = true, gravity_shares = true, body_forces = true, damping = true, user_data = true;
 };
+struct Locked : Scene {
+    static constexpr bool translates = true, axis_locks = true;
+};
 
 /// Impacts without friction, in a field.
 struct Colliding : Scene {
@@ -237,6 +240,8 @@ CALL(add_body_force)(World<Floating>& world, BodyId id, const Vector& F, const V
 CALL(add_body_torque)(World<Floating>& world, BodyId id, const Vector& tau) { return world.add_body_torque(id, tau); }
 CALL(set_damping)(World<Floating>& world, BodyId id, const Damping& damping) { return world.set_damping(id, damping); }
 CALL(damping)(const World<Floating>& world, BodyId id) { return world.damping(id); }
+CALL(set_locks)(World<Locked>& world, BodyId id, unsigned locks) { return world.set_locks(id, locks); }
+CALL(locks)(const World<Locked>& world, BodyId id) { return world.locks(id); }
 CALL(set_user_data)(World<Floating>& world, BodyId id, uint32_t word) { return world.set_user_data(id, word); }
 CALL(set_velocity)(World<Carrying>& world, BodyId id, const Vector& v_CM, const Vector& omega) { return world.set_velocity(id, v_CM, omega); }
 CALL(move_to)(World<Carrying>& world, BodyId id, const Vector& r_CM, const Matrix& A) { return world.move_to(id, r_CM, A); }

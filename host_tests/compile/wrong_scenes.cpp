@@ -276,6 +276,15 @@ struct Wrong : ingot::Scene {
     static constexpr bool compensated_sums = true;
     using force_field = ingot::Spring;
 #endif
+#ifdef LOCKS_OF_LISTING_1
+    static constexpr bool axis_locks = true;
+    using rotation = ingot::Listing1Euler;
+#endif
+#ifdef LOCKS_WITH_JOINTS
+    static constexpr bool translates = true, axis_locks = true;
+    static constexpr int max_joints = 4;
+    using joints = ingot::Joints<ingot::BallJoint>;
+#endif
 #ifdef TOO_MANY_FOR_KINEMATIC_BODIES
     static constexpr bool translates = true, kinematic_bodies = true;
     static constexpr int max_bodies = 40000, max_manifolds = 30000;
@@ -454,6 +463,9 @@ int main() {
 #endif
 #ifdef BODY_FORCE_WITHOUT_BODY_FORCES
     (void)world.add_body_torque(id, {});
+#endif
+#ifdef LOCKS_WITHOUT_LOCKS
+    (void)world.set_locks(id, 0);
 #endif
 #ifdef DAMPING_WITHOUT_DAMPING
     (void)world.set_damping(id, {});

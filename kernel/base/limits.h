@@ -148,8 +148,8 @@ inline constexpr scalar turning_speed = scalar(0.01);   ///< m/s; one that spins
 /// slender body may sink by the sagitta of such an arc, a hundredth of its half length, and is lifted again.
 inline constexpr scalar turn_of_substep = scalar(0.15);
 /// rad; a free turn is made of parts that are no larger, up to turn_parts_max of them: then its axis is off by their cube / 24, 7e-4.
-inline constexpr scalar turn_of_part = scalar(0.25);
-inline constexpr int turn_parts_max = 16;
+inline constexpr scalar turn_of_part = scalar(0.25), locked_turn_of_part = scalar(0.125);  ///< the second of a body with locks, about two axes
+inline constexpr int turn_parts_max = 16, locked_parts_max = 64;
 /// A normal is that of a face when the cosine between them is no further than this from 1. Then it turns with the face.
 inline constexpr scalar along_normal = scalar(1e-4);
 /// Of its radius: a point of a cylinder that is no further from where the normal meets its round is there, and stays there however it rolls.

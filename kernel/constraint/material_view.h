@@ -33,7 +33,7 @@ INGOT_INLINE const If<View::has_belts, View, SolverView>& with_belts(const View&
 }
 /// The same for those to which materials are nothing.
 template <class View>
-INGOT_INLINE const If<View::points_max == 1, BallView, If<View::articulates, View, SolverView>>& of_points(const View& solver) {
+INGOT_INLINE const If<View::points_max == 1, BallView, If<View::articulates || View::locks_axes, View, SolverView>>& of_points(const View& solver) {
     return solver;
 }
 using RollingView = MaterialView<true, false>;

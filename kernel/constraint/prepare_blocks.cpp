@@ -5,6 +5,7 @@
 #include "contact.h"
 #include "jointed_response.h"
 #include "kinematic_levers.h"
+#include "locked_view.h"
 #include "prepare_responses.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -35,6 +36,7 @@ template <class Contacts, class View>
 Contacts collected(const View& solver, const BodyView& bodies, ContactBlock& block) {
     Collected in{};
     collect(solver, bodies, block, in);
+    if constexpr (View::locks_axes) block.rows = block_rows;
     return vectors_of<Contacts>(solver, block, in);
 }
 
@@ -56,7 +58,8 @@ void with_contacts(const View& solver, const BodyView& bodies, int block_i, cons
             for (int row = 0; row < solver.blocks[block_i].rows; ++row) contacts.used[row] = select(held, lane{}, contacts.used[row]);  // bound: 4
             return prepare(contacts);
         }
-    auto contacts = collected<LaneContacts>(solver, bodies, solver.blocks[block_i]);
+    auto contacts = collected<LaneContactsOfView<View>>(solver, bodies, solver.blocks[block_i]);
+    see_locks(solver, solver.blocks[block_i], contacts);
     prepare(contacts);
 }
 
@@ -211,6 +214,7 @@ template void remember_impulses(const JointedView&);
 template void remember_impulses(const LoopedView&);
 template void remember_impulses(const JointedMaterialView&);
 template void remember_impulses(const LoopedMaterialView&);
+template void prepare_blocks(const LockedView&, const BodyView&);
 template void prepare_blocks(const SolverView&, const BodyView&);
 template void prepare_blocks(const BallView&, const BodyView&);
 template void prepare_blocks(const RollingView&, const BodyView&);

@@ -5,6 +5,7 @@
 #include "block_bodies.h"
 #include "collect_blocks.h"
 #include "jointed_view.h"
+#include "locked_view.h"
 #include "moved_manifold.h"
 #include "row_flight.h"
 #include "turning_body.h"
@@ -40,11 +41,12 @@ bool some_rolls(const SolverView& solver, const ContactBlock& block, int lane_i)
 }
 
 /// The motion at the end of the substep if its impulses are those of the substep before.
-BodyPairLanes going_on(const SolverView& solver, const ContactBlock& block, const BodyPairLanes& motion, scalar h) {
+template <class View>
+BodyPairLanes going_on(const View& solver, const ContactBlock& block, const BodyPairLanes& motion, scalar h) {
     const BodyPairLanes forces = gather_histories(solver, block, &SolverBodyHistory::a, &SolverBodyHistory::tau);
     const lane step = splat<lane>(h), inv_M_A = load(block.inv_M_A), inv_M_B = load(block.inv_M_B);
-    BodyPairLanes next = {motion.linear_A + forces.linear_A * step, motion.angular_A + forces.angular_A * step,
-                          motion.linear_B + forces.linear_B * step, motion.angular_B + forces.angular_B * step, {}};
+    auto next = held_pair(solver, block, {motion.linear_A + forces.linear_A * step, motion.angular_A + forces.angular_A * step,
+                                          motion.linear_B + forces.linear_B * step, motion.angular_B + forces.angular_B * step, {}});
     for (int row = 0; row < block.rows; ++row) {  // bound: 4: block_rows
         const lane j = load(block.row[row].j);
         add_linear(next, load(block.n) * j, inv_M_A, inv_M_B);
@@ -60,7 +62,8 @@ BodyPairLanes going_on(const SolverView& solver, const ContactBlock& block, cons
 
 /// Keeps the speeds along the rows, in the place of targets and shifts, and separations, in that of landings. Returns the lanes that meet by more
 /// than forces and the impulses of the substep before explain.
-mask note_speeds(const SolverView& solver, ContactBlock& block, scalar h) {
+template <class View>
+mask note_speeds(const View& solver, ContactBlock& block, scalar h) {
     const BodyPairLanes motion = gather_bodies(solver, block, &SolverBody::v_CM, &SolverBody::L);
     const BodyPairLanes displaced = gather_bodies(solver, block, &SolverBody::dp, &SolverBody::dth);
     const BodyPairLanes forces = gather_histories(solver, block, &SolverBodyHistory::a, &SolverBodyHistory::tau);
@@ -164,10 +167,12 @@ void refresh_block(const View& solver, const BodyView& bodies, int block_i, scal
     Collected in{};
     scalar ahead_of[lanes] = {};
     collect(solver, bodies, block, in);
+    if constexpr (View::locks_axes) block.rows = block_rows;
     for (int lane_i = 0; lane_i < lanes; ++lane_i)
         if ((block.moving >> lane_i & 1u) != 0) ahead_of[lane_i] = collect_moved(solver, bodies, block, lane_i, h, in);
     const KeptRows kept(block);
-    LaneContacts contacts = vectors_of<LaneContacts>(solver, block, in);
+    auto contacts = vectors_of<LaneContactsOfView<View>>(solver, block, in);
+    see_locks(solver, block, contacts);
     const Vec3<lane> friction = along_tangents(block, block.friction.j), reference = along_tangents(block, block.friction.reference),
                      slip_before = along_tangents(block, block.friction.shift);
     store(block.n, select(moving, contacts.n, load(block.n)));
@@ -203,7 +208,8 @@ void refresh_block(const View& solver, const BodyView& bodies, int block_i, scal
 
 }  // namespace
 
-void note_turning_speeds(const SolverView& solver, int block_count, scalar h) {
+template <class View>
+void note_turning_speeds(const View& solver, int block_count, scalar h) {
     for (int block_i = 0; block_i < block_count; ++block_i) {  // bound: max_manifolds, rounded up to whole blocks
         ContactBlock& block = solver.blocks[block_i];
         block.turning = turning_lanes(solver, block);
@@ -260,10 +266,13 @@ void separate_turned(const SolverView& solver, const BodyView& bodies) {
 }
 
 // The linker takes the one that the scene calls.
+template void note_turning_speeds(const SolverView&, int, scalar);
+template void note_turning_speeds(const LockedView&, int, scalar);
 template void refresh_blocks(const JointedView&, const BodyView&, scalar);
 template void refresh_blocks(const LoopedView&, const BodyView&, scalar);
 template void refresh_blocks(const JointedMaterialView&, const BodyView&, scalar);
 template void refresh_blocks(const LoopedMaterialView&, const BodyView&, scalar);
+template void refresh_blocks(const LockedView&, const BodyView&, scalar);
 template void refresh_blocks(const SolverView&, const BodyView&, scalar);
 template void refresh_blocks(const BallView&, const BodyView&, scalar);
 template void refresh_blocks(const RollingView&, const BodyView&, scalar);

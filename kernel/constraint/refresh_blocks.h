@@ -21,7 +21,9 @@ namespace ingot { inline namespace INGOT_ABI {
 
 /// Before the bodies fly, of the first block_count blocks: which lanes have a body that turns far, how fast their points part by the rows as they
 /// are, and which bodies are about to be hit: turns_into_impact. h: s, of the substep.
-void note_turning_speeds(const SolverView& solver, int block_count, scalar h);
+/// View: SolverView, or one with locks.
+template <class View>
+void note_turning_speeds(const View& solver, int block_count, scalar h);
 
 /// Once bodies are where contacts act, see turning_bodies.h: rows, separations and shifts of these lanes. Others keep all they have.
 /// Blocks of bodies with joints are left out: see refresh_jointed_blocks. View: SolverView, or a MaterialView. Cost: of blocks in which something

@@ -100,7 +100,8 @@ struct SeenRow {
 };
 
 /// What a push along a seen row does to displacements.
-INGOT_INLINE void push_along(BodyPairLanes& displaced, const SeenRow& row, lane q, lane inv_M_A, lane inv_M_B) {
+template <class Pair>
+INGOT_INLINE void push_along(Pair& displaced, const SeenRow& row, lane q, lane inv_M_A, lane inv_M_B) {
     if (row.levers != nullptr) add_linear(displaced, load(row.d) * q, inv_M_A, inv_M_B);
     displaced.angular_A += load(row.k_A) * q;
     displaced.angular_B += load(row.k_B) * q;

@@ -72,6 +72,7 @@ struct SolverView {
     static constexpr bool is_pointwise = false;
     static constexpr bool rolls = false, has_belts = false;  ///< see material_view.h
     static constexpr bool articulates = false, has_joint_rows = false, has_drives = false;  ///< see jointed_view.h
+    static constexpr bool locks_axes = false;                ///< see locked_view.h
     static constexpr int points_max = block_rows;            ///< of a manifold
 
     const BodyPair* pairs;     ///< that touch, sorted by slots
@@ -130,6 +131,9 @@ template <class View>
 INGOT_INLINE bool has_one_row([[maybe_unused]] const View& solver, const ContactBlock& block) {
     return View::points_max == 1 || block.rows == 1;
 }
+/// How many rows such a block is visited with. Where axes are locked no block has one row: the others do the same, to the bit, and take no more flash.
+template <class View>
+inline constexpr int fewest_rows = View::locks_axes ? View::points_max : 1;
 
 /// Impulses are kept as those of one of Effort::substeps substeps. A longer substep has this many times as much.
 inline scalar shares_of_substep(const SolverView& solver) {

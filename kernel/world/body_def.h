@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "../body/axis_locks.h"
 #include "../body/check_body.h"
 #include "../broad_phase/body_filter.h"
 #include "../shape/shapes.h"
@@ -21,6 +22,7 @@ struct BodyDef {
     /// A platform, lift, door, flipper, turntable: neither force nor impulse moves it. It goes on with state.v_CM and state.L, which of such a body
     /// is its angular velocity, rad/s. For scenes with kinematic_bodies
     bool kinematic = false;
+    unsigned locks = 0;          ///< axes of the world along which it does not move, and about which it does not turn: AxisLocks; for scenes with axis_locks
 };
 
 } }  // namespace ingot

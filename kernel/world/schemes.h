@@ -65,6 +65,7 @@ INGOT_INLINE void kick(Step<S>& now) {
 template <class S>
 INGOT_INLINE void drift(Step<S>& now) {
     move_kinematic_bodies(now);
+    stop_locked_turns(now);
     const FlightClock clock{now.storage.steps, now.storage.energy_unit(now.h), now.h / 2};
     over_flying(now, [&now, &clock](const BodyView& some) {
         count(now.report.spins_clamped, S::rotation::integrate_A(some, now.h, clock));
@@ -73,6 +74,7 @@ INGOT_INLINE void drift(Step<S>& now) {
         else if constexpr (S::translates)
             integrate_r(some, now.h, now.storage.gravity);
     });
+    turn_with_locks(now);
 }
 
 /// Listing 1: every right-hand side is of step n.
@@ -175,6 +177,7 @@ struct ConstrainedMotion {
     static void advance(Step<S>& now) {
         auto& storage = now.storage;
         over_moving(now, [](const BodyView& some) { refresh_inv_I_world(some); });  // Eq. 20
+        restrict_inertia(now);
         swing_freely(now);
         solve_contacts(now);
         leave_swung(now);

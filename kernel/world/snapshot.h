@@ -46,6 +46,7 @@ constexpr uint32_t snapshot_parts() {
     uint32_t parts = sizeof(scalar) == sizeof(double) ? SnapshotPart::doubles : 0;
     if (stacks<S> && S::recycles_manifolds) parts |= SnapshotPart::anchors;
     if (stacks<S> && solves_pointwise<S>) parts |= SnapshotPart::pointwise;
+    if (S::axis_locks) parts |= SnapshotPart::locks;
     features::All::over_named<S>([&parts](auto feature) { parts |= decltype(feature)::part; });
     return parts;
 }

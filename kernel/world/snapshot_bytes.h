@@ -127,6 +127,7 @@ private:
 struct SnapshotPart {
     static constexpr uint32_t doubles = 1, translation = 2, compensation = 4, energy = 8, manifolds = 64, anchors = 128;
     static constexpr uint32_t joints = 1u << 30;
+    static constexpr uint32_t locks = 1u << 31;  ///< without joints; with them it stands for their limits
     /// Manifolds are solved point by point: friction has no slow mean. With joints they are not: there it stands for rods, ropes and targets.
     static constexpr uint32_t pointwise = 1u << 20;
 };

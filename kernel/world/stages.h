@@ -8,6 +8,7 @@
 #include "fast_stages.h"
 #include "impact_stages.h"
 #include "kinematic_stages.h"
+#include "lock_stages.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 

@@ -30,6 +30,7 @@ StepReport step(World<S>& world, scalar h) {
     advance(now);                    // contacts with friction; Eqs. 10, 18, 20; Eq. 1
     follow_fast_bodies(now);         // impacts within the step
     hold_what_has_no_room(now);      // where arrays are full
+    hold_locks(now);                 // what is locked has its bits
     fall_asleep(now);
     tell_events(now);
     put_aside(now);                  // what rests: no step looks at it until it wakes

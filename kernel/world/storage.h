@@ -7,6 +7,7 @@
 #pragma once
 
 #include "../broad_phase/hold_shapes.h"
+#include "../constraint/locked_view.h"
 #include "features/features.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -178,9 +179,23 @@ struct Storage : features::All::Memory<S> {
     }
     /// The same, which sees kinematic bodies as immovable ones.
     auto plain_contact_solver() {
+        if constexpr (S::axis_locks) {
+            auto unlocked = unlocked_contact_solver();
+            LockedView view{};
+            static_cast<decltype(unlocked)&>(view) = unlocked;
+            if constexpr (!has_materials<S>) this->show_idle_materials(view);
+            view.locks = this->locks;
+            view.surfaces_move = S::surface_velocities;
+            return view;
+        } else {
+            return unlocked_contact_solver();
+        }
+    }
+    /// The same, which takes bodies for such that move along all axes.
+    auto unlocked_contact_solver() {
         if constexpr (has_materials<S> || (solves_pointwise<S> && S::bounces)) {
             auto plain = swept_solver();
-            constexpr bool both = has_joints<S> && has_materials<S>;  // see StillBeltPart
+            constexpr bool both = (has_joints<S> || S::axis_locks) && has_materials<S>;  // see StillBeltPart
             typename S::solver::template View<S::rolling_resistance || both, S::surface_velocities || both, S::bounces> view{};
             static_cast<decltype(plain)&>(view) = plain;
             this->mix_rolling(this->manifold_view());

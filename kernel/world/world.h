@@ -175,7 +175,7 @@ public:
         if (!slot.ok()) return {slot.status, {}};
         if constexpr (S::kinematic_bodies)
             if (ingot::is_kinematic(storage_.kinematic[slot.value])) return {Status::ok, storage_.kinematic[slot.value].omega};
-        return {Status::ok, omega_of(storage_.bodies(), slot.value)};
+        return {Status::ok, this->spin_of_slot(slot.value)};
     }
 
     // Forces of the next step; they are summed, act over the whole of it, and are gone after it.

@@ -16,6 +16,7 @@ protected:
     using Base::shares_only;
     using Base::body_forces_only;
     using Base::damping_only;
+    using Base::locks_only;
     using Base::user_data_only;
     using Base::touched;
     using Base::find;
@@ -73,6 +74,25 @@ public:
         const Result<int> slot = find(id);
         if (!slot.ok()) return {slot.status, {}};
         return {Status::ok, storage_.damping[slot.value]};
+    }
+
+    /// Axes of the world along which a body does not move, and about which it does not turn, in scenes with axis_locks: bits of AxisLocks. What it had
+    /// of such a motion is gone, and what it has of the others stays: v_CM and L along them. A locked coordinate keeps its bits, whatever hits the
+    /// body; one that cannot move keeps its locks for when it can. Wakes the body and what touches it.
+    /// Errors: out_of_range (bits beyond AxisLocks::all), not_in_scene (a translation where nothing translates).
+    Status set_locks(BodyId id, unsigned locks) {
+        static_assert(locks_only());
+        const Result<int> slot = find(id);
+        if (!slot.ok()) return slot.status;
+        const Status status = features::LockedAxes::check_locks<S>(locks);
+        if (status == Status::ok) storage_.locks[slot.value] = static_cast<uint8_t>(locks);
+        return touched(slot.value, status);
+    }
+    Result<unsigned> locks(BodyId id) const {
+        static_assert(locks_only());
+        const Result<int> slot = find(id);
+        if (!slot.ok()) return {slot.status, 0};
+        return {Status::ok, storage_.locks[slot.value]};
     }
 
     /// 32 bits that are yours, in scenes with user_data: an index, a tag, a pointer's offset. 0 as a body is added; snapshots hold it, the state hash

@@ -63,6 +63,10 @@ protected:
         static_assert(S::damping, "nothing dies away in this scene: set damping = true");
         return true;
     }
+    static constexpr bool locks_only() {
+        static_assert(S::axis_locks, "bodies of this scene move along all axes: set axis_locks = true");
+        return true;
+    }
     static constexpr bool user_data_only() {
         static_assert(S::user_data, "bodies of this scene hold no word of yours: set user_data = true");
         return true;
@@ -78,6 +82,8 @@ protected:
 
     /// Passes on the answer of a call, which wakes what sleeps where it did something.
     Status touched([[maybe_unused]] int slot, Status status) {
+        if constexpr (S::axis_locks)
+            if (status == Status::ok) features::LockedAxes::hold(storage_, slot);
         if constexpr (S::sleeps)
             if (status == Status::ok)
                 wake_by(storage_, [&](const ManifoldView& manifolds) { wake_touching(storage_.bodies(), storage_.rest_view(), manifolds, slot); });
@@ -90,6 +96,12 @@ protected:
         if constexpr (queries_by_tree<S>)
             if (status == Status::ok) storage_.hold_shapes(slot);
         return touched(slot, status);
+    }
+    /// About locked axes it is 0, and not the rounding of that.
+    Vector spin_of_slot(int slot) const {
+        const Vector omega = omega_of(storage_.bodies(), slot);
+        if constexpr (S::axis_locks) return free_part(omega, rotations_locked(storage_.locks[slot]));
+        return omega;
     }
     bool sleeps_in(int slot) const { return is_dynamic(storage_.bodies(), slot) && !storage_.is_awake(slot); }
     Result<int> find_movable(BodyId id) const {

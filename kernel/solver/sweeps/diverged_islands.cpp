@@ -124,5 +124,6 @@ template void hold_diverged_islands(const LoopedView&, const BodyView&, scalar);
 template void hold_diverged_islands(const SolverView&, const BodyView&, scalar);
 template void hold_diverged_islands(const BallView&, const BodyView&, scalar);
 template void hold_diverged_islands(const RollingView&, const BodyView&, scalar);
+template void hold_diverged_islands(const RollingBeltView&, const BodyView&, scalar);  // which stand still
 
 } }  // namespace ingot

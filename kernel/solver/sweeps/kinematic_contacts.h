@@ -5,6 +5,7 @@
 #include "../conduct_substeps.h"
 #include "../../constraint/jointed_view.h"
 #include "../../constraint/kinematic_view.h"
+#include "../../constraint/locked_view.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -57,7 +58,7 @@ struct SeesKinematic : Contacts {
     }
 
 private:
-    auto& contacts() { return without_rows(static_cast<PlainViewOf<View>&>(all)); }
+    auto& contacts() { return without_locks(without_rows(static_cast<PlainViewOf<View>&>(all))); }
 
     View& all;
 };

@@ -2,6 +2,7 @@
 #include "move_bodies.h"
 
 #include "../../base/limits.h"
+#include "../../body/axis_locks.h"
 #include "../../body/kinematics.h"
 #include "../../body/turning_inertia.h"
 #include "../../math/sqrt.h"
@@ -148,7 +149,8 @@ void kick_bodies(const SolverView& solver, scalar h) {
     });
 }
 
-void drift_bodies(SolverView& solver, const BodyView& bodies, scalar h) {
+template <class View>
+void drift_bodies(View& solver, const BodyView& bodies, scalar h) {
     solver.some_hit = false;
     for_bodies(solver, [&](int body_i) {
         SolverBody& body = solver.bodies[body_i];
@@ -205,8 +207,10 @@ void write_contact_motion(const SolverView& solver, const Joints& jointed, const
     }
 }
 
-template <class Joints>
-void turn_by_corrections(const SolverView& solver, const Joints& jointed, const BodyView& bodies, scalar h) {
+namespace {
+
+template <class View, class Joints>
+void turn_by_pushes(const View& solver, const Joints& jointed, const BodyView& bodies, scalar h) {
     for (int body_i = 1; body_i < solver.body_count; ++body_i) {
         if (moves_in_figure(jointed, body_i)) continue;
         const SolverBody& body = solver.bodies[body_i];
@@ -227,7 +231,36 @@ void turn_by_corrections(const SolverView& solver, const Joints& jointed, const 
     }
 }
 
+}  // namespace
+
+template <class Joints>
+void turn_by_corrections(const SolverView& solver, const Joints& jointed, const BodyView& bodies, scalar h) {
+    turn_by_pushes(solver, jointed, bodies, h);
+}
+void turn_by_corrections(const LockedView& solver, const NoJointedBodies& jointed, const BodyView& bodies, scalar h) {
+    turn_by_pushes(solver, jointed, bodies, h);
+}
+
+void hold_bodies(const LockedView& solver, const BodyView& bodies) {
+    for (int body_i = 1; body_i < solver.body_count; ++body_i) {  // bound: max_bodies + 1
+        const int slot = solver.slot_of[body_i];
+        const unsigned locks = solver.locks[slot];
+        if (locks == 0) continue;
+        SolverBody& body = solver.bodies[body_i];
+        SolverBodyHistory& history = solver.histories[body_i];
+        const Vector a = free_part(three_of(history.a), translations_locked(locks));
+        set_three(history.a, a);
+        body.dp[3] = sqrt(length_sq(a));
+        if (rotations_locked(locks) == 0 || body.dth[3] > turns_little) continue;
+        const Place at = place_of(slot);
+        const Matrix A = lane_of(bodies.rotation[at.tile].A, at.lane);
+        set_lane(bodies.translation[at.tile].inv_I_world, at.lane, locked_inertia_of(bodies, slot, locks).inverse_world(A));
+    }
+}
+
 // The linker takes the one that the scene calls.
+template void drift_bodies(SolverView&, const BodyView&, scalar);
+template void drift_bodies(LockedView&, const BodyView&, scalar);
 template void write_contact_motion(const SolverView&, const NoJointedBodies&, const BodyView&, const Vector&, scalar);
 template void write_contact_motion(const SolverView&, const JointedBodies&, const BodyView&, const Vector&, scalar);
 template void turn_by_corrections(const SolverView&, const NoJointedBodies&, const BodyView&, scalar);

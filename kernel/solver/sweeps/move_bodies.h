@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../../constraint/jointed_view.h"
+#include "../../constraint/locked_view.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -20,12 +21,18 @@ void lead_machines(const SolverView& solver, JointedBodies& jointed, const LoopV
 /// The bodies of the batch as they were at the begin of the step.
 void take_in_again(const SolverView& solver, const BodyView& bodies, const Vector& gravity);
 
+/// Once bodies are as they were at the begin of the step: forces along locked axes do nothing, and inv_I_world in the tiles is of what may turn.
+inline void hold_bodies(const SolverView&, const BodyView&) {}
+void hold_bodies(const LockedView& solver, const BodyView& bodies);
+
 /// Forces of a substep of h seconds: v_CM += a h, L += tau h.
 void kick_bodies(const SolverView& solver, scalar h);
 
 /// Displacements of a substep: dp += h v, dth += h omega; by the trapezoid where the velocity changed smoothly, so that a steady acceleration is
 /// exact. A change beyond 2 h |a| is an impact, which is flagged for the next warm start. The inertia of a body that turns goes along, in the tiles.
-void drift_bodies(SolverView& solver, const BodyView& bodies, scalar h);
+/// View: SolverView, or one with locks.
+template <class View>
+void drift_bodies(View& solver, const BodyView& bodies, scalar h);
 
 /// Gives the bodies that touch the motion that was found: v_CM and L of the end of the step, and in F_T and tau_T the constant force and torque that
 /// lead to the same displacement. So integrate_r and the rotation displace them as they do in free flight.
@@ -38,5 +45,7 @@ void write_contact_motion(const SolverView& solver, const Joints& jointed, const
 /// Comes after the rotation.
 template <class Joints>
 void turn_by_corrections(const SolverView& solver, const Joints& jointed, const BodyView& bodies, scalar h);
+
+void turn_by_corrections(const LockedView& solver, const NoJointedBodies& jointed, const BodyView& bodies, scalar h);
 
 } }  // namespace ingot

@@ -4,6 +4,7 @@
 #include "../../constraint/block_bodies.h"
 #include "../../constraint/contact.h"
 #include "../../constraint/jointed_view.h"
+#include "../../constraint/locked_view.h"
 #include "../../constraint/row_flight.h"
 #include "plan_islands.h"
 #include "sequence_impacts.h"
@@ -149,7 +150,7 @@ void take_back_bounces(const View& solver, scalar h) {
         if (!any(bounced)) continue;
         const BodyPairLanes begin = gather_histories(solver, block, &SolverBodyHistory::v_begin, &SolverBodyHistory::L_begin);
         const BlockFlight flight = flight_of(solver, block, begin);
-        BodyPairLanes displaced = gather_bodies(solver, block, &SolverBody::dp, &SolverBody::dth);
+        auto displaced = held_pair(solver, block, gather_bodies(solver, block, &SolverBody::dp, &SolverBody::dth));
         const lane inv_M_A = load(block.inv_M_A), inv_M_B = load(block.inv_M_B), one = splat<lane>(1);
         lane sum{}, weighted{};
         ContactConstraint<View>::Given::for_rows(solver, visit.block, [&](const SeenRow& row) {
@@ -191,6 +192,7 @@ INGOT_VIEW(RollingView);
 INGOT_VIEW(BeltView);
 INGOT_VIEW(RollingBeltView);
 #undef INGOT_VIEW
+template void take_back_bounces(const LockedView&, scalar);
 
 } }  // namespace ingot
 

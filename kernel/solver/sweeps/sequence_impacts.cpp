@@ -6,6 +6,7 @@
 #include "../../constraint/block_bodies.h"
 #include "../../constraint/contact.h"
 #include "../../constraint/jointed_view.h"
+#include "../../constraint/locked_view.h"
 #include "../../constraint/row_flight.h"
 #include "note_impulses.h"
 #include "passive_bounces.h"
@@ -80,7 +81,7 @@ template <class View>
 void take_back(const View& solver, int block_i, int lane_i, scalar now, scalar h) {
     const ContactBlock& block = solver.blocks[block_i];
     const BlockFlight flight = flight_of(solver, block, gather_histories(solver, block, &SolverBodyHistory::v_sweep, &SolverBodyHistory::L_sweep));
-    BodyPairLanes displaced = gather_bodies(solver, block, &SolverBody::dp, &SolverBody::dth);
+    auto displaced = held_pair(solver, block, gather_bodies(solver, block, &SolverBody::dp, &SolverBody::dth));
     const lane inv_M_A = load(block.inv_M_A), inv_M_B = load(block.inv_M_B), since = splat<lane>(now);
     ContactConstraint<View>::Given::for_rows(solver, block_i, [&](const SeenRow& row) {
         lane when = since;
@@ -135,7 +136,7 @@ void solve_at_hand(const View& solver, Island& island, scalar now, scalar h, Vis
         sweep_at_hand(solver, island, left);
         gains = false;
         for_each_in_chain(solver, island, [&](int block_i, int lane_i) {
-            if (time_of(solver.blocks[block_i], lane_i) == at_hand && lower_impact(solver, block_i, lane_i, now, h)) gains = true;
+            if (time_of(solver.blocks[block_i], lane_i) == at_hand && lower_impact(without_locks(solver), block_i, lane_i, now, h)) gains = true;
         });
     }
     for_each_in_chain(solver, island, [&](int block_i, int lane_i) {
@@ -284,6 +285,7 @@ INGOT_VIEW(JointedView);
 INGOT_VIEW(LoopedView);
 INGOT_VIEW(JointedMaterialView);
 INGOT_VIEW(LoopedMaterialView);
+INGOT_VIEW(LockedView);
 INGOT_VIEW(BallView);
 INGOT_VIEW(RollingView);
 INGOT_VIEW(BeltView);

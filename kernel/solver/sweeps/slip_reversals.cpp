@@ -4,6 +4,7 @@
 #include "../../constraint/block_bodies.h"
 #include "../../constraint/contact.h"
 #include "../../constraint/jointed_view.h"
+#include "../../constraint/locked_view.h"
 #include "../../constraint/row_flight.h"
 #include "plan_islands.h"
 
@@ -109,7 +110,8 @@ bool take_back_reversals_of(const SolverView& solver, ContactBlock& block) {
 }
 
 /// Of one block: see end_reversals. Only bodies with no other contact are displaced: see displacement_of_reversal.
-void end_reversals_of(const SolverView& solver, ContactBlock& block, scalar h) {
+template <class View>
+void end_reversals_of(const View& solver, ContactBlock& block, scalar h) {
     FrictionRows& friction = block.friction;
     friction.turns_round = false;
     store(block.mu, friction_of_records(solver, block));
@@ -117,7 +119,7 @@ void end_reversals_of(const SolverView& solver, ContactBlock& block, scalar h) {
     for (int lane_i = 0; lane_i < lanes; ++lane_i)
         if (friction.share[lane_i] > 0 && solver.islands[block.island[lane_i]].manifold_count == 1)
             alone = static_cast<uint16_t>(alone | 1u << lane_i);
-    BodyPairLanes displaced = gather_bodies(solver, block, &SolverBody::dp, &SolverBody::dth);
+    auto displaced = held_pair(solver, block, gather_bodies(solver, block, &SolverBody::dp, &SolverBody::dth));
     const lane inv_M_A = load(block.inv_M_A), inv_M_B = load(block.inv_M_B), share = load(friction.share);
     for (int axis = 0; axis < 2; ++axis) {
         const lane given = load(friction.given[axis]), j = load(friction.j[axis]) + given;
@@ -145,12 +147,15 @@ bool take_back_reversals(const SolverView& solver) {
     return again;
 }
 
-void end_reversals(const SolverView& solver, scalar h) {
+template <class View>
+void end_reversals(const View& solver, scalar h) {
     for (int block_i = 0; block_i < solver.block_count; ++block_i)
         if (solver.blocks[block_i].friction.turns_round) end_reversals_of(solver, solver.blocks[block_i], h);
 }
 
 // The linker takes the one that the scene calls. Resistance to being rolled has no part in it.
+template void end_reversals(const SolverView&, scalar);
+template void end_reversals(const LockedView&, scalar);
 template bool begin_reversals(const SolverView&, scalar);
 template bool begin_reversals(const BeltView&, scalar);
 template bool begin_reversals(const RollingBeltView&, scalar);

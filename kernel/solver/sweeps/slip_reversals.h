@@ -17,6 +17,8 @@ bool begin_reversals(const View& solver, scalar h);
 bool take_back_reversals(const SolverView& solver);
 
 /// At the end: puts both parts of friction together, and displaces bodies by displacement_of_reversal. h: s, of the substep.
-void end_reversals(const SolverView& solver, scalar h);
+/// View: SolverView, or one with locks.
+template <class View>
+void end_reversals(const View& solver, scalar h);
 
 } }  // namespace ingot

@@ -3,6 +3,7 @@
 
 #include "../../base/limits.h"
 #include "../../figure/cursor.h"
+#include "../../constraint/locked_view.h"
 #include "../../figure/joint_rows.h"
 #include "conjugate_gradients.h"
 #include "jointed_visits.h"
@@ -114,7 +115,7 @@ void solve_velocities(Whole& whole) {
             break;
         }
         if (settled.some) drop_settled(solver);
-        extrapolate(without_belts(solver));
+        extrapolate(without_locks(without_belts(solver)));
         if constexpr (Whole::has_joint_rows) extrapolate_joint_rows(solver, solver.jointed, whole.joint_rows);
         if constexpr (View::articulates) {
             stand_unless(solver, false, is_swept);
@@ -142,6 +143,7 @@ template void solve_velocities(DrivenView&);
 template void solve_velocities(DrivenMaterialView&);
 template void solve_velocities(LoopedRowedView&);
 template void solve_velocities(LoopedRowedMaterialView&);
+template void solve_velocities(LockedView&);
 template void solve_velocities(SolverView&);
 template void solve_velocities(BallView&);
 template void solve_velocities(RollingView&);

@@ -3,6 +3,7 @@
 
 #include "../../base/limits.h"
 #include "../../constraint/block_bodies.h"
+#include "../../constraint/locked_view.h"
 #include "jointed_visits.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -10,11 +11,11 @@ namespace ingot { inline namespace INGOT_ABI {
 namespace {
 
 /// True if points of the visit land. One push leaves them 1 % of the way, so they are pushed `again`; then no other points are.
-template <int rows>
-INGOT_INLINE bool visit_positions(const SolverView& solver, ContactBlock& block, uint16_t lane_bits, scalar h, bool again) {
+template <int rows, class View>
+INGOT_INLINE bool visit_positions(const View& solver, ContactBlock& block, uint16_t lane_bits, scalar h, bool again) {
     const mask active = lanes_of(lane_bits);
     const Vec3<lane> n = load(block.n);
-    BodyPairLanes pair = gather_bodies(solver, block, &SolverBody::dp, &SolverBody::dth);
+    auto pair = held_pair(solver, block, gather_bodies(solver, block, &SolverBody::dp, &SolverBody::dth));
     Pushes due = Normals::pushes_due<rows>(block, n, pair, h, solver.unit);
     // A single point lands by one push, and has no more in a block of one row. It has no more beside manifolds of several points either: the same
     // bits.
@@ -61,9 +62,10 @@ INGOT_INLINE uint16_t visit_jointed_positions(const View& solver, int block_i, C
 }
 
 /// A visit whose normals have no levers: displacements do all of it.
-INGOT_INLINE void visit_central_positions(const SolverView& solver, ContactBlock& block, uint16_t lane_bits, scalar h) {
+template <class View>
+INGOT_INLINE void visit_central_positions(const View& solver, ContactBlock& block, uint16_t lane_bits, scalar h) {
     const Vec3<lane> n = load(block.n);
-    BodyPairLanes pair{};
+    auto pair = held_pair(solver, block, BodyPairLanes{});
     const LaneQuad dp_A = gather(solver.bodies, block.body_A, &SolverBody::dp), dp_B = gather(solver.bodies, block.body_B, &SolverBody::dp);
     pair.linear_A = vector_of(dp_A);
     pair.linear_B = vector_of(dp_B);
@@ -96,7 +98,7 @@ void sweep_positions(const View& solver, const Visit* visits, int visit_count, s
             continue;
         }
         if (has_one_row(solver, block)) {
-            (void)visit_positions<1>(solver, block, visit.lane_bits, h, false);
+            (void)visit_positions<fewest_rows<View>>(solver, block, visit.lane_bits, h, false);
             continue;
         }
         bool lands = true;
@@ -110,6 +112,7 @@ template void sweep_positions(const JointedView&, const Visit*, int, scalar);
 template void sweep_positions(const LoopedView&, const Visit*, int, scalar);
 template void sweep_positions(const JointedMaterialView&, const Visit*, int, scalar);
 template void sweep_positions(const LoopedMaterialView&, const Visit*, int, scalar);
+template void sweep_positions(const LockedView&, const Visit*, int, scalar);
 template void sweep_positions(const SolverView&, const Visit*, int, scalar);
 template void sweep_positions(const BallView&, const Visit*, int, scalar);
 

@@ -4,6 +4,7 @@
 #include "../../base/limits.h"
 #include "../../constraint/block_bodies.h"
 #include "../../constraint/contact.h"
+#include "../../constraint/locked_view.h"
 #include "jointed_visits.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -18,8 +19,8 @@ INGOT_INLINE BodyPairLanes chosen(mask m, const BodyPairLanes& a, const BodyPair
 }
 
 /// The rows of the active lanes. `whole`: of all.
-template <int rows, bool whole, class View>
-INGOT_INLINE void solve_rows(const View& solver, int block_i, BodyPairLanes& pair, mask visited, mask active, scalar sweep, lane active_threshold) {
+template <int rows, bool whole, class View, class Pair>
+INGOT_INLINE void solve_rows(const View& solver, int block_i, Pair& pair, mask visited, mask active, scalar sweep, lane active_threshold) {
     RowVisit<rows, whole, View> at(solver, block_i, active);
     const BodyPairLanes before = pair;
     Change change{};
@@ -27,7 +28,7 @@ INGOT_INLINE void solve_rows(const View& solver, int block_i, BodyPairLanes& pai
     const mask moves = change.fastest > active_threshold;
     pair.last[1] = select(both(moves, at.inv_M_A > lane{}), splat<lane>(sweep), pair.last[1]);
     pair.last[3] = select(both(moves, at.inv_M_B > lane{}), splat<lane>(sweep), pair.last[3]);
-    if (!whole) pair = chosen(active, pair, before);
+    if (!whole) static_cast<BodyPairLanes&>(pair) = chosen(active, pair, before);
     store_if<whole>(at.block.change, visited, whole ? change.size : select(active, change.size, lane{}));
     store_if<whole>(at.block.fastest, visited, whole ? change.fastest : select(active, change.fastest, lane{}));
 }
@@ -46,11 +47,11 @@ INGOT_INLINE void visit_velocities(const View& solver, int block_i, ContactBlock
         return;
     }
     const LaneQuad v_A = gather(solver.bodies, block.body_A, &SolverBody::v_CM), v_B = gather(solver.bodies, block.body_B, &SolverBody::v_CM);
-    BodyPairLanes pair = {vector_of(v_A), vector_of(L_A), vector_of(v_B), vector_of(L_B), {v_A.at[3], L_A.at[3], v_B.at[3], L_B.at[3]}};
+    auto pair = held_pair(solver, block, {vector_of(v_A), vector_of(L_A), vector_of(v_B), vector_of(L_B), {v_A.at[3], L_A.at[3], v_B.at[3], L_B.at[3]}});
     if (any(opposite(active)))
         solve_rows<rows, false>(solver, block_i, pair, visited, active, sweep, active_threshold);
     else
-        solve_rows<rows, true>(solver, block_i, pair, visited, active, sweep, active_threshold);
+        solve_rows<rows, !View::locks_axes>(solver, block_i, pair, visited, active, sweep, active_threshold);
     scatter_bodies(solver, block, lane_bits, pair, &SolverBody::v_CM, &SolverBody::L);
 }
 
@@ -136,7 +137,7 @@ void sweep_velocities(const View& solver, int sweep_i, bool up) {
                 continue;
             }
         if (has_one_row(solver, block))
-            visit_velocities<1>(solver, visit.block, block, visit.lane_bits, sweep_i, active_threshold);
+            visit_velocities<fewest_rows<View>>(solver, visit.block, block, visit.lane_bits, sweep_i, active_threshold);
         else
             visit_velocities<View::points_max>(solver, visit.block, block, visit.lane_bits, sweep_i, active_threshold);
     }
@@ -147,6 +148,7 @@ template void sweep_velocities(const JointedView&, int, bool);
 template void sweep_velocities(const LoopedView&, int, bool);
 template void sweep_velocities(const JointedMaterialView&, int, bool);
 template void sweep_velocities(const LoopedMaterialView&, int, bool);
+template void sweep_velocities(const LockedView&, int, bool);
 template void sweep_velocities(const SolverView&, int, bool);
 template void sweep_velocities(const BallView&, int, bool);
 template void sweep_velocities(const RollingView&, int, bool);

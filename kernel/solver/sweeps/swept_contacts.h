@@ -36,6 +36,7 @@ struct SweptContacts {
         take_in_bodies(view, step.bodies, step.gravity, step.h);
         auto&& jointed = jointed_of(view);
         take_in_figures(view, jointed, step.bodies, step.gravity, step.h);
+        hold_bodies(view, step.bodies);
         if constexpr (View::articulates) lead_machines(view, jointed, view.loops);
         find_levels(view, jointed);
         plan_islands(view, jointed, step.bodies, step.h);
@@ -54,8 +55,8 @@ struct SweptContacts {
 
     void refresh(const BodyView& bodies, scalar h) {
         if (!view.some_turn) return;
-        note_turning_speeds(view, first_jointed_block(view), h);
-        turn_half_way(view, bodies, h);
+        note_turning_speeds(with_locks(view), first_jointed_block(view), h);
+        turn_half_way(with_locks(view), bodies, h);
         refresh_blocks(view, bodies, h);
     }
     void predict(scalar h, [[maybe_unused]] const StepNotes& notes, [[maybe_unused]] StepReport& report) {
@@ -69,7 +70,7 @@ struct SweptContacts {
     void kick(scalar h) { kick_bodies(view, h); }
     void warm_start(scalar h) {
         ingot::warm_start(without_belts(view), h);
-        some_reverse = is_small_moving(view.plan) && begin_reversals(with_belts(view), h);
+        some_reverse = is_small_moving(view.plan) && begin_reversals(without_locks(with_belts(view)), h);
     }
     void solve_velocities(const ContactStep& step, scalar h, StepReport&) {
         sweep_passively(step.bodies, h);
@@ -80,7 +81,7 @@ struct SweptContacts {
     }
     void drift(const BodyView& bodies, scalar h) {
         const bool turned = view.some_turn;
-        drift_bodies(view, bodies, h);
+        drift_bodies(with_locks(view), bodies, h);
         if (turned) separate_turned(view, bodies);
         --view.substeps_left;
     }
@@ -88,7 +89,7 @@ struct SweptContacts {
 
     void end_batch(const ContactStep& step, StepReport& report) {
         ingot::end_batch(view, jointed_of(view), fall_speed_of(step, view.substeps), report);
-        remember_impulses(without_belts(view));
+        remember_impulses(without_locks(without_belts(view)));
     }
 
 protected:
@@ -108,23 +109,25 @@ protected:
         if constexpr (View::articulates && !View::has_belts) hold_gaining_figures(whole, bodies, h);
         if constexpr (View::articulates) excuse_jointed(view);
         // Belts do give energy.
-        if constexpr (!View::has_belts)
+        if (!gives_energy(view))
             for (int round = 0; round < limits::gaining_rounds && find_gaining_islands(view, bodies, h); ++round) ingot::solve_velocities(whole);
         if constexpr (bounces)
-            for (int round = 0; round < limits::bounce_rounds && lower_bounces(view, h); ++round) ingot::solve_velocities(whole);
+            for (int round = 0; round < limits::bounce_rounds && lower_bounces(without_locks(view), h); ++round) ingot::solve_velocities(whole);
     }
     /// What follows on the last of all sweeps.
     void end_velocities(const BodyView& bodies, scalar h) {
         if constexpr (bounces) take_back_bounces(view, h);
-        if constexpr (!View::has_belts) hold_diverged_islands(view, bodies, h);
-        if (some_reverse) end_reversals(view, h);
+        if constexpr (!View::has_belts || View::locks_axes)
+            if (!gives_energy(view)) hold_diverged_islands(without_locks(view), bodies, h);
+        if (some_reverse) end_reversals(with_locks(view), h);
     }
 
 private:
     void prepare(const ContactStep& step) {
         if constexpr (View::articulates) begin_jointed_batch(view);
+        hold_bodies(view, step.bodies);
         prepare_blocks(view, step.bodies);
-        find_turning_bodies(view, step.bodies, step.h / static_cast<scalar>(view.substeps));
+        find_turning_bodies(with_locks(view), step.bodies, step.h / static_cast<scalar>(view.substeps));
         if constexpr (notes_impulses) clear_impulse_notes(view, step.notes);
         if constexpr (bounces)
             if (find_impact_chains(view)) list_members(view);

@@ -4,6 +4,7 @@
 #include "../../constraint/block_bodies.h"
 #include "../../constraint/contact.h"
 #include "../../constraint/jointed_response.h"
+#include "../../constraint/locked_view.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -12,7 +13,7 @@ namespace {
 template <int rows, bool whole, class View>
 INGOT_INLINE void warm_start_visit(const View& solver, const Visit& visit, scalar h) {
     RowVisit<rows, whole, View> at(solver, visit.block, lanes_of(visit.lane_bits));
-    BodyPairLanes pair = gather_bodies(solver, at.block, &SolverBody::v_CM, &SolverBody::L);
+    auto pair = held_pair(solver, at.block, gather_bodies(solver, at.block, &SolverBody::v_CM, &SolverBody::L));
     if constexpr (View::articulates)
         if (is_jointed(solver.jointed, visit.block)) {  // figures get theirs all at once: see pass_contact_impulses
             JointedPairLanes jointed(pair, solver.jointed.blocks[visit.block - solver.jointed.first_block]);
@@ -32,9 +33,9 @@ void warm_start(const View& solver, scalar h) {
         const Visit visit = solver.visits[visit_i];
         const bool whole = is_all(visit.lane_bits);
         if (has_one_row(solver, solver.blocks[visit.block]))
-            whole ? warm_start_visit<1, true>(solver, visit, h) : warm_start_visit<1, false>(solver, visit, h);
+            whole ? warm_start_visit<fewest_rows<View>, !View::locks_axes>(solver, visit, h) : warm_start_visit<fewest_rows<View>, false>(solver, visit, h);
         else
-            whole ? warm_start_visit<View::points_max, true>(solver, visit, h) : warm_start_visit<View::points_max, false>(solver, visit, h);
+            whole ? warm_start_visit<View::points_max, !View::locks_axes>(solver, visit, h) : warm_start_visit<View::points_max, false>(solver, visit, h);
     }
 }
 
@@ -43,6 +44,7 @@ template void warm_start(const JointedView&, scalar);
 template void warm_start(const LoopedView&, scalar);
 template void warm_start(const JointedMaterialView&, scalar);
 template void warm_start(const LoopedMaterialView&, scalar);
+template void warm_start(const LockedView&, scalar);
 template void warm_start(const SolverView&, scalar);
 template void warm_start(const BallView&, scalar);
 template void warm_start(const RollingView&, scalar);

@@ -3,6 +3,7 @@
 // one comes last, and what does not name it stays as it was, to the byte.
 #pragma once
 
+#include "axis_locks.h"
 #include "body_traits.h"
 #include "compensated_sums.h"
 #include "contact_effort.h"
@@ -29,7 +30,7 @@ using All = FeatureList<Rotation, Translation, Compensation, EnergyReturn, Field
                         RollingResistance, Belts, Filters, Sensors, Continuous, Events, ToldEvents, Sleep, GravityShares, TouchAside, SteadyField,
                          UserData, BodyForces, BodyDamping, ReadsContacts, CompensatedSums, KinematicBodies, WorkBudget, ContactEffort, Figures,
                          MovingJoints, LimitedJoints, DrivenJoints, LoopJoints, FigureMotion, ReadReactions, BreakableJoints, TiedJoints,
-                         DrawnBodies>;
+                         DrawnBodies, LockedAxes>;
 
 static_assert(All::bits_differ(SnapshotPart::doubles | SnapshotPart::anchors));  // of a snapshot's parts
 

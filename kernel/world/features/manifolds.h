@@ -101,7 +101,7 @@ struct BlockOrderPart : ManifoldListPart<S> {
     Visit visits[visit_capacity] = {}, some_visits[visit_capacity] = {};
 
     auto solver_of(const BodyPair* pairs_of_bodies, ManifoldRecord* records_of_pairs, int count) {
-        If<sweeps_balls_alone<S> && !has_joints<S>, BallView, SolverView> view{};
+        If<sweeps_balls_alone<S> && !has_joints<S> && !S::axis_locks, BallView, SolverView> view{};
         view.pairs = pairs_of_bodies;
         view.records = records_of_pairs;
         view.friction_references = this->friction_references;
