@@ -11,13 +11,13 @@ using namespace locked_bodies;
 using ingot_reference::draws;
 
 struct LockedRoom : Room<ingot::BlockSweeps, false> {
-    static constexpr bool sleeps = false, axis_locks = true, reads_contacts = true;
+    static constexpr bool sleeps = false, axis_locks = true, reads_contacts = true, kinematic_bodies = true;
 };
 struct UnlockedRoom : LockedRoom {
     static constexpr bool axis_locks = false;
 };
-struct WithMaterials : Room<ingot::BlockSweeps, false> {
-    static constexpr bool axis_locks = true, rolling_resistance = true, kinematic_bodies = true;
+struct WithMaterials : Room<ingot::BlockSweeps, true> {
+    static constexpr bool axis_locks = true, rolling_resistance = true;
 };
 
 /// A room of bodies of every shape, each with locks of its own or none.
@@ -49,7 +49,7 @@ TYPED_TEST_SUITE(LockedContacts, Rooms);
 TYPED_TEST(LockedContacts, hold_locks_and_give_no_energy) {
     RandomInput random(11);
     double worst = 0;
-    for (int case_i = 0; case_i < draws(24); ++case_i) {
+    for (int case_i = 0; case_i < draws(TypeParam::continuous ? 8 : 24); ++case_i) {
         const double e = case_i % 3 == 0 ? 1 : random.real(0, 1), mu = case_i % 2 == 0 ? 0 : random.real(0, 1);
         const double rates[] = {60, 30, 120, 240, 1000}, h = 1 / rates[case_i % 5];
         Thrown<TypeParam> thrown(0, {e, mu});
@@ -63,7 +63,8 @@ TYPED_TEST(LockedContacts, hold_locks_and_give_no_energy) {
         for (int step_i = 0; step_i < static_cast<int>(1 / h); ++step_i) {
             (void)ingot::step(world, scalar(h));
             const double now = thrown.energy();
-            EXPECT_LE(now - before, gain_of_step<TypeParam> * scale) << case_i << " step " << step_i << " e " << e << " mu " << mu << " h " << h;
+            if (!TypeParam::continuous)  // as without locks: see energy_laws_test
+                EXPECT_LE(now - before, gain_of_step<TypeParam> * scale) << case_i << " step " << step_i << " e " << e << " mu " << mu << " h " << h;
             worst = std::max(worst, (now - before) / scale);
             before = now;
             for (int slot = 0; slot < TypeParam::max_bodies; ++slot)
@@ -252,7 +253,7 @@ TEST(AxisLocks, keep_a_character_upright) {
 /// Carried and pressed by what moves by itself.
 TEST(AxisLocks, hold_against_kinematic_bodies) {
     for (unsigned locks = 0; locks < 64; locks += 3) {
-        Thrown<WithMaterials> thrown(9.81, {0, 0.5});
+        Thrown<LockedRoom> thrown(9.81, {0, 0.5});
         thrown.body_at(ingot::Box{{2, scalar(0.25), 2}}, {0, -0.25, 0}, Vector3d::Zero(), Vector3d::Zero(), Matrix3d::Identity());
         thrown.body_at(ingot::Box{{scalar(0.5), scalar(0.5), scalar(0.5)}}, {0, 0.5, 0}, Vector3d::Zero(), Vector3d::Zero(), Matrix3d::Identity());
         auto& world = *thrown.world;

@@ -52,12 +52,13 @@ Matrix turned_about_axis(const Matrix& A, int axis, scalar angle) {
 /// comes into the plane of the free axes.
 Matrix turned_about_two(const Matrix& begin, const LockedInertia& inertia, const Vector& L, scalar h, scalar twice_energy) {
     Matrix A = begin;
-    scalar left = h;
+    const scalar forth = h < 0 ? scalar(-1) : scalar(1);
+    scalar left = h * forth;
     for (int parts_left = limits::locked_parts_max; parts_left > 0 && left > 0; --parts_left) {  // bound: limits::locked_parts_max
         const Vector omega = inertia.spin(A, L);
         const scalar part_sq = limits::locked_turn_of_part * limits::locked_turn_of_part, turn_sq = length_sq(omega) * left * left;
         const scalar part = parts_left > 1 && turn_sq > part_sq ? left * sqrt(part_sq / turn_sq) : left;
-        const Vector turn = inertia.spin(turned_about(A, omega * (part / 2)), L) * part;
+        const Vector turn = inertia.spin(turned_about(A, omega * (part * forth / 2)), L) * (part * forth);
         A = turning::return_energy(inertia, turned_about(A, turn * (1 + length_sq(turn) / 12)), L, twice_energy);
         left -= part;
     }

@@ -35,7 +35,12 @@ FlightState moved_to(const Collision& collision, int slot, FlightState motion, c
     if (work > 0 && v_sq > 0) motion.v_CM = motion.v_CM * sqrt(work < v_sq ? 1 - work / v_sq : scalar(0));
     const Place at = place_of(slot);
     const Vector ratio = lane_of(collision.bodies.rotation[at.tile].inv_I_ratio, at.lane);
-    const auto twice_energy = [&](const Matrix& A) { return dot(motion.L, inverse_inertia_world(A, ratio) * motion.L); };
+    const auto twice_energy = [&](const Matrix& A) {
+        if constexpr (Collision::SceneTraits::View::locks_axes)
+            return dot(motion.L, inverse_inertia_of_free(A, ratio, rotations_locked(collision.solver.locks[slot])) * motion.L);
+        else
+            return dot(motion.L, inverse_inertia_world(A, ratio) * motion.L);
+    };
     const scalar before = twice_energy(motion.A), after = twice_energy(to.A);
     if (after > before) motion.L = motion.L * sqrt(before / after);
     motion.r_CM = to.r_CM;

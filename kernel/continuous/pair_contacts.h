@@ -38,6 +38,7 @@ struct PairContacts {
     static constexpr unsigned places = static_cast<unsigned>((slots + lanes - 1) / lanes * lanes);
     Index local_of[View::is_pointwise ? 1 : places];
     PointBody point_bodies[View::is_pointwise ? places : 1];
+    uint8_t locks[View::locks_axes ? places : 1];  ///< by place
     Index count;
 
     /// Takes a manifold in, in the order of the shapes; where there is no room, the least deep of all has none, whatever they came in. Those are
@@ -74,9 +75,13 @@ struct PairContacts {
              [[maybe_unused]] const Matrix (&A_of_shapes)[2]) {
         const auto A = static_cast<Index>(shapes[place].A.number), B = static_cast<Index>(shapes[place].B.number);
         mix_materials(surfaces, {A, B, no_record}, records[place]);
-        if constexpr (View::rolls) rolling[place] = {max(materials.rolling_levers[A], materials.rolling_levers[B]), {}};
+        // The view of locks is one of all materials, also of scenes that name none.
+        [[maybe_unused]] const bool rolls = !View::locks_axes || materials.rolling_levers != nullptr;
+        [[maybe_unused]] const bool moves = !View::locks_axes || materials.surface_velocities != nullptr;
+        if constexpr (View::rolls)
+            rolling[place] = {rolls ? max(materials.rolling_levers[A], materials.rolling_levers[B]) : scalar(0), {}};
         if constexpr (View::has_belts)
-            belts[place] = A_of_shapes[0] * materials.surface_velocities[A] - A_of_shapes[1] * materials.surface_velocities[B];
+            belts[place] = moves ? A_of_shapes[0] * materials.surface_velocities[A] - A_of_shapes[1] * materials.surface_velocities[B] : Vector{};
     }
 
     /// A solver of its own, in the memory of another that is done.
@@ -96,6 +101,7 @@ struct PairContacts {
             own.body_count = own.island_count = 0;
         }
         if constexpr (sees_kinematic<View>) own.kinematic.of_slots = nullptr;
+        if constexpr (View::locks_axes) own.locks = locks;
         if constexpr (View::rolls) own.rolling_records = rolling;
         if constexpr (View::has_belts) own.belt_velocities = belts;
         return own;

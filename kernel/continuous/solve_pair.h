@@ -10,6 +10,7 @@
 #include "../solver/sequential/move_point_bodies.h"
 #include "../solver/sweeps/move_bodies.h"
 #include "find_pair_contacts.h"
+#include "locked_pair.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -30,6 +31,8 @@ void gather_pair(const Collision& collision, int slot_A, int slot_B, PairRoom<Co
     room.contacts.count = 0;
     room.slots[0] = slot_A;
     room.slots[1] = slot_B;
+    if constexpr (Collision::SceneTraits::View::locks_axes)
+        for (int which = 0; which < 2; ++which) room.contacts.locks[which] = room.slots[which] >= 0 ? collision.solver.locks[room.slots[which]] : uint8_t(0);
     for (const int slot : room.slots)
         if (slot >= 0) room.two.take(collision.bodies, collision.shapes, slot, collision.paths[slot]);
     room.at = collision.paths[slot_A].from;
@@ -76,6 +79,8 @@ void give_impulses(const Collision& collision, PairRoom<Collision>& room) {
     }
     if (room.contacts.count == 0) return;
     refresh_inv_I_world(two);
+    const LockedPair<Collision> held(room);
+    held.restrict_inertia();
     typename Traits::View solver = room.contacts.solver(collision.solver);
     room.two.keep_forces();
     room.two.drop_forces();
@@ -84,7 +89,8 @@ void give_impulses(const Collision& collision, PairRoom<Collision>& room) {
     const ContactStep impact = {two, {}, limits::impact_time, {room.contacts.notes, nullptr}};
     Traits::Solver::template solve_pair<Traits::notes_impulses, Traits::bounces>(solver, impact, *collision.report);
     write_contact_motion(solver, NoJointedBodies{}, two, {}, limits::impact_time);
-    if (!Traits::View::has_belts && room.two.kinematic_count == 0) hold_energy(room.two.movers(), before, energy);
+    held.hold_motions();
+    if (!gives_energy(solver) && room.two.kinematic_count == 0) hold_energy(room.two.movers(), before, energy);
     room.two.return_forces();
     note_flights(collision, room.contacts);
 }
@@ -95,11 +101,14 @@ void solve_pair(const Collision& collision, PairRoom<Collision>& room, scalar h)
     using Traits = typename Collision::SceneTraits;
     const BodyView two = room.two.bodies();
     const Vector gravity = collision.clock.gravity;
+    const LockedPair<Collision> held(room);
     if (room.contacts.count == 0) {
         hide_kinematic(room);
         fly_freely<typename Traits::Rotation>(two, gravity, h);
+        held.turn(h);
     } else {
         refresh_inv_I_world(two);
+        held.restrict_inertia();
         typename Traits::View solver = room.contacts.solver(collision.solver);
         room.two.keep_forces();
         Traits::Solver::template solve_pair<Traits::notes_impulses, Traits::bounces>(solver, {two, gravity, h, {room.contacts.notes, nullptr}},
@@ -109,11 +118,14 @@ void solve_pair(const Collision& collision, PairRoom<Collision>& room, scalar h)
         integrate_v(two, h, gravity);
         write_contact_motion(solver, NoJointedBodies{}, two, gravity, h);
         forget_energies(two);
+        held.hold_motions();
         (void)Traits::Rotation::integrate_A(two, h, FlightClock{0, 1, h / 2});
+        held.turn(h);
         integrate_r(two, h, gravity);
         turn_by_corrections(solver, NoJointedBodies{}, two, h);
         room.two.return_forces();
     }
+    held.hold_places();
     room.at += h / collision.clock.h;
 }
 

@@ -4,6 +4,7 @@
 
 #include "../impulse/impacts_in_step.h"
 #include "crowd_stages.h"
+#include "lock_stages.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -36,6 +37,7 @@ void resolve_impacts([[maybe_unused]] Step<S>& now) {
         const ContactView contacts = now.storage.contact_view();
         ImpactStep step = impact_step_of(now);
         refresh_inv_I_world(now.bodies);  // Eq. 20
+        restrict_inertia(now);
         find_contacts<typename S::shapes>(step, contacts, now.report);
         if constexpr (S::holds_crowds)
             if (now.report.contacts_lost != 0) hold_lost_contacts(now);

@@ -215,11 +215,12 @@ void note_approaches([[maybe_unused]] Step<S>& now) {
     if constexpr (has_events<S>) note_approaches(now.bodies, now.storage.gravity, now.h, now.storage.moving_manifolds(), now.storage.notes);
 }
 
-/// What found no room in the arrays of contacts falls through nothing.
+/// What found no room in the arrays of contacts falls through nothing. No stage moves a body after it: what is locked has its bits.
 template <class S>
 void hold_what_has_no_room([[maybe_unused]] Step<S>& now) {
     if constexpr (stacks<S> && S::holds_crowds)
         if (now.report.contacts_lost != 0) hold_refused(now, surfaces_of(now), known_fast_pairs(now));
+    hold_locks(now);
 }
 
 /// Joints that have borne more than they can.

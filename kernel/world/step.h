@@ -29,8 +29,7 @@ StepReport step(World<S>& world, scalar h) {
     begin_paths(now);                // of bodies that may be fast
     advance(now);                    // contacts with friction; Eqs. 10, 18, 20; Eq. 1
     follow_fast_bodies(now);         // impacts within the step
-    hold_what_has_no_room(now);      // where arrays are full
-    hold_locks(now);                 // what is locked has its bits
+    hold_what_has_no_room(now);      // where arrays are full; and where axes are locked
     fall_asleep(now);
     tell_events(now);
     put_aside(now);                  // what rests: no step looks at it until it wakes

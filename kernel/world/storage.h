@@ -179,7 +179,7 @@ struct Storage : features::All::Memory<S> {
     }
     /// The same, which sees kinematic bodies as immovable ones.
     auto plain_contact_solver() {
-        if constexpr (S::axis_locks) {
+        if constexpr (S::axis_locks && !solves_pointwise<S>) {
             auto unlocked = unlocked_contact_solver();
             LockedView view{};
             static_cast<decltype(unlocked)&>(view) = unlocked;
@@ -195,7 +195,7 @@ struct Storage : features::All::Memory<S> {
     auto unlocked_contact_solver() {
         if constexpr (has_materials<S> || (solves_pointwise<S> && S::bounces)) {
             auto plain = swept_solver();
-            constexpr bool both = (has_joints<S> || S::axis_locks) && has_materials<S>;  // see StillBeltPart
+            constexpr bool both = (has_joints<S> || (S::axis_locks && !solves_pointwise<S>)) && has_materials<S>;  // see StillBeltPart
             typename S::solver::template View<S::rolling_resistance || both, S::surface_velocities || both, S::bounces> view{};
             static_cast<decltype(plain)&>(view) = plain;
             this->mix_rolling(this->manifold_view());

@@ -56,7 +56,7 @@ struct PointContact {
 struct PointView {
     static constexpr bool is_pointwise = true;
     static constexpr bool rolls = false, has_belts = false, bounces = false;  ///< see PointViewOf
-    static constexpr bool articulates = false;
+    static constexpr bool articulates = false, locks_axes = false;
 
     const BodyPair* pairs;    ///< that touch, sorted by slots
     ManifoldRecord* records;  ///< of the pairs

@@ -34,7 +34,7 @@ struct LockedAxes : Feature {
     static constexpr bool named = S::axis_locks;
 
     template <class S, bool present>
-    struct Memory : IdleMaterialPart<S, stacks<S> && !has_materials<S>> {
+    struct Memory : IdleMaterialPart<S, stacks<S> && !solves_pointwise<S> && !has_materials<S>> {
         uint8_t locks[static_cast<unsigned>(S::max_bodies)] = {};  ///< by slot; see AxisLocks
         HeldPlace held_places[static_cast<unsigned>(S::max_bodies)] = {};
     };
@@ -51,17 +51,18 @@ struct LockedAxes : Feature {
         static_assert(!S::axis_locks || !flies_in_field<S>, "flights through a field turn bodies about any axis: leave axis_locks out, or the field");
         static_assert(!S::axis_locks || !has_joints<S>,
                       "locks are joints to the world that no figure knows of: leave axis_locks out, or join the bodies to the world");
-        static_assert(!S::axis_locks || !collides<S>, "impacts of Fig. 4 take a body for one that moves along any axis: leave axis_locks out, or set max_manifolds");
-        static_assert(!S::axis_locks || !stacks<S> || !(solves_pointwise<S> || solves_directly<S>),
-                      "this solver takes a body for one that moves along any axis: with axis_locks name BlockSweeps");
-        static_assert(!S::axis_locks || !S::continuous, "paths of fast bodies turn about any axis: leave axis_locks out, or continuous");
+        static_assert(!S::axis_locks || !stacks<S> || !solves_directly<S>,
+                      "a direct solve takes the mass of a body for one along all axes: with axis_locks name BlockSweeps");
         return true;
     }
+    /// Fig. 4 and the sequential solver take the mass of a body for one along all axes.
+    template <class S>
+    static constexpr bool locks_translations = S::axis_locks && S::translates && !collides<S> && !(stacks<S> && solves_pointwise<S>);
     template <class S>
     static Status check_locks(unsigned locks) {
         if ((locks & ~AxisLocks::all) != 0) return Status::out_of_range;
         if (locks != 0 && !S::axis_locks) return Status::not_in_scene;
-        return !S::translates && translations_locked(locks) != 0 ? Status::not_in_scene : Status::ok;
+        return !locks_translations<S> && translations_locked(locks) != 0 ? Status::not_in_scene : Status::ok;
     }
     template <class S>
     static Status check_def(const BodyDef& def) {
