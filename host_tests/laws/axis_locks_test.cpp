@@ -217,4 +217,37 @@ TEST(AxisLocksOfBody, are_hashed_and_saved) {
     }
 }
 
+/// World::collide: along n the points part by e times their speed, and nothing moves along locked axes.
+TEST(AxisLocksOfBody, collide_by_the_free_axes) {
+    static World<Free> world;
+    RandomInput random(8);
+    for (int draw = 0; draw < 400; ++draw) {
+        std::memset(static_cast<void*>(&world), 0, sizeof world);
+        BodyId ids[2];
+        for (BodyId& id : ids) {
+            BodyDef def = any_body(random, static_cast<unsigned>(random.integer(0, 63)));
+            def.state.r_CM = to_vector(random.vector(1));
+            def.state.v_CM = to_vector(random.vector(3));
+            def.state.L = to_vector(Vector3d(inertia_of(def) * random.vector(3)));
+            id = world.add(def).value;
+        }
+        const BodyState before[2] = {world.state(ids[0]).value, world.state(ids[1]).value};
+        const Vector3d P = random.vector(1), n = random.direction();
+        const double e = random.real(0, 1);
+        const auto approach = [&] {
+            Vector3d u = Vector3d::Zero();
+            for (int i = 0; i < 2; ++i)
+                u += (i == 0 ? 1 : -1) * (to_eigen(world.state(ids[i]).value.v_CM) +
+                                          to_eigen(world.omega(ids[i]).value).cross(P - to_eigen(before[i].r_CM)));
+            return n.dot(u);
+        };
+        const double u = approach();
+        const auto j = world.collide(ids[0], ids[1], to_vector(P), to_vector(n), scalar(e));
+        if (!j.ok() || !(u < -0.01)) continue;  // out of range, where they hardly can part
+        const double spread = 1 + double(j.value) / double(std::min(world.mass(ids[0]).value, world.mass(ids[1]).value));
+        EXPECT_NEAR(approach(), -e * u, 1e-4 * spread) << world.locks(ids[0]).value << ' ' << world.locks(ids[1]).value;
+        for (int i = 0; i < 2; ++i) EXPECT_TRUE(is_held(world, ids[i], before[i]));
+    }
+}
+
 }  // namespace

@@ -4,6 +4,7 @@
 #include "../base/checks.h"
 #include "../base/limits.h"
 #include "../body/auxiliary.h"
+#include "../body/axis_locks.h"
 #include "../body/freeze_bad_bodies.h"
 #include "../body/kinematics.h"
 #include "../impulse/impulse.h"
@@ -230,7 +231,11 @@ Vector moment_about_centre(const BodyView& bodies, int slot, const Vector& F, co
     return cross(P - read_state(bodies, slot).r_CM, F);
 }
 
-Result<scalar> collide_bodies(const BodyView& bodies, int slot_A, int slot_B, const Vector& P, const Vector& n, scalar e) {
+namespace {
+
+/// restrict(slot, body): a body that does not move along, or turn about, some axes shows the impulse less.
+template <class Restrict>
+Result<scalar> collide_restricted(const BodyView& bodies, int slot_A, int slot_B, const Vector& P, const Vector& n, scalar e, const Restrict& restrict) {
     Status status = check_vector(P, limits::position_max);
     if (status == Status::ok && !is_finite(n)) status = Status::not_finite;
     if (status == Status::ok && abs(length_sq(n) - 1) > limits::unit_length) status = Status::bad_direction;
@@ -244,8 +249,10 @@ Result<scalar> collide_bodies(const BodyView& bodies, int slot_A, int slot_B, co
         const Place at = place_of(slot);
         const TranslationTile& translation = bodies.translation[at.tile];
         const RotationTile& rotation = bodies.rotation[at.tile];
-        return CollidingBody{translation.inv_M[at.lane], inverse_inertia_world(lane_of(rotation.A, at.lane), inv_I_body_of(bodies, slot)),
-                             lane_of(translation.v_CM, at.lane), omega_of(bodies, slot), P - lane_of(translation.r_CM, at.lane)};
+        CollidingBody body{translation.inv_M[at.lane], inverse_inertia_world(lane_of(rotation.A, at.lane), inv_I_body_of(bodies, slot)),
+                           lane_of(translation.v_CM, at.lane), omega_of(bodies, slot), P - lane_of(translation.r_CM, at.lane)};
+        restrict(slot, body);
+        return body;
     };
     const CollidingBody A = colliding(slot_A), B = colliding(slot_B);
     const scalar j = collision_impulse(A, B, n, e);
@@ -261,6 +268,25 @@ Result<scalar> collide_bodies(const BodyView& bodies, int slot_A, int slot_B, co
     if (move_A) set_motion(bodies, slot_A, after_A.value);
     if (move_B) set_motion(bodies, slot_B, after_B.value);
     return {Status::ok, j};
+}
+
+}  // namespace
+
+Result<scalar> collide_bodies(const BodyView& bodies, int slot_A, int slot_B, const Vector& P, const Vector& n, scalar e) {
+    return collide_restricted(bodies, slot_A, slot_B, P, n, e, [](int, CollidingBody&) {});
+}
+
+Result<scalar> collide_locked_bodies(const BodyView& bodies, const uint8_t* locks, int slot_A, int slot_B, const Vector& P, const Vector& n, scalar e) {
+    const Result<scalar> j = collide_restricted(bodies, slot_A, slot_B, P, n, e, [&](int slot, CollidingBody& body) {
+        const LockedInertia inertia = locked_inertia_of(bodies, slot, locks[slot]);
+        body.inv_M *= length_sq(free_part(n, translations_locked(locks[slot])));
+        body.inv_I_world = inertia.inverse_world(lane_of(bodies.rotation[place_of(slot).tile].A, place_of(slot).lane));
+        body.omega = free_part(body.omega, inertia.axes);
+    });
+    const int both[] = {slot_A, slot_B};
+    for (const int slot : both)
+        if (j.ok() && locks[slot] != 0) hold_motion(bodies, slot, locks[slot]);
+    return j;
 }
 
 } }  // namespace ingot

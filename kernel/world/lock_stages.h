@@ -55,8 +55,10 @@ INGOT_INLINE void turn_with_locks([[maybe_unused]] Step<S>& now) {
 template <class S>
 void hold_locks([[maybe_unused]] Step<S>& now) {
     if constexpr (S::axis_locks)
-        features::LockedAxes::for_held(now.storage, [&now](int slot, unsigned locks, const features::HeldPlace& held) {
+        features::LockedAxes::for_locked(now.storage, [&now](int slot, unsigned locks) {
             const Place at = place_of(slot);
+            const features::HeldPlace& held = now.storage.held_places[slot];
+            if (held.of_step != now.storage.steps + 1) return hold_motion(now.bodies, slot, locks);  // it was woken in this step
             if (rotations_locked(locks) != 0) {
                 RotationTile& tile = now.bodies.rotation[at.tile];
                 set_lane(tile.A, at.lane, hold_attitude(held.A, lane_of(tile.A, at.lane), rotations_locked(locks)));

@@ -238,7 +238,7 @@ public:
         const Result<int> slot_A = find(id_A), slot_B = find(id_B);
         if (!slot_A.ok() || !slot_B.ok()) return {slot_A.ok() ? slot_B.status : slot_A.status, 0};
         if (slot_A.value == slot_B.value) return {Status::bad_shape, 0};
-        const Result<scalar> j = collide_bodies(storage_.bodies(), slot_A.value, slot_B.value, P, n, e);
+        const Result<scalar> j = this->collide_slots(slot_A.value, slot_B.value, P, n, e);
         if constexpr (S::sleeps)
             if (j.ok() && j.value != 0) (void)touched(slot_A.value, touched(slot_B.value, j.status));
         return j;

@@ -103,6 +103,10 @@ protected:
         if constexpr (S::axis_locks) return free_part(omega, rotations_locked(storage_.locks[slot]));
         return omega;
     }
+    Result<scalar> collide_slots(int slot_A, int slot_B, const Vector& P, const Vector& n, scalar e) {
+        if constexpr (S::axis_locks) return collide_locked_bodies(storage_.bodies(), storage_.locks, slot_A, slot_B, P, n, e);
+        return collide_bodies(storage_.bodies(), slot_A, slot_B, P, n, e);
+    }
     bool sleeps_in(int slot) const { return is_dynamic(storage_.bodies(), slot) && !storage_.is_awake(slot); }
     Result<int> find_movable(BodyId id) const {
         const Result<int> slot = find(id);
