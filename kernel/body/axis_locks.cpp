@@ -8,42 +8,42 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
-bool has(unsigned axes, int axis) { return (axes >> axis & 1u) != 0; }
+bool has_axis(unsigned axes, int axis) { return (axes >> axis & 1u) != 0; }
 int locked_count(unsigned axes) { return static_cast<int>((axes & 1u) + (axes >> 1 & 1u) + (axes >> 2 & 1u)); }
 /// The one axis that is free, or locked, of two that are not.
-int only_axis(unsigned axes) { return has(axes, 0) ? 0 : has(axes, 1) ? 1 : 2; }
+int only_axis(unsigned axes) { return has_axis(axes, 0) ? 0 : has_axis(axes, 1) ? 1 : 2; }
 
-scalar component(const Vector& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
-void set_component(Vector& v, int axis, scalar value) { (axis == 0 ? v.x : axis == 1 ? v.y : v.z) = value; }
+scalar along_axis(const Vector& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
+void set_along_axis(Vector& v, int axis, scalar value) { (axis == 0 ? v.x : axis == 1 ? v.y : v.z) = value; }
 /// Of a symmetric matrix: an entry of the diagonal, and the one of the two axes across.
-scalar& on_axis(SymmetricMatrix& m, int axis) { return axis == 0 ? m.xx : axis == 1 ? m.yy : m.zz; }
-scalar& across_axis(SymmetricMatrix& m, int axis) { return axis == 0 ? m.yz : axis == 1 ? m.xz : m.xy; }
+scalar& entry_on_axis(SymmetricMatrix& m, int axis) { return axis == 0 ? m.xx : axis == 1 ? m.yy : m.zz; }
+scalar& entry_across_axis(SymmetricMatrix& m, int axis) { return axis == 0 ? m.yz : axis == 1 ? m.xz : m.xy; }
 
-Vector row_of(const Matrix& A, int axis) { return {component(A.c0, axis), component(A.c1, axis), component(A.c2, axis)}; }
-void set_row(Matrix& A, int axis, const Vector& row) {
-    set_component(A.c0, axis, row.x);
-    set_component(A.c1, axis, row.y);
-    set_component(A.c2, axis, row.z);
+Vector row_of_axis(const Matrix& A, int axis) { return {along_axis(A.c0, axis), along_axis(A.c1, axis), along_axis(A.c2, axis)}; }
+void set_row_of_axis(Matrix& A, int axis, const Vector& row) {
+    set_along_axis(A.c0, axis, row.x);
+    set_along_axis(A.c1, axis, row.y);
+    set_along_axis(A.c2, axis, row.z);
 }
 
 /// Rows across an axis at right angles to its own and to each other; that of the axis keeps its bits.
 void square_rows(Matrix& A, int axis) {
-    const Vector along = row_of(A, axis);
-    Vector first = row_of(A, (axis + 1) % 3);
+    const Vector along = row_of_axis(A, axis);
+    Vector first = row_of_axis(A, (axis + 1) % 3);
     first = first - along * dot(along, first);
     first = first * (1 / sqrt(length_sq(first)));
-    set_row(A, (axis + 1) % 3, first);
-    set_row(A, (axis + 2) % 3, cross(along, first));
+    set_row_of_axis(A, (axis + 1) % 3, first);
+    set_row_of_axis(A, (axis + 2) % 3, cross(along, first));
 }
 
 /// Turned about an axis of the world.
 Matrix turned_about_axis(const Matrix& A, int axis, scalar angle) {
     if (angle == 0) return A;
     const SinCos of = sin_cos(clamp(angle, scalar(1000)));
-    const Vector first = row_of(A, (axis + 1) % 3), second = row_of(A, (axis + 2) % 3);
+    const Vector first = row_of_axis(A, (axis + 1) % 3), second = row_of_axis(A, (axis + 2) % 3);
     Matrix turned = A;
-    set_row(turned, (axis + 1) % 3, first * of.cos - second * of.sin);
-    set_row(turned, (axis + 2) % 3, first * of.sin + second * of.cos);
+    set_row_of_axis(turned, (axis + 1) % 3, first * of.cos - second * of.sin);
+    set_row_of_axis(turned, (axis + 2) % 3, first * of.sin + second * of.cos);
     square_rows(turned, axis);
     return turned;
 }
@@ -76,15 +76,15 @@ SymmetricMatrix inverse_inertia_of_free(const Matrix& A, const Vector& inv_I_bod
     SymmetricMatrix N = rotated_diagonal(A, n);
     if (locked_count(axes) == 2) {
         const int free = only_axis(~axes & 7u);
-        on_axis(W, free) = least / on_axis(N, free);
+        entry_on_axis(W, free) = least / entry_on_axis(N, free);
         return W;
     }
     const int locked = only_axis(axes), i = (locked + 1) % 3, k = (locked + 2) % 3;
-    const Vector a = row_of(A, locked);
+    const Vector a = row_of_axis(A, locked);
     const scalar inv_det = least / (n.y * n.z * (a.x * a.x) + n.x * n.z * (a.y * a.y) + n.x * n.y * (a.z * a.z));
-    on_axis(W, i) = on_axis(N, k) * inv_det;
-    on_axis(W, k) = on_axis(N, i) * inv_det;
-    across_axis(W, locked) = -across_axis(N, locked) * inv_det;
+    entry_on_axis(W, i) = entry_on_axis(N, k) * inv_det;
+    entry_on_axis(W, k) = entry_on_axis(N, i) * inv_det;
+    entry_across_axis(W, locked) = -entry_across_axis(N, locked) * inv_det;
     return W;
 }
 
@@ -137,7 +137,7 @@ Matrix turned_with_locks(const Matrix& A, const LockedInertia& inertia, const Ve
     const Vector omega = inertia.spin(A, L);
     if (locked_count(inertia.axes) == 2) {
         const int axis = only_axis(~inertia.axes & 7u);
-        return turned_about_axis(A, axis, component(omega, axis) * h);
+        return turned_about_axis(A, axis, along_axis(omega, axis) * h);
     }
     if (omega.x == 0 && omega.y == 0 && omega.z == 0) return A;
     return turned_about_two(A, inertia, L, h, dot(L, omega));
@@ -148,9 +148,9 @@ Matrix hold_attitude(const Matrix& before, const Matrix& A, unsigned axes) {
     if (locked_count(axes) != 2) return A;
     const int axis = only_axis(~axes & 7u);
     Matrix held = A;
-    const Vector row = row_of(before, axis), now = row_of(A, axis);
+    const Vector row = row_of_axis(before, axis), now = row_of_axis(A, axis);
     if (row.x == now.x && row.y == now.y && row.z == now.z) return A;
-    set_row(held, axis, row);
+    set_row_of_axis(held, axis, row);
     square_rows(held, axis);
     return held;
 }
