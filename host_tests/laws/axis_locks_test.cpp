@@ -203,13 +203,15 @@ TEST(AxisLocksOfBody, are_hashed_and_saved) {
         ids.push_back(world.add(def).value);
     }
     const uint64_t plain = world.state_hash();
-    for (int body_i = 0; body_i < 8; ++body_i) ASSERT_EQ(world.set_locks(ids[static_cast<size_t>(body_i)], 7u * static_cast<unsigned>(body_i)), Status::ok);
+    unsigned locks = 0;
+    for (const BodyId id : ids) ASSERT_EQ(world.set_locks(id, 7u * locks++), Status::ok);
     EXPECT_NE(world.state_hash(), plain);
     for (int step_i = 0; step_i < 10; ++step_i) (void)ingot::step(world, scalar(1) / 60);
     std::vector<uint8_t> bytes(ingot::snapshot_size<Free>());
     bytes.resize(ingot::save_snapshot(world, bytes.data(), bytes.size()).value);
     ASSERT_EQ(ingot::load_snapshot(restored, bytes.data(), bytes.size()), Status::ok);
-    for (int body_i = 0; body_i < 8; ++body_i) EXPECT_EQ(restored.locks(ids[static_cast<size_t>(body_i)]).value, 7u * static_cast<unsigned>(body_i));
+    locks = 0;
+    for (const BodyId id : ids) EXPECT_EQ(restored.locks(id).value, 7u * locks++);
     for (int step_i = 0; step_i < 10; ++step_i) {
         (void)ingot::step(world, scalar(1) / 60);
         (void)ingot::step(restored, scalar(1) / 60);

@@ -129,7 +129,9 @@ void hold_forces(const BodyView& bodies, int slot, unsigned locks, const Vector&
     if (bodies.translation == nullptr) return;
     TranslationTile& tile = bodies.translation[at.tile];
     const scalar inv_M = tile.inv_M[at.lane];
-    if (inv_M > 0) set_lane(tile.F_T, at.lane, free_part_or(lane_of(tile.F_T, at.lane), gravity * (-1 / inv_M) + Vector{}, translations_locked(locks)));
+    if (!(inv_M > 0)) return;
+    const Vector borne = gravity * (-1 / inv_M) + Vector{};
+    set_lane(tile.F_T, at.lane, free_part_or(lane_of(tile.F_T, at.lane), borne, translations_locked(locks)));
 }
 
 Matrix turned_with_locks(const Matrix& A, const LockedInertia& inertia, const Vector& L, scalar h) {

@@ -58,7 +58,8 @@ struct Normals {
     template <class View, class Contacts>
     static INGOT_INLINE void prepare(const View& solver, int block_i, Contacts& contacts) {
         auto& block = solver.blocks[block_i];
-        contacts.central = has_one_row(solver, block) ? prepare_rows<View::locks_axes ? View::points_max : 1>(block, contacts) : prepare_rows<View::points_max>(block, contacts);
+        constexpr int fewest = View::locks_axes ? View::points_max : 1;  // see fewest_rows
+        contacts.central = has_one_row(solver, block) ? prepare_rows<fewest>(block, contacts) : prepare_rows<View::points_max>(block, contacts);
     }
 
     template <class View, class Kept>

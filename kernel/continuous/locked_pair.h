@@ -2,6 +2,7 @@
 // Locks of the bodies of a sub-world, see body/axis_locks.h: as a step holds them, for a while of it. Empty in scenes without.
 #pragma once
 
+#include "../body/axis_locks.h"
 #include "../body/kinematics.h"
 #include "continuous_collision.h"
 

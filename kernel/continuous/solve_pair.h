@@ -32,7 +32,8 @@ void gather_pair(const Collision& collision, int slot_A, int slot_B, PairRoom<Co
     room.slots[0] = slot_A;
     room.slots[1] = slot_B;
     if constexpr (Collision::SceneTraits::View::locks_axes)
-        for (int which = 0; which < 2; ++which) room.contacts.locks[which] = room.slots[which] >= 0 ? collision.solver.locks[room.slots[which]] : uint8_t(0);
+        for (int which = 0; which < 2; ++which)  // bound: PairSubWorld::movers_max
+            room.contacts.locks[which] = room.slots[which] >= 0 ? collision.solver.locks[room.slots[which]] : uint8_t(0);
     for (const int slot : room.slots)
         if (slot >= 0) room.two.take(collision.bodies, collision.shapes, slot, collision.paths[slot]);
     room.at = collision.paths[slot_A].from;

@@ -235,7 +235,8 @@ namespace {
 
 /// restrict(slot, body): a body that does not move along, or turn about, some axes shows the impulse less.
 template <class Restrict>
-Result<scalar> collide_restricted(const BodyView& bodies, int slot_A, int slot_B, const Vector& P, const Vector& n, scalar e, const Restrict& restrict) {
+Result<scalar> collide_restricted(const BodyView& bodies, int slot_A, int slot_B, const Vector& P, const Vector& n, scalar e,
+                                  const Restrict& restrict) {
     Status status = check_vector(P, limits::position_max);
     if (status == Status::ok && !is_finite(n)) status = Status::not_finite;
     if (status == Status::ok && abs(length_sq(n) - 1) > limits::unit_length) status = Status::bad_direction;
@@ -276,7 +277,8 @@ Result<scalar> collide_bodies(const BodyView& bodies, int slot_A, int slot_B, co
     return collide_restricted(bodies, slot_A, slot_B, P, n, e, [](int, CollidingBody&) {});
 }
 
-Result<scalar> collide_locked_bodies(const BodyView& bodies, const uint8_t* locks, int slot_A, int slot_B, const Vector& P, const Vector& n, scalar e) {
+Result<scalar> collide_locked_bodies(const BodyView& bodies, const uint8_t* locks, int slot_A, int slot_B, const Vector& P, const Vector& n,
+                                     scalar e) {
     const Result<scalar> j = collide_restricted(bodies, slot_A, slot_B, P, n, e, [&](int slot, CollidingBody& body) {
         const LockedInertia inertia = locked_inertia_of(bodies, slot, locks[slot]);
         body.inv_M *= length_sq(free_part(n, translations_locked(locks[slot])));

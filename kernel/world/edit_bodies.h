@@ -81,6 +81,7 @@ Vector moment_about_centre(const BodyView& bodies, int slot, const Vector& F, co
 /// Figure 4 for the bodies of two slots at the world point P, applied to both.
 Result<scalar> collide_bodies(const BodyView& bodies, int slot_A, int slot_B, const Vector& P, const Vector& n, scalar e);
 /// The same of bodies with locks, by slot.
-Result<scalar> collide_locked_bodies(const BodyView& bodies, const uint8_t* locks, int slot_A, int slot_B, const Vector& P, const Vector& n, scalar e);
+Result<scalar> collide_locked_bodies(const BodyView& bodies, const uint8_t* locks, int slot_A, int slot_B, const Vector& P, const Vector& n,
+                                     scalar e);
 
 } }  // namespace ingot

@@ -40,7 +40,7 @@ struct Scene {
     static constexpr bool gravity_shares = false; ///< bodies may feel more or less of gravity than others: World::set_gravity_share
     static constexpr bool body_forces  = false;  ///< forces and torques that turn with their body: World::add_body_force
     static constexpr bool damping      = false;  ///< velocities die away, by rates of each body: World::set_damping
-    static constexpr bool axis_locks   = false;  ///< bodies may be kept from moving along axes, or turning about them: BodyDef::locks, World::set_locks
+    static constexpr bool axis_locks   = false;  ///< bodies may be kept from moving along axes, or turning about them: BodyDef::locks
     static constexpr bool compensated_sums = false; ///< L, v_CM and r_CM keep what their roundings take off: for float at high rates
     static constexpr bool kinematic_bodies = false; ///< bodies may move as they are told, whatever is in their way: BodyDef::kinematic
     static constexpr bool user_data    = false;  ///< a word of each body is the user's: World::set_user_data

@@ -195,7 +195,7 @@ struct Storage : features::All::Memory<S> {
     auto unlocked_contact_solver() {
         if constexpr (has_materials<S> || (solves_pointwise<S> && S::bounces)) {
             auto plain = swept_solver();
-            constexpr bool both = (has_joints<S> || (S::axis_locks && !solves_pointwise<S>)) && has_materials<S>;  // see StillBeltPart
+            constexpr bool both = features::solves_all_materials<S> && has_materials<S>;  // see StillBeltPart
             typename S::solver::template View<S::rolling_resistance || both, S::surface_velocities || both, S::bounces> view{};
             static_cast<decltype(plain)&>(view) = plain;
             this->mix_rolling(this->manifold_view());

@@ -47,7 +47,8 @@ INGOT_INLINE void visit_velocities(const View& solver, int block_i, ContactBlock
         return;
     }
     const LaneQuad v_A = gather(solver.bodies, block.body_A, &SolverBody::v_CM), v_B = gather(solver.bodies, block.body_B, &SolverBody::v_CM);
-    auto pair = held_pair(solver, block, {vector_of(v_A), vector_of(L_A), vector_of(v_B), vector_of(L_B), {v_A.at[3], L_A.at[3], v_B.at[3], L_B.at[3]}});
+    auto pair = held_pair(
+        solver, block, {vector_of(v_A), vector_of(L_A), vector_of(v_B), vector_of(L_B), {v_A.at[3], L_A.at[3], v_B.at[3], L_B.at[3]}});
     if (any(opposite(active)))
         solve_rows<rows, false>(solver, block_i, pair, visited, active, sweep, active_threshold);
     else

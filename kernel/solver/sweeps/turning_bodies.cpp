@@ -18,7 +18,9 @@ Vector inverse_moments(const BodyView& bodies, const Place& at) {
 }
 
 /// What turns a solver body.
-FreeInertia inertia_of(const SolverView& solver, const BodyView& bodies, int body_i) { return {inverse_moments(bodies, place_in_tiles(solver, body_i))}; }
+FreeInertia inertia_of(const SolverView& solver, const BodyView& bodies, int body_i) {
+    return {inverse_moments(bodies, place_in_tiles(solver, body_i))};
+}
 LockedInertia inertia_of(const LockedView& solver, const BodyView& bodies, int body_i) {
     return locked_inertia_of(bodies, solver.slot_of[body_i], solver.locks[solver.slot_of[body_i]]);
 }
@@ -50,7 +52,8 @@ void begin_turning(View& solver, const BodyView& bodies, int body_i) {
     const Vector L = three_of(body.L), turned = three_of(body.dth);
     const Matrix A = lane_of(bodies.rotation[at.tile].A, at.lane);
     const scalar twice_energy = dot(L, lane_of(bodies.translation[at.tile].inv_I_world, at.lane) * L);
-    set_attitude(history, length_sq(turned) > 0 ? turning::return_energy(inertia_of(solver, bodies, body_i), turned_about(A, turned), L, twice_energy) : A);
+    const auto inertia = inertia_of(solver, bodies, body_i);
+    set_attitude(history, length_sq(turned) > 0 ? turning::return_energy(inertia, turned_about(A, turned), L, twice_energy) : A);
     set_three(history.turn, turned);
     body.dth[3] = turns_far;
     solver.some_turn = true;

@@ -32,10 +32,12 @@ void warm_start(const View& solver, scalar h) {
     for (int visit_i = 0; visit_i < solver.visit_count; ++visit_i) {  // bound: max_manifolds
         const Visit visit = solver.visits[visit_i];
         const bool whole = is_all(visit.lane_bits);
+        constexpr int fewest = fewest_rows<View>, most = View::points_max;
+        constexpr bool knows_whole = !View::locks_axes;
         if (has_one_row(solver, solver.blocks[visit.block]))
-            whole ? warm_start_visit<fewest_rows<View>, !View::locks_axes>(solver, visit, h) : warm_start_visit<fewest_rows<View>, false>(solver, visit, h);
+            whole ? warm_start_visit<fewest, knows_whole>(solver, visit, h) : warm_start_visit<fewest, false>(solver, visit, h);
         else
-            whole ? warm_start_visit<View::points_max, !View::locks_axes>(solver, visit, h) : warm_start_visit<View::points_max, false>(solver, visit, h);
+            whole ? warm_start_visit<most, knows_whole>(solver, visit, h) : warm_start_visit<most, false>(solver, visit, h);
     }
 }
 

@@ -30,7 +30,11 @@ struct BeltRowPart<S, false> {
     static void show_belt_rows(View&) {}
 };
 
-/// Of scenes with joints, or axis locks: what solves them is compiled for both materials together. A scene that names one of them has the other at rest.
+/// Scenes with joints, or axis locks.
+template <class S>
+inline constexpr bool solves_all_materials = has_joints<S> || (S::axis_locks && !solves_pointwise<S>);
+
+/// What solves them is compiled for both materials together. A scene that names one of them has the other at rest.
 template <class S, bool present>
 struct StillBeltPart {
     BeltRows still_belt_rows[block_capacity_of<S>] = {};
@@ -70,7 +74,7 @@ struct RollingResistance : Feature {
     static constexpr bool named = S::rolling_resistance;
 
     template <class S, bool present>
-    struct Memory : StillBeltPart<S, (has_joints<S> || (S::axis_locks && !solves_pointwise<S>)) && !S::surface_velocities> {
+    struct Memory : StillBeltPart<S, solves_all_materials<S> && !S::surface_velocities> {
         scalar rolling_levers[static_cast<unsigned>(shape_capacity<S>)] = {};  ///< m, by shape slot
         RollingRecord rolling_records[static_cast<unsigned>(S::max_manifolds)] = {};
         RollingRowsOf<S> rolling_rows[row_capacity_of<S>] = {};
@@ -155,7 +159,7 @@ struct Belts : Feature {
     static constexpr bool named = S::surface_velocities;
 
     template <class S, bool present>
-    struct Memory : BeltRowPart<S, !solves_pointwise<S>>, FreeRollingPart<S, (has_joints<S> || (S::axis_locks && !solves_pointwise<S>)) && !S::rolling_resistance> {
+    struct Memory : BeltRowPart<S, !solves_pointwise<S>>, FreeRollingPart<S, solves_all_materials<S> && !S::rolling_resistance> {
         Vector surface_velocities[static_cast<unsigned>(shape_capacity<S>)] = {};  ///< m/s, in the shape's axes, by shape slot
         Vector belt_velocities[static_cast<unsigned>(S::max_manifolds)] = {};      ///< m/s, world, by record
 
