@@ -42,7 +42,7 @@ TreeJoint<width> tree_joint(const FigureRows<width>& rows, const OneLane<width>&
     return {rows, at, row_i};
 }
 
-/// One that closes a loop. Its child is the parent's in place of the other.
+/// One that closes a loop: LoopJoint::other is the parent of its child.
 struct LoopedJoint {
     static constexpr bool closes = true;
 

@@ -49,7 +49,7 @@ struct MotorDrive {
 
 /// What a world keeps of the drive of a direction. Of a ball joint: target, rate and feedforward are components in the axes of A.
 struct DriveRecord {
-    JointDrive drive{};
+    JointDrive drive{DriveKind::none, 0, 0, 0, 0, 0, 0};  ///< zeros where there is none: a world is all zero as it begins
     scalar torque{};  ///< N m, N; mean of the last step
 };
 

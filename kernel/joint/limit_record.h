@@ -8,7 +8,7 @@ namespace ingot { inline namespace INGOT_ABI {
 
 /// Of the free directions that may end. All of B against A.
 struct LimitRecord {
-    JointLimits limits{};
+    JointLimits limits{{{0, 0}, {0, 0}}, 0};  ///< zeros of what holds no joint: a world is all zero as it begins
     scalar j[2]{};      ///< N m s, N s, that a limit gave at which the joint was at rest in the last substep, scaled to one of Effort::substeps
     scalar leave[2]{};  ///< rad/s, m/s, with which the joint leaves a limit that it has met in the last substep; 0: with none
 };

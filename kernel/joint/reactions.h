@@ -47,7 +47,7 @@ enum class JointPhase : uint8_t { works, disabled, broken, breaks };
 
 /// What a world keeps of a joint that may break. Written by members: it has a gap. Of one that does nothing, JointRecord::kind is none.
 struct BreakRecord {
-    JointStrength strength{};
+    JointStrength strength{0, 0};  ///< zeros of what holds no joint: a world is all zero as it begins
     JointKind kind{};    ///< of one that does nothing
     JointPhase phase{};  ///< breaks: it broke in the last step
 };

@@ -50,6 +50,7 @@ public:
 
         storage_.joints[joint_i] = record_of(def, storage_.bodies(), slot_A, slot_B, S::joints::has_limits);
         if constexpr (has_joint_limits<S>) storage_.joint_limits[joint_i].limits = def.joint.limits;
+        if constexpr (has_joint_breaking<S>) storage_.joint_breaking[joint_i].strength = JointStrength{};
         if constexpr (has_ties<S>) begin_tie(joint_i, def);
         if constexpr (has_wheels<S>)
             if (def.joint.kind == JointKind::wheel)
@@ -59,6 +60,7 @@ public:
             storage_.joint_lists().unlink(joint_i);
             storage_.joints[joint_i] = {};
             if constexpr (has_joint_limits<S>) storage_.joint_limits[joint_i] = {};
+            if constexpr (has_joint_breaking<S>) storage_.joint_breaking[joint_i].strength = {0, 0};
             if constexpr (has_ties<S>) storage_.joint_ties[joint_i] = {};
             if constexpr (has_targets<S>) storage_.joint_targets[joint_i] = {};
             return {Status::no_room, {}};
