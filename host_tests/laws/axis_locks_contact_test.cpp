@@ -64,12 +64,15 @@ TYPED_TEST(LockedContacts, hold_locks_and_give_no_energy) {
         for (int step_i = 0; step_i < static_cast<int>(1 / h); ++step_i) {
             (void)ingot::step(world, scalar(h));
             const double now = thrown.energy();
-            if (!TypeParam::continuous)  // as without locks: see energy_laws_test
+            if (!TypeParam::continuous) {  // as without locks: see energy_laws_test
                 EXPECT_LE(now - before, gain_of_step<TypeParam> * scale) << case_i << " step " << step_i << " e " << e << " mu " << mu << " h " << h;
+            }
             worst = std::max(worst, (now - before) / scale);
             before = now;
             for (int slot = 0; slot < TypeParam::max_bodies; ++slot)
-                if (world.is_alive(world.body_at(slot))) ASSERT_TRUE(is_held(world, world.body_at(slot), begin[static_cast<size_t>(slot)])) << slot;
+                if (world.is_alive(world.body_at(slot))) {
+                    ASSERT_TRUE(is_held(world, world.body_at(slot), begin[static_cast<size_t>(slot)])) << slot;
+                }
         }
     }
     printf("    largest gain of a step, of the energy %.3g, allowed %.3g\n", worst, gain_of_step<TypeParam>);
@@ -165,7 +168,9 @@ TEST(AxisLocks, meet_with_the_impulse_of_the_free_axes) {
                 EXPECT_LE((to_eigen(after.v_CM) - v).norm(), 1e-5 * (v.norm() + 1 + given.norm() / double(defs[i].mass.M)));
                 const Vector3d L = to_eigen(before[i].L) + (P - r).cross(given);
                 for (int axis = 0; axis < 3; ++axis)
-                    if (!is_locked(defs[i].locks, 3 + axis)) EXPECT_NEAR(to_eigen(after.L)[axis], L[axis], 1e-3 * (L.norm() + given.norm()));
+                    if (!is_locked(defs[i].locks, 3 + axis)) {
+                        EXPECT_NEAR(to_eigen(after.L)[axis], L[axis], 1e-3 * (L.norm() + given.norm()));
+                    }
             }
             worst = std::max(worst, j > 0 ? std::abs(double(contact.j) / j - 1) : 0);
             ++met;
@@ -244,7 +249,9 @@ TEST(AxisLocks, keep_a_character_upright) {
     ASSERT_EQ(world.set_locks(id, AxisLocks::rotation), Status::ok);
     const BodyState before = world.state(id).value;
     for (int step_i = 0; step_i < 300; ++step_i) {
-        if (step_i < 120) EXPECT_EQ(world.add_force(id, {0, 0, 3000}, world.state(id).value.r_CM + Vector{0, scalar(0.8), 0}), Status::ok);
+        if (step_i < 120) {
+            EXPECT_EQ(world.add_force(id, {0, 0, 3000}, world.state(id).value.r_CM + Vector{0, scalar(0.8), 0}), Status::ok);
+        }
         (void)ingot::step(world, scalar(1) / 60);
         ASSERT_TRUE(is_held(world, id, before)) << step_i;
     }
@@ -272,10 +279,13 @@ TEST(AxisLocks, hold_against_kinematic_bodies) {
             (void)ingot::step(world, scalar(1) / 60);
             ASSERT_TRUE(is_held(world, crate, before)) << locks;
         }
-        if (locks == AxisLocks::all)
+        if (locks == AxisLocks::all) {
             for (const ingot::ContactInfo& contact : world.contacts()) EXPECT_EQ(contact.j, 0) << "what cannot part is left alone";
+        }
         const BodyState after = world.state(crate).value;
-        if (!is_locked(locks, 1)) EXPECT_NEAR(after.r_CM.y, 0.75, 2e-3) << locks;
+        if (!is_locked(locks, 1)) {
+            EXPECT_NEAR(after.r_CM.y, 0.75, 2e-3) << locks;
+        }
         EXPECT_LT(std::abs(after.r_CM.x), 1);
     }
 }

@@ -32,7 +32,9 @@ TEST(AxisLocks, inverse_inertia_is_that_of_the_free_axes) {
         const Matrix3d wanted = restricted_inverse(A_double * I_rounded.asDiagonal() * A_double.transpose(), locks);
         EXPECT_LE((W - wanted).norm(), 16 * double(ingot::epsilon) * wanted.norm() * long_one) << "locks " << locks << " ratio " << long_one;
         for (int axis = 0; axis < 3; ++axis)
-            if (is_locked(locks, 3 + axis)) EXPECT_EQ(W.row(axis).norm() + W.col(axis).norm(), 0) << "to the bit";
+            if (is_locked(locks, 3 + axis)) {
+                EXPECT_EQ(W.row(axis).norm() + W.col(axis).norm(), 0) << "to the bit";
+            }
     }
 }
 
@@ -68,17 +70,22 @@ TYPED_TEST(LockedFlight, keeps_locks_energy_and_momenta) {
         const BodyState after = world.state(id).value;
         EXPECT_TRUE(is_held(world, id, before)) << draw;
         for (int axis = 0; axis < 3; ++axis)
-            if (!is_locked(locks, 3 + axis)) EXPECT_TRUE(same(axis_of(before.L, axis), axis_of(after.L, axis)));
+            if (!is_locked(locks, 3 + axis)) {
+                EXPECT_TRUE(same(axis_of(before.L, axis), axis_of(after.L, axis)));
+            }
         if constexpr (TypeParam::translates) {
             const Vector g = world.gravity();
             const double T = 60.0 * double(h);
             for (int axis = 0; axis < 3; ++axis)
-                if (!is_locked(locks, axis))
+                if (!is_locked(locks, axis)) {
                     EXPECT_NEAR(double(axis_of(after.r_CM, axis)),
                                 double(axis_of(before.r_CM, axis)) + double(axis_of(before.v_CM, axis)) * T + double(axis_of(g, axis)) * T * T / 2,
                                 60 * double(ingot::epsilon) * 40);
+                }
         } else {
-            EXPECT_NEAR(double(world.kinetic_energy(id).value), energy, 60 * double(ingot::limits::energy_rounding) * energy) << locks;
+            // What a part cannot give back, where no turn changes the energy, is of the fifth of its angle.
+            const double part = std::pow(double(ingot::limits::locked_turn_of_part), 5) / 120;
+            EXPECT_NEAR(double(world.kinetic_energy(id).value), energy, (60 * double(ingot::limits::energy_rounding) + part) * energy) << locks;
         }
         EXPECT_LE(ingot::orthogonality_error(after.A), 20 * ingot::epsilon);
     }
@@ -108,8 +115,8 @@ TYPED_TEST(LockedFlight, about_one_axis_is_exact) {
     }
 }
 
-/// About two free axes: of second order, against Runge and Kutta on A' = tilde(W(A) L) A in double. The fit is of rates at which rounding does not show.
-TYPED_TEST(LockedFlight, about_two_axes_is_of_second_order) {
+/// About two free axes: against Runge and Kutta on A' = tilde(W(A) L) A in double.
+TYPED_TEST(LockedFlight, about_two_axes_is_of_fourth_order) {
     RandomInput random(4);
     double error[2] = {};
     for (int draw = 0; draw < 12; ++draw) {
@@ -142,8 +149,12 @@ TYPED_TEST(LockedFlight, about_two_axes_is_of_second_order) {
         }
         for (int which = 0; which < 2; ++which) error[which] += (found[which] - A).norm() / 12;
     }
-    EXPECT_GT(error[0] / error[1], 3.2) << error[0] << ' ' << error[1];
-    EXPECT_LT(error[1], 3e-3);
+    // A part turns by 0.125 rad at most, and is off by the fifth of that over 120; steps of 1/16 s and 1/32 s are one part each, or two.
+    const double part = double(ingot::limits::locked_turn_of_part), roundings = 64 * 8 * double(ingot::epsilon);
+    for (const double of : error) EXPECT_LT(of, 8 * std::pow(part, 5) / 120 * 32 + roundings);
+    if (INGOT_DOUBLE != 0) {
+        EXPECT_GT(error[0] / error[1], 8) << error[0] << ' ' << error[1];
+    }
 }
 
 /// Bad input changes nothing, to the byte; a slot forgets its locks.
@@ -187,7 +198,9 @@ TEST(AxisLocksOfBody, bear_forces_and_impulses) {
         }
         const Vector v = world.state(id).value.v_CM, omega = world.omega(id).value;
         for (int axis = 0; axis < 3; ++axis)
-            if (!is_locked(locks, axis)) EXPECT_NE(axis_of(v, axis), 0);
+            if (!is_locked(locks, axis)) {
+                EXPECT_NE(axis_of(v, axis), 0);
+            }
         ASSERT_EQ(world.set_locks(id, 0), Status::ok);
         EXPECT_TRUE(same(v, world.state(id).value.v_CM));
         EXPECT_LE((to_eigen(world.omega(id).value) - to_eigen(omega)).norm(), 32 * double(ingot::epsilon) * to_eigen(omega).norm());

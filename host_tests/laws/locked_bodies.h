@@ -59,7 +59,7 @@ inline BodyDef any_body(RandomInput& random, unsigned locks) {
     BodyDef def = ingot_reference::definition(M, random.moments(M));
     def.state.A = to_matrix(random.rotation());
     def.state.r_CM = to_vector(random.vector(10));
-    def.locks = locks;
+    def.locks = static_cast<std::uint8_t>(locks);
     return def;
 }
 inline Matrix3d inertia_of(const BodyDef& def) {

@@ -68,7 +68,7 @@ void hold_motion(const BodyView& bodies, int slot, unsigned locks);
 void hold_forces(const BodyView& bodies, int slot, unsigned locks, const Vector& gravity);
 
 /// A as a body with locks turns it in h seconds, from L along free axes. About one free axis it turns by omega h, exactly, for its inertia stays the
-/// same; about two by the middle of parts of limits::turn_of_part, with its energy to rounding: see turn_freely. Cost: about 1000 flops a part.
+/// same; about two in parts of limits::locked_turn_of_part, to fourth order, with its energy to rounding. Cost: about 2000 flops a part.
 Matrix turned_with_locks(const Matrix& A, const LockedInertia& inertia, const Vector& L, scalar h);
 
 /// A after anything else has turned it, from what it was: about one free axis the row of it stays to the bit, without one all of it.

@@ -22,7 +22,7 @@ struct BodyDef {
     /// A platform, lift, door, flipper, turntable: neither force nor impulse moves it. It goes on with state.v_CM and state.L, which of such a body
     /// is its angular velocity, rad/s. For scenes with kinematic_bodies
     bool kinematic = false;
-    unsigned locks = 0;          ///< axes of the world that it does not move along, or turn about: AxisLocks; for scenes with axis_locks
+    uint8_t locks = 0;           ///< axes of the world that it does not move along, or turn about: AxisLocks; for scenes with axis_locks
 };
 
 } }  // namespace ingot

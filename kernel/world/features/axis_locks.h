@@ -70,7 +70,7 @@ struct LockedAxes : Feature {
     }
     template <class S>
     static void begin_body(Storage<S>& storage, int slot, const BodyDef& def) {
-        storage.locks[slot] = static_cast<uint8_t>(def.locks);
+        storage.locks[slot] = def.locks;
         hold(storage, slot);
     }
     template <class S>
