@@ -176,6 +176,24 @@ const tests = {
     }
     await page.close();
   },
+  async a_finger_drags_a_body_and_two_come_nearer() {
+    const page = await open('#scene=crate&step=200', {viewport: {width: 360, height: 700}, hasTouch: true}), from = await place(page, 1);
+    const session = await page.context().newCDPSession(page), touch = (type, ...points) => session.send('Input.dispatchTouchEvent', {
+      type, touchPoints: points.map(([x, y], id) => ({x, y, id}))});
+    const was = await page.evaluate(() => ({z: globalThis.page.engine.body(0, 1).r[2], distance: globalThis.page.camera.distance}));
+    await touch('touchStart', [from.x, from.y]);
+    for (let i = 1; i <= 6; ++i) { await touch('touchMove', [from.x, from.y - 16 * i]); await page.waitForTimeout(60); }
+    await later(page, z => globalThis.page.engine.body(0, 1).r[2] > z + 0.3, was.z);
+    await touch('touchEnd');
+    await page.tap('#pause');
+    const inputs = await page.evaluate(() => globalThis.page.run.inputs.length);
+    await touch('touchStart', [30, 320], [60, 320]);
+    for (let i = 1; i <= 5; ++i) await touch('touchMove', [30, 320], [60 + 12 * i, 320]);
+    await touch('touchEnd');
+    assert((await page.evaluate(() => globalThis.page.camera.distance)) < was.distance);
+    assert.equal(await page.evaluate(() => globalThis.page.run.inputs.length), inputs);
+    await page.close();
+  },
   async a_phone_and_the_dark() {
     for (const colorScheme of ['light', 'dark']) {
       const page = await open('#scene=balls&step=30', {viewport: {width: 360, height: 700}, colorScheme, hasTouch: true});

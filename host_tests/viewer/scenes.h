@@ -364,16 +364,18 @@ inline void chain(Builder& to) {
                 {2, scalar(0.82) * (static_cast<scalar>(i) - static_cast<scalar>(4 - row % 2) / 2), scalar(0.25) + half * static_cast<scalar>(row)}));
 }
 
-/// Balls on rods whose lengths make 15, 16, 17 ... swings in 30 s: they drift apart and come together again.
+/// Balls on rods whose lengths make 12, 13, 14 ... swings in 30 s: they drift apart and come together again.
 inline void pendulums(Builder& to) {
     ground(to);
     for (int i = 0; i < 13; ++i) {
-        // A point on a massless rod; the swing of 0.3 rad takes 0.56 % longer than a small one.
+        // Swings of 0.3 rad take 0.565 % longer than small ones; a body that has a moment of its own, I, swings as a point at l + I / (M l).
+        constexpr scalar M = 1, radius = scalar(0.16), I = scalar(0.04) * M * radius * radius;
         const scalar period = 30 / static_cast<scalar>(12 + i), root = period / scalar(2 * 3.14159265) / scalar(1.00565);
-        const scalar length = scalar(9.81) * root * root, x = scalar(0.45) * static_cast<scalar>(i - 6);
+        const scalar of_point = scalar(9.81) * root * root, l = (of_point + ingot::sqrt(of_point * of_point - 4 * I / M)) / 2;
+        const scalar x = scalar(0.45) * static_cast<scalar>(i - 6);
         const ingot::SinCos a = ingot::sin_cos(scalar(0.3));
-        ingot::BodyDef def = solid(ingot::Sphere{scalar(0.16)}, 1, {x, length * a.sin, scalar(2.4) - length * a.cos});
-        def.mass.I_body = def.mass.I_body * scalar(0.01);  // next to a point
+        ingot::BodyDef def = solid(ingot::Sphere{radius}, M, {x, l * a.sin, scalar(2.4) - l * a.cos});
+        def.mass.I_body = {I, I, I};
         const int ball = to.add(def);
         to.join(-1, ball, ingot::HingeJoint{}, {x, 0, scalar(2.4)}, {1, 0, 0});
     }
@@ -517,7 +519,7 @@ inline constexpr SceneInfo scenes[] = {
      "In half a minute the first swings 12 times, the next 13, and so on: then they are together again.",
      swept,
      of(swept),
-     {0, 0, 1.5f, 8, 0.7f, 0.25f},
+     {0, 0, 1.5f, 9, 0.7f, 0.25f},
      0,
      pendulums},
 };

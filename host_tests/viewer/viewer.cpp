@@ -39,6 +39,7 @@ struct Stage {
     alignas(64) unsigned char world[room_of_world];
 };
 static_assert(__is_trivially_copyable(Stage));
+static_assert(ingot::draw_color_count == 19, "engine.js names them");
 
 // Zero bytes are a valid empty world, and an empty stage.
 alignas(64) unsigned char stages[stage_count][sizeof(Stage)];
