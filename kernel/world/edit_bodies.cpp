@@ -235,8 +235,8 @@ namespace {
 
 /// restrict(slot, body): a body that does not move along, or turn about, some axes shows the impulse less.
 template <class Restrict>
-Result<scalar> collide_restricted(const BodyView& bodies, int slot_A, int slot_B, const Vector& P, const Vector& n, scalar e,
-                                  const Restrict& restrict) {
+INGOT_INLINE Result<scalar> collide_restricted(const BodyView& bodies, int slot_A, int slot_B, const Vector& P, const Vector& n, scalar e,
+                                               const Restrict& restrict) {
     Status status = check_vector(P, limits::position_max);
     if (status == Status::ok && !is_finite(n)) status = Status::not_finite;
     if (status == Status::ok && abs(length_sq(n) - 1) > limits::unit_length) status = Status::bad_direction;

@@ -99,13 +99,16 @@ protected:
     }
     /// About locked axes it is 0, and not the rounding of that.
     INGOT_INLINE Vector spin_of_slot(int slot) const {
-        const Vector omega = omega_of(storage_.bodies(), slot);
-        if constexpr (S::axis_locks) return free_part(omega, rotations_locked(storage_.locks[slot]));
-        return omega;
+        if constexpr (S::axis_locks)
+            return free_part(omega_of(storage_.bodies(), slot), rotations_locked(storage_.locks[slot]));
+        else
+            return omega_of(storage_.bodies(), slot);
     }
     INGOT_INLINE Result<scalar> collide_slots(int slot_A, int slot_B, const Vector& P, const Vector& n, scalar e) {
-        if constexpr (S::axis_locks) return collide_locked_bodies(storage_.bodies(), storage_.locks, slot_A, slot_B, P, n, e);
-        return collide_bodies(storage_.bodies(), slot_A, slot_B, P, n, e);
+        if constexpr (S::axis_locks)
+            return collide_locked_bodies(storage_.bodies(), storage_.locks, slot_A, slot_B, P, n, e);
+        else
+            return collide_bodies(storage_.bodies(), slot_A, slot_B, P, n, e);
     }
     bool sleeps_in(int slot) const { return is_dynamic(storage_.bodies(), slot) && !storage_.is_awake(slot); }
     Result<int> find_movable(BodyId id) const {

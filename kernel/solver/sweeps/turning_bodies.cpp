@@ -52,8 +52,8 @@ void begin_turning(View& solver, const BodyView& bodies, int body_i) {
     const Vector L = three_of(body.L), turned = three_of(body.dth);
     const Matrix A = lane_of(bodies.rotation[at.tile].A, at.lane);
     const scalar twice_energy = dot(L, lane_of(bodies.translation[at.tile].inv_I_world, at.lane) * L);
-    const auto inertia = inertia_of(solver, bodies, body_i);
-    set_attitude(history, length_sq(turned) > 0 ? turning::return_energy(inertia, turned_about(A, turned), L, twice_energy) : A);
+    const auto turned_on = [&] { return turning::return_energy(inertia_of(solver, bodies, body_i), turned_about(A, turned), L, twice_energy); };
+    set_attitude(history, length_sq(turned) > 0 ? turned_on() : A);
     set_three(history.turn, turned);
     body.dth[3] = turns_far;
     solver.some_turn = true;

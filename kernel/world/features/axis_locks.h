@@ -61,12 +61,14 @@ struct LockedAxes : Feature {
     template <class S>
     static Status check_locks(unsigned locks) {
         if ((locks & ~AxisLocks::all) != 0) return Status::out_of_range;
-        if (locks != 0 && !S::axis_locks) return Status::not_in_scene;
         return !locks_translations<S> && translations_locked(locks) != 0 ? Status::not_in_scene : Status::ok;
     }
     template <class S>
     static Status check_def(const BodyDef& def) {
-        return check_locks<S>(def.locks);
+        if constexpr (S::axis_locks)
+            return check_locks<S>(def.locks);
+        else
+            return def.locks == 0 ? Status::ok : Status::not_in_scene;
     }
     template <class S>
     static void begin_body(Storage<S>& storage, int slot, const BodyDef& def) {
