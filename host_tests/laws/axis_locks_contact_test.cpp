@@ -45,7 +45,7 @@ using Rooms = testing::Types<LockedRoom, WithMaterials>;
 TYPED_TEST_SUITE(LockedContacts, Rooms);
 
 /// Bodies of every shape, with e in 0 .. 1, among each other in a room, at any rate: locked coordinates keep their bits, and no step gains energy.
-/// Without gravity, as the law of bodies without locks: of two that bounce while one falls and the other does not, a step may gain 1e-4 of the energy,
+/// Without gravity, as the law of bodies without locks: of two that bounce while one falls and the other does not, a step may gain 1e-4 of energy,
 /// with gravity_shares as with locks.
 TYPED_TEST(LockedContacts, hold_locks_and_give_no_energy) {
     RandomInput random(11);

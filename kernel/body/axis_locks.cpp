@@ -52,8 +52,9 @@ Matrix turned_about_axis(const Matrix& A, int axis, scalar angle) {
 Matrix turned_by_vector(const Matrix& A, const Vector& u) { return turned_about(A, u * (1 + length_sq(u) / 12)); }
 
 /// A' = tilde(W(A) L) A, in parts that are as long as the spin of the moment lets them be: it is several times as large where the long axis of a
-/// slender body comes into the plane of the free axes. Runge and Kutta's method on the rotation vector u of a part, of fourth order: what the return of
-/// energy has to make up for, and cannot where no turn changes it, is of the fifth of the angle. Source: Munthe-Kaas 1998, dexp^-1 to its second term.
+/// slender body comes into the plane of the free axes. Runge and Kutta's method on the rotation vector u of a part, of fourth order: what the return
+/// of energy has to make up for, and cannot where no turn changes it, is of the fifth of the angle. Source: Munthe-Kaas 1998, dexp^-1 to its second
+/// term.
 Matrix turned_about_two(const Matrix& begin, const LockedInertia& inertia, const Vector& L, scalar h, scalar twice_energy) {
     Matrix A = begin;
     const scalar forth = h < 0 ? scalar(-1) : scalar(1);

@@ -42,8 +42,8 @@ INGOT_INLINE Vector free_part_or(const Vector& v, const Vector& other, unsigned 
     return {(axes & 1u) != 0 ? other.x : v.x, (axes & 2u) != 0 ? other.y : v.y, (axes & 4u) != 0 ? other.z : v.z};
 }
 
-/// W, kg^-1 m^-2, of a body whose turns about some axes are locked; with none, inverse_inertia_world. Its rows of locked axes are 0 to the bit. Sums of
-/// positive terms alone: nothing cancels, whatever the ratio of the moments. Cost: 60 flops.
+/// W, kg^-1 m^-2, of a body whose turns about some axes are locked; with none, inverse_inertia_world. Its rows of locked axes are 0 to the bit. Sums
+/// of positive terms alone: nothing cancels, whatever the ratio of the moments. Cost: 60 flops.
 SymmetricMatrix inverse_inertia_of_free(const Matrix& A, const Vector& inv_I_body, unsigned axes);
 
 /// What turns a body with locks: see turning_laws.h. Without one it is FreeInertia, to the bit.

@@ -23,8 +23,8 @@ struct FreeInertia {
 
 namespace turning {
 
-/// The turn that takes L . omega, twice the energy, to what it should be, by Newton's method; 0 where it is that, to rounding. scale: one over a moment
-/// of inertia of the body, so that neither mass nor size matters.
+/// The turn that takes L . omega, twice the energy, to what it should be, by Newton's method; 0 where it is that, to rounding. scale: one over a
+/// moment of inertia of the body, so that neither mass nor size matters.
 template <class Inertia>
 Vector turn_back(const Inertia& inertia, const Matrix& A, const Vector& L, scalar scale, scalar twice_energy) {
     const Vector omega = inertia.spin(A, L), y = L * scale;

@@ -131,7 +131,7 @@ template <class View>
 INGOT_INLINE bool has_one_row([[maybe_unused]] const View& solver, const ContactBlock& block) {
     return View::points_max == 1 || block.rows == 1;
 }
-/// How many rows such a block is visited with. Where axes are locked no block has one row: the others do the same, to the bit, and take no more flash.
+/// How many rows such a block is visited with. Where axes are locked no block has one row: the others do the same, to the bit, in no more flash.
 template <class View>
 inline constexpr int fewest_rows = View::locks_axes ? View::points_max : 1;
 
