@@ -2,8 +2,8 @@
 // What the solver works on in scenes whose bodies may have locks, see body/axis_locks.h.
 //
 // Locks on turning are in inv_I_world of the tiles: no row knows more of them. Along locked axes the inverse mass of a body is 0, so it is three
-// numbers here and not one: in what a row is prepared from, and where impulses and pushes are given. A body that never moves along an axis needs none where
-// rows are read. Bodies without locks get the same bits as without this view.
+// numbers here and not one: in what a row is prepared from, and where impulses and pushes are given. A body that never moves along an axis needs
+// none where rows are read. Bodies without locks get the same bits as without this view.
 #pragma once
 
 #include "material_view.h"

@@ -77,8 +77,8 @@ public:
     }
 
     /// Axes of the world along which a body does not move, and about which it does not turn, in scenes with axis_locks: bits of AxisLocks. What it
-    /// had of such a motion is gone, and what it has of the others stays: v_CM and L along them. A locked coordinate keeps its bits, whatever hits the
-    /// body; one that cannot move keeps its locks for when it can. Wakes the body and what touches it.
+    /// had of such a motion is gone, and what it has of the others stays: v_CM and L along them. A locked coordinate keeps its bits, whatever hits
+    /// the body; one that cannot move keeps its locks for when it can. Wakes the body and what touches it.
     /// Errors: out_of_range (bits beyond AxisLocks::all), not_in_scene (a translation where nothing translates, or where contacts are those of
     ///         FrictionlessImpacts or SequentialImpulses, for which a body has one mass: these lock turns alone).
     Status set_locks(BodyId id, unsigned locks) {
