@@ -249,7 +249,7 @@ void begin_solve(const FigureView& view, const NoLoops&, scalar h) {
 
 namespace {
 
-void begin_solve(const FigureView& view, const LoopView& loops, scalar h, scalar gain) {
+void aim_machines(const FigureView& view, const LoopView& loops, scalar h, scalar gain) {
     for_groups(view, [h](const auto& rows) { aim_joints(rows, h); });
     for_looped_figures(view, loops, [&](const LoopFigure& of) { aim_loops(view, loops, of, h); });
     hold_back_targets(view, loops, h, gain);
@@ -260,11 +260,11 @@ void begin_solve(const FigureView& view, const LoopView& loops, scalar h, scalar
 }  // namespace
 
 void begin_solve(const FigureView& view, const LoopView& loops, scalar h) {
-    begin_solve(view, loops, h, loops.ties == nullptr ? limits::target_gain : limits::target_gain_of_machines);
+    aim_machines(view, loops, h, loops.ties == nullptr ? limits::target_gain : limits::target_gain_of_machines);
 }
 void begin_flight_solve(const FigureView& view, const NoLoops& loops, scalar h, bool) { begin_solve(view, loops, h); }
 void begin_flight_solve(const FigureView& view, const LoopView& loops, scalar h, bool driven) {
-    begin_solve(view, loops, h, driven && loops.ties == nullptr ? limits::target_gain : limits::target_gain_of_machines);
+    aim_machines(view, loops, h, driven && loops.ties == nullptr ? limits::target_gain : limits::target_gain_of_machines);
 }
 
 void clear_solve(const FigureView& view) {
