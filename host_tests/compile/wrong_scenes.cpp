@@ -280,6 +280,17 @@ struct Wrong : ingot::Scene {
     static constexpr bool axis_locks = true;
     using rotation = ingot::Listing1Euler;
 #endif
+#ifdef LOCKS_IN_A_FIELD
+    static constexpr bool translates = true, axis_locks = true;
+    using force_field = ingot::PointMassGravity;
+    using flight = ingot::BlanesMoan4;
+#endif
+#ifdef LOCKS_SOLVED_DIRECTLY
+    static constexpr bool translates = true, axis_locks = true;
+    static constexpr int max_manifolds = 8;
+    using shapes = ingot::Shapes<ingot::Sphere, ingot::HalfSpace>;
+    using solver = ingot::HybridIslands<>;
+#endif
 #ifdef LOCKS_WITH_JOINTS
     static constexpr bool translates = true, axis_locks = true;
     static constexpr int max_joints = 4;
