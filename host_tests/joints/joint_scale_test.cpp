@@ -43,6 +43,14 @@ struct Looped : ingot::Scene {
     using joints = AllJoints;
     using shapes = ingot::Shapes<ingot::Box, ingot::HalfSpace>;
 };
+template <int k>
+struct LimitedLoops : Looped<k> {
+    using joints = AllJointsWith<ingot::WithLimits>;
+};
+template <int k>
+struct FreeLoops : Free<k> {
+    static constexpr int max_loops = 4;
+};
 
 FigureScene scaled(FigureScene scene, double length, double mass) {
     scene.g *= length;
@@ -63,6 +71,7 @@ FigureScene scaled(FigureScene scene, double length, double mass) {
 }
 
 FigureScene turning_tree_with_limits(RandomInput& random) { return limited_tree(random, 8, random.integer(0, 1) == 1, 6); }
+FigureScene turning_ring_with_limits(RandomInput& random) { return limited_ring(random, 8, random.integer(0, 1) == 1, 6); }
 /// With its lowest body this far above the ground, or further.
 FigureScene lifted(FigureScene scene, double height) {
     double z = 0;
@@ -110,5 +119,9 @@ TEST(ScaleOfJoints, is_no_matter_to_limits) {
 }
 TEST(ScaleOfJoints, is_no_matter_in_contact) { expect_same_way<Limited, -7>(3, turning_tree_with_limits); }
 TEST(ScaleOfJoints, is_no_matter_to_loops) { expect_same_way<Looped, 9>(4, ring_and_tree); }
+TEST(ScaleOfJoints, is_no_matter_to_loops_with_limits) {
+    expect_same_way<FreeLoops, 9>(5, turning_ring_with_limits);
+    expect_same_way<LimitedLoops, -8>(6, turning_ring_with_limits);
+}
 
 }  // namespace

@@ -188,7 +188,8 @@ TEST(Machines, limits_end_where_they_say) {
     }
 }
 
-/// A motor on the crank of an engine, or on its piston's rod: the crank goes round, through both dead centres, and the piston is where it should be.
+/// A motor on the crank of an engine, whichever joint closes its loop: it goes round, through both dead centres, and the piston is where it should
+/// be.
 TEST(Machines, an_engine_runs_through_its_dead_centres) {
     for (const double rate : rates)
         for (const double speed : {3.0, -20.0})
