@@ -20,30 +20,36 @@ enum class EdgeKind : uint8_t {
     concave,  ///< a triangle that rises: a valley
 };
 
-/// Corners counter-clockwise as seen from outside, where bodies may be.
-struct MeshTriangle {
+/// A triangle of a MeshTable. Corners counter-clockwise as seen from outside, where bodies may be.
+struct LatticeTriangle {
     uint16_t corners[3]{};  ///< of MeshTable::corners
     uint8_t edges{};        ///< two bits each, from the lowest: EdgeKind of the edges from corner 0, 1 and 2 to the next
     uint8_t material{};     ///< the user's
 };
 
 /// Up to four boxes around parts of the mesh. A box is given in units of 2^shift steps from the node's origin: 8 bits a side, rounded outwards.
+/// Nodes that are children of one node lie one behind the other, and so do the triangles of its leaves: the first of each is enough.
 struct MeshNode {
+    static constexpr int children = 4;
+    static constexpr int inner = 9;  ///< in counts: not a leaf but a node
     LatticePoint origin{};
-    uint8_t shift{};        ///< 0 .. 8, the same for all axes
-    uint8_t leaves{};       ///< bit k: child k is a leaf
-    uint8_t low[3][4]{}, high[3][4]{};  ///< by axis and child; low > high in x: there is none
-    uint16_t first[4]{};  ///< a node, or the first triangle of a leaf
-    uint8_t count[4]{};   ///< triangles of a leaf
+    uint16_t shifts{};          ///< 0 .. 9 of x, y and z, four bits each from the lowest
+    uint16_t counts{};          ///< of child 0 to 3, four bits each from the lowest: triangles of a leaf; 0: there is none; or inner
+    uint16_t first_node{};      ///< of the children that are nodes; after this one
+    uint16_t first_triangle{};  ///< of the children that are leaves
+    uint8_t low[3][children]{}, high[3][children]{};  ///< by axis and child
+
+    constexpr int shift(int axis) const { return shifts >> 4 * axis & 15; }
+    constexpr int count(int child) const { return counts >> 4 * child & 15; }
 };
 
-/// A mesh. Triangles of a leaf lie one behind the other.
+/// A mesh. Nodes lie level by level, so what node, and what triangle, comes next is known before it is read.
 struct MeshTable {
-    static constexpr int depth_max = 12;                     ///< of nodes
-    static constexpr int stack_max = 3 * depth_max + 1;      ///< nodes that wait in a walk
+    static constexpr int depth_max = 12;                  ///< of nodes
+    static constexpr int stack_max = 3 * depth_max + 1;   ///< nodes that wait in a walk
     static constexpr int triangles_of_leaf_max = 8;
     const LatticePoint* corners{};
-    const MeshTriangle* triangles{};
+    const LatticeTriangle* triangles{};
     const MeshNode* nodes{};  ///< the first is the root
     uint16_t corner_count{}, triangle_count{}, node_count{};
 };
@@ -53,7 +59,8 @@ struct HeightTable {
     static constexpr uint8_t hole = 255;  ///< in cells: no ground
     const uint16_t* heights{};      ///< steps of LevelTable::step in z; columns times rows of them
     const uint8_t* cells{};         ///< material of each cell, or hole; (columns - 1) (rows - 1) of them; null: all 0
-    const uint16_t* extremes{};     ///< least and greatest height of blocks of 8 by 8 cells, row by row, then of 8 by 8 of these, and so on
+    /// Least and greatest height of blocks of 8 by 8 cells, row by row, then of 8 by 8 of these, and so on, up to one block.
+    const uint16_t* extremes{};
     uint16_t columns{}, rows{};     ///< samples, 2 .. 65535
     scalar spacing_x{}, spacing_y{};  ///< m, between samples
     bool other_diagonal{};          ///< cells are cut from (0, 1) to (1, 0), not from (0, 0) to (1, 1)
@@ -90,7 +97,7 @@ constexpr LevelTables levels_in(const LevelTable (&levels)[N]) {
 struct LevelTriangle {
     Vector corners[3]{};  ///< m, counter-clockwise as seen from outside
     uint32_t number{};    ///< of a mesh, in MeshTable::triangles; of heights, 2 (row (columns - 1) + column) and one more
-    uint8_t edges{};      ///< as MeshTriangle::edges
+    uint8_t edges{};      ///< as LatticeTriangle::edges
     uint8_t material{};
 
     constexpr EdgeKind edge(int i) const { return static_cast<EdgeKind>(edges >> 2 * i & 3); }

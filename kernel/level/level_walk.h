@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Which triangles of a level are where. All in the level's frame.
+//
+// Whatever bytes the tables have, a walk reads what is in them and ends; only counts and places of the arrays have to be true (check_level).
 #pragma once
 
 #include "../base/status.h"
@@ -7,13 +9,33 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
+/// Where a walk through a mesh is.
+struct MeshWalk {
+    int low[3], high[3];  ///< what is asked for, in steps
+    int waiting;          ///< nodes on the stack
+    int nodes_left;       ///< as many as there are, each once
+    int leaves;           ///< of the node looked at last, that are still to be looked at
+    uint16_t next[MeshNode::children], end[MeshNode::children];  ///< triangles of these leaves
+    uint16_t stack[MeshTable::stack_max];
+};
+
 /// The triangle of this number, which for_triangles_in has told.
 LevelTriangle triangle_of(const LevelTable& level, uint32_t number);
 
+/// Begins a walk through what meets a box, m. False where nothing does.
+bool begin_walk(const LevelTable& level, const Vector& low, const Vector& high, MeshWalk& walk);
+/// The next triangle of a walk; false at its end.
+bool next_triangle(const LevelTable& level, MeshWalk& walk, LevelTriangle& triangle);
+
 /// Calls each(const LevelTriangle&) for every triangle whose own box meets the box low .. high, m; which come first the tables alone decide.
-/// Bounded by the tables. Cost: a node a comparison of four boxes, in integers.
+/// Nothing meets a box that is inside out, or has a NaN. Bounded by the tables. Cost: a node a comparison of four boxes, in integers.
 template <class Each>
-void for_triangles_in(const LevelTable& level, const Vector& low, const Vector& high, const Each& each);
+void for_triangles_in(const LevelTable& level, const Vector& low, const Vector& high, const Each& each) {
+    LevelTriangle triangle;
+    MeshWalk mesh;
+    if (level.is_mesh() && begin_walk(level, low, high, mesh))
+        while (next_triangle(level, mesh, triangle)) each(triangle);  // bound: triangles of the mesh
+}
 
 /// Where a ray meets a level first, from outside.
 struct LevelHit {
