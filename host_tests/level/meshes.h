@@ -10,8 +10,10 @@ namespace level_test {
 
 using Random = std::mt19937_64;  // the standard fixes its numbers
 
-inline int between(Random& random, int from, int to) {
-    return from + static_cast<int>(random() % static_cast<uint64_t>(to - from + 1));
+inline int between(Random& random, int from, int to) { return from + static_cast<int>(random() % static_cast<uint64_t>(to - from + 1)); }
+
+inline ingot::LatticePoint lattice_point(int x, int y, int z) {
+    return {static_cast<uint16_t>(x), static_cast<uint16_t>(y), static_cast<uint16_t>(z)};
 }
 
 /// Points on the lattice, and faces.
@@ -26,8 +28,8 @@ inline Soup loose_triangles(Random& random, int count, int extent, int size) {
     for (int i = 0; i < count; ++i) {
         const int origin[3] = {between(random, 0, extent - size), between(random, 0, extent - size), between(random, 0, extent - size)};
         for (int k = 0; k < 3; ++k)
-            soup.points.push_back({static_cast<uint16_t>(origin[0] + between(random, 0, size)), static_cast<uint16_t>(origin[1] + between(random, 0, size)),
-                                   static_cast<uint16_t>(origin[2] + between(random, 0, size))});
+            soup.points.push_back(
+                lattice_point(origin[0] + between(random, 0, size), origin[1] + between(random, 0, size), origin[2] + between(random, 0, size)));
         soup.faces.push_back({3 * i, 3 * i + 1, 3 * i + 2, static_cast<uint8_t>(i)});
     }
     return soup;
@@ -38,8 +40,7 @@ template <class Height>
 Soup terrain(Random& random, int n, int cell, const Height& height) {
     Soup soup;
     for (int row = 0; row <= n; ++row)
-        for (int column = 0; column <= n; ++column)
-            soup.points.push_back({static_cast<uint16_t>(column * cell), static_cast<uint16_t>(row * cell), static_cast<uint16_t>(height(column, row))});
+        for (int column = 0; column <= n; ++column) soup.points.push_back(lattice_point(column * cell, row * cell, height(column, row)));
     for (int row = 0; row < n; ++row)
         for (int column = 0; column < n; ++column) {
             const int a = row * (n + 1) + column, b = a + 1, c = a + n + 2, d = a + n + 1;
@@ -58,7 +59,7 @@ Soup terrain(Random& random, int n, int cell, const Height& height) {
 inline Soup slivers(int count, bool fan) {
     Soup soup;
     const auto point = [&soup](int x, int y, int z) {
-        soup.points.push_back({static_cast<uint16_t>(x), static_cast<uint16_t>(y), static_cast<uint16_t>(z)});
+        soup.points.push_back(lattice_point(x, y, z));
         return static_cast<int>(soup.points.size()) - 1;
     };
     const int apex = point(0, 0, 8);
@@ -79,8 +80,7 @@ inline Soup slivers(int count, bool fan) {
 inline void add_box(Soup& soup, const int (&low)[3], const int (&high)[3], uint8_t material) {
     const int first = static_cast<int>(soup.points.size());
     for (int i = 0; i < 8; ++i)
-        soup.points.push_back({static_cast<uint16_t>((i & 1) != 0 ? high[0] : low[0]), static_cast<uint16_t>((i & 2) != 0 ? high[1] : low[1]),
-                               static_cast<uint16_t>((i & 4) != 0 ? high[2] : low[2])});
+        soup.points.push_back(lattice_point((i & 1) != 0 ? high[0] : low[0], (i & 2) != 0 ? high[1] : low[1], (i & 4) != 0 ? high[2] : low[2]));
     const int quads[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
     for (const auto& q : quads) {
         soup.faces.push_back({first + q[0], first + q[1], first + q[2], material});

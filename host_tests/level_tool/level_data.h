@@ -26,17 +26,19 @@ struct MeshData {
 };
 
 /// Of points on the lattice, from its origin on, which is so many steps from that of the frame. Errors: as ingot::meshes::build.
-inline ingot::Status build_mesh(const std::vector<ingot::LatticePoint>& points, const std::vector<ingot::LevelFace>& faces, const int64_t (&origin)[3],
-                                ingot::scalar step, MeshData& data) {
+inline ingot::Status build_mesh(const std::vector<ingot::LatticePoint>& points, const std::vector<ingot::LevelFace>& faces,
+                                const int64_t (&origin)[3], ingot::scalar step, MeshData& data) {
     const size_t face_count = std::max<size_t>(faces.size(), 1), point_count = std::max<size_t>(points.size(), 1);
-    const auto node_room = static_cast<size_t>(ingot::meshes::node_room(static_cast<int>(face_count)));
-    std::vector<uint64_t> corner_keys(point_count), triangle_keys(face_count), edges(3 * face_count), aside(std::max(3 * face_count, point_count));
+    const size_t node_room = ingot::meshes::node_room(static_cast<unsigned>(face_count));
+    std::vector<uint64_t> corner_keys(point_count), triangle_keys(face_count), edges(3 * face_count);
+    std::vector<uint64_t> aside(std::max(3 * face_count, point_count));
     std::vector<ingot::lattice::Box> boxes(face_count);
     std::vector<int> order[3], begin(node_room), end(node_room);
     for (auto& along : order) along.resize(face_count);
     std::vector<uint8_t> kinds(face_count), left(face_count);
-    ingot::meshes::Workspace work{corner_keys.data(), triangle_keys.data(), edges.data(), aside.data(), boxes.data(),
-                                  {order[0].data(), order[1].data(), order[2].data()}, begin.data(), end.data(), kinds.data(), left.data()};
+    ingot::meshes::Workspace work{
+        corner_keys.data(), triangle_keys.data(), edges.data(), aside.data(), boxes.data(), {order[0].data(), order[1].data(), order[2].data()},
+        begin.data(),       end.data(),           kinds.data(), left.data()};
     data.corners.assign(point_count, {});
     data.triangles.assign(face_count, {});
     data.nodes.assign(node_room, {});
@@ -50,8 +52,12 @@ inline ingot::Status build_mesh(const std::vector<ingot::LatticePoint>& points, 
     data.triangles.resize(static_cast<size_t>(tables.triangle_count));
     data.nodes.resize(static_cast<size_t>(tables.node_count));
     data.view = {};
-    data.view.mesh = {data.corners.data(), data.triangles.data(), data.nodes.data(), static_cast<uint16_t>(tables.corner_count),
-                      static_cast<uint16_t>(tables.triangle_count), static_cast<uint16_t>(tables.node_count)};
+    data.view.mesh = {data.corners.data(),
+                      data.triangles.data(),
+                      data.nodes.data(),
+                      static_cast<uint16_t>(tables.corner_count),
+                      static_cast<uint16_t>(tables.triangle_count),
+                      static_cast<uint16_t>(tables.node_count)};
     ingot::meshes::frame(data.view, origin, step);
     return status;
 }

@@ -19,6 +19,12 @@ constexpr bool is_step(scalar step) {
     return false;
 }
 
+/// On the lattice of its step, and near enough to 0 that no corner is rounded.
+constexpr bool is_origin(scalar origin, scalar step) {
+    const scalar steps = origin / step;
+    return abs(steps) <= static_cast<scalar>(origin_max) && static_cast<scalar>(static_cast<int64_t>(steps)) == steps;
+}
+
 /// The number of the step that is next to x, which is no further than limits::position_max; of two, the upper.
 constexpr int64_t nearest_step(scalar x, scalar step) {
     const scalar steps = x / step;
@@ -28,9 +34,7 @@ constexpr int64_t nearest_step(scalar x, scalar step) {
 }
 
 /// Orders points by x, then y, then z.
-constexpr uint64_t key_of_point(const LatticePoint& p) {
-    return static_cast<uint64_t>(p.x) << 32 | static_cast<uint64_t>(p.y) << 16 | p.z;
-}
+constexpr uint64_t key_of_point(const LatticePoint& p) { return static_cast<uint64_t>(p.x) << 32 | static_cast<uint64_t>(p.y) << 16 | p.z; }
 constexpr LatticePoint point_of_key(uint64_t key) {
     return {static_cast<uint16_t>(key >> 32), static_cast<uint16_t>(key >> 16), static_cast<uint16_t>(key)};
 }
@@ -109,6 +113,12 @@ constexpr void hold(Box& box, const Box& other) {
         box.high[axis] = most(box.high[axis], other.high[axis]);
     }
 }
+/// Of all corners of a mesh, of which there is one.
+constexpr Box box_of_corners(const MeshTable& mesh) {
+    Box box = box_of(mesh.corners[0], mesh.corners[0], mesh.corners[0]);
+    for (int i = 1; i < mesh.corner_count; ++i) hold(box, box_of(mesh.corners[i], mesh.corners[i], mesh.corners[i]));  // bound: corners
+    return box;
+}
 /// Half of the area of its sides, square steps: below 2^34.
 constexpr uint64_t half_area(const Box& box) {
     const auto x = static_cast<uint64_t>(box.high[0] - box.low[0]), y = static_cast<uint64_t>(box.high[1] - box.low[1]),
@@ -131,4 +141,4 @@ constexpr void sort_keys(uint64_t* keys, uint64_t* aside, int count) {
     }
 }
 
-} } }  // namespace ingot::INGOT_ABI::lattice
+}}}  // namespace ingot::INGOT_ABI::lattice

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "lattice.h"
+#include "height_grid.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -26,8 +26,8 @@ struct LevelChecksum {
         scalar size = x < 0 ? -x : x;
         if (!(size <= scalar_max)) size = 0;
         int exponent = 0;
-        for (; size >= 1; size /= 2) ++exponent;                                 // bound: 1024: a double is below 2^1024
-        for (; size > 0 && size < scalar(0.5); size *= 2) --exponent;            // bound: 1074: it is above 2^-1075
+        for (; size >= 1; size /= 2) ++exponent;                       // bound: 1024: a double is below 2^1024
+        for (; size > 0 && size < scalar(0.5); size *= 2) --exponent;  // bound: 1074: it is above 2^-1075
         word(static_cast<uint32_t>(exponent) << 1 | (x < 0));
         constexpr scalar part = 65536;
         for (int i = 0; i < 4; ++i) {
@@ -72,10 +72,23 @@ constexpr uint32_t checksum_of(const LevelTable& level) {
     sum.pair(mesh.corner_count);
     sum.pair(mesh.triangle_count);
     sum.pair(mesh.node_count);
-    for (int i = 0; i < mesh.corner_count; ++i) sum.point(mesh.corners[i]);          // bound: corners of the mesh
-    for (int i = 0; i < mesh.triangle_count; ++i) sum.triangle(mesh.triangles[i]);   // bound: triangles of the mesh
-    for (int i = 0; i < mesh.node_count; ++i) sum.node(mesh.nodes[i]);               // bound: nodes of the mesh
+    for (int i = 0; i < mesh.corner_count; ++i) sum.point(mesh.corners[i]);         // bound: corners of the mesh
+    for (int i = 0; i < mesh.triangle_count; ++i) sum.triangle(mesh.triangles[i]);  // bound: triangles of the mesh
+    for (int i = 0; i < mesh.node_count; ++i) sum.node(mesh.nodes[i]);              // bound: nodes of the mesh
+    const HeightTable& heights = level.heights;
+    sum.pair(heights.columns);
+    sum.pair(heights.rows);
+    if (heights.columns == 0 || heights.rows == 0) return sum.value;
+    sum.number(heights.spacing_x);
+    sum.number(heights.spacing_y);
+    sum.byte(heights.other_diagonal);
+    const int64_t samples = static_cast<int64_t>(heights.columns) * heights.rows;
+    const int64_t cells = heights.cells == nullptr ? 0 : static_cast<int64_t>(heights.columns - 1) * (heights.rows - 1);
+    const int64_t extremes = grid::extremes_of(heights.columns, heights.rows);
+    for (int64_t i = 0; i < samples; ++i) sum.pair(heights.heights[i]);    // bound: the field
+    for (int64_t i = 0; i < cells; ++i) sum.byte(heights.cells[i]);        // bound: the field
+    for (int64_t i = 0; i < extremes; ++i) sum.pair(heights.extremes[i]);  // bound: the field
     return sum.value;
 }
 
-} }  // namespace ingot
+}}  // namespace ingot::INGOT_ABI

@@ -17,20 +17,20 @@ struct LevelFace {
 namespace meshes {
 
 /// Nodes of so many triangles at most: a node has more than eight of them, so four children.
-constexpr int node_room(int triangles) { return triangles / 3 + 1; }
+constexpr unsigned node_room(unsigned triangles) { return triangles / 3 + 1; }
 
 /// Where the builder works: arrays of the caller, for so many faces and corners as are given.
 struct Workspace {
-    uint64_t* corners{};         ///< of corners
-    uint64_t* triangles{};       ///< of faces
-    uint64_t* edges{};           ///< 3 of faces
-    uint64_t* aside{};           ///< 3 of faces, and of corners
-    lattice::Box* boxes{};       ///< of faces
-    int* order[3]{};             ///< of faces: the triangles as they lie along each axis
-    int* begin{};                ///< node_room
-    int* end{};                  ///< node_room
-    uint8_t* kinds{};            ///< of faces: LatticeTriangle::edges
-    uint8_t* left{};             ///< of faces
+    uint64_t* corners{};    ///< of corners
+    uint64_t* triangles{};  ///< of faces
+    uint64_t* edges{};      ///< 3 of faces
+    uint64_t* aside{};      ///< 3 of faces, and of corners
+    lattice::Box* boxes{};  ///< of faces
+    int* order[3]{};        ///< of faces: the triangles as they lie along each axis
+    int* begin{};           ///< node_room
+    int* end{};             ///< node_room
+    uint8_t* kinds{};       ///< of faces: LatticeTriangle::edges
+    uint8_t* left{};        ///< of faces
 };
 
 /// What it makes: arrays of the caller, for as many.
@@ -80,7 +80,9 @@ constexpr Status weld(const LatticePoint* points, int point_count, const LevelFa
     int kept = 0;
     for (int i = 0; i < face_count; ++i) {  // bound: of the workspace
         const LevelFace& face = faces[i];
-        if (face.a < 0 || face.b < 0 || face.c < 0 || face.a >= point_count || face.b >= point_count || face.c >= point_count) return Status::out_of_range;
+        const int numbers[3] = {face.a, face.b, face.c};
+        for (int corner : numbers)
+            if (corner < 0 || corner >= point_count) return Status::out_of_range;
         if (!lattice::has_area(points[face.a], points[face.b], points[face.c])) continue;
         ++kept;
         work.corners[face.a] = work.corners[face.b] = work.corners[face.c] = 1;
@@ -93,15 +95,15 @@ constexpr Status weld(const LatticePoint* points, int point_count, const LevelFa
     corners = sort_and_merge(work.corners, work.aside, corners, 0);
     if (corners > lattice::last) return Status::no_room;
     tables.corner_count = corners;
-    for (int i = 0; i < corners; ++i) tables.corners[i] = lattice::point_of_key(work.corners[i]);
+    for (int i = 0; i < corners; ++i) tables.corners[i] = lattice::point_of_key(work.corners[i]);  // bound: corners given
 
     int triangles = 0;
     for (int i = 0; i < face_count; ++i) {
         const LatticePoint &a = points[faces[i].a], &b = points[faces[i].b], &c = points[faces[i].c];
         if (!lattice::has_area(a, b, c)) continue;
-        work.triangles[triangles++] = key_of_triangle(place_of(lattice::key_of_point(a), work.corners, corners),
-                                                      place_of(lattice::key_of_point(b), work.corners, corners),
-                                                      place_of(lattice::key_of_point(c), work.corners, corners), faces[i].material);
+        work.triangles[triangles++] =
+            key_of_triangle(place_of(lattice::key_of_point(a), work.corners, corners), place_of(lattice::key_of_point(b), work.corners, corners),
+                            place_of(lattice::key_of_point(c), work.corners, corners), faces[i].material);
     }
     tables.triangle_count = sort_and_merge(work.triangles, work.aside, triangles, 8);
     tables.doubled = triangles - tables.triangle_count;
@@ -129,9 +131,9 @@ constexpr void look_at_edges(Workspace& work, const Tables& tables) {
         const uint64_t triangle = work.triangles[edge / 3], neighbour = work.triangles[other / 3];
         const int a = corner_of_key(triangle, edge % 3);
         if (a == corner_of_key(neighbour, other % 3)) continue;  // the same way round: one of them is inside out
-        const EdgeKind kind = lattice::kind_of_edge(tables.corners[a], tables.corners[corner_of_key(triangle, (edge + 1) % 3)],
-                                                    tables.corners[corner_of_key(triangle, (edge + 2) % 3)],
-                                                    tables.corners[corner_of_key(neighbour, (other + 2) % 3)]);
+        const EdgeKind kind =
+            lattice::kind_of_edge(tables.corners[a], tables.corners[corner_of_key(triangle, (edge + 1) % 3)],
+                                  tables.corners[corner_of_key(triangle, (edge + 2) % 3)], tables.corners[corner_of_key(neighbour, (other + 2) % 3)]);
         work.kinds[edge / 3] = static_cast<uint8_t>(work.kinds[edge / 3] | static_cast<int>(kind) << 2 * (edge % 3));
         work.kinds[other / 3] = static_cast<uint8_t>(work.kinds[other / 3] | static_cast<int>(kind) << 2 * (other % 3));
     }
@@ -142,8 +144,8 @@ constexpr void sort_along_axes(Workspace& work, const Tables& tables) {
     const int count = tables.triangle_count;
     for (int i = 0; i < count; ++i) {  // bound: triangles
         const uint64_t key = work.triangles[i];
-        work.boxes[i] = lattice::box_of(tables.corners[corner_of_key(key, 0)], tables.corners[corner_of_key(key, 1)],
-                                        tables.corners[corner_of_key(key, 2)]);
+        work.boxes[i] =
+            lattice::box_of(tables.corners[corner_of_key(key, 0)], tables.corners[corner_of_key(key, 1)], tables.corners[corner_of_key(key, 2)]);
     }
     for (int axis = 0; axis < 3; ++axis) {
         for (int i = 0; i < count; ++i) {
@@ -161,6 +163,7 @@ struct Part {
     uint64_t area{};
 
     constexpr int count() const { return end - begin; }
+    constexpr uint64_t work() const { return area * static_cast<uint64_t>(count()); }
     constexpr bool is_leaf() const { return count() <= MeshTable::triangles_of_leaf_max; }
 };
 
@@ -179,11 +182,11 @@ struct Cut {
 /// What triangles of a box cost: how often it is looked at, by its area, times what is in it, in leaves.
 constexpr uint64_t cost_of(uint64_t area, int count) {
     constexpr int leaf = MeshTable::triangles_of_leaf_max;
-    return (area + 1) * static_cast<uint64_t>((count + leaf / 2 - 1) / (leaf / 2));
+    return (area + 1) * static_cast<uint64_t>((count + leaf - 1) / leaf);
 }
 
-/// The cut that costs least, of those that leave no more than `room` children's worth: a child takes up to `capacity` triangles. Of equals the one along
-/// the first axis, furthest to the left.
+/// The cut that costs least, of those that leave no more than `room` children's worth: a child takes up to `capacity` triangles. Of equals the one
+/// along the first axis, furthest to the left.
 ///
 /// Source: MacDonald and Booth, "Heuristics for ray tracing using space subdivision", 1990.
 constexpr Cut best_cut(Workspace& work, const Part& part, int capacity, int room) {
@@ -238,7 +241,7 @@ constexpr int cut_node(Workspace& work, Part (&parts)[MeshNode::children], int c
             if (part.count() < 2 || (is_tight && part.count() <= capacity)) continue;
             if (chosen >= 0 && part.is_leaf() && !parts[chosen].is_leaf()) continue;
             const bool first = chosen < 0 || (parts[chosen].is_leaf() && !part.is_leaf());
-            if (first || part.area * static_cast<uint64_t>(part.count()) > parts[chosen].area * static_cast<uint64_t>(parts[chosen].count())) chosen = i;
+            if (first || part.work() > parts[chosen].work()) chosen = i;
         }
         if (chosen < 0) break;
         Part& part = parts[chosen];
@@ -339,4 +342,5 @@ constexpr Status build(const LatticePoint* points, int point_count, const LevelF
     return Status::ok;
 }
 
-} } }  // namespace ingot::INGOT_ABI::meshes
+}  // namespace meshes
+}}  // namespace ingot::INGOT_ABI

@@ -19,17 +19,17 @@
 namespace ingot { inline namespace INGOT_ABI {
 
 /// The arrays of a mesh of up to so many corners and triangles.
-template <unsigned corner_room, unsigned triangle_room, unsigned node_room = static_cast<unsigned>(meshes::node_room(static_cast<int>(triangle_room)))>
+template <unsigned corner_room, unsigned triangle_room, unsigned node_room = meshes::node_room(triangle_room)>
 struct MeshOf {
-    LatticePoint corners[corner_room]{};          ///< see MeshTable
-    LatticeTriangle triangles[triangle_room]{};   ///< see MeshTable
-    MeshNode nodes[node_room]{};                  ///< see MeshTable
+    LatticePoint corners[corner_room]{};                      ///< see MeshTable
+    LatticeTriangle triangles[triangle_room]{};               ///< see MeshTable
+    MeshNode nodes[node_room]{};                              ///< see MeshTable
     uint16_t corner_count{}, triangle_count{}, node_count{};  ///< see MeshTable
-    int without_area{}, doubled{};  ///< triangles that were left out: of no area on the lattice, or there already
-    Vector origin{};                ///< m, see LevelTable
-    scalar step{};                  ///< m, see LevelTable
-    Vector low{}, high{};           ///< m, see LevelTable
-    uint32_t checksum{};            ///< see LevelTable
+    int without_area{}, doubled{};                            ///< triangles that were left out: of no area on the lattice, or there already
+    Vector origin{};                                          ///< m, see LevelTable
+    scalar step{};                                            ///< m, see LevelTable
+    Vector low{}, high{};                                     ///< m, see LevelTable
+    uint32_t checksum{};                                      ///< see LevelTable
 
     /// What LevelTables and the calls of level_walk.h take: it points here.
     constexpr LevelTable view() const {
@@ -90,9 +90,7 @@ constexpr void frame(LevelTable& level, const int64_t (&origin)[3], scalar step)
     const auto at = [step](int64_t steps) { return static_cast<scalar>(steps) * step; };
     level.step = step;
     level.origin = {at(origin[0]), at(origin[1]), at(origin[2])};
-    lattice::Box box = lattice::box_of(level.mesh.corners[0], level.mesh.corners[0], level.mesh.corners[0]);
-    for (int i = 0; i < level.mesh.corner_count; ++i)  // bound: corners of the mesh
-        lattice::hold(box, lattice::box_of(level.mesh.corners[i], level.mesh.corners[i], level.mesh.corners[i]));
+    const lattice::Box box = lattice::box_of_corners(level.mesh);
     level.low = {at(origin[0] + box.low[0]), at(origin[1] + box.low[1]), at(origin[2] + box.low[2])};
     level.high = {at(origin[0] + box.high[0]), at(origin[1] + box.high[1]), at(origin[2] + box.high[2])};
     level.checksum = checksum_of(level);
@@ -100,20 +98,20 @@ constexpr void frame(LevelTable& level, const int64_t (&origin)[3], scalar step)
 
 }  // namespace meshes
 
-/// The table of a mesh. Corners are moved to the nearest point of the lattice; those that meet there are one. Triangles that have no area then are left
-/// out, and so are those that are there already. The result depends on the triangles, and not on the order of corners or triangles, nor on the corner
-/// that a triangle begins with.
+/// The table of a mesh. Corners are moved to the nearest point of the lattice; those that meet there are one. Triangles that have no area then are
+/// left out, and so are those that are there already. The result depends on the triangles, and not on the order of corners or triangles, nor on the
+/// corner that a triangle begins with.
 ///
 /// Units:   m, in the level's frame. step: a power of two; 2^-10 m makes 64 m of lattice.
-/// Errors:  not_finite, out_of_range (a number that is no corner's, a step that is no power of two from 2^-20 to 2^20, more than 65535 steps across, a
-///          place beyond limits::position_max or 2^23 steps, of double 2^52), no_room (more than 65535 corners or triangles), bad_shape (no triangle is
-///          left).
+/// Errors:  not_finite, out_of_range (a number that is no corner's, a step that is no power of two from 2^-20 to 2^20, more than 65535 steps across,
+///          a place beyond limits::position_max or 2^23 steps, of double 2^52), no_room (more than 65535 corners or triangles), bad_shape (no
+///          triangle is left).
 /// Cost:    none at run time where all of it is constant. About 500 n log n steps of the compiler.
 template <unsigned corner_room, unsigned triangle_room>
 constexpr Result<MeshOf<corner_room, triangle_room>> mesh_of(const Vector (&corners)[corner_room], const LevelFace (&faces)[triangle_room],
                                                              scalar step = scalar(1) / 1024) {
     constexpr int corner_count = static_cast<int>(corner_room), face_count = static_cast<int>(triangle_room);
-    constexpr auto node_room = static_cast<unsigned>(meshes::node_room(face_count));
+    constexpr auto node_room = meshes::node_room(triangle_room);
     Result<MeshOf<corner_room, triangle_room>> result{};
     if (!lattice::is_step(step)) return {Status::out_of_range, {}};
     LatticePoint points[corner_room] = {};
@@ -169,4 +167,4 @@ constexpr auto trimmed() {
     return all;
 }
 
-} }  // namespace ingot
+}}  // namespace ingot::INGOT_ABI
