@@ -2,6 +2,7 @@
 // Meshes drawn at random, of the kinds that levels have.
 #pragma once
 
+#include <limits>
 #include <random>
 
 #include "level_tool/level_data.h"
@@ -9,6 +10,9 @@
 namespace level_test {
 
 using Random = std::mt19937_64;  // the standard fixes its numbers
+
+inline constexpr ingot::scalar not_a_number = std::numeric_limits<ingot::scalar>::quiet_NaN(),
+                               infinity = std::numeric_limits<ingot::scalar>::infinity();
 
 inline int between(Random& random, int from, int to) { return from + static_cast<int>(random() % static_cast<uint64_t>(to - from + 1)); }
 

@@ -4,7 +4,6 @@
 #include <ingot/level/level_walk.h>
 
 #include <cmath>
-#include <limits>
 #include <set>
 
 #include "fields.h"
@@ -102,14 +101,13 @@ TEST(LevelWalk, tells_nothing_of_a_box_that_is_none) {
     Random random(17);
     const level_tool::MeshData mesh = built(village(random, 3));
     const Field hills = field(random, 9, 9, false, 0, [](int column, int row) { return column * row; });
-    const scalar nan = std::numeric_limits<scalar>::quiet_NaN(), infinity = std::numeric_limits<scalar>::infinity();
     for (const ingot::LevelTable* level : {&mesh.view, &hills.view}) {
         const size_t all = told_in(*level, {-infinity, -infinity, -infinity}, {infinity, infinity, infinity}).size();
         EXPECT_EQ(all, triangles_of(*level).size());
         EXPECT_EQ(told_in(*level, {-scalar(1e30), -scalar(1e9), -scalar(1e20)}, {scalar(1e30), scalar(1e9), scalar(1e9)}).size(), all);
         for (int axis = 0; axis < 6; ++axis) {
             scalar places[6] = {-infinity, -infinity, -infinity, infinity, infinity, infinity};
-            places[axis] = nan;
+            places[axis] = not_a_number;
             EXPECT_TRUE(told_in(*level, {places[0], places[1], places[2]}, {places[3], places[4], places[5]}).empty());
             places[axis] = axis < 3 ? infinity : -infinity;
             const bool is_below_ground = axis == 5 && !level->is_mesh();

@@ -62,4 +62,32 @@ inline ingot::Status build_mesh(const std::vector<ingot::LatticePoint>& points, 
     return status;
 }
 
+/// A field of heights, with its arrays: as MeshData.
+struct HeightData {
+    std::vector<uint16_t> heights, extremes;
+    std::vector<uint8_t> cells;  ///< empty where there is no hole
+    ingot::LevelTable view;
+
+    HeightData() = default;
+    HeightData(HeightData&&) = default;
+    HeightData& operator=(HeightData&&) = default;
+    HeightData(const HeightData&) = delete;
+    HeightData& operator=(const HeightData&) = delete;
+};
+
+/// Fills what follows from heights, cells, origin, step and spacings.
+inline void finish_heights(HeightData& data, int columns, int rows) {
+    data.extremes.resize(static_cast<size_t>(ingot::grid::extremes_of(columns, rows)));
+    ingot::grid::fill_extremes(data.heights.data(), columns, rows, data.extremes.data());
+    ingot::HeightTable& heights = data.view.heights;
+    heights.heights = data.heights.data();
+    heights.extremes = data.extremes.data();
+    heights.cells = data.cells.empty() ? nullptr : data.cells.data();
+    heights.columns = static_cast<uint16_t>(columns);
+    heights.rows = static_cast<uint16_t>(rows);
+    data.view.low = ingot::grid::low_of(data.view);
+    data.view.high = ingot::grid::high_of(data.view);
+    data.view.checksum = checksum_of(data.view);
+}
+
 }  // namespace level_tool

@@ -9,9 +9,9 @@ namespace {
 
 constexpr Vector corners[4] = {{0, 0, 0}, {6, 0, 0}, {0, 6, 0}, {0, 0, 6}};
 constexpr MeshTriangle faces[4] = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
-constexpr Result<MassDistribution> mesh = solid_mesh(1, corners, 4, faces, 4);
+constexpr Result<MassDistribution> mesh_of_tetrahedron = solid_mesh(1, corners, 4, faces, 4);
 constexpr MassDistribution tetrahedron = solid_tetrahedron(1, corners[0], corners[1], corners[2], corners[3]);
-static_assert(mesh.ok() && mesh.value.M == 36 && tetrahedron.M == 36, "base times height over 3");
+static_assert(mesh_of_tetrahedron.ok() && mesh_of_tetrahedron.value.M == 36 && tetrahedron.M == 36, "base times height over 3");
 static_assert(solid_mesh(1, corners, 4, faces, 3).status == Status::bad_shape, "a mesh of 4 faces is open without one");
 
 constexpr MassDistribution cube = solid_box(1, {1, 1, 1});
