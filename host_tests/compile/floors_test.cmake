@@ -25,7 +25,7 @@ set(solver_sweeps_may base math body narrow_phase joint figure constraint island
 set(solver_direct_may ${solver_sweeps_may} solver/sweeps)
 set(solver_sequential_may base math body narrow_phase constraint solver)
 set(events_may base math body broad_phase narrow_phase constraint)
-set(continuous_may base math body shape motion broad_phase narrow_phase constraint island solver solver/sweeps solver/sequential)
+set(continuous_may base math body shape motion broad_phase narrow_phase joint figure constraint island solver solver/sweeps solver/sequential)
 set(world_features_may base math body shape motion broad_phase narrow_phase impulse joint figure energy_momentum constraint island sleep solver/sweeps solver/direct
   solver/sequential events continuous world)
 set(world_may world/features base math body shape motion broad_phase narrow_phase query draw impulse joint figure energy_momentum constraint island sleep solver solver/sweeps solver/direct solver/sequential
@@ -55,7 +55,7 @@ set(island_shares active_tiles awake_tiles disjoint_sets rest_view)
 set(sleep_shares wake)
 set(events_shares contact_events pair_rules)
 set(continuous_shares body_path fast_pairs parting_plane time_of_impact pair_sub_world pair_contacts continuous_collision find_pair_contacts locked_pair solve_pair
-  lay_paths next_impact resolve_impact)
+  lay_paths next_impact resolve_impact figures_on_paths contacts_of_figures close_figure wait_with_figure)
 # swept_contacts has the stages of a substep, for block_sweeps and hybrid_islands to conduct; plan_islands begins a batch.
 set(solver_sweeps_shares block_sweeps swept_contacts conduct_sweeps jointed_contacts jointed_reactions jointed_visits conjugate_gradients diverged_islands gaining_figures gaining_islands kinematic_contacts move_bodies note_impulses order_manifolds
   passive_bounces plan_islands predict_contacts sequence_impacts slip_reversals solve_velocities sweep_joint_rows sweep_positions sweep_velocities turning_bodies warm_start)

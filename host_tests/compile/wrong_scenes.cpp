@@ -352,12 +352,6 @@ struct Wrong : ingot::Scene {
     using joints = ingot::Joints<ingot::BallJoint>;
     using rotation = ingot::Listing1Euler;
 #endif
-#ifdef JOINTS_OF_FAST_BODIES
-    static constexpr bool translates = true, continuous = true;
-    static constexpr int max_joints = 1, max_manifolds = 4;
-    using joints = ingot::Joints<ingot::BallJoint>;
-    using shapes = ingot::Shapes<ingot::Box>;
-#endif
 #ifdef LIMITS_OF_NOTHING
     static constexpr bool translates = true;
     static constexpr int max_joints = 1;

@@ -22,7 +22,9 @@ struct Pit : ingot::Scene {
 struct SwingingPit : Pit {
     using figure_motion = ingot::EnergyMomentum<>;
 };
+/// And fall fast.
 struct LimitedPit : Pit {
+    static constexpr bool continuous = true;
     using joints = AllJointsWith<ingot::WithLimits>;
 };
 
@@ -119,6 +121,9 @@ bool run(const char* name) {
         add_ragdoll(*world, {scalar(0.3) * static_cast<scalar>(i % 2), 0, scalar(0.3) + static_cast<scalar>(i)},
                     ingot_reference::to_matrix(random.rotation()), built);
     for (int i = 0; i < 5; ++i) add_figure(*world, random, {2 + 2 * i, 0.4, 100, 3, i % 2 == 0}, {0, 20.0 * i + 20, 60}, built);
+    if constexpr (Scene::continuous)
+        for (const ingot::BodyId id : built.bodies)
+            (void)world->apply_central_impulse(id, {0, world->mass(id).value * 5, world->mass(id).value * -40});
     if constexpr (Scene::joints::has_drives)
         for (const ingot::JointId id : built.joints) {
             const ingot::JointDrive drive = ingot::SpringDrive{200, 5, 0, 0, 0, 50};

@@ -38,6 +38,14 @@ inline constexpr scalar tie_length_min = scalar(1e-3);   ///< units of length, o
 inline constexpr scalar reel_speed = 3;                  ///< units of length a second, with which one becomes as long as it was told to be
 inline constexpr int rope_rounds = 8;                    ///< of a substep, in which ropes may come to their ends; then those that push are let go
 
+// Figures on their way through a step (continuous/).
+/// Factors of a figure that is put back to a time within the step: its bodies turn far by that, and pushes go by the levers of their factor.
+inline constexpr int closings = 4;
+inline constexpr int figure_retreats = 12;  ///< halvings of the time that it is put back to
+/// Of the least half extent of a body with joints: contacts may leave it so deep in what it meets. It is taken back from there as any overlap is;
+/// what is deeper may be pushed out on the other side of what is thin.
+inline constexpr scalar depth_of_figure = scalar(0.5);
+
 // Limits of joints. What is an angle is so many metres of a travel.
 inline constexpr scalar joint_angle_max = 1000;          ///< rad; limits of a hinge: in float an angle of so many turns has 6e-5 rad left
 inline constexpr scalar turns_max = scalar(1e9);         ///< of a hinge that has been turned; then its angle begins again

@@ -8,6 +8,7 @@
 #include "../constraint/flight_impact.h"
 #include "../island/rest_view.h"
 #include "body_path.h"
+#include "figures_on_paths.h"
 #include "pair_contacts.h"
 #include "pair_sub_world.h"
 
@@ -47,8 +48,9 @@ struct SolvedPairs {
     const BodyPair* pairs;
     int count;
 
-    /// Bound: a search in a sorted list.
-    bool has(ShapeSlot A, ShapeSlot B) const {
+    bool has(ShapeSlot A, ShapeSlot B) const { return find(A, B) != nullptr; }
+    /// Null: they have no manifold. Bound: a search in a sorted list.
+    const BodyPair* find(ShapeSlot A, ShapeSlot B) const {
         const bool in_order = A.number < B.number;
         const PairKey key =
             BodyPair{static_cast<Index>(in_order ? A.number : B.number), static_cast<Index>(in_order ? B.number : A.number), no_record}.key();
@@ -61,7 +63,7 @@ struct SolvedPairs {
             else
                 to = middle;
         }
-        return from < count && pairs[from].key() == key;
+        return from < count && pairs[from].key() == key ? pairs + from : nullptr;
     }
 };
 
@@ -76,11 +78,11 @@ struct FloorView {
 ///
 /// Scene: as types and numbers, Shapes (with the forms of hulls), Rotation, Solver, View (of that solver), notes_impulses, bounces,
 /// hides_internal_edges, and pair_manifolds, the room for what two bodies do to each other and to what is fixed; sees_kinematic, where bodies may be
-/// kinematic.
+/// kinematic; Figures: FiguresOnPaths, or NoFiguresOnPaths.
 /// Meets: bool(shape slot, shape slot), of those that are solid to each other. Sensors: PassedSensors, or NoPassedSensors.
 /// Tree: a SortedTreeView over the fat AABBs of all shapes, or NoTree.
 template <class Scene, class MovingBodies, class Meets, class Sensors, class Tree>
-struct ContinuousCollision {
+struct ContinuousCollision : Scene::Figures {
     using SceneTraits = Scene;
     using TreeType = Tree;
     using SubWorld = PairSubWorld<Scene::sees_kinematic ? limits::pair_kinematic_max : 0>;
@@ -92,12 +94,12 @@ struct ContinuousCollision {
     FloorView floor;
     typename Scene::View solver;  ///< done for this step: its memory, and who took part
     SolvedPairs solved;
-    BodyPath* paths;              ///< by body slot
+    BodyPath* paths;  ///< by body slot
     FallClock clock;
     MovingBodies moving;
     Meets meets;
     Sensors sensors;
-    FlightImpactList flights;     ///< for events, where Scene::notes_impulses
+    FlightImpactList flights;  ///< for events, where Scene::notes_impulses
     Tree tree;
     FollowedBodies* lists;  ///< empty as the step begins
     StepReport* report;

@@ -11,6 +11,7 @@ namespace ingot { inline namespace INGOT_ABI {
 
 /// Pairs of shapes with a body that is too fast for the step, as the search for manifolds asks for them.
 struct FastPairs {
+    static constexpr bool leads_figures = false;
     BodyView bodies;
     BodyShapes shapes;
     BodyPath* paths;  ///< by body slot; before paths begin, leave_to_flights has its sets of bodies in them

@@ -5,6 +5,7 @@
 #include "fast_pairs.h"
 #include "next_impact.h"
 #include "resolve_impact.h"
+#include "wait_with_figure.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -30,20 +31,25 @@ void lay_path_of_step(const Collision& collision, int slot, PairRoom<Collision>&
     const PathPoint begin = {path.r_CM, path.way, path.turn, path.A};
     const Vector way = flight_state(collision.bodies, slot).r_CM - begin.r_CM;
     const bool in_contact = path.kind != PathKind::free || takes_part(collision.solver, slot);
+    const bool in_figure = collision.is_of_figure(slot);
     path.until = 1;
     if (!is_valid(collision, slot)) {
         end_path(path, flight_state(collision.bodies, slot).r_CM, flight_state(collision.bodies, slot).A, 0);
     } else if (in_contact) {
         if (path.kind == PathKind::free) path.kind = PathKind::on_fixed;
         path.of_step = true;
-        lay_chord(collision, slot, begin);
+        if (in_figure)
+            lay_path_of_figure(collision, slot, begin);
+        else
+            lay_chord(collision, slot, begin);
     } else if (path.fast) {
         lay_free_path(collision, slot, true, room);
     } else {
         path.way = way;
     }
     const Vector turn = in_contact ? path.turn : omega_of(collision.bodies, slot) * collision.clock.h;
-    if (is_tree<typename Collision::TreeType> && leaves_bounds(begin, way, turn, extent_of(collision.shapes, slot), collision.shapes.surfaces.unit))
+    if (is_tree<typename Collision::TreeType> &&
+        (in_figure || leaves_bounds(begin, way, turn, extent_of(collision.shapes, slot), collision.shapes.surfaces.unit)))
         put_in_tree(collision, slot);
     if (path.fast || (in_contact && is_fast_path(path, extent_of(collision.shapes, slot)))) collision.lists->follow(slot);
 }
@@ -80,6 +86,7 @@ void go_on(const Collision& collision, int slot, PairRoom<Collision>& room) {
 /// other, for the next step, which finds both touching. So does whoever meets one that waits or sleeps, and whoever meets one that has had
 /// limits::impacts_of_body_max impacts. Only what meets at the very begin of the step does not wait, or it might wait for ever. Those who wait are
 /// counted in report.impacts_deferred: the rest of the step is lost to them, but no energy or momentum.
+/// Of bodies with joints all that hang together in a figure wait, where their joints hold: see figures_on_paths.h.
 /// What was made fast by the contacts of this step is seen too: all goes by the ways that bodies have gone.
 /// Of bodies of several shapes the first pair of shapes that meets counts, and all that touch then are solved together; those that find no room
 /// among limits::pair_manifolds_max are counted in report.contacts_lost.
@@ -92,6 +99,7 @@ template <class Collision>
 void follow_fast_bodies(const Collision& collision) {
     PairRoom<Collision> room;
     mark_islands(collision);
+    mark_figures(collision);
     collision.moving.for_each([&](int slot) { lay_path_of_step(collision, slot, room); });
     collision.moving.for_each([&](int slot) {
         if (collision.paths[slot].is_followed) find_next(collision, slot, room);

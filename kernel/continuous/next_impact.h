@@ -2,7 +2,7 @@
 // What comes first to a fast body, and to all of them.
 #pragma once
 
-#include "lay_paths.h"
+#include "contacts_of_figures.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -145,15 +145,16 @@ scalar time_of_meeting(const Collision& collision, int slot, int other, const Sh
 /// Looks whether one body meets another before all else that comes to it. Of two that come at the same time the lower counts.
 template <class Collision>
 void consider(const Collision& collision, int slot, int other, PairRoom<Collision>& room) {
-    if (is_passed_by(collision, slot, other)) return;
+    if (is_passed_by(collision, slot, other) || is_carried_along(collision, slot, other)) return;
     BodyPath at_rest, &path = collision.paths[slot];
     const BodyPath& path_B = path_of(collision, other, at_rest);
     const scalar until = min(path.until, path_B.until);
     collision.shapes.for_shapes(slot, [&](ShapeSlot shape_A) {
         collision.shapes.for_shapes(other, [&](ShapeSlot shape_B) {
-            if (!collision.meets(shape_A.number, shape_B.number)) return;
+            if (!collision.meets(shape_A.number, shape_B.number) || has_stayed_outside(collision, slot, other, {shape_A, shape_B})) return;
             const scalar latest = min(path.next, until), t = time_of_meeting(collision, slot, other, {shape_A, shape_B}, latest, room);
             if (is_kinematic(collision, slot) && !(t < 1 - limits::last_moment)) return;  // the next step finds them
+            if (is_left_to_contacts(collision, slot, other, {shape_A, shape_B}, t)) return;
             const bool ties = t <= latest && !(t < path.next) && path.next_slot != slot && other < path.next_slot;
             if (!(t < latest || ties)) return;
             path.next = t;

@@ -29,9 +29,19 @@ INGOT_INLINE scalar margin_of(const BodyView& bodies, const SurfaceView& surface
 
 /// For scenes without fast bodies: see continuous/fast_pairs.h.
 struct NoFastPairs {
+    static constexpr bool leads_figures = false;
     static constexpr bool has(const BodyPair&) { return false; }
     static constexpr bool meets_hard(const BodyPair&, const Manifold&) { return false; }
 };
+
+/// Whether a pair has a fast body with joints: see continuous/figure_pairs.h.
+template <class FastPairs>
+INGOT_INLINE bool is_led([[maybe_unused]] const FastPairs& fast_pairs, [[maybe_unused]] const BodyPair& pair) {
+    if constexpr (FastPairs::leads_figures)
+        return fast_pairs.leads(pair);
+    else
+        return false;
+}
 
 /// Of a pair with a fast body: it has a manifold if it touches. What is further is no plane yet: a fast body may pass by.
 INGOT_INLINE scalar margin_of_fast(const BodyView& bodies, const SurfaceView& surfaces, const BodyPair& pair) {
@@ -194,7 +204,7 @@ void update_manifolds(const BodyView& bodies, const SurfaceView& surfaces, const
         const bool fast = fast_pairs.has(pair);
         const scalar margin = fast ? margin_of_fast(bodies, surfaces, pair) : margin_of(bodies, surfaces, bounds, pair, h);
         if constexpr (renews) {
-            if (has_record && !fast &&
+            if (has_record && !fast && !is_led(fast_pairs, pair) &&
                 renew_manifold<Shapes>(bodies, surfaces, pair, margin, manifolds.anchors[pair.record], manifolds.records[pair.record].manifold)) {
                 manifolds.pairs[(*manifolds.count)++] = pair;
                 continue;
@@ -205,6 +215,8 @@ void update_manifolds(const BodyView& bodies, const SurfaceView& surfaces, const
         const Manifold& before = has_record ? manifolds.records[pair.record].manifold : no_manifold_before;
         const Margin search = {margin, limits::fast_margin * scale_of(surfaces.unit, found_now.halvings)};
         if (!find_manifold<Shapes>(bodies, surfaces, pair, search, before, found_now)) count(report.pairs_untested);
+        if constexpr (FastPairs::leads_figures)
+            if (!fast && fast_pairs.leads(pair)) fast_pairs.template find_on_way<Shapes>(pair, surfaces, found_now);
         if (found_now.count == 0) {
             if (has_record) give_back(manifolds, pair.record);
             continue;

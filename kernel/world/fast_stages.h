@@ -2,10 +2,75 @@
 // The adaptors of stages.h for bodies that are too fast for the step: see continuous/.
 #pragma once
 
+#include "../continuous/figure_pairs.h"
 #include "../continuous/follow_fast_bodies.h"
+#include "../figure/build_figures.h"
+#include "../figure/find_loops.h"
 #include "kinematic_stages.h"
 
 namespace ingot { inline namespace INGOT_ABI {
+
+/// Whether a body has joints. Its figure cannot be taken apart within a step.
+template <class S>
+INGOT_INLINE bool has_joints_of([[maybe_unused]] const Storage<S>& storage, [[maybe_unused]] int slot) {
+    if constexpr (has_joints<S>)
+        return storage.first_end[slot] != 0;
+    else
+        return false;
+}
+
+template <class S>
+auto fast_pairs_of(Step<S>& now) {
+    const FastPairs pairs = {now.bodies, now.storage.body_shapes(), now.storage.paths, now.h};
+    if constexpr (has_joints<S>)
+        return FastPairsOfFigures{pairs, now.storage.joint_lists(), now.storage.gravity};
+    else
+        return pairs;
+}
+
+/// The solver as it serves two bodies that meet within the step: without joints.
+template <class S>
+auto solver_of_pairs([[maybe_unused]] const Step<S>& now) {
+    if constexpr (!has_joints<S>) {
+        return now.solver;
+    } else {
+        using Plain = decltype(any_of<Storage<S>>().plain_contact_solver());
+        If<S::kinematic_bodies, KinematicViewOf<Plain>, Plain> view{};
+        static_cast<Plain&>(view) = now.solver;
+        if constexpr (S::kinematic_bodies) view.kinematic = now.solver.kinematic;
+        return view;
+    }
+}
+
+/// Figures as their joints are once bodies have been moved: what the step had may have broken, or was moved by itself.
+template <class S, bool present = has_joints<S>>
+class FiguresOfStep {
+    using Loops = decltype(any_of<Storage<S>>().loop_view());
+
+public:
+    using OnPaths = FiguresOnPaths<Loops>;
+
+    OnPaths after(Step<S>& now) {
+        view_ = now.storage.all_figures();
+        if constexpr (S::sleeps) view_.awake = now.storage.awake;
+        view_.gravity = now.storage.gravity;
+        view_.h = now.h;
+        loops_ = now.storage.loop_view();
+        build_figures(view_, loops_);
+        if constexpr (has_loops<S>) (void)find_loops(view_, loops_);
+        return {&view_, &loops_};
+    }
+
+private:
+    FigureView view_{};
+    Loops loops_{};
+};
+template <class S>
+class FiguresOfStep<S, false> {
+public:
+    using OnPaths = NoFiguresOnPaths;
+    static constexpr OnPaths after(Step<S>&) { return {}; }
+};
 
 /// What fast bodies are followed by, of a scene: see ContinuousCollision.
 template <class S>
@@ -13,7 +78,8 @@ struct FastSceneOf {
     using Shapes = ShapesOf<S>;
     using Rotation = typename S::rotation;
     using Solver = typename S::solver;
-    using View = decltype(solver_of_scene<S>());
+    using View = decltype(solver_of_pairs(any_of<Step<S>>()));
+    using Figures = typename FiguresOfStep<S>::OnPaths;
     static constexpr bool notes_impulses = has_events<S>, bounces = S::bounces, sees_kinematic = S::kinematic_bodies;
     static constexpr bool hides_internal_edges = ingot::hides_internal_edges<S>;
     static constexpr int shapes_of_body = S::max_shapes_of_body;
@@ -32,8 +98,7 @@ auto moving_bodies(Step<S>& now) {
 /// Where the bodies begin that may turn out to be fast: all that are awake by now.
 template <class S>
 void begin_paths([[maybe_unused]] Step<S>& now) {
-    if constexpr (S::continuous)
-        moving_bodies(now).for_each([&now](int slot) { begin_path(now.bodies, now.h, slot, now.storage.paths[slot]); });
+    if constexpr (S::continuous) moving_bodies(now).for_each([&now](int slot) { begin_path(now.bodies, now.h, slot, now.storage.paths[slot]); });
 }
 
 template <class S>
@@ -76,9 +141,23 @@ void follow_fast_bodies([[maybe_unused]] Step<S>& now) {
         const auto sensors = passed_sensors(now);
         auto tree = storage.tree_of_bounds();
         FollowedBodies lists = {storage.paths, storage.followed, 0, 0};
+        FiguresOfStep<S> figures;
         const ContinuousCollision<FastSceneOf<S>, decltype(moving), decltype(meets), decltype(sensors), decltype(tree)> collision = {
-            now.bodies, storage.body_shapes(), storage.shape_materials(), floor_view(storage), now.solver,
-            {solved.pairs, *solved.count}, storage.paths, {storage.gravity, now.h}, moving, meets, sensors, begin_flights(now), tree, &lists,
+            figures.after(now),
+            now.bodies,
+            storage.body_shapes(),
+            storage.shape_materials(),
+            floor_view(storage),
+            solver_of_pairs(now),
+            {solved.pairs, *solved.count},
+            storage.paths,
+            {storage.gravity, now.h},
+            moving,
+            meets,
+            sensors,
+            begin_flights(now),
+            tree,
+            &lists,
             &now.report};
         follow_fast_bodies(collision);
     }

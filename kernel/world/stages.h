@@ -134,9 +134,10 @@ auto find_fast_pairs([[maybe_unused]] Step<S>& now) {
     if constexpr (S::continuous) {
         auto& storage = now.storage;
         const BodyShapes shapes = storage.body_shapes();
-        over_active_bodies(now, [&](int slot) { storage.paths[slot].fast = begins_fast(now.bodies, shapes, now.h, slot); });
+        over_active_bodies(
+            now, [&](int slot) { storage.paths[slot].fast = begins_fast(now.bodies, shapes, now.h, slot) && !has_joints_of(storage, slot); });
         find_fast_kinematic(now, shapes);
-        return FastPairs{now.bodies, shapes, storage.paths, now.h};
+        return fast_pairs_of(now);
     } else {
         return NoFastPairs{};
     }
@@ -146,7 +147,7 @@ auto find_fast_pairs([[maybe_unused]] Step<S>& now) {
 template <class S>
 auto known_fast_pairs([[maybe_unused]] Step<S>& now) {
     if constexpr (S::continuous)
-        return FastPairs{now.bodies, now.storage.body_shapes(), now.storage.paths, now.h};
+        return fast_pairs_of(now);
     else
         return NoFastPairs{};
 }
@@ -160,9 +161,8 @@ void find_manifolds([[maybe_unused]] Step<S>& now) {
         if constexpr (has_events<S> && has_sensors<S>) copy_list(storage.overlap_list(), storage.overlap_list_before());
         const SurfaceView surfaces = surfaces_of(now);
         const auto fast_pairs = find_fast_pairs(now);
-        update_manifolds<ShapesOf<S>, S::recycles_manifolds>(storage.shapes(), surfaces, storage.bounds, now.h,
-                                                             storage.pair_rules(now.report), storage.pair_list(), manifolds, now.report,
-                                                             fast_pairs);
+        update_manifolds<ShapesOf<S>, S::recycles_manifolds>(storage.shapes(), surfaces, storage.bounds, now.h, storage.pair_rules(now.report),
+                                                             storage.pair_list(), manifolds, now.report, fast_pairs);
         if (now.report.contacts_lost != 0) choose_manifolds(now, surfaces, fast_pairs);
         if constexpr (hides_internal_edges<S>)
             beside_moving_floors(now, [&] {

@@ -131,7 +131,6 @@ struct Figures : Feature {
                       "joints of bodies that touch are solved by BlockSweeps: name it, or max_joints = 0");
         static_assert(!has_joints<S> || !collides<S>, "joints go with contacts with friction: set max_manifolds for max_contacts, or max_joints = 0");
         static_assert(!has_joints<S> || !S::rotation::as_printed, "Listing 1 has no joints: name another rotation, or max_joints = 0");
-        static_assert(!has_joints<S> || !S::continuous, "fast bodies are followed one by one: set continuous = false, or max_joints = 0");
         static_assert(has_joints<S> || !has_some_joint<S>(), "a scene with joints says how many there may be: set max_joints");
         return true;
     }
