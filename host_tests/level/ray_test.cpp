@@ -151,6 +151,22 @@ TEST(LevelRay, finds_no_gap_at_edges_and_corners) {
     shoot_down(ground.view, random, all_of(ground.view), 40000, inside(ground.view));
 }
 
+/// Straight down on corners and edges of a plane: all that meet there do so at the same fraction, to the bit.
+TEST(LevelRay, meets_of_those_at_one_place_the_triangle_of_the_least_number) {
+    Random random(25);
+    const level_tool::MeshData plane = built(terrain(random, 8, 1024, [](int, int) { return 5; }));
+    const std::vector<LevelTriangle> all = all_of(plane.view);
+    for (int i = 0; i < 17 * 17; ++i) {
+        const Vector from{static_cast<scalar>(i % 17) / 2, static_cast<scalar>(i / 17) / 2, 2};
+        uint32_t least = ~0u;
+        for (const LevelTriangle& t : all)
+            if (meet(t, in_double(from), {0, 0, -4}).outside <= 0) least = std::min(least, t.number);
+        LevelHit hit{};
+        ASSERT_TRUE(cast_ray_on_level(plane.view, from, {0, 0, -4}, hit));
+        ASSERT_EQ(hit.triangle, least) << from.x << ", " << from.y;
+    }
+}
+
 /// Rooms of triangles that look inwards: a ray from inside meets a wall, wherever it goes.
 TEST(LevelRay, leaves_no_closed_room) {
     Random random(23);

@@ -143,4 +143,16 @@ TEST(LevelWalk, edges_are_what_the_triangles_beside_them_make_them) {
     }
 }
 
+/// Both sides of one triangle: a blade. And two of them, edge to edge, that face each other: a crack, as wide as the lattice is fine.
+TEST(LevelWalk, edges_of_a_blade_are_convex_and_of_a_crack_concave) {
+    Soup blade;
+    blade.points = {lattice_point(0, 0, 0), lattice_point(900, 0, 0), lattice_point(0, 900, 7)};
+    blade.faces = {{0, 1, 2}, {1, 0, 2}};
+    for (const ingot::LatticeTriangle& t : built(blade).triangles) EXPECT_EQ(t.edges, 0b101010);
+    Soup crack;
+    crack.points = {lattice_point(0, 0, 0), lattice_point(900, 0, 0), lattice_point(0, 900, 0), lattice_point(0, 900, 1)};
+    crack.faces = {{0, 1, 2}, {1, 0, 3}};
+    for (const ingot::LatticeTriangle& t : built(crack).triangles) EXPECT_TRUE(t.edges == 0b000011 || t.edges == 0b110000);
+}
+
 }  // namespace
