@@ -24,6 +24,8 @@
 #include "body/kinematics.h"
 #include "body/mass_properties.h"
 #include "body/user_frame.h"
+#include "level/height_field_of.h"
+#include "level/mesh_of.h"
 #include "shape/hull_of_points.h"
 #include "math/quaternion.h"
 #include "motion/force_fields.h"

@@ -10,8 +10,8 @@ set(level_may base math)
 set(shape_may base math body)
 set(motion_may base math body)
 set(broad_phase_may base math body shape)
-set(narrow_phase_may base math body shape broad_phase)
-set(query_may base math body shape broad_phase narrow_phase)
+set(narrow_phase_may base math level body shape broad_phase)
+set(query_may base math level body shape broad_phase narrow_phase)
 set(draw_may base math body shape)
 set(impulse_may base math body shape)
 set(joint_may base math body)
@@ -26,9 +26,9 @@ set(solver_direct_may ${solver_sweeps_may} solver/sweeps)
 set(solver_sequential_may base math body narrow_phase constraint solver)
 set(events_may base math body broad_phase narrow_phase constraint)
 set(continuous_may base math body shape motion broad_phase narrow_phase joint figure constraint island solver solver/sweeps solver/sequential)
-set(world_features_may base math body shape motion broad_phase narrow_phase impulse joint figure energy_momentum constraint island sleep solver/sweeps solver/direct
+set(world_features_may base math level body shape motion broad_phase narrow_phase impulse joint figure energy_momentum constraint island sleep solver/sweeps solver/direct
   solver/sequential events continuous world)
-set(world_may world/features base math body shape motion broad_phase narrow_phase query draw impulse joint figure energy_momentum constraint island sleep solver solver/sweeps solver/direct solver/sequential
+set(world_may world/features base math level body shape motion broad_phase narrow_phase query draw impulse joint figure energy_momentum constraint island sleep solver solver/sweeps solver/direct solver/sequential
   events continuous)
 set(freestanding "stdint\\.h|stddef\\.h|float\\.h|limits\\.h")
 # Freestanding C++17 has it, a C compiler has not: of compilers without GNU's words alone, see base/compiler.h.
@@ -39,9 +39,10 @@ set(standard_of_kernel/base/compiler.h "limits")
 set(motion_shares acceleration flight_clock turn moser_veselov moser_veselov_series moser_veselov_stage force_field forced_tile elliptic_functions integrate_r)
 set(shape_shares shapes surface convex_hull placed_shape compound)
 set(broad_phase_shares near_shapes body_bounds body_pairs bound_shape all_pairs search_view sorted_tree tree_walk)
-set(narrow_phase_shares manifold manifold_points box_axes contact_geometry contact_patch collide_pairs nearest_points plane_between manifold_record
+set(level_shares level_table level_walk height_walk mesh_walk height_grid lattice lattice_steps level_checksum mesh_builder)
+set(narrow_phase_shares find_level_manifolds collide_kinds inner_edges level_cone level_patches collide_level triangle_hull manifold manifold_points box_axes contact_geometry contact_patch collide_pairs nearest_points plane_between manifold_record
   manifold_anchors find_manifolds normal_cone)
-set(query_shares candidates shapes_of_tree query_filter ray_on_shapes cast_ray)
+set(query_shares level_queries cast_shape candidates shapes_of_tree query_filter ray_on_shapes cast_ray)
 set(impulse_shares contact collide_shapes contact_rows impulse impact_step impact_times find_contacts solve_impacts)
 set(joint_shares joints joint_record joint_lists limit_record drives reactions tie_record target_record)
 set(figure_shares spatial figure_row figure_view ground tree_passes joint_sides row_motion displace_rows cursor_moves joint_row measure_joint row_compliance

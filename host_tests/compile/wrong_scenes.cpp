@@ -280,6 +280,25 @@ struct Wrong : ingot::Scene {
     static constexpr bool axis_locks = true;
     using rotation = ingot::Listing1Euler;
 #endif
+#ifdef LEVELS_WITHOUT_CONTACTS
+    static constexpr bool translates = true;
+    static constexpr int max_contacts = 8;
+    using solver = ingot::FrictionlessImpacts;
+    using shapes = ingot::Shapes<ingot::Sphere, ingot::Level>;
+    static constexpr ingot::LevelTable levels[1] = {};
+#endif
+#ifdef LEVELS_WITHOUT_THEIR_SHAPE
+    static constexpr bool translates = true;
+    static constexpr int max_manifolds = 8;
+    using shapes = ingot::Shapes<ingot::Sphere>;
+    static constexpr ingot::LevelTable levels[1] = {};
+#endif
+#ifdef LEVELS_OF_FAST_BODIES
+    static constexpr bool translates = true, continuous = true;
+    static constexpr int max_manifolds = 8;
+    using shapes = ingot::Shapes<ingot::Sphere, ingot::Level>;
+    static constexpr ingot::LevelTable levels[1] = {};
+#endif
 #ifdef LOCKS_IN_A_FIELD
     static constexpr bool translates = true, axis_locks = true;
     using force_field = ingot::PointMassGravity;
@@ -468,6 +487,9 @@ int main() {
 #endif
 #ifdef BODY_FORCE_WITHOUT_BODY_FORCES
     (void)world.add_body_torque(id, {});
+#endif
+#ifdef LEVEL_WITHOUT_LEVELS
+    (void)world.add_level({});
 #endif
 #ifdef LOCKS_WITHOUT_LOCKS
     (void)world.set_locks(id, 0);

@@ -13,7 +13,7 @@ namespace yard {
 using ingot::scalar;
 using ingot::Vector;
 
-constexpr int max_bodies = 20;
+constexpr int max_bodies = 24;
 
 /// The bodies that a trait may want to do something to.
 struct Ids {
@@ -73,6 +73,20 @@ Ids build(ingot::World<S>& world) {
         (void)add(world, box);
     }
     return ids;
+}
+
+/// A roof of four triangles and a step beside it: ridges, a valley and rims.
+constexpr Vector hill_corners[] = {{0, 0, 0}, {6, 0, 0}, {6, 2, scalar(0.25)}, {0, 2, scalar(0.25)}, {6, 4, 0}, {0, 4, 0}, {6, 4, 1}, {0, 4, 1}};
+constexpr ingot::LevelFace hill_faces[] = {{0, 1, 2}, {0, 2, 3}, {3, 2, 4}, {3, 4, 5}, {5, 4, 6}, {5, 6, 7}};
+inline constexpr auto hill_of = ingot::mesh_of(hill_corners, hill_faces, scalar(1) / 64);
+static_assert(hill_of.ok());
+inline constexpr ingot::LevelTable hill = hill_of.value.view();
+
+template <class S>
+void add_hill(ingot::World<S>& world) {
+    ingot::LevelDef def;
+    def.r = {-3, scalar(1.5), scalar(0.0625)};
+    expect(world.add_level(def).status);
 }
 
 template <class S>

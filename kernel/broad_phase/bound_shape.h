@@ -17,6 +17,7 @@ INGOT_INLINE Vector reach_of(const Surface& surface, const Matrix& A) {
     const Vector& size = surface.shape.size;
     const scalar R = size.x;  // of a ball, or of the ball around a hull
     switch (surface.shape.kind) {
+        case ShapeKind::level:
         case ShapeKind::box: return absolute(A.c0) * size.x + absolute(A.c1) * size.y + absolute(A.c2) * size.z;
         case ShapeKind::capsule: return absolute(A.c2) * size.y + Vector{size.x, size.x, size.x};
         case ShapeKind::cylinder: {

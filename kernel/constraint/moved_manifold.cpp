@@ -21,6 +21,7 @@ bool is_along(const Vector& axis, const Vector& n) { return abs(dot(axis, n)) > 
 bool has_face(const PlacedShape& of, const Vector& n) {
     switch (of.shape.kind) {
         case ShapeKind::half_space:
+        case ShapeKind::level:
         case ShapeKind::hull: return true;
         case ShapeKind::box: return is_along(of.A.c0, n) || is_along(of.A.c1, n) || is_along(of.A.c2, n);
         case ShapeKind::cylinder: return is_along(of.A.c2, n);

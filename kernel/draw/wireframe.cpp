@@ -74,6 +74,7 @@ Line in_shape(const PlacedShape& of, int line_i, scalar cell) {
         case ShapeKind::capsule:
             if (line_i < lines_of_tube) return line_of_tube(line_i, size.x, size.y);
             return line_of_caps(line_i - lines_of_tube, size.x, size.y);
+        case ShapeKind::level:
         case ShapeKind::box: return edge_of_box(-size, size, line_i);
         case ShapeKind::half_space: return line_of_face(size, of.shape.offset, line_i, cell);
         default: return {of.hull->vertices[of.hull->edges[line_i].a], of.hull->vertices[of.hull->edges[line_i].b]};
@@ -88,6 +89,7 @@ int line_count(const PlacedShape& shape) {
         case ShapeKind::sphere: return 3 * lines_of_circle;
         case ShapeKind::cylinder: return lines_of_tube;
         case ShapeKind::capsule: return lines_of_capsule;
+        case ShapeKind::level:  // the box that holds it: triangles are for whoever has the tables
         case ShapeKind::box: return lines_of_box;
         case ShapeKind::half_space: return lines_of_half_space;
         case ShapeKind::hull: return shape.hull == nullptr ? 0 : shape.hull->edge_count;

@@ -75,8 +75,13 @@ struct LevelTable {
     Vector low{}, high{};  ///< m, in the level's frame: a box that holds all of it. Of heights, what lies on top
     uint32_t checksum{};   ///< of all tables: snapshots name the level by it
 
+    /// m, of that box, in the level's frame.
+    constexpr Vector middle() const { return (low + high) * scalar(0.5); }
     constexpr bool is_mesh() const { return mesh.triangle_count > 0; }
 };
+
+/// Of the box that holds a level, m.
+constexpr Vector half_extents_of(const LevelTable& level) { return (level.high - level.low) * scalar(0.5); }
 
 /// The levels of a scene, in flash. A body has the number of its level, no pointer.
 struct LevelTables {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From pairs that may touch to manifolds. The only file that names the routines of the narrow phase.
+// From pairs that may touch to manifolds.
 #pragma once
 
 #include "../base/limits.h"
@@ -7,7 +7,7 @@
 #include "../math/sqrt.h"
 #include "manifold_record.h"
 #include "contact_geometry.h"
-#include "collide_pairs.h"
+#include "collide_level.h"
 #include "../shape/placed_body.h"
 #include "manifold_anchors.h"
 
@@ -51,45 +51,6 @@ INGOT_INLINE scalar margin_of_fast(const BodyView& bodies, const SurfaceView& su
     return gap + 8 * epsilon * sqrt(length_sq(r_A) + length_sq(r_B));
 }
 
-/// The routine for the two shapes; A has the kind that comes first. Only the routines of shapes that the scene names are linked.
-/// False for a pair that has none. before: of the last step, or null.
-template <class Shapes>
-bool collide_pair(const PlacedShape& A, const PlacedShape& B, const Margin& margin, Manifold& manifold, const Manifold* before) {
-#define INGOT_PAIR(a, b)                                                             \
-    if constexpr (Shapes::has(ShapeKind::a) && Shapes::has(ShapeKind::b))            \
-        if (A.shape.kind == ShapeKind::a && B.shape.kind == ShapeKind::b) return collide_##a##_##b(A, B, margin, manifold, before), true
-    INGOT_PAIR(sphere, sphere);
-    INGOT_PAIR(sphere, capsule);
-    INGOT_PAIR(sphere, box);
-    INGOT_PAIR(sphere, cylinder);
-    INGOT_PAIR(sphere, hull);
-    INGOT_PAIR(sphere, half_space);
-    INGOT_PAIR(capsule, capsule);
-    INGOT_PAIR(capsule, box);
-    INGOT_PAIR(capsule, cylinder);
-    INGOT_PAIR(capsule, hull);
-    INGOT_PAIR(capsule, half_space);
-    INGOT_PAIR(box, box);
-    INGOT_PAIR(box, cylinder);
-    INGOT_PAIR(box, hull);
-    INGOT_PAIR(box, half_space);
-    INGOT_PAIR(cylinder, cylinder);
-    INGOT_PAIR(cylinder, hull);
-    INGOT_PAIR(cylinder, half_space);
-    INGOT_PAIR(hull, hull);
-    INGOT_PAIR(hull, half_space);
-#undef INGOT_PAIR
-    return false;
-}
-
-/// The same, and no points for a pair that has no routine.
-template <class Shapes>
-bool collide_shapes(const PlacedShape& A, const PlacedShape& B, const Margin& margin, Manifold& manifold, const Manifold& before) {
-    manifold.n = {};
-    manifold.count = 0;
-    return collide_pair<Shapes>(A, B, margin, manifold, &before);
-}
-
 /// Balls are found as quickly as they would be renewed.
 INGOT_INLINE bool worth_renewing(const Surface& A, const Surface& B) {
     return A.shape.kind != ShapeKind::sphere && B.shape.kind != ShapeKind::sphere;
@@ -111,6 +72,14 @@ INGOT_INLINE bool renew_manifold(const BodyView& bodies, const SurfaceView& surf
 /// The same for shapes in any order. `before` and the manifold have their normals from B to A.
 template <class Shapes>
 bool collide_placed(const PlacedShape& A, const PlacedShape& B, const Margin& margin, const Manifold& before, Manifold& manifold) {
+    if constexpr (Shapes::has(ShapeKind::level)) {
+        if (B.shape.kind == ShapeKind::level) return collide_level<Shapes>(A, B, margin, manifold), true;
+        if (A.shape.kind == ShapeKind::level) {
+            collide_level<Shapes>(B, A, margin, manifold);
+            manifold.n = -manifold.n;
+            return true;
+        }
+    }
     if (!(B.shape.kind < A.shape.kind)) return collide_shapes<Shapes>(A, B, margin, manifold, before);
     Manifold seen = before;
     seen.n = -seen.n;
@@ -174,70 +143,6 @@ INGOT_INLINE void begin_record(const BodyView& bodies, const SurfaceView& surfac
     keep_manifold(found, record.manifold);
     if (renews && worth_renewing(surfaces.surfaces[pair.body_A], surfaces.surfaces[pair.body_B]))
         anchor(frame_of(bodies, pair.body_A), frame_of(bodies, pair.body_B), found, margin, manifolds.anchors[pair.record]);
-}
-
-/// Manifolds of all pairs of the last search, those of the step before renewed; manifolds.pairs are those that touch.
-///
-/// Pairs that the rules of the scene keep apart have none: see pair_rules.h.
-/// Pairs with a fast body touch or have none.
-/// Full: what finds no record is refused_record, and counted in contacts_lost; who it is to be is then chosen anew: see crowded_manifolds.h.
-template <class Shapes, bool renews, class Rules, class FastPairs = NoFastPairs>
-void update_manifolds(const BodyView& bodies, const SurfaceView& surfaces, const BoundsTile* bounds, scalar h, const Rules& rules,
-                      const PairList& found, const ManifoldView& manifolds, StepReport& report, const FastPairs& fast_pairs = {}) {
-    *manifolds.count = 0;
-    // bound: max_pairs and the pairs of shapes of one body: pairs_with_own of scene.h
-    for (int pair_i = 0; pair_i < *found.count; ++pair_i) {
-        BodyPair& pair = found.pairs[pair_i];
-        const bool has_record = pair.record != no_record;
-        const auto overlap = [&] { return shapes_overlap<Shapes>(bodies, surfaces, pair); };
-        if (rules.keeps(pair)) {
-            if (has_record)
-                manifolds.pairs[(*manifolds.count)++] = pair;
-            else if (bounds_overlap(bounds, pair.body_A, pair.body_B))
-                (void)rules.may_touch(pair, overlap);  // a sensor notes who is in it
-            continue;
-        }
-        if (!bounds_overlap(bounds, pair.body_A, pair.body_B) || !rules.may_touch(pair, overlap)) {
-            if (has_record) give_back(manifolds, pair.record);
-            continue;
-        }
-        const bool fast = fast_pairs.has(pair);
-        const scalar margin = fast ? margin_of_fast(bodies, surfaces, pair) : margin_of(bodies, surfaces, bounds, pair, h);
-        if constexpr (renews) {
-            if (has_record && !fast && !is_led(fast_pairs, pair) &&
-                renew_manifold<Shapes>(bodies, surfaces, pair, margin, manifolds.anchors[pair.record], manifolds.records[pair.record].manifold)) {
-                manifolds.pairs[(*manifolds.count)++] = pair;
-                continue;
-            }
-        }
-        Manifold found_now;
-        found_now.halvings = static_cast<uint16_t>(surfaces.halvings(pair.body_A, pair.body_B));
-        const Manifold& before = has_record ? manifolds.records[pair.record].manifold : no_manifold_before;
-        const Margin search = {margin, limits::fast_margin * scale_of(surfaces.unit, found_now.halvings)};
-        if (!find_manifold<Shapes>(bodies, surfaces, pair, search, before, found_now)) count(report.pairs_untested);
-        if constexpr (FastPairs::leads_figures)
-            if (!fast && fast_pairs.leads(pair)) fast_pairs.template find_on_way<Shapes>(pair, surfaces, found_now);
-        if (found_now.count == 0) {
-            if (has_record) give_back(manifolds, pair.record);
-            continue;
-        }
-        if (!has_record) pair.record = take_record(manifolds);
-        if (pair.record == no_record) {
-            count(report.contacts_lost);
-            pair.record = refused_record;
-            continue;
-        }
-        ManifoldRecord& record = manifolds.records[pair.record];
-        if (has_record)
-            carry_impulses(record, found_now);
-        else
-            mix_materials(surfaces, pair, record);
-        keep_manifold(found_now, record.manifold);
-        if (renews && worth_renewing(surfaces.surfaces[pair.body_A], surfaces.surfaces[pair.body_B]))
-            anchor(frame_of(bodies, pair.body_A), frame_of(bodies, pair.body_B), found_now, margin, manifolds.anchors[pair.record]);
-        manifolds.pairs[(*manifolds.count)++] = pair;
-    }
-    count(report.contacts_lost, *found.lost);
 }
 
 } }  // namespace ingot

@@ -31,31 +31,6 @@ bool FixedShapes::are_one_floor(int S, int T) const {
     return length_sq(v_S - v_T) <= limits::edge_tilt * limits::edge_tilt * length_sq(v_S);
 }
 
-namespace {
-
-/// True where d is the normal of a flat side of the body: while the body tilts, so does d.
-bool is_side_of_body(const PlacedShape& body, const Vector& d) {
-    const Vector e = transpose_times(body.A, d);
-    const scalar near = 1 - limits::edge_tilt * limits::edge_tilt;
-    if (body.shape.kind == ShapeKind::box) return abs(e.x) > near || abs(e.y) > near || abs(e.z) > near;
-    if (body.shape.kind == ShapeKind::cylinder) return abs(e.z) > near;
-    if (body.shape.kind != ShapeKind::hull) return false;
-    // bound: 2 limits::hull_vertices_max - 4
-    for (int i = 0; i < body.hull->face_count; ++i)
-        if (dot(body.hull->faces[i].n, e) < -near) return true;
-    return false;
-}
-
-/// True where a point is below the lowest line of a cylinder, as d says what is up, but for rounding.
-bool is_below_axis(const PlacedShape& cylinder, const Vector& P, const Vector& d) {
-    const scalar slack = limits::off_round * cylinder.shape.size.x + 2 * epsilon * sqrt(length_sq(P));
-    const Vector aside = cross(cylinder.A.c2, d);
-    const scalar off = dot(P - cylinder.r, aside);
-    return off * off <= slack * slack * length_sq(aside);
-}
-
-}  // namespace
-
 HiddenPoints::HiddenPoints(const FixedNeighbours& neighbours, const FixedTouch& of)
     : neighbours_(neighbours), of_(of), S_(neighbours.all.placed(of.S)), body_(neighbours.all.placed(of.body)),
       flush_(limits::flush_gap * neighbours.all.surfaces.unit) {

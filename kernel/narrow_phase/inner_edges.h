@@ -124,6 +124,8 @@ void drop_hidden_points(const FixedShapes& all, const PairList& found, Index* la
     for (int i = 0; some && i < *manifolds.count; ++i) {
         const FixedTouch touch = all.touch_of(manifolds.pairs[i]);
         if (touch.S < 0) continue;
+        if constexpr (Shapes::has(ShapeKind::level))
+            if (all.surfaces.surfaces[touch.S].shape.kind == ShapeKind::level) continue;  // see level_seams.h
         ManifoldRecord& record = manifolds.records[manifolds.pairs[i].record];
         const FixedNeighbours neighbours{all, manifolds, last_of_shape[touch.body]};
         if (neighbours.first == i + 1 && record.next_free == 0) continue;

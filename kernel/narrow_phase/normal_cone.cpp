@@ -120,6 +120,25 @@ bool hidden_by_hull(const PlacedShape& T, const Touch& touch, const Vector& p, s
     return wedge.takes(transpose_times(T.A, touch.d), touch.tilt);
 }
 
+bool is_side_of_body(const PlacedShape& body, const Vector& d) {
+    const Vector e = transpose_times(body.A, d);
+    const scalar near = 1 - limits::edge_tilt * limits::edge_tilt;
+    if (body.shape.kind == ShapeKind::box) return abs(e.x) > near || abs(e.y) > near || abs(e.z) > near;
+    if (body.shape.kind == ShapeKind::cylinder) return abs(e.z) > near;
+    if (body.shape.kind != ShapeKind::hull) return false;
+    // bound: 2 limits::hull_vertices_max - 4
+    for (int i = 0; i < body.hull->face_count; ++i)
+        if (dot(body.hull->faces[i].n, e) < -near) return true;
+    return false;
+}
+
+bool is_below_axis(const PlacedShape& cylinder, const Vector& P, const Vector& d) {
+    const scalar slack = limits::off_round * cylinder.shape.size.x + 2 * epsilon * sqrt(length_sq(P));
+    const Vector aside = cross(cylinder.A.c2, d);
+    const scalar off = dot(P - cylinder.r, aside);
+    return off * off <= slack * slack * length_sq(aside);
+}
+
 int face_count(const PlacedShape& S) {
     return S.shape.kind == ShapeKind::box ? 6 : S.shape.kind == ShapeKind::hull ? S.hull->face_count : 0;
 }

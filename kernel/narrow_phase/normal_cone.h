@@ -29,6 +29,11 @@ bool hidden_by_box(const PlacedShape& T, const Touch& touch, const Vector& p, sc
 bool hidden_by_hull(const PlacedShape& T, const Touch& touch, const Vector& p, scalar flush);
 bool hidden_by_half_space(const PlacedShape& T, const Touch& touch, const Vector& p, scalar flush);
 
+/// True where d is the normal of a flat side of the body: while the body tilts, so does d.
+bool is_side_of_body(const PlacedShape& body, const Vector& d);
+/// True where a point is below the lowest line of a cylinder, as d says what is up, but for rounding.
+bool is_below_axis(const PlacedShape& cylinder, const Vector& P, const Vector& d);
+
 /// A face of a fixed box or hull: all of its points have dot(n, P - S.r) <= offset.
 struct FaceOfFixed {
     Vector n;       ///< unit, outward, world

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "../level/level_table.h"
 #include "query_filter.h"
 #include "ray_on_shapes.h"
 #include "shapes_of_tree.h"
@@ -19,6 +20,9 @@ INGOT_INLINE bool is_before(const scalar& at, int slot, const scalar& other_at, 
     return at < other_at || (at == other_at && slot < other_slot);
 }
 
+/// See level_queries.h.
+RayEntry ray_on_level(const LevelTable& level, const LocalRay& ray);
+
 /// The routine for a shape; only those of shapes that the scene names are linked.
 template <class Shapes>
 RayEntry ray_on_shape(const PlacedShape& s, const LocalRay& ray) {
@@ -36,6 +40,14 @@ RayEntry ray_on_shape(const PlacedShape& s, const LocalRay& ray) {
     return {false, 1, {}};
 }
 
+/// The same of levels, whose tables the scene has.
+template <class Shapes>
+RayEntry ray_on_placed(const PlacedShape& s, const LocalRay& ray) {
+    if constexpr (Shapes::has(ShapeKind::level))
+        if (s.shape.kind == ShapeKind::level) return ray_on_level(*Shapes::level_of(s.shape), ray);
+    return ray_on_shape<Shapes>(s, ray);
+}
+
 /// The body that a ray enters first; of bodies it enters at the same place, that of the lowest slot.
 ///
 /// all: an EveryShape, or ShapesOfTree. from, way: m, world. sees(slot): which bodies count. A ray that begins inside a body meets it at once, its n
@@ -47,7 +59,7 @@ SlotHit cast_ray(const All& all, const Vector& from, const Vector& way, const Se
     look_along(all, point, [&](int slot) {
         if (!sees(slot)) return;
         const PlacedShape body = placed_body<Shapes>(all.bodies, all.surfaces, slot);
-        const RayEntry entry = ray_on_shape<Shapes>(body, {transpose_times(body.A, from - body.r), transpose_times(body.A, way)});
+        const RayEntry entry = ray_on_placed<Shapes>(body, {transpose_times(body.A, from - body.r), transpose_times(body.A, way)});
         if (!entry.meets || (hit.slot != no_slot && !is_before(entry.fraction, slot, hit.fraction, hit.slot))) return;
         const Vector n = length_sq(entry.n) > 0 ? body.A * entry.n : way * (-1 / sqrt(length_sq(way)));
         hit = {slot, entry.fraction, from + way * entry.fraction, n};

@@ -20,6 +20,16 @@ struct ShapeEntry {
 /// Needs: `moving` no half space. Frames: world. Source: Mirtich, "Impulse-based dynamic simulation", 1996, 2.3.
 ShapeEntry cast_on_shape(const PlacedShape& moving, const Vector& way, const PlacedShape& B, scalar fraction_max);
 
+/// See level_queries.h.
+ShapeEntry cast_on_level(const PlacedShape& moving, const Vector& way, const PlacedShape& level, const LevelTable& table, scalar fraction_max);
+
+template <class Shapes>
+ShapeEntry cast_on_placed(const PlacedShape& moving, const Vector& way, const PlacedShape& B, scalar fraction_max) {
+    if constexpr (Shapes::has(ShapeKind::level))
+        if (B.shape.kind == ShapeKind::level) return cast_on_level(moving, way, B, *Shapes::level_of(B.shape), fraction_max);
+    return cast_on_shape(moving, way, B, fraction_max);
+}
+
 /// The body that a moving shape meets first; see cast_ray.
 template <class Shapes, class All, class Sees>
 SlotHit cast_shape(const All& all, const PlacedShape& moving, const Vector& way, const Sees& sees) {
@@ -27,7 +37,7 @@ SlotHit cast_shape(const All& all, const PlacedShape& moving, const Vector& way,
     SlotHit hit = {no_slot, 1, moving.r + way, {}};
     look_along(all, ball, [&](int slot) {
         if (!sees(slot)) return;
-        const ShapeEntry entry = cast_on_shape(moving, way, placed_body<Shapes>(all.bodies, all.surfaces, slot), ball.fraction);
+        const ShapeEntry entry = cast_on_placed<Shapes>(moving, way, placed_body<Shapes>(all.bodies, all.surfaces, slot), ball.fraction);
         if (!entry.meets || (hit.slot != no_slot && !is_before(entry.fraction, slot, hit.fraction, hit.slot))) return;
         hit = {slot, entry.fraction, entry.P, entry.n};
         ball.fraction = entry.fraction;

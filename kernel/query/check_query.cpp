@@ -15,7 +15,7 @@ Status check_way(const Vector& from, const Vector& way) {
 
 Status check_query_shape(const PlacedShape& shape) {
     const ShapeKind kind = shape.shape.kind;
-    if (kind == ShapeKind::none || kind == ShapeKind::half_space) return Status::bad_shape;
+    if (kind == ShapeKind::none || is_ground(kind)) return Status::bad_shape;
     if (kind == ShapeKind::hull && shape.hull == nullptr) return Status::bad_shape;
     Status status = check_shape(shape.shape);
     if (status == Status::ok) status = check_vector(shape.r, limits::position_max);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "../narrow_phase/collide_pairs.h"
+#include "level_queries.h"
 #include "cast_ray.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -38,7 +39,13 @@ SlotNearest find_nearest(const All& all, const Vector& point, scalar within, con
     look_about(all, point, nearest.distance, [&](int slot) {
         if (!sees(slot)) return;
         Manifold manifold;
-        point_on_shape<Shapes>(ball, placed_body<Shapes>(all.bodies, all.surfaces, slot), manifold);
+        const PlacedShape body = placed_body<Shapes>(all.bodies, all.surfaces, slot);
+        if constexpr (Shapes::has(ShapeKind::level)) {
+            if (body.shape.kind == ShapeKind::level) point_on_level(ball, body, *Shapes::level_of(body.shape), nearest.distance, manifold);
+            else point_on_shape<Shapes>(ball, body, manifold);
+        } else {
+            point_on_shape<Shapes>(ball, body, manifold);
+        }
         if (manifold.count == 0) return;
         const scalar distance = manifold.points[0].separation;
         if (!(nearest.slot == no_slot ? distance <= nearest.distance : is_before(distance, slot, nearest.distance, nearest.slot))) return;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "level_queries.h"
 #include "../narrow_phase/nearest_points.h"
 #include "shapes_of_tree.h"
 
@@ -9,7 +10,10 @@ namespace ingot { inline namespace INGOT_ABI {
 /// True where the shape overlaps or touches that of a slot, to a few roundings of the sizes. Needs: no half space.
 template <class Shapes>
 bool overlaps_slot(const EveryShape& all, const PlacedShape& shape, int slot) {
-    return closest_points(shape, placed_body<Shapes>(all.bodies, all.surfaces, slot)).overlap;
+    const PlacedShape body = placed_body<Shapes>(all.bodies, all.surfaces, slot);
+    if constexpr (Shapes::has(ShapeKind::level))
+        if (body.shape.kind == ShapeKind::level) return overlaps_level(shape, body, *Shapes::level_of(body.shape));
+    return closest_points(shape, body).overlap;
 }
 
 /// Calls found(slot) for every shape that counts and that the shape overlaps or touches. In the order of slots, where all is an EveryShape; in any,

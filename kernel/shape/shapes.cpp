@@ -7,7 +7,7 @@ namespace ingot { inline namespace INGOT_ABI {
 
 scalar bounding_radius(const Shape& shape) {
     if (shape.kind == ShapeKind::sphere || shape.kind == ShapeKind::hull) return shape.size.x;
-    if (shape.kind == ShapeKind::box) return sqrt(length_sq(shape.size));
+    if (shape.kind == ShapeKind::box || shape.kind == ShapeKind::level) return sqrt(length_sq(shape.size));
     if (shape.kind == ShapeKind::capsule) return shape.size.x + shape.size.y;
     if (shape.kind == ShapeKind::cylinder) return sqrt(shape.size.x * shape.size.x + shape.size.y * shape.size.y);
     return 0;
@@ -34,6 +34,7 @@ bool is_size(scalar length) { return length >= limits::size_min && length <= lim
 Status check_shape(const Shape& shape) {
     if (!is_finite(shape.size) || !is_finite(shape.offset)) return Status::not_finite;
     switch (shape.kind) {
+        case ShapeKind::level:  // see World::add_level
         case ShapeKind::none: return Status::ok;
         case ShapeKind::sphere:
         case ShapeKind::hull: return is_size(shape.size.x) ? Status::ok : Status::bad_shape;

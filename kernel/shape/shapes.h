@@ -8,16 +8,19 @@
 namespace ingot { inline namespace INGOT_ABI {
 
 /// In this order the routines of the narrow phase take their two shapes.
-enum class ShapeKind : uint8_t { none, sphere, capsule, box, cylinder, hull, half_space };
+enum class ShapeKind : uint8_t { none, sphere, capsule, box, cylinder, hull, half_space, level };
+
+/// These are shapes of what cannot move.
+constexpr bool is_ground(ShapeKind kind) { return kind == ShapeKind::half_space || kind == ShapeKind::level; }
 
 /// The surface of a body in its own frame (origin at the centre of mass, principal axes). Made from Sphere, Box, HalfSpace,
 /// Capsule, Cylinder or Hull.
 struct Shape {
     ShapeKind kind{};  ///< which
     /// sphere: radius, 0, 0; box: half extents; half space: outward unit normal; capsule, cylinder: radius, half length, 0;
-    /// hull: radius of the ball about the origin that holds it, its number in Scene::hulls, 0
+    /// hull: radius of the ball about the origin that holds it, its number in Scene::hulls, 0; level: half extents of the box that holds it
     Vector size{};
-    scalar offset{};  ///< half space: distance of its face from the origin along the normal; else 0
+    scalar offset{};  ///< half space: distance of its face from the origin along the normal; level: which, see Level; else 0
 };
 
 /// A ball about the centre of mass. radius in m, limits::size_min .. size_max.
@@ -65,6 +68,22 @@ struct Hull {
     int form = 0;  ///< of Scene::hulls
     constexpr operator Shape() const { return {kind, {radius, static_cast<scalar>(form), 0}, 0}; }
 };
+
+/// How many contacts of planes of their own a body may have with one level: floor and walls.
+inline constexpr int level_patches = 4;
+
+/// A mesh or a field of heights, from a table: Scene::levels[number]. Made by World::add_level. Its origin is the middle of the box that holds it.
+///
+/// As each pair of shapes has one contact, a level is as many shapes, in slots one behind the other, as it may have contacts with a body.
+struct Level {
+    static constexpr ShapeKind kind = ShapeKind::level;
+    Vector half_extents{};  ///< m, of the box along its axes that holds it
+    int number = 0;         ///< of Scene::levels
+    int patch = 0;          ///< which of its shapes, 0 .. level_patches - 1
+    constexpr operator Shape() const { return {kind, half_extents, static_cast<scalar>(number * level_patches + patch)}; }
+};
+constexpr int level_number(const Shape& level) { return static_cast<int>(level.offset) / level_patches; }
+constexpr int patch_number(const Shape& level) { return static_cast<int>(level.offset) % level_patches; }
 
 /// The shapes a scene names: `using shapes = ingot::Shapes<ingot::Sphere, ingot::HalfSpace>;`. Only their tests are linked.
 template <class... Named>

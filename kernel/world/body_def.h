@@ -4,6 +4,8 @@
 #include "../body/axis_locks.h"
 #include "../body/check_body.h"
 #include "../broad_phase/body_filter.h"
+#include "../level/level_table.h"
+#include "../math/rotation.h"
 #include "../shape/shapes.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -23,6 +25,16 @@ struct BodyDef {
     /// is its angular velocity, rad/s. For scenes with kinematic_bodies
     bool kinematic = false;
     uint8_t locks = 0;           ///< axes of the world that it does not move along, or turn about: AxisLocks; for scenes with axis_locks
+};
+
+/// What World::add_level needs to know of a level.
+struct LevelDef {
+    int number = 0;                        ///< of Scene::levels
+    Vector r{};                            ///< m, world, of the origin of the level's frame
+    Matrix A = identity_matrix<scalar>();  ///< level to world, a rotation
+    scalar restitution = 0;                ///< as in BodyDef
+    scalar friction = scalar(0.5);         ///< as in BodyDef
+    BodyFilter filter = meets_all;         ///< as in BodyDef
 };
 
 } }  // namespace ingot

@@ -64,14 +64,18 @@ struct ContactPlaces {
     int next(int place, int slot) const {
         for (; place < end(); ++place) {  // bound: max_manifolds, twice where bodies sleep, or max_contacts
             const BodyPair pair = pair_at(place);
-            const bool of_body = slot < 0 || pair.body_A / S::max_shapes_of_body == slot || pair.body_B / S::max_shapes_of_body == slot;
+            const bool of_body = slot < 0 || storage.owner_of(pair.body_A / S::max_shapes_of_body) == slot ||
+                                 storage.owner_of(pair.body_B / S::max_shapes_of_body) == slot;
             if (pair.record != no_record && of_body) break;
         }
         return place;
     }
     ContactInfo info_at(int place) const {
         const BodyPair pair = pair_at(place);
-        const auto id_of = [this](int slot) { return BodyId{static_cast<Index>(slot), storage.world_tag, storage.generation[slot]}; };
+        const auto id_of = [this](int slot) {
+            const int owner = storage.owner_of(slot);
+            return BodyId{static_cast<Index>(owner), storage.world_tag, storage.generation[owner]};
+        };
         ContactInfo info;
         info.A = id_of(pair.body_A / S::max_shapes_of_body);
         info.B = id_of(pair.body_B / S::max_shapes_of_body);

@@ -125,6 +125,18 @@ scalar radius_about_body(const Shape& shape, const ShapePlace& place) {
     return (sqrt(length_sq(place.r)) + bounding_radius(shape)) * (1 + 4 * epsilon);  // its roundings
 }
 
+BodyDef body_of_level(const LevelTable& level, const LevelDef& def) {
+    BodyDef body;
+    body.immovable = true;
+    body.state.r_CM = def.r + def.A * level.middle();
+    body.state.A = def.A;
+    body.shape = Level{half_extents_of(level), def.number, 0};
+    body.restitution = def.restitution;
+    body.friction = def.friction;
+    body.filter = def.filter;
+    return body;
+}
+
 void write_surface(Surface& to, const BodyDef& def) {
     write_shape_of(to, def.shape);
     to.e = def.restitution;

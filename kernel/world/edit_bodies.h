@@ -66,6 +66,9 @@ INGOT_INLINE void write_shape_of(Surface& to, const Shape& shape) {
     to.bounding_radius = bounding_radius(shape);
 }
 
+/// An immovable body that has the first of a level's shapes: see World::add_level. The state is that of the middle of its box.
+BodyDef body_of_level(const LevelTable& level, const LevelDef& def);
+
 BodyState read_state(const BodyView& bodies, int slot);
 Status write_state(const BodyView& bodies, int slot, const BodyState& state);
 

@@ -7,6 +7,7 @@
 #include "../shape/compound.h"
 #include "../impulse/frictionless_impacts.h"
 #include "../joint/joints.h"
+#include "../level/level_table.h"
 #include "../solver/direct/hybrid_islands.h"
 #include "../motion/forced_flight.h"
 #include "../motion/exact_elliptic.h"
@@ -85,6 +86,8 @@ struct Scene {
     using joints   = Joints<>;                   ///< or the kinds there are: Joints<BallJoint, HingeJoint, WithDrives>, see joint/joints.h
     using figure_motion = ArticulatedSubsteps;   ///< or EnergyMomentum<>, for what swings freely: see energy_momentum/energy_momentum.h
     static constexpr NoHulls hulls = {};         ///< or `static constexpr ConvexHull hulls[]`, in flash: the forms of its Hull shapes, in body frames
+    static constexpr NoLevels levels = {};       ///< or `static constexpr LevelTable levels[]`, in flash, or in memory that is filled before it
+                                                 /// is used: ground for World::add_level
     static constexpr int max_shapes_of_body = 1; ///< 1 .. 255; more: World::add takes several shapes for one body, see shape/compound.h
     using rotation = MoserVeselov;               ///< or another method of motion/
     using force_field = NoForceField;            ///< or one of motion/force_fields.h, or your own
@@ -164,6 +167,15 @@ constexpr Hull hull_of(int form) {
     return {form >= 0 && form < hulls_of<S>.count ? hulls_of<S>.hulls[form].radius : scalar(0), form};
 }
 
+/// The levels a scene names.
+template <class S>
+inline constexpr LevelTables levels_of = levels_in(S::levels);
+template <class S>
+inline constexpr bool has_levels = levels_of<S>.count > 0;
+/// Slots of bodies that a level takes.
+template <class S>
+inline constexpr int bodies_of_level = (level_patches + S::max_shapes_of_body - 1) / S::max_shapes_of_body;
+
 template <class S>
 inline constexpr bool has_compounds = S::max_shapes_of_body > 1;
 /// Slots of shapes: those of the bodies, where each has one shape.
@@ -183,10 +195,23 @@ struct ShapesOf : S::shapes {
             if (shape.kind == ShapeKind::hull) return hulls_of<S>.hulls + static_cast<int>(shape.size.y);
         return nullptr;
     }
+    static const LevelTable* level_of(const Shape& shape) { return levels_of<S>.levels + level_number(shape); }
     /// Of the ball that holds the shape, m; 0: a half space.
     static scalar radius_of(const Surface& surface) {
         if constexpr (has_compounds<S>) return ingot::bounding_radius(surface.shape);
         return surface.bounding_radius;
+    }
+    /// False for a level whose number and size are those of none of the scene's.
+    static constexpr bool names_its_level([[maybe_unused]] const Shape& shape) {
+        if constexpr (has_levels<S>) {
+            if (shape.kind != ShapeKind::level) return true;
+            if (!(shape.offset >= 0 && shape.offset < static_cast<scalar>(levels_of<S>.count * level_patches))) return false;
+            const int number = level_number(shape);
+            if (static_cast<scalar>(number * level_patches + patch_number(shape)) != shape.offset) return false;
+            const Vector half = half_extents_of(levels_of<S>.levels[number]);
+            return shape.size.x == half.x && shape.size.y == half.y && shape.size.z == half.z;
+        }
+        return true;
     }
     /// False for a hull whose number and size are those of none of the scene's.
     static constexpr bool names_its_hull([[maybe_unused]] const Shape& shape) {
@@ -203,7 +228,7 @@ struct ShapesOf : S::shapes {
 /// Its fixed shapes may hide each other's edges: see narrow_phase/inner_edges.h.
 template <class S>
 inline constexpr bool hides_internal_edges =
-    stacks<S> && S::hides_internal_edges && (S::shapes::has(ShapeKind::box) || S::shapes::has(ShapeKind::hull));
+    stacks<S> && S::hides_internal_edges && (S::shapes::has(ShapeKind::box) || S::shapes::has(ShapeKind::hull) || S::shapes::has(ShapeKind::level));
 
 /// Its queries go through the tree that finds its pairs.
 template <class S>

@@ -4,7 +4,8 @@
 #pragma once
 
 #include "../motion/integrate_L.h"
-#include "../narrow_phase/inner_edges.h"
+#include "../narrow_phase/level_seams.h"
+#include "../narrow_phase/update_manifolds.h"
 #include "fast_stages.h"
 #include "impact_stages.h"
 #include "kinematic_stages.h"
@@ -169,6 +170,10 @@ void find_manifolds([[maybe_unused]] Step<S>& now) {
                 drop_hidden_points<ShapesOf<S>>(
                     {storage.shapes(), storage.surface_view(), storage.bounds, hulls_of<S>, storage.velocities_of_shapes()}, storage.pair_list(),
                     storage.last_of_shape, manifolds);
+                if constexpr (has_levels<S>)
+                    drop_points_at_seams<ShapesOf<S>>(
+                        {storage.shapes(), storage.surface_view(), storage.bounds, hulls_of<S>, storage.velocities_of_shapes()}, storage.pair_list(),
+                        storage.last_of_shape, manifolds);
             });
         if constexpr (S::continuous) leave_to_flights(fast_pairs, storage.pair_list(), manifolds);
         count(now.report.contacts, *manifolds.count);
@@ -270,6 +275,7 @@ void tell_events([[maybe_unused]] Step<S>& now) {
         if constexpr (has_sensors<S>) emit_missing(storage.overlap_list(), storage.overlap_list_before(), EventKind::enter, tag, events);
         emit_hits(contacts, S::hit_speed, before, touching, tag, events);
         if constexpr (has_compounds<S>) name_bodies<S::max_shapes_of_body>(events);
+        if constexpr (has_levels<S>) features::Levels::name_bodies(storage, events);
     }
 }
 

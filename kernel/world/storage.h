@@ -27,6 +27,23 @@ struct Storage : features::All::Memory<S> {
 
     bool lives(int slot) const { return (generation[slot] & 1u) != 0; }
 
+    /// Of a level the slots that it takes; else the slot itself.
+    template <class Each>
+    void over_bodies_of(int slot, const Each& each) {
+        each(slot);
+        if constexpr (has_levels<S>)
+            if (this->surfaces[slot * S::max_shapes_of_body].shape.kind == ShapeKind::level)
+                for (int k = 1; k < bodies_of_level<S>; ++k) each(slot + k);  // bound: level_patches
+    }
+    /// The slot whose id is that of the body: of a level the first that it takes.
+    int owner_of(int slot) const {
+        if constexpr (has_levels<S>) {
+            const Shape& shape = this->surfaces[slot * S::max_shapes_of_body].shape;
+            if (shape.kind == ShapeKind::level) return slot - patch_number(shape) / S::max_shapes_of_body;
+        }
+        return slot;
+    }
+
     BodyView bodies() {
         return {rotation, this->translation_tiles(), this->compensation_tiles(), this->energy_tiles(),
                 (slots_used + lanes - 1) / lanes};

@@ -7,7 +7,7 @@
 #include "../body/freeze_bad_bodies.h"
 #include "edit_bodies.h"
 #include "state_hash.h"
-#include "world_queries.h"
+#include "world_adds.h"
 
 #include <stddef.h>
 
@@ -22,13 +22,14 @@ namespace ingot { inline namespace INGOT_ABI {
 /// Calls that take a BodyId answer stale_id (removed, null, never given out) or foreign_id (of a world with another tag).
 /// Units are SI; vectors and points are in world axes unless they say body. Cost is O(1) unless said.
 ///
-/// Its calls stand in twelve files: bodies, their state and forces here, what scenes may name of a body in world_bodies.h, edits in world_edits.h,
-/// kinematic bodies in world_kinematic.h, joints and figures in world_joints.h, drives in world_drives.h, what joints bear in world_reactions.h,
+/// Its calls stand in thirteen files: state of bodies and forces here, bodies that come and go in world_adds.h, what
+/// scenes may name of a body in world_bodies.h, edits in world_edits.h, kinematic bodies in world_kinematic.h, joints and figures in
+/// world_joints.h, drives in world_drives.h, what joints bear in world_reactions.h,
 /// rods and ropes in world_ties.h, who touched in world_touching.h, who may in world_contacts.h, places in world_reads.h, queries in world_queries.h.
 template <class User>
-class World : public WorldQueries<SceneOf<User>> {
+class World : public WorldAdds<SceneOf<User>> {
     using S = SceneOf<User>;
-    using Base = WorldQueries<S>;
+    using Base = WorldAdds<S>;
     using Base::storage_;
     using Base::translation_only;
     using Base::field_only;
@@ -48,73 +49,6 @@ public:
 
     // Bodies.
 
-    /// Adds a body in the lowest free slot.
-    /// Errors: no_room, and what BodyDef's parts may have wrong: see check_mass_properties, check_state, check_shape;
-    ///         bad_restitution; bad_friction; immovable (one that has a velocity, or is kinematic too); not_in_scene (a shape the scene does not
-    ///         name, a filter, a sensor or a restitution where it names none, a kinematic body, a place or velocity where it does not translate);
-    ///         bad_shape (a half space that can move, or is kinematic; a hull that is none of the scene's).
-    /// Cost:   O(1), or O(max_bodies) after removals.
-    Result<BodyId> add(const BodyDef& def) {
-        const Status status = check_add(def);
-        if (status != Status::ok) return {status, {}};
-        const int slot = free_slot();
-        if (slot == max_bodies) return {Status::no_room, {}};
-
-        write_slot(slot, def);
-        write_shape(slot, 0, def, {{}, identity_matrix<scalar>()});
-        if constexpr (has_compounds<S>) place_shapes(storage_.bodies(), storage_.compound_view(), slot);
-        storage_.hold_shapes(slot);
-        return {Status::ok, id_of(slot)};
-    }
-
-    /// Adds a body of several shapes: see shape/compound.h. The definition has no shape of its own; its restitution, friction and sensor are
-    /// not looked at.
-    /// Errors: those of add, for the definition and each shape; out_of_range (fewer than one; a place beyond limits::position_max), no_room (more
-    ///         than max_shapes_of_body), bad_shape (one that is none; a definition with a shape), not_a_rotation (an A, or mass.A_principal).
-    Result<BodyId> add(const BodyDef& def, const ShapeDef* shapes, int shape_count) {
-        static_assert(compounds_only());
-        Status status = check_mass_frame(def.mass);
-        if (def.shape.kind != ShapeKind::none) status = Status::bad_shape;
-        if (shapes == nullptr || shape_count < 1) status = Status::out_of_range;
-        if (shape_count > S::max_shapes_of_body) status = Status::no_room;
-        // bound: max_shapes_of_body: more are refused before
-        for (int shape_i = 0; shape_i < shape_count && status == Status::ok; ++shape_i) {
-            status = check_place(shapes[shape_i], def.mass);
-            if (status == Status::ok) status = check_add(with_shape(def, shapes[shape_i]));
-        }
-        if (status != Status::ok) return {status, {}};
-        const int slot = free_slot();
-        if (slot == max_bodies) return {Status::no_room, {}};
-
-        write_slot(slot, def);
-        for (int shape_i = 0; shape_i < shape_count; ++shape_i) {
-            const ShapePlace place = place_in_body(shapes[shape_i], def.mass);
-            write_shape(slot, shape_i, with_shape(def, shapes[shape_i]), {place.r + Vector{}, nearest_rotation(place.A)});
-        }
-        place_shapes(storage_.bodies(), storage_.compound_view(), slot);
-        storage_.hold_shapes(slot);
-        return {Status::ok, id_of(slot)};
-    }
-    /// The same, of an array.
-    template <unsigned N>
-    Result<BodyId> add(const BodyDef& def, const ShapeDef (&shapes)[N]) { return add(def, shapes, static_cast<int>(N)); }
-
-    /// Takes a body out. Its id, and every copy of it, is stale from now on.
-    Status remove(BodyId id) {
-        const Result<int> slot = find(id);
-        if (!slot.ok()) return slot.status;
-        features::All::over_named<S>([&](auto feature) { decltype(feature)::before_removal(storage_, slot.value); });
-        ++storage_.generation[slot.value];
-        if (slot.value < storage_.free_hint) storage_.free_hint = slot.value;
-        set_identity_body(storage_.bodies(), slot.value);
-        storage_.set_generation_of_shapes(slot.value, storage_.generation[slot.value]);
-        // bound: max_shapes_of_body
-        for (int shape_slot = slot.value * S::max_shapes_of_body; shape_slot < (slot.value + 1) * S::max_shapes_of_body; ++shape_slot)
-            features::All::over_named<S>([&](auto feature) { decltype(feature)::forget_shape(storage_, shape_slot); });
-        features::All::over_named<S>([&](auto feature) { decltype(feature)::forget_body(storage_, slot.value); });
-        return Status::ok;
-    }
-
     bool is_alive(BodyId id) const { return find(id).ok(); }  ///< false for ids of none
 
     /// True for a body that legal input drove to a value that is not finite: it stands still until it is removed.
@@ -126,12 +60,15 @@ public:
     /// Bodies that live in the world. Cost: O(max_bodies).
     int body_count() const {
         int count = 0;
-        for (int slot = 0; slot < storage_.slots_used; ++slot) count += lives(slot) ? 1 : 0;  // bound: max_bodies
+        for (int slot = 0; slot < storage_.slots_used; ++slot) count += lives(slot) && storage_.owner_of(slot) == slot ? 1 : 0;  // bound: max_bodies
         return count;
     }
 
     /// The id of the living body of a slot, 0 <= slot < max_bodies; the null id if none lives there. For walking all bodies.
-    BodyId body_at(int slot) const { return slot >= 0 && slot < storage_.slots_used && lives(slot) ? id_of(slot) : BodyId{}; }
+    BodyId body_at(int slot) const {
+        const bool there = slot >= 0 && slot < storage_.slots_used && lives(slot);
+        return there && storage_.owner_of(slot) == slot ? id_of(slot) : BodyId{};
+    }
 
     // State.
 
@@ -149,6 +86,8 @@ public:
     /// Errors: those of check_state, frozen, immovable (a velocity for a body that has none), not_in_scene.
     Status set_state(BodyId id, const BodyState& state) {
         const Result<int> slot = find(id);
+        if constexpr (has_levels<S>)
+            if (slot.ok() && this->has_ground(slot.value)) return put_ground(slot.value, state);
         if constexpr (S::kinematic_bodies)
             if (slot.ok() && ingot::is_kinematic(storage_.kinematic[slot.value])) return this->put_kinematic(slot.value, state);
         if constexpr (has_compounds<S>) {
@@ -323,6 +262,18 @@ public:
     }
 
 private:
+    /// All that a level takes.
+    Status put_ground(int slot, const BodyState& state) {
+        Status status = Status::ok;
+        storage_.over_bodies_of(slot, [&](int of_body) {
+            if (status == Status::ok) status = write_state(storage_.bodies(), of_body, state);
+            if (status != Status::ok) return;
+            if constexpr (has_compounds<S>) place_shapes(storage_.bodies(), storage_.compound_view(), of_body);
+            status = moved(of_body, status);
+        });
+        return status;
+    }
+
     template <class Any>
     friend StepReport step(World<Any>& world, scalar h);
     template <class Any>
@@ -330,71 +281,12 @@ private:
     template <class Any>
     friend Status load_snapshot(World<Any>& world, const uint8_t* bytes, size_t size);
 
-    /// All that World::add asks of a body of one shape.
-    Status check_add(const BodyDef& def) const {
-        Status status = Status::ok;
-        if constexpr (has_shapes<S>) status = check_surface(def);
-        if (status == Status::ok) status = check_definition(as_placed(def), S::translates, has_shapes<S> && S::shapes::has(def.shape.kind));
-        if (status == Status::ok && !ShapesOf<S>::names_its_hull(def.shape)) status = Status::bad_shape;
-        features::All::over_all([&](auto feature) {
-            const Status of_feature = decltype(feature)::template check_def<S>(def);
-            if (of_feature != Status::ok) status = of_feature;
-        });
-        if constexpr (has_shapes<S> && !S::bounces)
-            if (def.restitution > 0) status = Status::not_in_scene;
-        return status;
-    }
-
-    /// What the tiles hold of a definition: a kinematic body stands still between two steps.
-    static decltype(auto) as_placed(const BodyDef& def) {
-        if constexpr (S::kinematic_bodies)
-            return def.kinematic ? features::KinematicBodies::standing(def) : def;
-        else
-            return (def);
-    }
-
-    void write_slot(int slot, const BodyDef& def) {
-        if (slot == storage_.slots_used) begin_slot();
-        storage_.free_hint = slot + 1;
-        ++storage_.generation[slot];
-        write_body(storage_.bodies(), slot, as_placed(def));
-        storage_.set_generation_of_shapes(slot, storage_.generation[slot]);
-        features::All::over_named<S>([&](auto feature) { decltype(feature)::begin_body(storage_, slot, def); });
-    }
-    void write_shape(int slot, int shape_i, const BodyDef& def, const ShapePlace& place) {
-        const int shape_slot = slot * S::max_shapes_of_body + shape_i;
-        features::All::over_named<S>([&](auto feature) { decltype(feature)::begin_shape(storage_, shape_slot, def, place); });
-    }
     uint64_t hash_of(int slot, uint64_t hash) const {
         hash = hash_body(storage_.bodies(), slot, hash);
         features::All::over_named<S>([&](auto feature) { hash = decltype(feature)::hash_body(storage_, slot, hash); });
         return hash;
     }
     static bool same(const Vector& a, const Vector& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
-
-    /// The lowest slot that is free and whose generation is not used up; max_bodies if there is none.
-    int free_slot() const {
-        // bound: itself
-        for (int slot = storage_.free_hint; slot < max_bodies; ++slot)
-            if (!lives(slot) && storage_.generation[slot] != UINT32_MAX - 1) return slot;
-        return max_bodies;
-    }
-
-    /// Takes a new slot into use. With the first lane of a tile all its lanes become the identity body.
-    void begin_slot() {
-        const int slot = storage_.slots_used++;
-        if constexpr (has_compounds<S>) begin_shape_slots(slot);
-        if (slot % lanes != 0) return;
-        for (int lane_i = 0; lane_i < lanes; ++lane_i) set_identity_body(storage_.bodies(), slot + lane_i);
-        if constexpr (S::sleeps && !has_compounds<S>) empty_bounds(storage_, slot, slot + lanes - 1);
-    }
-    /// The same for the slots of its shapes.
-    void begin_shape_slots(int slot) {
-        const int first = slot * S::max_shapes_of_body, last = first + S::max_shapes_of_body - 1;
-        // bound: max_shapes_of_body and lanes
-        for (int shape_slot = first; shape_slot <= last / lanes * lanes + lanes - 1; ++shape_slot) set_identity_body(storage_.shapes(), shape_slot);
-        if constexpr (S::sleeps) empty_bounds(storage_, first, last / lanes * lanes + lanes - 1);
-    }
 };
 
 } }  // namespace ingot

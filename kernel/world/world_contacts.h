@@ -62,8 +62,12 @@ public:
     Status set_filter(BodyId id, const BodyFilter& filter) {
         static_assert(filters_only());
         const Result<int> slot = find(id);
-        if (slot.ok()) storage_.filters[slot.value] = filter;
-        return slot.ok() ? touched(slot.value, Status::ok) : slot.status;
+        if (!slot.ok()) return slot.status;
+        storage_.over_bodies_of(slot.value, [&](int of_body) {
+            storage_.filters[of_body] = filter;
+            (void)touched(of_body, Status::ok);
+        });
+        return Status::ok;
     }
 
     // What surfaces may have beside friction and restitution, in scenes with rolling_resistance or surface_velocities: of a body, or of one of its

@@ -49,7 +49,7 @@ public:
         if (!slot.ok()) return slot.status;
         if (is_dynamic(storage_.bodies(), slot.value)) return set_mass(id, mass);
         Status status = ingot::is_frozen(storage_.bodies(), slot.value) ? Status::frozen : check_mass_properties(mass);
-        if (status == Status::ok && has_half_space(slot.value)) status = Status::bad_shape;
+        if (status == Status::ok && has_ground(slot.value)) status = Status::bad_shape;
         if (status != Status::ok) return status;
         leave_contacts(slot.value);
         write_moments(storage_.bodies(), slot.value, mass);
@@ -83,8 +83,9 @@ public:
         static_assert(shapes_only());
         const Result<int> shape_slot = find_shape(id, shape_i);
         const Status status = shape_slot.ok() ? check_friction(mu) : shape_slot.status;
-        if (status == Status::ok) storage_.surfaces[shape_slot.value].mu = mu + scalar(0);  // -0 becomes +0: one value, one set of bits
-        return status == Status::ok ? mixed_anew(shape_slot.value) : status;
+        // -0 becomes +0: one value, one set of bits
+        if (status == Status::ok) set_surfaces(shape_slot.value, [&](Surface& surface) { surface.mu = mu + scalar(0); });
+        return status;
     }
     /// The coefficient, as it is now. Errors: those of ids, out_of_range.
     Result<scalar> friction(BodyId id, int shape_i = 0) const {
@@ -100,8 +101,8 @@ public:
         const Result<int> shape_slot = find_shape(id, shape_i);
         Status status = shape_slot.ok() ? check_restitution(e) : shape_slot.status;
         if (status == Status::ok && !S::bounces && e > 0) status = Status::not_in_scene;
-        if (status == Status::ok) storage_.surfaces[shape_slot.value].e = e + scalar(0);
-        return status == Status::ok ? mixed_anew(shape_slot.value) : status;
+        if (status == Status::ok) set_surfaces(shape_slot.value, [&](Surface& surface) { surface.e = e + scalar(0); });
+        return status;
     }
     /// As it is now, 0 to 1. Errors: those of ids, out_of_range.
     Result<scalar> restitution(BodyId id, int shape_i = 0) const {
@@ -113,7 +114,7 @@ public:
 
     /// Another shape, or one of another size, in the place of that one; mass stays. A body of one shape may have none, and get one.
     /// Errors: those of check_shape, not_in_scene, bad_shape (a half space that can move, a hull that is none of the scene's, none for one of
-    ///         several).
+    ///         several, a level).
     Status set_shape(BodyId id, const Shape& shape, int shape_i = 0) {
         static_assert(shapes_only());
         const Result<int> slot = find(id);
@@ -182,12 +183,13 @@ public:
     }
 
 protected:
-    bool has_half_space(int slot) const {
+    /// Shapes of what cannot move.
+    bool has_ground(int slot) const {
         bool has = false;
         if constexpr (has_shapes<S>)
             // bound: max_shapes_of_body
             for (int shape_i = 0; shape_i < S::max_shapes_of_body; ++shape_i)
-                has = has || storage_.surfaces[slot * S::max_shapes_of_body + shape_i].shape.kind == ShapeKind::half_space;
+                has = has || is_ground(storage_.surfaces[slot * S::max_shapes_of_body + shape_i].shape.kind);
         return has;
     }
 
@@ -200,6 +202,10 @@ private:
         if (status != Status::ok) return status;
         if (shape.kind == ShapeKind::none) return has_compounds<S> ? Status::bad_shape : Status::ok;
         if (!S::shapes::has(shape.kind)) return Status::not_in_scene;
+        if constexpr (has_levels<S>) {
+            const Shape& before = storage_.surfaces[slot * S::max_shapes_of_body].shape;
+            if (shape.kind == ShapeKind::level || before.kind == ShapeKind::level) return Status::bad_shape;
+        }
         if (shape.kind == ShapeKind::half_space && is_dynamic(storage_.bodies(), slot)) return Status::bad_shape;
         if constexpr (S::kinematic_bodies)
             if (shape.kind == ShapeKind::half_space && ingot::is_kinematic(storage_.kinematic[slot])) return Status::bad_shape;
@@ -228,11 +234,24 @@ private:
     void move_shapes([[maybe_unused]] int slot) {
         if constexpr (has_compounds<S>) place_shapes(storage_.bodies(), storage_.compound_view(), slot);
     }
+    /// Of a shape, or of all that a level takes.
+    template <class Set>
+    void set_surfaces(int shape_slot, const Set& set) {
+        if constexpr (has_levels<S>) {
+            if (storage_.surfaces[shape_slot].shape.kind == ShapeKind::level) {
+                const int first = shape_slot - patch_number(storage_.surfaces[shape_slot].shape);
+                for (int patch_i = 0; patch_i < level_patches; ++patch_i) set_surface(first + patch_i, set);
+                return;
+            }
+        }
+        set_surface(shape_slot, set);
+    }
     /// Contacts that are held take friction and restitution of the shape as they are now.
-    Status mixed_anew(int shape_slot) {
-        const Status status = touched(shape_slot / S::max_shapes_of_body, Status::ok);
+    template <class Set>
+    void set_surface(int shape_slot, const Set& set) {
+        set(storage_.surfaces[shape_slot]);
+        (void)touched(shape_slot / S::max_shapes_of_body, Status::ok);
         if constexpr (stacks<S>) mix_materials_of(storage_.surface_view(), storage_.manifold_view(), shape_slot);
-        return status;
     }
 };
 

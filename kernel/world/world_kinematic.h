@@ -61,14 +61,14 @@ public:
     }
 
     /// A body is kinematic from now on, and stands still until it is told to move. One that is so already goes on: ok, and nothing changes.
-    /// Errors: frozen, bad_shape (a half space: give it a large box).
+    /// Errors: frozen, bad_shape (a half space: give it a large box; a level).
     Status set_kinematic(BodyId id) {
         static_assert(kinematic_only());
         const Result<int> slot = find(id);
         if (!slot.ok()) return slot.status;
         if (ingot::is_frozen(storage_.bodies(), slot.value)) return Status::frozen;
         if (ingot::is_kinematic(storage_.kinematic[slot.value])) return Status::ok;
-        if (this->has_half_space(slot.value)) return Status::bad_shape;
+        if (this->has_ground(slot.value)) return Status::bad_shape;
         const Status status = this->set_immovable(id);
         if (status == Status::ok) set_kinematic_motion(storage_.kinematic[slot.value], {}, {});
         return status;

@@ -139,10 +139,17 @@ private:
     Result<int> slot_of_exception(const QueryFilter& filter) const {
         return filter.except.generation == 0 ? Result<int>{Status::ok, no_slot} : find(filter.except);
     }
+    /// Of a level one of its shapes stands for all of it.
+    bool is_first_of_level(int shape_slot) const {
+        const Shape& shape = storage_.surfaces[shape_slot].shape;
+        return shape.kind != ShapeKind::level || patch_number(shape) == 0;
+    }
     /// Which bodies a query looks at, slot by slot.
     auto sees(const QueryFilter& filter, int except) const {
         return [this, filter, except](int slot) {
             if (slot / S::max_shapes_of_body == except || !meet(filter.filter, storage_.filter_view().of(slot))) return false;
+            if constexpr (has_levels<S>)
+                if (!is_first_of_level(slot)) return false;
             if constexpr (has_sensors<S>) return filter.sensors || storage_.is_sensor[slot] == 0;
             return true;
         };

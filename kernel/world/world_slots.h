@@ -75,6 +75,10 @@ protected:
         static_assert(S::kinematic_bodies, "no body of this scene moves by itself: set kinematic_bodies = true");
         return true;
     }
+    static constexpr bool levels_only() {
+        static_assert(has_levels<S>, "this scene names no level: set levels");
+        return true;
+    }
     static constexpr bool shapes_only() {
         static_assert(has_shapes<S>, "this scene keeps no shapes: set max_manifolds or max_contacts");
         return true;
@@ -124,10 +128,12 @@ protected:
 
     static Index body_of(int shape_slot) { return static_cast<Index>(shape_slot / S::max_shapes_of_body); }
     static int number_of_shape(int shape_slot) { return shape_slot == no_slot ? 0 : shape_slot % S::max_shapes_of_body; }
-    BodyId id_of_shape(int shape_slot) const { return shape_slot == no_slot ? BodyId{} : id_of(body_of(shape_slot)); }
+    BodyId id_of_shape(int shape_slot) const { return shape_slot == no_slot ? BodyId{} : id_of_owner(body_of(shape_slot)); }
 
     bool lives(int slot) const { return storage_.lives(slot); }
 
+    /// The body of a level has the slot of the first of its shapes.
+    BodyId id_of_owner(int slot) const { return id_of(storage_.owner_of(slot)); }
     BodyId id_of(int slot) const { return {static_cast<Index>(slot), storage_.world_tag, storage_.generation[slot]}; }
 
     Result<int> find(BodyId id) const {

@@ -17,6 +17,7 @@
 #include "joints.h"
 #include "kinematic_bodies.h"
 #include "materials.h"
+#include "levels.h"
 #include "motion.h"
 #include "reads_contacts.h"
 #include "sensors_and_events.h"
@@ -30,7 +31,7 @@ using All = FeatureList<Rotation, Translation, Compensation, EnergyReturn, Field
                         RollingResistance, Belts, Filters, Sensors, Continuous, Events, ToldEvents, Sleep, GravityShares, TouchAside, SteadyField,
                          UserData, BodyForces, BodyDamping, ReadsContacts, CompensatedSums, KinematicBodies, WorkBudget, ContactEffort, Figures,
                          MovingJoints, LimitedJoints, DrivenJoints, LoopJoints, FigureMotion, ReadReactions, BreakableJoints, TiedJoints,
-                         DrawnBodies, LockedAxes>;
+                         DrawnBodies, LockedAxes, Levels>;
 
 static_assert(All::bits_differ(SnapshotPart::doubles | SnapshotPart::anchors));  // of a snapshot's parts
 

@@ -76,17 +76,41 @@ struct Surfaces : Feature {
         void take(const Storage<S>& storage, int shape_slot) {
             const Surface& surface = storage.surfaces[shape_slot];
             saved = {static_cast<uint8_t>(surface.shape.kind), surface.shape.size, surface.shape.offset, surface.e, surface.mu};
+            if constexpr (has_levels<S>)
+                if (surface.shape.kind == ShapeKind::level) saved.size = name_of(*ShapesOf<S>::level_of(surface.shape));
         }
         template <class S>
         void put(Storage<S>& storage, int shape_slot) const {
-            storage.surfaces[shape_slot] = {shape_of(saved), bounding_radius(shape_of(saved)), saved.e, saved.mu, 0};
+            const Shape shape = shape_in_scene<S>();
+            storage.surfaces[shape_slot] = {shape, bounding_radius(shape), saved.e, saved.mu, 0};
             measure<S>(storage.surfaces[shape_slot]);
         }
         template <class S>
         bool is_valid(const SavedBody& body) const {
-            const Shape shape = shape_of(saved);
+            if constexpr (has_levels<S>)
+                if (saved.kind == static_cast<uint8_t>(ShapeKind::level) && (body.inv_I_scale > 0 || !names_level_of<S>())) return false;
+            const Shape shape = shape_in_scene<S>();
             const bool in_scene = S::shapes::has(shape.kind) || (shape.kind == ShapeKind::none && !has_compounds<S>);
             return in_scene && ShapesOf<S>::names_its_hull(shape) && ingot::is_valid(saved, body.inv_I_scale > 0) && (S::bounces || saved.e == 0);
+        }
+
+    private:
+        /// A level is saved under the sum of its tables, in the place of its half extents, which are in them.
+        static Vector name_of(const LevelTable& level) {
+            return {static_cast<scalar>(level.checksum & 0xffffu), static_cast<scalar>(level.checksum >> 16), 0};
+        }
+        template <class S>
+        bool names_level_of() const {
+            if (!(saved.offset >= 0 && saved.offset < static_cast<scalar>(levels_of<S>.count * level_patches))) return false;
+            const Vector name = name_of(*ShapesOf<S>::level_of(shape_of(saved)));
+            return saved.size.x == name.x && saved.size.y == name.y && saved.size.z == 0;
+        }
+        template <class S>
+        Shape shape_in_scene() const {
+            Shape shape = shape_of(saved);
+            if constexpr (has_levels<S>)
+                if (shape.kind == ShapeKind::level) shape.size = half_extents_of(*ShapesOf<S>::level_of(shape));
+            return shape;
         }
     };
 };

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+// Bodies and ground drawn at random, the same over a level and over a half space.
+#pragma once
+
+#include <ingot/ingot.h>
+
+#include <cmath>
+
+#include "fields.h"
+
+namespace level_test {
+
+using ingot::BodyDef;
+using ingot::BodyId;
+using ingot::LevelDef;
+using ingot::LevelTable;
+using ingot::Matrix;
+using ingot::scalar;
+using ingot::Status;
+using ingot::Vector;
+using ingot::World;
+
+constexpr double pi = 3.14159265358979;
+
+inline double share(Random& random) { return static_cast<double>(random() % 1048576) / 1048576; }
+inline double within(Random& random, double low, double high) { return low + (high - low) * share(random); }
+/// Even in its logarithm.
+inline double about(Random& random, double low, double high) { return low * std::pow(high / low, share(random)); }
+
+inline Matrix about_z(double angle) {
+    const auto c = static_cast<scalar>(std::cos(angle)), s = static_cast<scalar>(std::sin(angle));
+    return {{c, s, 0}, {-s, c, 0}, {0, 0, 1}};
+}
+/// Its third axis lies along the ground, across the way of `angle`.
+inline Matrix lying_across(double angle) {
+    const auto c = static_cast<scalar>(std::cos(angle)), s = static_cast<scalar>(std::sin(angle));
+    return {{c, s, 0}, {0, 0, 1}, {s, -c, 0}};
+}
+/// A rotation by any angle about any axis.
+inline Matrix any_rotation(Random& random) {
+    const Matrix turn = about_z(within(random, 0, 2 * pi)), tilt = lying_across(within(random, 0, 2 * pi));
+    return ingot::nearest_rotation(turn * tilt * about_z(within(random, 0, 2 * pi)));
+}
+
+constexpr auto pebble = ingot::convex_hull<10>({{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0.7f, 0.7f, -0.5f}, {-0.7f, 0.7f, -0.5f},
+                                                {0.7f, -0.7f, -0.5f}, {-0.7f, -0.7f, -0.5f}, {0.3f, 0, 0.6f}, {-0.3f, 0.1f, 0.6f}});
+static_assert(pebble.ok());
+constexpr auto pebble_mass = ingot::principal(ingot::solid_hull(1000, pebble.value.view()).value);
+constexpr auto pebble_of_body = ingot::convex_hull_of_body<10>(
+    {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0.7f, 0.7f, -0.5f}, {-0.7f, 0.7f, -0.5f}, {0.7f, -0.7f, -0.5f}, {-0.7f, -0.7f, -0.5f},
+     {0.3f, 0, 0.6f}, {-0.3f, 0.1f, 0.6f}},
+    pebble_mass.value);
+static_assert(pebble_of_body.ok());
+
+struct Slab : ingot::Scene {
+    static constexpr int max_bodies = 80;
+    static constexpr bool translates = true;
+    static constexpr int max_manifolds = 400;
+    static constexpr bool reads_contacts = true;
+    using shapes = ingot::Shapes<ingot::Sphere, ingot::Box, ingot::Capsule, ingot::Cylinder, ingot::Hull, ingot::HalfSpace>;
+    static constexpr ingot::ConvexHull hulls[] = {pebble_of_body.value.view()};
+};
+/// Its level is whatever the test has drawn.
+struct OnLevel : Slab {
+    using shapes = ingot::Shapes<ingot::Sphere, ingot::Box, ingot::Capsule, ingot::Cylinder, ingot::Hull, ingot::HalfSpace, ingot::Level>;
+    static inline LevelTable levels[2] = {};
+};
+
+/// Ground with its arrays; `view` points into them.
+struct Ground {
+    level_tool::MeshData mesh;
+    Field field;
+    LevelTable view;
+    Vector middle{};    ///< m, on the ground
+    double reach = 0;   ///< m, from there to its rim
+};
+
+inline void take_mesh(const Soup& soup, double step, Ground& ground) {
+    ground.mesh = built(soup, static_cast<scalar>(step));
+    ground.view = ground.mesh.view;
+}
+
+/// Ways in which a plane may be cut up.
+enum class Seams { grid, fan, slivers, boxes, field };
+constexpr int seams_count = 5;
+
+/// Boxes of all sizes side by side, as high as each other: seams with T-joints, and walls between them that no one can touch.
+inline int add_flush_boxes(Random& random, int side, int rows, int height, Soup& soup) {
+    int y = 0;
+    for (int row = 0; row < rows; ++row) {
+        const int depth = side / 2 + between(random, 0, side - 1);
+        for (int column = 0, x = 0; column < rows; ++column) {
+            const int length = side / 2 + between(random, 0, side - 1);
+            add_box(soup, {x, y, 0}, {x + length, y + depth, height}, 0);
+            x += length;
+        }
+        y += depth;
+    }
+    return y;
+}
+
+/// A level plane that is cut up like that.
+inline Ground plane_of(Random& random, Seams seams) {
+    constexpr double step = 1.0 / 256;
+    Ground ground;
+    Soup soup;
+    switch (seams) {
+        case Seams::grid: {
+            const int cells = between(random, 20, 80), cell = 60 * 256 / cells;
+            soup = terrain(random, cells, cell, [](int, int) { return 8; });
+            ground.middle = {30, 30, 8 * step};
+            ground.reach = 18;
+            break;
+        }
+        case Seams::fan:
+            soup = slivers(100, true);
+            ground.middle = {50, 18, 8 * step};
+            ground.reach = 12;
+            break;
+        case Seams::slivers:
+            soup = slivers(60, false);
+            ground.middle = {30, 20, 8 * step};
+            ground.reach = 12;
+            break;
+        case Seams::boxes: {
+            const int side = between(random, 40, 440), across = add_flush_boxes(random, side, 24, 512, soup);
+            ground.middle = {static_cast<scalar>(across / 2 * step), static_cast<scalar>(across / 2 * step), 512 * step};
+            ground.reach = across * step * 0.3;
+            break;
+        }
+        case Seams::field: {
+            ground.field = field(random, 60, 36, random() % 2 == 0, 0, [](int, int) { return 40; });
+            ground.view = ground.field.view;
+            ground.middle = ground.view.middle();
+            ground.middle.z = ground.view.origin.z + 40 * ground.view.step;
+            ground.reach = 16;
+            return ground;
+        }
+    }
+    take_mesh(soup, step, ground);
+    return ground;
+}
+
+/// A body that goes over the ground at this speed: rolling, or sliding with friction. Its lowest point is at the origin.
+enum class Goer { ball, box, wheel, roller, coin, pebble };
+constexpr int goers_count = 6;
+
+inline BodyDef goer(Random& random, Goer kind, scalar size, double speed) {
+    const double way = within(random, 0, 2 * pi);
+    const Vector v = {static_cast<scalar>(speed * std::cos(way)), static_cast<scalar>(speed * std::sin(way)), 0};
+    BodyDef def;
+    def.friction = scalar(0.3);
+    Matrix A = about_z(within(random, 0, 2 * pi));
+    Vector omega{};
+    scalar height = size;
+    const auto rolls = [&] { omega = cross(Vector{0, 0, 1}, v) * (1 / size); };
+    const auto with_mass = [&def](const ingot::MassDistribution& mass) { def.mass = ingot::principal(mass).value; };
+    switch (kind) {
+        case Goer::ball:
+            def.shape = ingot::Sphere{size};
+            with_mass(ingot::solid_sphere(1000, size));
+            rolls();
+            break;
+        case Goer::box: {
+            const Vector half = {size * static_cast<scalar>(within(random, 1, 2)), size * static_cast<scalar>(within(random, 1, 2)), size};
+            def.shape = ingot::Box{half};
+            with_mass(ingot::solid_box(1000, half));
+            break;
+        }
+        case Goer::wheel: {
+            const scalar half = size * static_cast<scalar>(within(random, 0.3, 1.3));
+            def.shape = ingot::Cylinder{size, half};
+            with_mass(ingot::solid_cylinder(1000, size, half));
+            A = lying_across(way);
+            rolls();
+            break;
+        }
+        case Goer::roller: {
+            const scalar half = size * static_cast<scalar>(within(random, 0.3, 2.3));
+            def.shape = ingot::Capsule{size, half};
+            with_mass(ingot::solid_capsule(1000, size, half));
+            A = lying_across(way);
+            rolls();
+            break;
+        }
+        case Goer::coin:
+            height = size * static_cast<scalar>(within(random, 0.2, 0.5));
+            def.shape = ingot::Cylinder{size, height};
+            with_mass(ingot::solid_cylinder(1000, size, height));
+            break;
+        case Goer::pebble:
+            def.shape = ingot::hull_of<Slab>(0);
+            def.mass = pebble_mass.value;
+            height = 0;
+            for (int i = 0; i < Slab::hulls[0].vertex_count; ++i) height = std::max(height, -Slab::hulls[0].vertices[i].z);
+            break;
+    }
+    def.state = ingot::body_state(def.mass, {{0, 0, height}, A}, {v, omega});
+    if (kind == Goer::pebble) {  // its axes are those of the hull
+        def.state.A = A;
+        def.state.r_CM = {0, 0, height};
+    }
+    return def;
+}
+
+template <class S>
+BodyId add_level(World<S>& world, const LevelTable& table, scalar friction = scalar(0.3), const Vector& r = {}) {
+    S::levels[0] = table;
+    LevelDef def;
+    def.friction = friction;
+    def.r = r;
+    return world.add_level(def).value;
+}
+
+}  // namespace level_test

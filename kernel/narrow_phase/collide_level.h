@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// A body and a level: from the triangles near it to manifolds.
+#pragma once
+
+#include "level_patches.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// World to the level's frame, whose tables are seen from the middle of the box that holds the level: see Level.
+struct LevelFrame {
+    const PlacedShape& level;
+    Vector middle;  ///< m, of the box, in the level's frame
+
+    LevelFrame(const PlacedShape& placed, const LevelTable& table) : level(placed), middle(table.middle()) {}
+    Vector seen_point(const Vector& P) const { return transpose_times(level.A, P - level.r) + middle; }
+    PlacedShape seen(const PlacedShape& body) const { return {body.shape, seen_point(body.r), transposed(level.A) * body.A, body.hull}; }
+    Vector seen_direction(const Vector& d) const { return transpose_times(level.A, d); }
+    Vector place(const Vector& P) const { return level.r + level.A * (P - middle); }
+    /// A manifold of the level's frame becomes one of the world.
+    void place(Manifold& manifold) const {
+        manifold.n = level.A * manifold.n;
+        for (int i = 0; i < manifold.count; ++i) manifold.points[i].P = place(manifold.points[i].P);  // bound: 4: Manifold::points_max
+    }
+};
+
+/// Half extents along the axes of the frame of the body's shape, m.
+inline Vector reach_in_level(const PlacedShape& body) {
+    const Vector x = {1, 0, 0}, y = {0, 1, 0}, z = {0, 0, 1};
+    return {dot(x, support_point(body, x) - body.r), dot(y, support_point(body, y) - body.r), dot(z, support_point(body, z) - body.r)};
+}
+inline Vector reach_below_in_level(const PlacedShape& body) {
+    const Vector x = {-1, 0, 0}, y = {0, -1, 0}, z = {0, 0, -1};
+    return {dot(x, support_point(body, x) - body.r), dot(y, support_point(body, y) - body.r), dot(z, support_point(body, z) - body.r)};
+}
+
+/// Gathers what a body touches of a level. body: in the level's frame. unit: Scene::length_unit, m.
+template <class Shapes>
+void gather_patches(const LevelTable& table, const PlacedShape& body, scalar margin, LevelPatches& patches) {
+    const Vector more = {margin, margin, margin};
+    const Vector low = body.r - reach_below_in_level(body) - more, high = body.r + reach_in_level(body) + more;
+    for_triangles_in(table, low, high, [&](const LevelTriangle& triangle) { patches.template add<Shapes>(triangle); });
+}
+
+/// m, how far apart surfaces of a level are one for a body: as for fixed boxes.
+inline scalar flush_of(const PlacedShape& body, scalar unit) {
+    return min(limits::flush_gap * unit, limits::flush_share * bounding_radius(body.shape));
+}
+
+/// The manifold of one patch, for whoever asks for one pair alone: of the patches as they were gathered, that of the level's number.
+template <class Shapes>
+void collide_level(const PlacedShape& body, const PlacedShape& level, scalar margin, Manifold& manifold) {
+    const LevelTable& table = *Shapes::level_of(level.shape);
+    const LevelFrame frame(level, table);
+    const PlacedShape seen = frame.seen(body);
+    LevelPatches patches(table, {seen, margin, limits::flush_share * bounding_radius(body.shape), least_half_extent(body.shape, body.hull)});
+    gather_patches<Shapes>(table, seen, margin, patches);
+    const int patch_i = patch_number(level.shape);
+    if (patch_i >= patches.count()) return no_points({}, manifold);
+    patches.write(patch_i, Manifold{}, manifold);
+    frame.place(manifold);
+}
+
+} }  // namespace ingot
