@@ -97,7 +97,9 @@ TEST(DamagedLevels, that_are_not_those_of_a_level_are_refused) {
                 const uint8_t kept = file->bytes()[i];
                 file->bytes()[i] = static_cast<uint8_t>(kept ^ (1 + random() % 255));
                 const Status status = file->level().status;
-                if (!is_unread && !is_of_the_other) EXPECT_NE(status, Status::ok) << i;
+                if (!is_unread && !is_of_the_other) {
+                    EXPECT_NE(status, Status::ok) << i;
+                }
                 file->bytes()[i] = kept;
             }
         std::memmove(file->bytes() + 2, file->bytes(), file->size);

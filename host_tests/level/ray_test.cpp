@@ -72,7 +72,9 @@ bool expect_ray_is_right(const LevelTable& level, const std::vector<LevelTriangl
         const double room = slack / other.grazing / length;
         if (other.fraction < room || other.fraction > 1 - room) continue;
         EXPECT_TRUE(is_met) << "passes triangle " << t.number;
-        if (is_met) EXPECT_LT(static_cast<double>(hit.fraction), other.fraction + 2 * room) << "triangle " << t.number;
+        if (is_met) {
+            EXPECT_LT(static_cast<double>(hit.fraction), other.fraction + 2 * room) << "triangle " << t.number;
+        }
     }
     return is_met;
 }
@@ -132,7 +134,9 @@ void shoot_down(const LevelTable& level, Random& random, const std::vector<Level
         ASSERT_TRUE(cast_ray_on_level(level, from, (target - from) * 2, hit)) << "shot " << i << " of triangle " << t.number;
         // From below it meets nothing that faces up.
         const Vector below{from.x, from.y, level.low.z - (above - level.high.z)};
-        if (!level.is_mesh()) ASSERT_FALSE(cast_ray_on_level(level, below, (target - below) * 2, hit));
+        if (!level.is_mesh()) {
+            ASSERT_FALSE(cast_ray_on_level(level, below, (target - below) * 2, hit));
+        }
     }
 }
 

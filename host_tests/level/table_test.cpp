@@ -64,7 +64,9 @@ TEST(LevelTables, of_the_compiler_are_those_of_the_host) {
             const bool is_open = a.z == 0 && b.z == 0;
             const bool is_inside = t.material == 3 && (b - a).y != 0 && (b - a).x != 0;
             EXPECT_EQ(t.edge(k) == ingot::EdgeKind::border, is_open);
-            if (is_inside) EXPECT_EQ(t.edge(k), ingot::EdgeKind::flat);
+            if (is_inside) {
+                EXPECT_EQ(t.edge(k), ingot::EdgeKind::flat);
+            }
         }
     }
 }

@@ -150,7 +150,9 @@ TEST(LevelTool, survives_files_that_are_noise) {
         level_tool::HeightGrid grid;
         for (const level_tool::Refusal& why :
              {level_tool::read_pgm(image, grid), level_tool::read_csv(text, grid), level_tool::read_csv(image, grid)})
-            if (why.empty()) EXPECT_EQ(grid.heights.size(), static_cast<size_t>(grid.columns * grid.rows));
+            if (why.empty()) {
+                EXPECT_EQ(grid.heights.size(), static_cast<size_t>(grid.columns * grid.rows));
+            }
     }
     EXPECT_GT(refused, 300);
     EXPECT_LT(refused, 2900);

@@ -111,7 +111,9 @@ TEST(LevelWalk, tells_nothing_of_a_box_that_is_none) {
             EXPECT_TRUE(told_in(*level, {places[0], places[1], places[2]}, {places[3], places[4], places[5]}).empty());
             places[axis] = axis < 3 ? infinity : -infinity;
             const bool is_below_ground = axis == 5 && !level->is_mesh();
-            if (!is_below_ground) EXPECT_TRUE(told_in(*level, {places[0], places[1], places[2]}, {places[3], places[4], places[5]}).empty());
+            if (!is_below_ground) {
+                EXPECT_TRUE(told_in(*level, {places[0], places[1], places[2]}, {places[3], places[4], places[5]}).empty());
+            }
         }
         EXPECT_TRUE(told_in(*level, level->high, level->low).empty());
     }

@@ -134,7 +134,7 @@ void meet_node(const LevelTable& level, const LevelRay& ray, int number, Waiting
         box_of_child(level, node, k, low, high);
         if (!enters(ray, low, high, is_met ? hit.fraction : scalar(1), begin)) continue;
         if (count == MeshNode::inner) {
-            if (child_number > number && child_number < mesh.node_count && waiting < MeshTable::stack_max)
+            if (child_number < mesh.node_count && waiting < MeshTable::stack_max)
                 put_in_order(stack, first_waiting, waiting, {static_cast<uint16_t>(child_number), begin});
         } else if (triangle <= mesh.triangle_count) {
             for (int i = begin_triangle; i < triangle; ++i)  // bound: MeshTable::triangles_of_leaf_max

@@ -48,7 +48,7 @@ void look_at_node(const MeshTable& mesh, int number, MeshWalk& walk) {
         const int count = node.count(k);
         const bool is_met = (met >> k & 1) != 0;
         if (count == MeshNode::inner) {
-            if (is_met && child > number && child < mesh.node_count && walk.waiting < MeshTable::stack_max)
+            if (is_met && child < mesh.node_count && walk.waiting < MeshTable::stack_max)
                 walk.stack[walk.waiting++] = static_cast<uint16_t>(child);
             ++child;
         } else if (count < MeshNode::inner) {
