@@ -48,12 +48,21 @@ struct SolvedPairs {
     const BodyPair* pairs;
     int count;
 
-    bool has(ShapeSlot A, ShapeSlot B) const { return find(A, B) != nullptr; }
-    /// Null: they have no manifold. Bound: a search in a sorted list.
-    const BodyPair* find(ShapeSlot A, ShapeSlot B) const {
+    /// Bound: a search in a sorted list.
+    bool has(ShapeSlot A, ShapeSlot B) const {
+        const PairKey key = key_of(A, B);
+        const int from = place_of_key(key);
+        return from < count && pairs[from].key() == key;
+    }
+    /// Null: they have no manifold.
+    const BodyPair* find(ShapeSlot A, ShapeSlot B) const { return has(A, B) ? pairs + place_of_key(key_of(A, B)) : nullptr; }
+
+private:
+    static PairKey key_of(ShapeSlot A, ShapeSlot B) {
         const bool in_order = A.number < B.number;
-        const PairKey key =
-            BodyPair{static_cast<Index>(in_order ? A.number : B.number), static_cast<Index>(in_order ? B.number : A.number), no_record}.key();
+        return BodyPair{static_cast<Index>(in_order ? A.number : B.number), static_cast<Index>(in_order ? B.number : A.number), no_record}.key();
+    }
+    INGOT_INLINE int place_of_key(PairKey key) const {
         int from = 0, to = count;
         // bound: log2(max_manifolds) + 1: to - from is halved each turn
         while (from < to) {
@@ -63,7 +72,7 @@ struct SolvedPairs {
             else
                 to = middle;
         }
-        return from < count && pairs[from].key() == key ? pairs + from : nullptr;
+        return from;
     }
 };
 

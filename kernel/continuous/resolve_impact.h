@@ -7,26 +7,17 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-template <class Collision>
-void follow_body_anew(const Collision& collision, int slot) {
-    put_in_tree(collision, slot);
-    collision.lists->follow(slot);
-}
-/// The same of all bodies of a figure.
-template <class Collision>
-void follow_figure_anew(const Collision& collision, int slot) {
+/// Calls each(body) for a body, or all of its figure.
+template <class Collision, class Each>
+INGOT_INLINE void with_figure(const Collision& collision, int slot, const Each& each) {
     if constexpr (Collision::some_figures)
-        collision.for_bodies_with(slot, [&](int body) {
-            if (is_valid(collision, body)) follow_body_anew(collision, body);
-        });
+        if (collision.is_of_figure(slot))
+            return collision.for_bodies_with(slot, [&](int body) {
+                if (is_valid(collision, body)) each(body);
+            });
+    each(slot);
 }
-template <class Collision>
-void find_next_of_figure(const Collision& collision, int slot, PairRoom<Collision>& room) {
-    if constexpr (Collision::some_figures)
-        collision.for_bodies_with(slot, [&](int body) {
-            if (is_valid(collision, body)) find_next(collision, body, room);
-        });
-}
+
 /// Bodies whose paths have changed may be anywhere, and are followed from then on. All are where they can be found before one of them looks: else
 /// who finds whom would depend on the search.
 template <class Collision>
@@ -34,18 +25,13 @@ void follow_anew(const Collision& collision, const ChangedPaths& changed, PairRo
     // bound: ChangedPaths::room
     for (int i = 0; i < changed.count; ++i) {
         if (!is_valid(collision, changed.slots[i])) continue;
-        if (collision.is_of_figure(changed.slots[i]))
-            follow_figure_anew(collision, changed.slots[i]);
-        else
-            follow_body_anew(collision, changed.slots[i]);
+        with_figure(collision, changed.slots[i], [&](int slot) {
+            put_in_tree(collision, slot);
+            collision.lists->follow(slot);
+        });
     }
-    for (int i = 0; i < changed.count; ++i) {  // bound: ChangedPaths::room
-        if (!is_valid(collision, changed.slots[i])) continue;
-        if (collision.is_of_figure(changed.slots[i]))
-            find_next_of_figure(collision, changed.slots[i], room);
-        else
-            find_next(collision, changed.slots[i], room);
-    }
+    for (int i = 0; i < changed.count; ++i)  // bound: ChangedPaths::room
+        if (is_valid(collision, changed.slots[i])) with_figure(collision, changed.slots[i], [&](int slot) { find_next(collision, slot, room); });
 }
 
 /// Ends the path of a body at time t, with the motion that it has there, and that of its partner, which goes on alone. At its end the tiles have that
@@ -69,20 +55,14 @@ void cut_path(const Collision& collision, int slot, scalar t, PairRoom<Collision
     }
 }
 
-/// A body stays where it is at time t, until the next step, and so do all that have joints with it. Returns how many do.
+/// A body stays where it is at time t, until the next step.
 template <class Collision>
-int wait_at(const Collision& collision, int slot, scalar t, [[maybe_unused]] bool solved, PairRoom<Collision>& room, ChangedPaths& changed) {
-    if constexpr (Collision::some_figures)
-        if (collision.is_of_figure(slot)) {
-            changed.add(slot);
-            return wait_with_figure(collision, slot, t, solved);
-        }
+void wait_at(const Collision& collision, int slot, scalar t, PairRoom<Collision>& room, ChangedPaths& changed) {
     const PathFrame there = frame_on_path(collision.paths[slot], t);
     cut_path(collision, slot, t, room, changed);
     const FlightState motion = moved_to(collision, slot, flight_state(collision.bodies, slot), there);
     put_state(collision.bodies, slot, motion);
     end_path(collision.paths[slot], motion.r_CM, motion.A, t);
-    return 1;
 }
 
 /// Of two bodies that meet, the one that came waits, and the other where it is followed too; partners of theirs go on alone. What comes to one that
@@ -91,12 +71,18 @@ template <class Collision>
 int wait_at_impact(const Collision& collision, int slot, int other, scalar t, PairRoom<Collision>& room, ChangedPaths& changed) {
     const int both[] = {slot, other};
     const bool came = collision.paths[slot].kind != PathKind::standing;
-    const bool solved = have_manifold(collision, slot, other);
     int waiting = 0;
     for (const int one : both) {
         if (is_kinematic(collision, one) || !is_valid(collision, one) || sleeps(collision, one)) continue;
         if ((came && !collision.paths[one].is_followed) || collision.paths[one].kind == PathKind::standing) continue;
-        waiting += wait_at(collision, one, t, solved, room, changed);
+        if constexpr (Collision::some_figures)
+            if (collision.is_of_figure(one)) {
+                waiting += wait_with_figure(collision, one, t, have_manifold(collision, slot, other));
+                changed.add(one);
+                continue;
+            }
+        wait_at(collision, one, t, room, changed);
+        ++waiting;
     }
     for (int i = 0; i < changed.count; ++i)  // bound: ChangedPaths::room
         if (changed.slots[i] != slot && changed.slots[i] != other)

@@ -20,23 +20,30 @@ INGOT_INLINE bool has_joints_of([[maybe_unused]] const Storage<S>& storage, [[ma
 }
 
 template <class S>
-auto fast_pairs_of(Step<S>& now) {
-    const FastPairs pairs = {now.bodies, now.storage.body_shapes(), now.storage.paths, now.h};
+INGOT_INLINE auto fast_pairs_of(Step<S>& now, const BodyShapes& shapes) {
     if constexpr (has_joints<S>)
-        return FastPairsOfFigures{pairs, now.storage.joint_lists(), now.storage.gravity};
+        return FastPairsOfFigures{{now.bodies, shapes, now.storage.paths, now.h}, now.storage.joint_lists(), now.storage.gravity};
     else
-        return pairs;
+        return FastPairs{now.bodies, shapes, now.storage.paths, now.h};
 }
 
 /// The solver as it serves two bodies that meet within the step: without joints.
 template <class S>
-auto solver_of_pairs([[maybe_unused]] const Step<S>& now) {
+auto view_of_pairs() {
     if constexpr (!has_joints<S>) {
-        return now.solver;
+        return decltype(solver_of_scene<S>()){};
     } else {
         using Plain = decltype(any_of<Storage<S>>().plain_contact_solver());
-        If<S::kinematic_bodies, KinematicViewOf<Plain>, Plain> view{};
-        static_cast<Plain&>(view) = now.solver;
+        return If<S::kinematic_bodies, KinematicViewOf<Plain>, Plain>{};
+    }
+}
+template <class S>
+INGOT_INLINE decltype(auto) solver_of_pairs([[maybe_unused]] const Step<S>& now) {
+    if constexpr (!has_joints<S>) {
+        return (now.solver);
+    } else {
+        auto view = view_of_pairs<S>();
+        static_cast<decltype(any_of<Storage<S>>().plain_contact_solver())&>(view) = now.solver;
         if constexpr (S::kinematic_bodies) view.kinematic = now.solver.kinematic;
         return view;
     }
@@ -78,7 +85,7 @@ struct FastSceneOf {
     using Shapes = ShapesOf<S>;
     using Rotation = typename S::rotation;
     using Solver = typename S::solver;
-    using View = decltype(solver_of_pairs(any_of<Step<S>>()));
+    using View = decltype(view_of_pairs<S>());
     using Figures = typename FiguresOfStep<S>::OnPaths;
     static constexpr bool notes_impulses = has_events<S>, bounces = S::bounces, sees_kinematic = S::kinematic_bodies;
     static constexpr bool hides_internal_edges = ingot::hides_internal_edges<S>;

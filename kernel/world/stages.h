@@ -138,7 +138,7 @@ auto find_fast_pairs([[maybe_unused]] Step<S>& now) {
         over_active_bodies(
             now, [&](int slot) { storage.paths[slot].fast = begins_fast(now.bodies, shapes, now.h, slot) && !has_joints_of(storage, slot); });
         find_fast_kinematic(now, shapes);
-        return fast_pairs_of(now);
+        return fast_pairs_of(now, shapes);
     } else {
         return NoFastPairs{};
     }
@@ -147,8 +147,10 @@ auto find_fast_pairs([[maybe_unused]] Step<S>& now) {
 /// As they were found.
 template <class S>
 auto known_fast_pairs([[maybe_unused]] Step<S>& now) {
-    if constexpr (S::continuous)
-        return fast_pairs_of(now);
+    if constexpr (S::continuous && has_joints<S>)
+        return fast_pairs_of(now, now.storage.body_shapes());
+    else if constexpr (S::continuous)
+        return FastPairs{now.bodies, now.storage.body_shapes(), now.storage.paths, now.h};
     else
         return NoFastPairs{};
 }
