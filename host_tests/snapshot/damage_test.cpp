@@ -8,6 +8,8 @@
 #include <limits>
 #include <string>
 
+#include "reference/draws.h"
+
 namespace {
 
 using namespace life;
@@ -395,7 +397,7 @@ TEST_F(Damage, at_random_with_a_right_checksum_is_refused_or_makes_a_world) {
     scenes::Random random(11);
     const auto below = [&random](size_t end) { return static_cast<size_t>((random.symmetric() + 1) * scalar(0.5) * static_cast<scalar>(end)); };
     int refused = 0, accepted = 0;
-    for (int trial = 0; trial < 100000; ++trial) {
+    for (int trial = 0; trial < ingot_reference::draws(100000); ++trial) {
         Bytes bytes = sound_;
         for (size_t change = 0; change <= below(2); ++change) {
             const size_t from = at_tag, byte_i = from + below(bytes.size() - 8 - from);
@@ -419,8 +421,8 @@ TEST_F(Damage, at_random_with_a_right_checksum_is_refused_or_makes_a_world) {
         ASSERT_TRUE(ingot::is_finite(other_.kinetic_energy()));
         copy(other_, before_);
     }
-    EXPECT_GT(refused, 10000);
-    EXPECT_GT(accepted, 10000);
+    EXPECT_GT(refused, ingot_reference::draws(10000));
+    EXPECT_GT(accepted, ingot_reference::draws(10000));
 }
 
 }  // namespace
