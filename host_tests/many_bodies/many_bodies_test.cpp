@@ -98,7 +98,7 @@ Lain lie(int along, int steps) {
 }
 /// Not much deeper than a pile of as many layers on a sixteenth of the ground, whose numbers 16 bits hold.
 TEST(ManyBodies, lie_in_a_pile_of_65536_balls) {
-    const int steps = ingot_reference::draws(80);
+    const int steps = INGOT_TEST_BRIEF ? 10 : 80;
     const Lain many = lie<65536>(64, steps), few = lie<4096>(16, steps);
     EXPECT_GT(many.contacts, 65535) << "more than 16 bits count";
     EXPECT_LE(many.depth, 2 * few.depth + static_cast<double>(ingot::limits::touching_gap));
