@@ -370,6 +370,31 @@ CALL(principal)(const MassDistribution& solid) { return principal(solid); }
 using Points = Vector[limits::hull_vertices_max];
 CALL(convex_hull)(const Points& points) { return convex_hull(points); }
 CALL(convex_hull_of_body)(const Points& points, const MassProperties& mass) { return convex_hull_of_body(points, mass); }
+// Levels, of two triangles and of two cells.
+using Corners = Vector[4];
+using Faces = LevelFace[2];
+using Heights = uint16_t[6];
+constexpr Corners corners_of_level = {{0, 0, 0}, {8, 0, 0}, {8, 8, 0}, {0, 8, 1}};
+constexpr Faces faces_of_level = {{0, 1, 2}, {0, 2, 3}};
+constexpr auto level_of_two = mesh_of(corners_of_level, faces_of_level);
+CALL(mesh_of)(const Corners& corners, const Faces& faces, scalar step) { return mesh_of(corners, faces, step); }
+CALL(trimmed)() { return trimmed<level_of_two>(); }
+CALL(height_field_of)(const Heights& heights, scalar spacing, scalar step) { return height_field_of<3, 2>(heights, spacing, spacing, step); }
+struct Levelled : Scene {
+    static constexpr int max_bodies = 9, max_manifolds = 24;
+    static constexpr bool translates = true;
+    using shapes = Shapes<Sphere, Box, Cylinder, Level>;
+    static constexpr LevelTable levels[] = {level_of_two.value.view()};
+};
+CALL(add_level)(World<Levelled>& world, const LevelDef& def) { return world.add_level(def); }
+CALL(step_on_level)(World<Levelled>& world, scalar h) { return step(world, h); }
+CALL(cast_ray_at_levels)(const World<Levelled>& world, const Vector& from, const Vector& way, const QueryFilter& filter) {
+    return world.cast_ray(from, way, filter);
+}
+CALL(cast_shape_at_levels)(const World<Levelled>& world, const PlacedShape& shape, const Vector& way, const QueryFilter& filter) {
+    return world.cast_shape(shape, way, filter);
+}
+
 CALL(hull_of)(int form) { return hull_of<Sleeping>(form); }
 CALL(solid_hull)(scalar density, const ConvexHull& hull) { return solid_hull(density, hull); }
 

@@ -193,8 +193,8 @@ bool put_figure(const Collision& collision, int first, scalar t) {
     return near;
 }
 
-/// All bodies that joints hold together with one stay where they are at time t, until the next step; or where they are before it, if that is not known
-/// well enough. Joints hold there. solved: the two that meet have a manifold. Returns how many wait.
+/// All bodies that joints hold together with one stay where they are at time t, until the next step; or where they are before it, if that is not
+/// known well enough. Joints hold there. solved: the two that meet have a manifold. Returns how many wait.
 template <class Collision>
 int wait_with_figure(const Collision& collision, int slot, scalar t, bool solved) {
     const int first = collision.machine_of_body(slot);
