@@ -29,6 +29,7 @@ struct OfUser : ForceField {
 };
 struct Constants {
     static constexpr ConvexHull one[] = {tetrahedron.value.view()}, other[] = {taller.value.view()};
+    static constexpr LevelTable a_level[1] = {}, two_levels[2] = {};
 };
 
 // clang-format off
