@@ -55,6 +55,8 @@ struct Surfaces : Feature {
         write_surface(storage.surfaces[shape_slot], def);
         measure<S>(storage.surfaces[shape_slot]);
     }
+    /// Its gaps too, which an assignment may leave as the stack was: equal worlds are equal bytes.
+    static void clear(Surface& surface) { INGOT_CLEAR_BYTES(static_cast<void*>(&surface), sizeof surface); }
     /// What the lengths of its contacts are.
     template <class S>
     static void measure(Surface& surface) {
@@ -62,7 +64,7 @@ struct Surfaces : Feature {
     }
     template <class S>
     static void forget_shape(Storage<S>& storage, int shape_slot) {
-        storage.surfaces[shape_slot] = {};
+        clear(storage.surfaces[shape_slot]);
     }
 
     struct OfShape : NoNumbers {
@@ -82,8 +84,12 @@ struct Surfaces : Feature {
         template <class S>
         void put(Storage<S>& storage, int shape_slot) const {
             const Shape shape = shape_in_scene<S>();
-            storage.surfaces[shape_slot] = {shape, bounding_radius(shape), saved.e, saved.mu, 0};
-            measure<S>(storage.surfaces[shape_slot]);
+            Surface& surface = storage.surfaces[shape_slot];
+            clear(surface);
+            write_shape_of(surface, shape);
+            surface.e = saved.e;
+            surface.mu = saved.mu;
+            measure<S>(surface);
         }
         template <class S>
         bool is_valid(const SavedBody& body) const {
