@@ -237,6 +237,35 @@ TEST(LevelsOfAWorld, ids_rooms_and_edits) {
     EXPECT_EQ(world.add_level({}).status, Status::no_room);
 }
 
+/// Of a level all of it is edited: what lies on a wall of it is drawn along as what lies on its floor is.
+struct Edited : OnLevel {
+    static constexpr bool surface_velocities = true, rolling_resistance = true;
+    static constexpr int max_overlaps = 8, max_shapes_of_body = 2;
+    static inline LevelTable levels[2] = {};
+};
+TEST(LevelsOfAWorld, are_edited_as_one) {
+    Random random(7);
+    const Ground ground = plane_of(random, Seams::grid);
+    auto& world = empty_world<Edited>();
+    const BodyId level = add_level(world, ground.view, scalar(0.5));
+    EXPECT_EQ(world.body_count(), 1);
+    EXPECT_EQ(world.set_surface_velocity(level, {1, 0, 0}), Status::ok);
+    EXPECT_EQ(world.set_rolling_resistance(level, scalar(0.01)), Status::ok);
+    EXPECT_EQ(world.set_sensor(level, true), Status::bad_shape);
+    EXPECT_EQ(world.set_shape_place(level, {{}, ingot::identity_matrix<scalar>()}, 0), Status::bad_shape);
+    for (int shape_i = 0; shape_i < 2; ++shape_i) {
+        EXPECT_EQ(world.surface_velocity(level, shape_i).value.x, 1);
+        EXPECT_EQ(world.rolling_resistance(level, shape_i).value, scalar(0.01));
+    }
+    BodyDef def = goer(random, Goer::box, scalar(0.2), 0);
+    def.state.r_CM = def.state.r_CM + ground.middle;
+    const ingot::ShapeDef part[] = {{def.shape, {}, ingot::identity_matrix<scalar>(), 0, scalar(0.5)}};
+    def.shape = {};
+    const BodyId box = world.add(def, part).value;
+    for (int i = 0; i < 60; ++i) (void)ingot::step(world, scalar(1) / 60);
+    EXPECT_NEAR(world.state(box).value.v_CM.x, 1, 1e-3) << "drawn along by the belt";
+}
+
 /// A level that is put elsewhere takes its ground along: the ball falls on.
 TEST(LevelsOfAWorld, go_where_they_are_put_and_wake_who_rests) {
     Random random(4);

@@ -274,16 +274,19 @@ void make_room(scalar aside, scalar deeper, const Vector& centre, LevelPatch& pa
     const scalar x = dot(c, patch.frame.e_x), y = dot(c, patch.frame.e_y);
     // bound: LevelPatch::room
     while (patch.count > LevelPatch::room * 3 / 4) {
-        int innermost = -1;
+        int deepest = 0;
+        for (int i = 1; i < patch.count; ++i)  // bound: LevelPatch::room
+            if (patch.points[i].separation < patch.points[deepest].separation) deepest = i;
+        int innermost = deepest == 0 ? 1 : 0;
         scalar least = scalar_max;
         for (int i = 0; i < patch.count; ++i) {  // bound: LevelPatch::room
             const Candidate& point = patch.points[i];
             const scalar out = (point.x - x) * (point.x - x) + (point.y - y) * (point.y - y);
-            if (!(out < least) || !(point.separation > patch.least)) continue;
+            if (i == deepest || !(out < least)) continue;
             innermost = i;
             least = out;
         }
-        patch.points[innermost < 0 ? 0 : innermost] = patch.points[--patch.count];
+        patch.points[innermost] = patch.points[--patch.count];
     }
 }
 

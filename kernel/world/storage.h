@@ -35,6 +35,18 @@ struct Storage : features::All::Memory<S> {
             if (this->surfaces[slot * S::max_shapes_of_body].shape.kind == ShapeKind::level)
                 for (int k = 1; k < bodies_of_level<S>; ++k) each(slot + k);  // bound: level_patches
     }
+    /// The same of shapes: of one of a level all of them.
+    template <class Each>
+    void over_shapes_of(int shape_slot, const Each& each) {
+        if constexpr (has_levels<S>) {
+            if (const Shape& shape = this->surfaces[shape_slot].shape; shape.kind == ShapeKind::level) {
+                const int first = shape_slot - patch_number(shape);
+                for (int patch_i = 0; patch_i < level_patches; ++patch_i) each(first + patch_i);
+                return;
+            }
+        }
+        each(shape_slot);
+    }
     /// The slot whose id is that of the body: of a level the first that it takes.
     int owner_of(int slot) const {
         if constexpr (has_levels<S>) {

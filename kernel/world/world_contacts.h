@@ -83,8 +83,11 @@ public:
         if (!shape_slot.ok()) return shape_slot.status;
         if (!is_finite(lever)) return Status::not_finite;
         if (!(lever >= 0 && lever <= limits::size_max)) return Status::out_of_range;
-        storage_.rolling_levers[shape_slot.value] = lever + scalar(0);  // -0 becomes +0: one value, one set of bits
-        return touched(shape_slot.value / S::max_shapes_of_body, Status::ok);
+        storage_.over_shapes_of(shape_slot.value, [&](int one) {
+            storage_.rolling_levers[one] = lever + scalar(0);  // -0 becomes +0: one value, one set of bits
+            (void)touched(one / S::max_shapes_of_body, Status::ok);
+        });
+        return Status::ok;
     }
     /// What set_rolling_resistance has set, m. Errors: those of ids, out_of_range (a shape that the body has not).
     Result<scalar> rolling_resistance(BodyId id, int shape_i = 0) const {
@@ -103,8 +106,11 @@ public:
         if (!shape_slot.ok()) return shape_slot.status;
         const Status status = check_vector(velocity, limits::speed_max);
         if (status != Status::ok) return status;
-        storage_.surface_velocities[shape_slot.value] = velocity + Vector{};
-        return touched(shape_slot.value / S::max_shapes_of_body, Status::ok);
+        storage_.over_shapes_of(shape_slot.value, [&](int one) {
+            storage_.surface_velocities[one] = velocity + Vector{};
+            (void)touched(one / S::max_shapes_of_body, Status::ok);
+        });
+        return Status::ok;
     }
     /// What set_surface_velocity has set, m/s, in the axes of the shape. Errors: those of rolling_resistance.
     Result<Vector> surface_velocity(BodyId id, int shape_i = 0) const {

@@ -141,11 +141,12 @@ public:
 
     /// Where a shape of a body of several lies: m from the centre of mass, and the shape's axes in those of the body. From the frame of the user it
     /// is place_in_body(part, mass). Mass stays.
-    /// Errors: not_finite, out_of_range (beyond limits::position_max), not_a_rotation.
+    /// Errors: not_finite, out_of_range (beyond limits::position_max), not_a_rotation, bad_shape (a level).
     Status set_shape_place(BodyId id, const ShapePlace& place, int shape_i) {
         static_assert(compounds_only());
         const Result<int> shape_slot = find_shape(id, shape_i);
         if (!shape_slot.ok()) return shape_slot.status;
+        if (is_of_level(shape_slot.value)) return Status::bad_shape;
         Status status = check_vector(place.r, limits::position_max);
         if (status == Status::ok) status = check_rotation(place.A);
         if (status != Status::ok) return status;
@@ -164,11 +165,12 @@ public:
         return {Status::ok, storage_.shape_places[shape_slot.value]};
     }
 
-    /// A shape notes who is in it and touches nothing, or is solid again: see BodyDef.
+    /// A shape notes who is in it and touches nothing, or is solid again: see BodyDef. Errors: bad_shape (a level).
     Status set_sensor(BodyId id, bool sensor, int shape_i = 0) {
         static_assert(sensors_only());
         const Result<int> shape_slot = find_shape(id, shape_i);
         if (!shape_slot.ok()) return shape_slot.status;
+        if (is_of_level(shape_slot.value)) return Status::bad_shape;
         const int slot = shape_slot.value / S::max_shapes_of_body;
         leave_contacts(slot);
         storage_.is_sensor[shape_slot.value] = sensor ? 1 : 0;
@@ -234,24 +236,18 @@ private:
     void move_shapes([[maybe_unused]] int slot) {
         if constexpr (has_compounds<S>) place_shapes(storage_.bodies(), storage_.compound_view(), slot);
     }
-    /// Of a shape, or of all that a level takes.
+    /// Of a shape, or of all that a level takes. Contacts that are held take friction and restitution as they are now.
     template <class Set>
     void set_surfaces(int shape_slot, const Set& set) {
-        if constexpr (has_levels<S>) {
-            if (storage_.surfaces[shape_slot].shape.kind == ShapeKind::level) {
-                const int first = shape_slot - patch_number(storage_.surfaces[shape_slot].shape);
-                for (int patch_i = 0; patch_i < level_patches; ++patch_i) set_surface(first + patch_i, set);
-                return;
-            }
-        }
-        set_surface(shape_slot, set);
+        storage_.over_shapes_of(shape_slot, [&](int one) {
+            set(storage_.surfaces[one]);
+            (void)touched(one / S::max_shapes_of_body, Status::ok);
+            if constexpr (stacks<S>) mix_materials_of(storage_.surface_view(), storage_.manifold_view(), one);
+        });
     }
-    /// Contacts that are held take friction and restitution of the shape as they are now.
-    template <class Set>
-    void set_surface(int shape_slot, const Set& set) {
-        set(storage_.surfaces[shape_slot]);
-        (void)touched(shape_slot / S::max_shapes_of_body, Status::ok);
-        if constexpr (stacks<S>) mix_materials_of(storage_.surface_view(), storage_.manifold_view(), shape_slot);
+    bool is_of_level([[maybe_unused]] int shape_slot) const {
+        if constexpr (has_levels<S>) return storage_.surfaces[shape_slot].shape.kind == ShapeKind::level;
+        return false;
     }
 };
 
