@@ -5,6 +5,7 @@
 #include <ingot/ingot.h>
 
 #include <cmath>
+#include <cstring>
 
 #include "fields.h"
 
@@ -201,6 +202,14 @@ inline BodyDef goer(Random& random, Goer kind, scalar size, double speed) {
         def.state.r_CM = {0, 0, height};
     }
     return def;
+}
+
+template <class S>
+World<S>& empty_world() {
+    static World<S> world;
+    std::memset(static_cast<void*>(&world), 0, sizeof world);
+    (void)world.set_gravity({0, 0, scalar(-9.81)});
+    return world;
 }
 
 template <class S>

@@ -20,14 +20,6 @@ struct Sleepers : OnLevel {
     static inline LevelTable levels[2] = {};
 };
 
-template <class S>
-World<S>& empty_world() {
-    static World<S> world;
-    std::memset(static_cast<void*>(&world), 0, sizeof world);
-    (void)world.set_gravity({0, 0, scalar(-9.81)});
-    return world;
-}
-
 /// A closed room, 6 by 5 by 4 m, seen from inside; each side cut into cells of its own.
 Ground room_of(Random& random) {
     Soup soup;

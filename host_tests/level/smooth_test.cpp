@@ -2,8 +2,6 @@
 // Whatever a plane is cut into, a body goes over it as over one plane.
 #include <gtest/gtest.h>
 
-#include <cstring>
-
 #include "ground.h"
 #include "reference/draws.h"
 
@@ -40,14 +38,6 @@ double rounding_of(const BodyDef& def) { return 4 * static_cast<double>(ingot::e
 
 double length(const Vector& v) { return std::sqrt(static_cast<double>(length_sq(v))); }
 
-template <class S>
-World<S>& empty_world() {
-    static World<S> world;
-    std::memset(static_cast<void*>(&world), 0, sizeof world);
-    (void)world.set_gravity({0, 0, scalar(-9.81)});
-    return world;
-}
-
 void goes_as_on_a_slab(int draw) {
     Random random(static_cast<uint64_t>(9000 + draw));
     const auto seams = static_cast<Seams>(between(random, 0, seams_count - 1));
@@ -82,7 +72,7 @@ void goes_as_on_a_slab(int draw) {
     EXPECT_NEAR(went.impulse / as.impulse, 1, 0.01) << what;
 }
 
-/// Half of the ground is a level, and half another one, a box, or a half space that ends at a wall of it: over the seam.
+/// Half of the ground is a level, and half another one, a box, or a row of boxes: over the seam.
 void crosses_a_seam(int draw) {
     Random random(static_cast<uint64_t>(40000 + draw));
     const int beside = draw % 3;

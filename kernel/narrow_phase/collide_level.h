@@ -23,7 +23,7 @@ struct LevelFrame {
     }
 };
 
-/// Half extents along the axes of the frame of the body's shape, m.
+/// How far a body reaches from its origin, m: up along the axes of the level, and below.
 inline Vector reach_in_level(const PlacedShape& body) {
     const Vector x = {1, 0, 0}, y = {0, 1, 0}, z = {0, 0, 1};
     return {dot(x, support_point(body, x) - body.r), dot(y, support_point(body, y) - body.r), dot(z, support_point(body, z) - body.r)};
@@ -33,7 +33,7 @@ inline Vector reach_below_in_level(const PlacedShape& body) {
     return {dot(x, support_point(body, x) - body.r), dot(y, support_point(body, y) - body.r), dot(z, support_point(body, z) - body.r)};
 }
 
-/// Gathers what a body touches of a level. body: in the level's frame. unit: Scene::length_unit, m.
+/// Gathers what a body touches of a level. body: in the level's frame.
 template <class Shapes>
 void gather_patches(const LevelTable& table, const PlacedShape& body, scalar margin, LevelPatches& patches) {
     const Vector more = {margin, margin, margin};

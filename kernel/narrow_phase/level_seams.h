@@ -17,6 +17,7 @@ public:
 
     /// Bits of the points that neighbours hide.
     unsigned hidden(const Manifold& manifold) const {
+        if (!any_neighbour([](const PlacedShape&) { return true; })) return 0;
         const Vector d = manifold.n * of_.to_body;
         Vector middle{};
         Touch touches[Manifold::points_max];
@@ -75,29 +76,32 @@ private:
     }
 
     bool is_hidden(const Touch& touch, const Vector& p) const {
+        return any_neighbour([&](const PlacedShape& T) { return hides(T, touch, p); });
+    }
+    /// True where each(T) is, for one of the shapes that may be one floor with S by a level.
+    template <class Each>
+    bool any_neighbour(const Each& each) const {
         const ManifoldView& manifolds = neighbours_.manifolds;
         // bound: max_manifolds: each is in one chain
         for (int k = neighbours_.first; k != 0; k = manifolds.records[manifolds.pairs[k - 1].record].next_free) {
             const int T_slot = neighbours_.all.touch_of(manifolds.pairs[k - 1]).S;
-            if (T_slot != of_.S && are_joined(T_slot) && hides(neighbours_.all.placed(T_slot), touch, p)) return true;
+            if (T_slot != of_.S && are_joined(T_slot) && each(neighbours_.all.placed(T_slot))) return true;
         }
         return false;
     }
     bool are_joined(int T_slot) const {
-        const ShapeKind kind = neighbours_.all.surfaces.surfaces[T_slot].shape.kind;
+        const Shape& T = neighbours_.all.surfaces.surfaces[T_slot].shape;
+        const ShapeKind kind = T.kind;
+        if (S_.shape.kind == ShapeKind::level && kind == ShapeKind::level && of_.S - patch_number(S_.shape) == T_slot - patch_number(T))
+            return false;  // patches of one level have been told apart by their own triangles
         if (S_.shape.kind == ShapeKind::level && is_ground(kind)) return bounds_overlap(neighbours_.all.bounds, of_.S, T_slot);
         return (S_.shape.kind == ShapeKind::level || kind == ShapeKind::level) && neighbours_.all.are_one_floor(of_.S, T_slot);
     }
     bool hides(const PlacedShape& T, const Touch& touch, const Vector& p) const {
-        if (T.shape.kind == ShapeKind::level) return !is_same_level(T) && is_hidden_by_level(T, touch, p);
+        if (T.shape.kind == ShapeKind::level) return is_hidden_by_level(T, touch, p);
         if (T.shape.kind == ShapeKind::box) return hidden_by_box(T, touch, p, flush_);
         if (T.shape.kind == ShapeKind::hull) return hidden_by_hull(T, touch, p, flush_);
         return T.shape.kind == ShapeKind::half_space && hidden_by_half_space(T, touch, p, flush_);
-    }
-    /// Patches of one level have been told apart by their own triangles.
-    bool is_same_level(const PlacedShape& T) const {
-        return S_.shape.kind == ShapeKind::level && level_number(S_.shape) == level_number(T.shape) && S_.r.x == T.r.x && S_.r.y == T.r.y &&
-               S_.r.z == T.r.z;
     }
     bool is_hidden_by_level(const PlacedShape& T, const Touch& touch, const Vector& p) const {
         const LevelTable& table = *Shapes::level_of(T.shape);

@@ -29,6 +29,13 @@ void point_on_shape(const PlacedShape& point, const PlacedShape& s, Manifold& ma
     INGOT_POINT(half_space);
 #undef INGOT_POINT
 }
+/// The same of levels too, whose tables the scene has; of these no further than `within`, m.
+template <class Shapes>
+void point_on_placed(const PlacedShape& point, const PlacedShape& s, [[maybe_unused]] scalar within, Manifold& manifold) {
+    if constexpr (Shapes::has(ShapeKind::level))
+        if (s.shape.kind == ShapeKind::level) return point_on_level(point, s, *Shapes::level_of(s.shape), within, manifold);
+    point_on_shape<Shapes>(point, s, manifold);
+}
 
 /// The body whose surface is nearest to a point, no further away than `within`, m; inside of several, the one it is deepest in.
 /// Of bodies at the same distance the one of the lowest slot. Distances carry a few roundings of the sizes and of |point - r_CM|.
@@ -39,13 +46,7 @@ SlotNearest find_nearest(const All& all, const Vector& point, scalar within, con
     look_about(all, point, nearest.distance, [&](int slot) {
         if (!sees(slot)) return;
         Manifold manifold;
-        const PlacedShape body = placed_body<Shapes>(all.bodies, all.surfaces, slot);
-        if constexpr (Shapes::has(ShapeKind::level)) {
-            if (body.shape.kind == ShapeKind::level) point_on_level(ball, body, *Shapes::level_of(body.shape), nearest.distance, manifold);
-            else point_on_shape<Shapes>(ball, body, manifold);
-        } else {
-            point_on_shape<Shapes>(ball, body, manifold);
-        }
+        point_on_placed<Shapes>(ball, placed_body<Shapes>(all.bodies, all.surfaces, slot), nearest.distance, manifold);
         if (manifold.count == 0) return;
         const scalar distance = manifold.points[0].separation;
         if (!(nearest.slot == no_slot ? distance <= nearest.distance : is_before(distance, slot, nearest.distance, nearest.slot))) return;
