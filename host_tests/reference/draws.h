@@ -3,7 +3,7 @@
 
 namespace ingot_reference {
 
-/// How many of n draws a test takes: a quarter with INGOT_TEST_BRIEF, all of them by nightly.
-constexpr int draws(int n) { return INGOT_TEST_BRIEF ? (n + 3) / 4 : n; }
+/// How many of n draws a test takes: an eighth with INGOT_TEST_BRIEF, all of them by nightly.
+constexpr int draws(int n) { return INGOT_TEST_BRIEF ? (n + 7) / 8 : n; }
 
 }  // namespace ingot_reference
