@@ -8,6 +8,7 @@
 
 #include "joints/figure_measures.h"
 #include "joints/figure_scenes.h"
+#include "level/ground.h"
 #include "random_trees.h"
 #include "reference/draws.h"
 #include "reference/powers_of_two.h"
@@ -55,7 +56,12 @@ struct SwingingShot : PlainShot {
     using figure_motion = ingot::EnergyMomentum<>;
     using broad_phase = ingot::SortedTree;
 };
-using Scenes = testing::Types<Shot, PlainShot, LoopedShot, LimitedShot, DrivenShot, DrivenLoopedShot, TiedShot, SwingingShot>;
+/// Its room is of triangles.
+struct ShotAtTriangles : Shot {
+    using shapes = ingot::Shapes<ingot::Box, ingot::Capsule, ingot::Sphere, ingot::Level>;
+    static inline ingot::LevelTable levels[1] = {};
+};
+using Scenes = testing::Types<Shot, PlainShot, LoopedShot, LimitedShot, DrivenShot, DrivenLoopedShot, TiedShot, SwingingShot, ShotAtTriangles>;
 #else
 using Scenes = testing::Types<Shot>;
 #endif
@@ -67,9 +73,18 @@ constexpr double open_joint = 5e-5;  ///< m: joints in contact are held to this
 
 constexpr double half_room = 4, half_wall = 0.005;  ///< m
 
-/// Six walls about x, a centimetre thick; behind them there is nothing.
+/// Six walls about x, a centimetre thick, or sheets of triangles; behind them there is nothing.
 template <class World>
 bool add_room(World& world, double x) {
+    if constexpr (World::scene::shapes::has(ingot::ShapeKind::level)) {
+        static level_test::Random random(77);
+        static const level_test::Ground room = level_test::room_of(random, {8, 8, 8});
+        World::scene::levels[0] = room.view;
+        ingot::LevelDef level;
+        level.r = {static_cast<scalar>(x - half_room), static_cast<scalar>(-half_room), static_cast<scalar>(-half_room)};
+        level.friction = scalar(0.4);
+        return world.add_level(level).ok();
+    }
     const double unit = static_cast<double>(World::scene::length_unit);
     bool sound = true;
     for (int side = 0; side < 6; ++side) {

@@ -4,6 +4,7 @@
 
 #include <ingot/ingot.h>
 
+#include <array>
 #include <cmath>
 #include <cstring>
 
@@ -139,6 +140,38 @@ inline Ground plane_of(Random& random, Seams seams) {
         }
     }
     take_mesh(soup, step, ground);
+    return ground;
+}
+
+/// A closed room, so many meters wide, seen from inside; each side cut into cells of its own. One corner is the origin.
+inline Ground room_of(Random& random, const std::array<int, 3>& wide = {6, 5, 4}) {
+    Soup soup;
+    const int size[3] = {wide[0] * 256, wide[1] * 256, wide[2] * 256};
+    for (int side = 0; side < 6; ++side) {
+        const int axis = side / 2, u = (axis + 1) % 3, v = (axis + 2) % 3, cells = between(random, 1, 6);
+        const auto point = [&](int i, int k) {
+            int p[3] = {};
+            p[axis] = (side % 2) * size[axis];
+            p[u] = size[u] * i / cells;
+            p[v] = size[v] * k / cells;
+            soup.points.push_back({static_cast<uint16_t>(p[0]), static_cast<uint16_t>(p[1]), static_cast<uint16_t>(p[2])});
+            return static_cast<int>(soup.points.size()) - 1;
+        };
+        for (int i = 0; i < cells; ++i)
+            for (int k = 0; k < cells; ++k) {
+                const int a = point(i, k), b = point(i + 1, k), c = point(i + 1, k + 1), d = point(i, k + 1);
+                if (side % 2 == 0) {
+                    soup.faces.push_back({a, b, c});
+                    soup.faces.push_back({a, c, d});
+                } else {
+                    soup.faces.push_back({a, c, b});
+                    soup.faces.push_back({a, d, c});
+                }
+            }
+    }
+    Ground ground;
+    take_mesh(soup, 1.0 / 256, ground);
+    ground.middle = {static_cast<scalar>(0.5 * wide[0]), static_cast<scalar>(0.5 * wide[1]), static_cast<scalar>(0.5 * wide[2])};
     return ground;
 }
 

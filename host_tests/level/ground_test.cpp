@@ -20,38 +20,6 @@ struct Sleepers : OnLevel {
     static inline LevelTable levels[2] = {};
 };
 
-/// A closed room, 6 by 5 by 4 m, seen from inside; each side cut into cells of its own.
-Ground room_of(Random& random) {
-    Soup soup;
-    const int size[3] = {6 * 256, 5 * 256, 4 * 256};
-    for (int side = 0; side < 6; ++side) {
-        const int axis = side / 2, u = (axis + 1) % 3, v = (axis + 2) % 3, cells = between(random, 1, 6);
-        const auto point = [&](int i, int k) {
-            int p[3] = {};
-            p[axis] = (side % 2) * size[axis];
-            p[u] = size[u] * i / cells;
-            p[v] = size[v] * k / cells;
-            soup.points.push_back({static_cast<uint16_t>(p[0]), static_cast<uint16_t>(p[1]), static_cast<uint16_t>(p[2])});
-            return static_cast<int>(soup.points.size()) - 1;
-        };
-        for (int i = 0; i < cells; ++i)
-            for (int k = 0; k < cells; ++k) {
-                const int a = point(i, k), b = point(i + 1, k), c = point(i + 1, k + 1), d = point(i, k + 1);
-                if (side % 2 == 0) {
-                    soup.faces.push_back({a, b, c});
-                    soup.faces.push_back({a, c, d});
-                } else {
-                    soup.faces.push_back({a, c, b});
-                    soup.faces.push_back({a, d, c});
-                }
-            }
-    }
-    Ground ground;
-    take_mesh(soup, 1.0 / 256, ground);
-    ground.middle = {3, 2.5, 2};
-    return ground;
-}
-
 double energy_of(const World<OnLevel>& world, const std::vector<BodyId>& bodies) {
     double sum = static_cast<double>(world.kinetic_energy());
     for (const BodyId id : bodies) sum += 9.81 * static_cast<double>(world.mass(id).value * world.state(id).value.r_CM.z);

@@ -255,6 +255,7 @@ inline constexpr scalar impact_gap_max = touching_gap / 4;  ///< m
 inline constexpr int approaches_max = 64;              ///< of the search for a time of impact; then they are taken for met: too early, never too late
 inline constexpr scalar angle_per_path = scalar(0.25);  ///< rad; a body that turns further in a step is followed in parts
 inline constexpr int path_parts_max = 256;             ///< of a whole step
+inline constexpr int path_boxes_max = 16;              ///< in which the triangles of a level along a part of a path are looked for
 /// rad; beyond it what a body touches is somewhere else on it: contacts are found anew after such a turn, and those of bodies that turn further in a
 /// step are not solved for all of it.
 inline constexpr scalar tilt_of_contact = angle_per_path / 2;

@@ -6,7 +6,9 @@
 #include "../math/sqrt.h"
 #include "../narrow_phase/find_manifolds.h"
 #include "../narrow_phase/inner_edges.h"
+#include "../narrow_phase/level_seams.h"
 #include "continuous_collision.h"
+#include "level_on_path.h"
 #include "time_of_impact.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -49,23 +51,50 @@ PlacedShape placed_in(const Collision& collision, PairRoom<Collision>& room, int
     return place_on_body(shapes.surface(shape).shape, shapes.place(shape), shapes.hull(shape), at.r_CM, at.A);
 }
 
+template <class Collision>
+uint16_t halvings_of(const Collision& collision, const ShapePair& pair) {
+    return static_cast<uint16_t>(collision.shapes.surfaces.halvings(pair.A.number, pair.B.number));
+}
+/// m, how far apart two shapes may be for a manifold.
+template <class Collision>
+scalar margin_of(const Collision& collision, PairRoom<Collision>& room, const PairReach& reach, const BodyPair& places,
+                 const PlacedShape (&of)[2], uint16_t halvings) {
+    const scalar unit = collision.shapes.surfaces.unit;
+    if (!reach.touching) return room.two.movers().margin(places.body_A, places.body_B, reach.h, unit);
+    return limits::touching_gap * scale_of(unit, halvings) + 8 * epsilon * (sum_of_components(of[0].r) + sum_of_components(of[1].r));
+}
+
 /// The manifold of two shapes, if they are near enough.
 template <class Collision>
 void find_contact(const Collision& collision, PairRoom<Collision>& room, const PairReach& reach, const ShapePair& pair, const BodyPair& places) {
-    const SurfaceView& surfaces = collision.shapes.surfaces;
     const PlacedShape A = placed_in(collision, room, places.body_A, pair.A), B = placed_in(collision, room, places.body_B, pair.B);
     Manifold before, found;
     before.n = {};
     before.count = 0;
-    found.halvings = static_cast<uint16_t>(surfaces.halvings(pair.A.number, pair.B.number));
-    const scalar scale = scale_of(surfaces.unit, found.halvings);
-    const scalar touching = limits::touching_gap * scale + 8 * epsilon * (sum_of_components(A.r) + sum_of_components(B.r));
-    const scalar margin = reach.touching ? touching : room.two.movers().margin(places.body_A, places.body_B, reach.h, surfaces.unit);
+    found.halvings = halvings_of(collision, pair);
+    const scalar scale = scale_of(collision.shapes.surfaces.unit, found.halvings);
+    const scalar margin = margin_of(collision, room, reach, places, {A, B}, found.halvings);
     if (reach.met != nullptr && reach.met->pair.is(pair))
         one_point(reach.met->n, reach.met->P, 0, 0, found);
     else if (!collide_placed<typename Collision::SceneTraits::Shapes>(A, B, {margin, limits::fast_margin * scale}, before, found))
         count(collision.report->pairs_untested);
     if (found.count != 0) room.contacts.take(found, pair, places, collision.report->contacts_lost);
+}
+
+/// The manifolds of a shape with a level, one a patch.
+template <class Collision>
+void find_level_contacts(const Collision& collision, PairRoom<Collision>& room, const PairReach& reach, const ShapePair& pair,
+                         const BodyPair& places) {
+    const PlacedShape body = placed_in(collision, room, places.body_A, pair.A), level = placed_in(collision, room, places.body_B, pair.B);
+    const uint16_t halvings = halvings_of(collision, pair);
+    const LevelTouch<typename Collision::SceneTraits::Shapes> touch(body, level, margin_of(collision, room, reach, places, {body, level}, halvings),
+                                                                    flush_of(body, collision.shapes.surfaces.unit));
+    for (int patch_i = 0; patch_i < touch.count(); ++patch_i) {  // bound: level_patches
+        Manifold found;
+        found.halvings = halvings;
+        touch.write(patch_i, no_manifold_before, found);
+        if (found.count != 0) room.contacts.take(found, {pair.A, {pair.B.number + patch_i}}, places, collision.report->contacts_lost);
+    }
 }
 
 /// Calls each(shape, place) for the shapes near a mover of bodies that no impulse moves. All that is kinematic is at first_kinematic, while it is
@@ -136,10 +165,12 @@ void hide_internal_edges([[maybe_unused]] const Collision& collision, [[maybe_un
         Index used = contacts.count, first_free = 0, found_count = count;
         const PairList found = {found_pairs, count, &found_count, &lost};
         const ManifoldView manifolds = {pairs, &count, contacts.records, nullptr, &used, &first_free, count};
+        using Shapes = typename Collision::SceneTraits::Shapes;
+        const FixedShapes fixed = {collision.floor.shapes, collision.shapes.surfaces, collision.floor.bounds, collision.shapes.hulls,
+                                   collision.materials.surface_velocities};
         with_movers_shown(collision, room, [&] {
-            drop_hidden_points<typename Collision::SceneTraits::Shapes>({collision.floor.shapes, collision.shapes.surfaces, collision.floor.bounds,
-                                                                         collision.shapes.hulls, collision.materials.surface_velocities},
-                                                                        found, collision.floor.last_of_shape, manifolds);
+            drop_hidden_points<Shapes>(fixed, found, collision.floor.last_of_shape, manifolds);
+            if constexpr (sees_levels<Collision>) drop_points_at_seams<Shapes>(fixed, found, collision.floor.last_of_shape, manifolds);
         });
         // bound: limits::pair_manifolds_max
         for (int place = contacts.count - 1; place >= 0; --place)
@@ -213,9 +244,14 @@ void find_pair_contacts(const Collision& collision, PairRoom<Collision>& room, c
         });
     for (int which = 0; which < room.two.count; ++which)  // bound: PairSubWorld::movers_max
         for_unmoved_near(collision, room, which, reach, [&](ShapeSlot other, int place) {
+            if (is_companion(collision, other)) return;
             collision.shapes.for_shapes(room.slots[which], [&](ShapeSlot own) {
-                if (collision.meets(own.number, other.number))
-                    find_contact(collision, room, reach, {own, other}, {static_cast<Index>(which), static_cast<Index>(place), no_record});
+                if (!collision.meets(own.number, other.number)) return;
+                const BodyPair places = {static_cast<Index>(which), static_cast<Index>(place), no_record};
+                if constexpr (sees_levels<Collision>)
+                    if (collision.shapes.surface(other).shape.kind == ShapeKind::level)
+                        return find_level_contacts(collision, room, reach, {own, other}, places);
+                find_contact(collision, room, reach, {own, other}, places);
             });
         });
     hide_internal_edges(collision, room);

@@ -63,13 +63,22 @@ bool is_passed_by(const Collision& collision, int slot, int other) {
     return stands ? collision.paths[other].kind == PathKind::standing : collision.paths[other].impacts >= limits::impacts_of_body_max;
 }
 
-/// Whether the contacts of two shapes have been solved along the path of the first body, as it is.
+/// Whether the contacts of two shapes have been solved along the path of the first body, as it is. solved: their manifold of the step, or null.
 template <class Collision>
-bool is_solved(const Collision& collision, int slot, int other, ShapeSlot A, ShapeSlot B) {
+bool is_solved(const Collision& collision, int slot, int other, const BodyPair* solved) {
     const BodyPath& path = collision.paths[slot];
-    if (path.of_step) return collision.solved.has(A, B);
+    if (path.of_step) return solved != nullptr;
     if (path.kind == PathKind::in_pair && path.partner == other) return true;
     return (path.kind == PathKind::in_pair || path.kind == PathKind::on_fixed) && !is_dynamic(collision.bodies, other);
+}
+
+/// Whether a manifold is that of two shapes; of a level, one of its own.
+template <class Collision>
+bool is_part_of([[maybe_unused]] const Collision& collision, const ShapePair& of, const ShapePair& pair) {
+    if constexpr (sees_levels<Collision>)
+        if (collision.shapes.surface(pair.B).shape.kind == ShapeKind::level)
+            return of.A.number == pair.A.number && of.B.number >= pair.B.number && of.B.number < pair.B.number + level_patches;
+    return of.is(pair);
 }
 
 /// Whether two shapes that touch at time t go on into each other, on their paths as they are: whether a point of their contact would be deeper by the
@@ -96,8 +105,6 @@ bool closes_in(const Collision& collision, int slot, int other, const ShapePair&
         find_pair_contacts(collision, room, {true, 0, met, other});
     report.contacts_lost = lost;  // who only looks loses nothing
     report.pairs_untested = untested;
-    const int place = room.contacts.find(pair);
-    if (place < 0) return false;
     const auto way_of = [&](int which, const Vector& P) {
         const BodyPath& path = *paths[which];
         const Vector arm = P - at[which].r_CM;
@@ -105,12 +112,16 @@ bool closes_in(const Collision& collision, int slot, int other, const ShapePair&
         if (which < room.two.count && !(t > path.from)) return (path.v_CM + cross(omega_of(room.two.bodies(), which), arm)) * collision.clock.h;
         return path.way + path.fall * (2 * (t - path.from)) + cross(path.turn, arm);
     };
-    const Manifold& manifold = room.contacts.records[place].manifold;
     scalar closing = 0;
-    // bound: 4: Manifold::points_max
-    for (int point_i = 0; point_i < manifold.count; ++point_i) {
-        const Vector& P = manifold.points[point_i].P;
-        closing = max(closing, dot(manifold.n, way_of(1, P) - way_of(0, P)));
+    // bound: limits::pair_manifolds_max
+    for (int place = 0; place < room.contacts.count; ++place) {
+        if (!is_part_of(collision, room.contacts.shapes[place], pair)) continue;
+        const Manifold& manifold = room.contacts.records[place].manifold;
+        // bound: 4: Manifold::points_max
+        for (int point_i = 0; point_i < manifold.count; ++point_i) {
+            const Vector& P = manifold.points[point_i].P;
+            closing = max(closing, dot(manifold.n, way_of(1, P) - way_of(0, P)));
+        }
     }
     const scalar least = min(least_half_extent(collision.shapes.surface(pair.A).shape, collision.shapes.hull(pair.A)),
                              least_half_extent(collision.shapes.surface(pair.B).shape, collision.shapes.hull(pair.B)));
@@ -120,26 +131,52 @@ bool closes_in(const Collision& collision, int slot, int other, const ShapePair&
     return closing * rest > (is_often_hit(*paths[0]) || is_often_hit(*paths[1]) ? limits::skin_share * least : gap);
 }
 
-/// When two shapes meet on the paths of their bodies, as these are.
+/// When two shapes, or a shape and a triangle of a level, meet on the paths of their bodies, as these are.
 ///
 /// Where they touch already, and no contact has seen to it, they meet at once if they close in. And a body that is led along by what it touches does
-/// not meet the next part of the same floor: the two are passed as if they touched.
+/// not meet the next part of the same floor: the two are passed as if they touched. solved: their manifold of the step, or null.
+template <class Collision>
+scalar time_of_meeting(const Collision& collision, const MetPair& met, const BodyPair* manifold, scalar latest, PairRoom<Collision>& room) {
+    const ShapeOnPath &A = met.A, &B = met.B;
+    if (has_stayed_outside(collision, met, manifold)) return never;
+    const BodyPath& path = A.path;
+    const scalar unit = collision.shapes.surfaces.unit, begin = max(path.from, B.path.from);
+    const bool solved = is_solved(collision, met.slot, met.other, manifold);
+    const scalar touch =
+        solved ? limits::touching_gap * scale_of(unit, collision.shapes.surfaces.halvings(met.pair.A.number, met.pair.B.number)) : scalar(0);
+    const TimeOfImpact first = time_of_impact(A, B, {unit, 0, latest, touch});
+    const auto closes_at = [&](scalar t, scalar rest, const MetPoint* point) {
+        return closes_in(collision, met.slot, met.other, met.pair, t, rest, point, room);
+    };
+    if (first.touched && begin <= latest && !solved && closes_at(begin, 1 - begin, nullptr)) return begin;
+    const bool is_led = path.kind != PathKind::free && !is_dynamic(collision.bodies, met.other) && !is_kinematic(collision, met.other);
+    const MetPoint point = {met.pair, first.n, first.P};
+    if (!(first.t < never) || first.touched || !is_led || closes_at(first.t, path.until - first.t, &point)) return first.t;
+    return time_of_impact(A, B, {unit, first.t, latest, touch}).t;
+}
+
+/// Calls each(B, n) for what a shape may meet of another on their paths: that one, or the triangles of a level, and their normals.
+template <class Collision, class Each>
+void for_parts_on_path([[maybe_unused]] const Collision& collision, const ShapeOnPath& A, const ShapeOnPath& B, const Each& each) {
+    const scalar unit = collision.shapes.surfaces.unit;
+    if (!may_meet(A, B, unit)) return;
+    if constexpr (sees_levels<Collision>)
+        if (B.shape.kind == ShapeKind::level) return for_triangles_on_path<typename Collision::SceneTraits::Shapes>(A, B, unit, each);
+    each(B, Vector{});
+}
+
+/// The same of two shapes, whatever they are.
 template <class Collision>
 scalar time_of_meeting(const Collision& collision, int slot, int other, const ShapePair& pair, scalar latest, PairRoom<Collision>& room) {
     BodyPath at_rest;
-    const BodyPath &path = collision.paths[slot], &path_B = path_of(collision, other, at_rest);
-    const ShapeOnPath A = shape_on_path(collision.shapes, pair.A, path), B = shape_on_path(collision.shapes, pair.B, path_B);
-    const scalar unit = collision.shapes.surfaces.unit, begin = max(path.from, path_B.from);
-    if (!may_meet(A, B, unit)) return never;
-    const bool solved = is_solved(collision, slot, other, pair.A, pair.B);
-    const scalar touch = solved ? limits::touching_gap * scale_of(unit, collision.shapes.surfaces.halvings(pair.A.number, pair.B.number)) : scalar(0);
-    const TimeOfImpact first = time_of_impact(A, B, {unit, 0, latest, touch});
-    if (first.touched && begin <= latest && !solved && closes_in(collision, slot, other, pair, begin, 1 - begin, nullptr, room)) return begin;
-    const bool is_led = path.kind != PathKind::free && !is_dynamic(collision.bodies, other) && !is_kinematic(collision, other);
-    const MetPoint met = {pair, first.n, first.P};
-    if (!(first.t < never) || first.touched || !is_led || closes_in(collision, slot, other, pair, first.t, path.until - first.t, &met, room))
-        return first.t;
-    return time_of_impact(A, B, {unit, first.t, latest, touch}).t;
+    const ShapeOnPath A = shape_on_path(collision.shapes, pair.A, collision.paths[slot]);
+    const ShapeOnPath B = shape_on_path(collision.shapes, pair.B, path_of(collision, other, at_rest));
+    scalar first = never;
+    for_parts_on_path(collision, A, B, [&](const ShapeOnPath& part, const Vector& n) {
+        const MetPair met = {slot, other, pair, A, part};
+        first = min(first, time_of_meeting(collision, met, find_solved(collision, pair, n), min(latest, first), room));
+    });
+    return first;
 }
 
 /// Looks whether one body meets another before all else that comes to it. Of two that come at the same time the lower counts.
@@ -151,7 +188,7 @@ void consider(const Collision& collision, int slot, int other, PairRoom<Collisio
     const scalar until = min(path.until, path_B.until);
     collision.shapes.for_shapes(slot, [&](ShapeSlot shape_A) {
         collision.shapes.for_shapes(other, [&](ShapeSlot shape_B) {
-            if (!collision.meets(shape_A.number, shape_B.number) || has_stayed_outside(collision, slot, other, {shape_A, shape_B})) return;
+            if (!collision.meets(shape_A.number, shape_B.number) || is_companion(collision, shape_B)) return;
             const scalar latest = min(path.next, until), t = time_of_meeting(collision, slot, other, {shape_A, shape_B}, latest, room);
             if (is_kinematic(collision, slot) && !(t < 1 - limits::last_moment)) return;  // the next step finds them
             if (is_left_to_contacts(collision, slot, other, {shape_A, shape_B}, t)) return;
@@ -178,7 +215,11 @@ void note_passed_sensors([[maybe_unused]] const Collision& collision, [[maybe_un
                 collision.shapes.for_shapes(other, [&](ShapeSlot shape_B) {
                     if (!collision.sensors.has(shape_A.number, shape_B.number)) return;
                     const ShapeOnPath A = shape_on_path(collision.shapes, shape_A, path), B = shape_on_path(collision.shapes, shape_B, path_B);
-                    if (may_meet(A, B, unit) && time_of_impact(A, B, {unit, 0, t, 0}).t <= t) collision.sensors.note(shape_A.number, shape_B.number);
+                    bool meet = false;
+                    for_parts_on_path(collision, A, B, [&](const ShapeOnPath& part, const Vector&) {
+                        meet = meet || time_of_impact(A, part, {unit, 0, t, 0}).t <= t;
+                    });
+                    if (meet) collision.sensors.note(shape_A.number, shape_B.number);
                 });
             });
         });

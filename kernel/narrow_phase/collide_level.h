@@ -46,18 +46,42 @@ inline scalar flush_of(const PlacedShape& body, scalar unit) {
     return min(limits::flush_gap * unit, limits::flush_share * bounding_radius(body.shape));
 }
 
+/// What a body touches of a level: gathered by the constructor, one manifold a patch.
+template <class Shapes>
+class LevelTouch {
+public:
+    /// margin: m. flush: m, how far apart surfaces of the level are one; see flush_of.
+    LevelTouch(const PlacedShape& body, const PlacedShape& level, scalar margin, scalar flush)
+        : table_(*Shapes::level_of(level.shape)), frame_(level, table_), seen_(frame_.seen(body)),
+          patches_(table_, {seen_, margin, flush, least_half_extent(body.shape, body.hull)}) {
+        gather_patches<Shapes>(table_, seen_, margin, patches_);
+    }
+    LevelTouch(const LevelTouch&) = delete;
+    LevelTouch& operator=(const LevelTouch&) = delete;
+
+    int count() const { return patches_.count(); }
+    /// The cosine between the normal of a patch, from the level to the body, and n, world.
+    scalar along(int patch_i, const Vector& n) const { return dot(frame_.seen_direction(n), patches_.patch(patch_i).frame.n); }
+    /// World; n from the level to the body.
+    void write(int patch_i, const Manifold& before, Manifold& manifold) const {
+        patches_.write(patch_i, before, manifold);
+        frame_.place(manifold);
+    }
+
+private:
+    const LevelTable& table_;
+    const LevelFrame frame_;
+    const PlacedShape seen_;
+    LevelPatches patches_;
+};
+
 /// The manifold of one patch, for whoever asks for one pair alone: of the patches as they were gathered, that of the level's number.
 template <class Shapes>
 void collide_level(const PlacedShape& body, const PlacedShape& level, scalar margin, Manifold& manifold) {
-    const LevelTable& table = *Shapes::level_of(level.shape);
-    const LevelFrame frame(level, table);
-    const PlacedShape seen = frame.seen(body);
-    LevelPatches patches(table, {seen, margin, limits::flush_share * bounding_radius(body.shape), least_half_extent(body.shape, body.hull)});
-    gather_patches<Shapes>(table, seen, margin, patches);
+    const LevelTouch<Shapes> touch(body, level, margin, limits::flush_share * bounding_radius(body.shape));
     const int patch_i = patch_number(level.shape);
-    if (patch_i >= patches.count()) return no_points({}, manifold);
-    patches.write(patch_i, Manifold{}, manifold);
-    frame.place(manifold);
+    if (patch_i >= touch.count()) return no_points({}, manifold);
+    touch.write(patch_i, Manifold{}, manifold);
 }
 
 } }  // namespace ingot

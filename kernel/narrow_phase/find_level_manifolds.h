@@ -26,10 +26,10 @@ struct LevelPairs {
     StepReport& report;
 
     /// pair: with the first shape of a level; its own record and those of its companions become what they are in this step.
-    void update(BodyPair& pair, scalar margin) const {
+    void update(BodyPair& pair, scalar margin, bool fast) const {
         BodyPair* pairs[level_patches];
         if (!has_all(pair, pairs)) count(report.contacts_lost);  // the list of pairs is full
-        if (renews && are_renewed(pairs, margin)) return;
+        if (renews && !fast && are_renewed(pairs, margin)) return;
         search(pairs, margin);
     }
 
@@ -65,14 +65,10 @@ private:
         const bool swapped = level_is_A(*pairs[0]);
         const int level_slot = swapped ? pairs[0]->body_A : pairs[0]->body_B, body_slot = swapped ? pairs[0]->body_B : pairs[0]->body_A;
         const PlacedShape level = placed_body<Shapes>(bodies, surfaces, level_slot), body = placed_body<Shapes>(bodies, surfaces, body_slot);
-        const LevelTable& table = *Shapes::level_of(level.shape);
-        const LevelFrame frame(level, table);
-        const PlacedShape seen = frame.seen(body);
-        LevelPatches patches(table, {seen, margin, flush_of(body, surfaces.unit), least_half_extent(body.shape, body.hull)});
-        gather_patches<Shapes>(table, seen, margin, patches);
+        const LevelTouch<Shapes> touch(body, level, margin, flush_of(body, surfaces.unit));
 
         int patch_of[level_patches];
-        assign(pairs, patches, frame, swapped ? scalar(-1) : scalar(1), patch_of);
+        assign(pairs, touch, swapped ? scalar(-1) : scalar(1), patch_of);
         for (int i = 0; i < level_patches; ++i) {
             if (pairs[i] == nullptr) continue;
             if (patch_of[i] < 0) {
@@ -81,8 +77,7 @@ private:
             }
             Manifold now;
             now.halvings = static_cast<uint16_t>(surfaces.halvings(pairs[i]->body_A, pairs[i]->body_B));
-            patches.write(patch_of[i], has_record(pairs[i]) ? manifolds.records[pairs[i]->record].manifold : no_manifold_before, now);
-            frame.place(now);
+            touch.write(patch_of[i], has_record(pairs[i]) ? manifolds.records[pairs[i]->record].manifold : no_manifold_before, now);
             if (swapped) now.n = -now.n;
             keep(*pairs[i], now, margin);
         }
@@ -90,23 +85,22 @@ private:
 
     /// Which patch goes to which pair; -1: none. A pair that has a contact keeps the plane that it had, as near as there is one; others take what is
     /// left.
-    void assign(BodyPair* const (&pairs)[level_patches], const LevelPatches& patches, const LevelFrame& frame, scalar to_body,
-                int (&patch_of)[level_patches]) const {
+    void assign(BodyPair* const (&pairs)[level_patches], const LevelTouch<Shapes>& touch, scalar to_body, int (&patch_of)[level_patches]) const {
         bool taken[level_patches] = {};
         for (int i = 0; i < level_patches; ++i) {
             patch_of[i] = -1;
             if (!has_record(pairs[i])) continue;
-            const Vector n = frame.seen_direction(manifolds.records[pairs[i]->record].manifold.n * to_body);
+            const Vector n = manifolds.records[pairs[i]->record].manifold.n * to_body;
             scalar nearest = limits::same_plane_cos;
-            for (int k = 0; k < patches.count(); ++k) {  // bound: level_patches
-                const scalar along = dot(n, patches.patch(k).frame.n);
+            for (int k = 0; k < touch.count(); ++k) {  // bound: level_patches
+                const scalar along = touch.along(k, n);
                 if (taken[k] || !(along > nearest)) continue;
                 nearest = along;
                 patch_of[i] = k;
             }
             if (patch_of[i] >= 0) taken[patch_of[i]] = true;
         }
-        for (int k = 0; k < patches.count(); ++k) {  // bound: level_patches
+        for (int k = 0; k < touch.count(); ++k) {  // bound: level_patches
             for (int i = 0; i < level_patches && !taken[k]; ++i) {
                 if (pairs[i] == nullptr || patch_of[i] >= 0) continue;
                 patch_of[i] = k;
@@ -134,16 +128,19 @@ private:
 };
 
 /// True for a pair with a level, whose manifolds are then up to date, and listed.
-template <class Shapes, bool renews>
-bool update_level_pair(const BodyView& bodies, const SurfaceView& surfaces, const BoundsTile* bounds, scalar h, const PairList& found,
-                       const ManifoldView& manifolds, StepReport& report, BodyPair& pair) {
+template <class Shapes, bool renews, class FastPairs>
+bool update_level_pair(const BodyView& bodies, const SurfaceView& surfaces, const BoundsTile* bounds, scalar h, const FastPairs& fast_pairs,
+                       const PairList& found, const ManifoldView& manifolds, StepReport& report, BodyPair& pair) {
     if constexpr (!Shapes::has(ShapeKind::level)) {
-        (void)bodies, (void)surfaces, (void)bounds, (void)h, (void)found, (void)manifolds, (void)report, (void)pair;
+        (void)bodies, (void)surfaces, (void)bounds, (void)h, (void)fast_pairs, (void)found, (void)manifolds, (void)report, (void)pair;
         return false;
     } else {
         if (!is_with_level(surfaces, pair)) return false;
         const LevelPairs<Shapes, renews> levels = {bodies, surfaces, found, manifolds, report};
-        if (is_first_of_level(surfaces, pair)) levels.update(pair, margin_of(bodies, surfaces, bounds, pair, h));
+        if (is_first_of_level(surfaces, pair)) {
+            const bool fast = fast_pairs.has(pair);
+            levels.update(pair, fast ? margin_of_fast(bodies, surfaces, pair) : margin_of(bodies, surfaces, bounds, pair, h), fast);
+        }
         if (pair.record < refused_record) manifolds.pairs[(*manifolds.count)++] = pair;
         return true;
     }

@@ -31,7 +31,7 @@ void update_manifolds(const BodyView& bodies, const SurfaceView& surfaces, const
             if (has_record) give_back(manifolds, pair.record);
             continue;
         }
-        if (update_level_pair<Shapes, renews>(bodies, surfaces, bounds, h, found, manifolds, report, pair)) continue;
+        if (update_level_pair<Shapes, renews>(bodies, surfaces, bounds, h, fast_pairs, found, manifolds, report, pair)) continue;
         const bool fast = fast_pairs.has(pair);
         const scalar margin = fast ? margin_of_fast(bodies, surfaces, pair) : margin_of(bodies, surfaces, bounds, pair, h);
         if constexpr (renews) {

@@ -23,7 +23,6 @@ struct Levels : Feature {
     static constexpr bool check() {
         static_assert(!has_levels<S> || stacks<S>, "levels are for contacts with friction: set max_manifolds, or leave levels out");
         static_assert(has_levels<S> == S::shapes::has(ShapeKind::level), "a scene with levels has Level among its shapes: set shapes, and levels");
-        static_assert(!has_levels<S> || !S::continuous, "fast bodies are not followed onto levels yet: leave continuous out, or levels");
         return true;
     }
 
