@@ -306,6 +306,13 @@ CALL(asleep_island_count)(const World<Sleeping>& world) { return world.asleep_is
 CALL(cast_ray)(const World<Sleeping>& world, const Vector& from, const Vector& way, const QueryFilter& filter) {
     return world.cast_ray(from, way, filter);
 }
+CALL(cast_ray_all)(const World<Sleeping>& world, const Vector& from, const Vector& way, QueryHit* found, int capacity, const QueryFilter& filter) {
+    return world.cast_ray_all(from, way, found, capacity, filter);
+}
+CALL(cast_shape_all)(const World<Sleeping>& world, const PlacedShape& shape, const Vector& way, QueryHit* found, int capacity,
+                     const QueryFilter& filter) {
+    return world.cast_shape_all(shape, way, found, capacity, filter);
+}
 CALL(cast_ray_at_compounds)(const World<ManyShapes>& world, const Vector& from, const Vector& way, const QueryFilter& filter) {
     return world.cast_ray(from, way, filter);
 }

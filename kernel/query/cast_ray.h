@@ -48,6 +48,17 @@ RayEntry ray_on_placed(const PlacedShape& s, const LocalRay& ray) {
     return ray_on_shape<Shapes>(s, ray);
 }
 
+/// Where a ray enters the shape of a slot.
+template <class Shapes>
+bool cast_ray_on_slot(const EveryShape& all, const Vector& from, const Vector& way, int slot, SlotHit& hit) {
+    const PlacedShape body = placed_body<Shapes>(all.bodies, all.surfaces, slot);
+    const RayEntry entry = ray_on_placed<Shapes>(body, {transpose_times(body.A, from - body.r), transpose_times(body.A, way)});
+    if (!entry.meets) return false;
+    const Vector n = length_sq(entry.n) > 0 ? body.A * entry.n : way * (-1 / sqrt(length_sq(way)));
+    hit = {slot, entry.fraction, from + way * entry.fraction, n};
+    return true;
+}
+
 /// The body that a ray enters first; of bodies it enters at the same place, that of the lowest slot.
 ///
 /// all: an EveryShape, or ShapesOfTree. from, way: m, world. sees(slot): which bodies count. A ray that begins inside a body meets it at once, its n
@@ -57,13 +68,11 @@ SlotHit cast_ray(const All& all, const Vector& from, const Vector& way, const Se
     MovingBall point = {from, way, 0, 1, nullptr};
     SlotHit hit = {no_slot, 1, from + way, {}};
     look_along(all, point, [&](int slot) {
-        if (!sees(slot)) return;
-        const PlacedShape body = placed_body<Shapes>(all.bodies, all.surfaces, slot);
-        const RayEntry entry = ray_on_placed<Shapes>(body, {transpose_times(body.A, from - body.r), transpose_times(body.A, way)});
-        if (!entry.meets || (hit.slot != no_slot && !is_before(entry.fraction, slot, hit.fraction, hit.slot))) return;
-        const Vector n = length_sq(entry.n) > 0 ? body.A * entry.n : way * (-1 / sqrt(length_sq(way)));
-        hit = {slot, entry.fraction, from + way * entry.fraction, n};
-        point.fraction = entry.fraction;
+        SlotHit of_slot;
+        if (!sees(slot) || !cast_ray_on_slot<Shapes>(all, from, way, slot, of_slot)) return;
+        if (hit.slot != no_slot && !is_before(of_slot.fraction, slot, hit.fraction, hit.slot)) return;
+        hit = of_slot;
+        point.fraction = hit.fraction;
     });
     return hit;
 }

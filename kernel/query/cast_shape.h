@@ -30,17 +30,25 @@ ShapeEntry cast_on_placed(const PlacedShape& moving, const Vector& way, const Pl
     return cast_on_shape(moving, way, B, fraction_max);
 }
 
+/// Where a moving shape meets that of a slot, no further than fraction_max.
+template <class Shapes>
+bool cast_shape_on_slot(const EveryShape& all, const PlacedShape& moving, const Vector& way, int slot, scalar fraction_max, SlotHit& hit) {
+    const ShapeEntry entry = cast_on_placed<Shapes>(moving, way, placed_body<Shapes>(all.bodies, all.surfaces, slot), fraction_max);
+    if (entry.meets) hit = {slot, entry.fraction, entry.P, entry.n};
+    return entry.meets;
+}
+
 /// The body that a moving shape meets first; see cast_ray.
 template <class Shapes, class All, class Sees>
 SlotHit cast_shape(const All& all, const PlacedShape& moving, const Vector& way, const Sees& sees) {
     MovingBall ball = {moving.r, way, bounding_radius(moving.shape), 1, &moving};
     SlotHit hit = {no_slot, 1, moving.r + way, {}};
     look_along(all, ball, [&](int slot) {
-        if (!sees(slot)) return;
-        const ShapeEntry entry = cast_on_placed<Shapes>(moving, way, placed_body<Shapes>(all.bodies, all.surfaces, slot), ball.fraction);
-        if (!entry.meets || (hit.slot != no_slot && !is_before(entry.fraction, slot, hit.fraction, hit.slot))) return;
-        hit = {slot, entry.fraction, entry.P, entry.n};
-        ball.fraction = entry.fraction;
+        SlotHit of_slot;
+        if (!sees(slot) || !cast_shape_on_slot<Shapes>(all, moving, way, slot, ball.fraction, of_slot)) return;
+        if (hit.slot != no_slot && !is_before(of_slot.fraction, slot, hit.fraction, hit.slot)) return;
+        hit = of_slot;
+        ball.fraction = hit.fraction;
     });
     return hit;
 }

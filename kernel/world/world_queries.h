@@ -7,7 +7,7 @@
 #include "../query/check_query.h"
 #include "../query/find_nearest.h"
 #include "../query/find_overlaps.h"
-#include "../query/lowest_ids.h"
+#include "../query/first_few.h"
 #include "world_reads.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -59,6 +59,37 @@ public:
         return {Status::ok, {id_of_shape(hit.slot), hit.fraction, hit.P, hit.n, number_of_shape(hit.slot)}};
     }
 
+    /// All bodies on the way of a ray, each where it is met first, in the order in which they are met, into found[0 .. capacity). See cast_ray.
+    /// Returns: how many there are. More than capacity: those that are met first are kept.
+    /// Errors:  those of cast_ray; out_of_range (a capacity below zero).
+    Result<int> cast_ray_all(const Vector& from, const Vector& way, QueryHit* found, int capacity, const QueryFilter& filter = {}) const {
+        static_assert(shapes_only());
+        const Result<int> except = slot_of_exception(filter);
+        Status status = except.ok() ? check_way(from, way) : except.status;
+        if (status == Status::ok && capacity < 0) status = Status::out_of_range;
+        if (status != Status::ok) return {status, 0};
+        return {Status::ok, list_hits({from, way, 0, 1, nullptr}, found, capacity, sees(filter, except.value),
+                                      [&](const EveryShape& all, int slot, SlotHit& hit) {
+                                          return cast_ray_on_slot<ShapesOf<S>>(all, from, way, slot, hit);
+                                      })};
+    }
+
+    /// The same of a shape that does not turn: see cast_shape.
+    /// Errors: those of cast_shape; out_of_range (a capacity below zero).
+    Result<int> cast_shape_all(const PlacedShape& shape, const Vector& way, QueryHit* found, int capacity, const QueryFilter& filter = {}) const {
+        static_assert(shapes_only());
+        const Result<int> except = slot_of_exception(filter);
+        Status status = except.ok() ? check_query_shape(shape) : except.status;
+        if (status == Status::ok) status = check_way(shape.r, way);
+        if (status == Status::ok && capacity < 0) status = Status::out_of_range;
+        if (status != Status::ok) return {status, 0};
+        const PlacedShape moving = {shape.shape, shape.r, nearest_rotation(shape.A), shape.hull};
+        return {Status::ok, list_hits({moving.r, way, bounding_radius(moving.shape), 1, &moving}, found, capacity, sees(filter, except.value),
+                                      [&](const EveryShape& all, int slot, SlotHit& hit) {
+                                          return cast_shape_on_slot<ShapesOf<S>>(all, moving, way, slot, 1, hit);
+                                      })};
+    }
+
     /// All bodies that a shape overlaps or touches, in the order of slots, into found[0 .. capacity).
     /// Returns: how many there are. More than capacity: those of the lowest slots are kept.
     /// Errors:  those of cast_shape; out_of_range (a capacity below zero).
@@ -101,6 +132,31 @@ private:
         return ask(all);
     }
 
+    /// Bodies that are met along a way, once each: of several shapes the first that is met counts. Returns how many.
+    template <class Sees, class Hits>
+    int list_hits(const MovingBall& ball, QueryHit* found, int capacity, const Sees& sees, const Hits& hits) const {
+        FirstFew<QueryHit, IsMetBefore> first(found, capacity);
+        int count = 0;
+        over_candidates([&](const auto& all) {
+            look_along(all, ball, [&](int slot) {
+                SlotHit hit, other;
+                if (!sees(slot) || !hits(all, slot, hit)) return;
+                const int begin = slot / S::max_shapes_of_body * S::max_shapes_of_body;
+                // bound: max_shapes_of_body
+                for (int of_body = begin; of_body < begin + S::max_shapes_of_body; ++of_body) {
+                    if (of_body == slot || storage_.surfaces[of_body].shape.kind == ShapeKind::none || !sees(of_body) || !hits(all, of_body, other))
+                        continue;
+                    if (of_body < slot) return;  // told by that one
+                    if (other.fraction < hit.fraction) hit = other;
+                }
+                first.add({id_of_shape(hit.slot), hit.fraction, hit.P, hit.n, number_of_shape(hit.slot)});
+                ++count;
+            });
+        });
+        first.sort();
+        return count;
+    }
+
     // Bodies that a shape overlaps, once each. They return how many.
 
     template <class Sees>
@@ -119,7 +175,7 @@ private:
     }
     template <class Sees>
     int list_in_any_order(const PlacedShape& shape, BodyId* found, int capacity, const Sees& sees) const {
-        LowestIds lowest(found, capacity);
+        FirstFew<BodyId, HasLowerSlot> lowest(found, capacity);
         int count = 0;
         over_candidates([&](const auto& all) {
             ingot::find_overlaps<ShapesOf<S>>(all, shape, sees, [&](int slot) {
