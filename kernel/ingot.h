@@ -29,6 +29,7 @@
 #include "shape/hull_of_points.h"
 #include "math/quaternion.h"
 #include "motion/force_fields.h"
+#include "mover/solve_planes.h"
 #include "impulse/impulse.h"
 #include "world/draw.h"
 #include "world/snapshot.h"

@@ -347,6 +347,16 @@ CALL(find_nearest_of_compounds)(const World<ManyShapes>& world, const Vector& po
     return world.find_nearest(point, within, filter);
 }
 
+// Characters.
+CALL(move)(World<Asking>& world, Mover& mover, const MoverInput& input, scalar h) { return world.move(mover, input, h); }
+CALL(move_among_compounds)(World<ManyShapes>& world, Mover& mover, const MoverInput& input, scalar h) { return world.move(mover, input, h); }
+CALL(collide_mover)(const World<Sleeping>& world, const Mover& mover, MoverPlane (&planes)[movers::planes_max]) {
+    return world.collide_mover(mover, planes);
+}
+CALL(cast_mover)(const World<Sleeping>& world, const Mover& mover, const Vector& way) { return world.cast_mover(mover, way); }
+CALL(solve_planes)(const Vector& way, const MoverPlane* planes, int count) { return solve_planes(way, planes, count); }
+CALL(clip_velocity)(const Vector& v, const MoverPlane* planes, int count) { return clip_velocity(v, planes, count); }
+
 // The world as a whole.
 CALL(state_hash)(const World<Sleeping>& world) { return world.state_hash(); }
 CALL(step_count)(const World<Sleeping>& world) { return world.step_count(); }
@@ -398,6 +408,7 @@ CALL(step_on_level)(World<Levelled>& world, scalar h) { return step(world, h); }
 CALL(cast_ray_at_levels)(const World<Levelled>& world, const Vector& from, const Vector& way, const QueryFilter& filter) {
     return world.cast_ray(from, way, filter);
 }
+CALL(move_on_levels)(World<Levelled>& world, Mover& mover, const MoverInput& input, scalar h) { return world.move(mover, input, h); }
 CALL(cast_shape_at_levels)(const World<Levelled>& world, const PlacedShape& shape, const Vector& way, const QueryFilter& filter) {
     return world.cast_shape(shape, way, filter);
 }

@@ -74,6 +74,10 @@ bool use_members(ingot::World<Scene>& world) {
     ok = world.linear_momentum().x > 0 && world.linear_momentum(id).ok() && world.angular_momentum().x > 0 && world.angular_momentum(id).ok() && ok;
     ok = world.cast_ray(x, x).ok() && world.cast_shape(ball, x).ok() && world.find_overlaps(ball, found, 2).ok() && world.find_nearest(x, 1).ok() &&
          ok;
+    ingot::Mover mover;
+    ingot::MoverPlane planes[ingot::movers::planes_max];
+    ok = world.move(mover, {x}, 1) == ingot::Status::ok && world.collide_mover(mover, planes).ok() && world.cast_mover(mover, x).ok() && ok;
+    ok = ingot::solve_planes(x, planes, 1).ok() && ingot::clip_velocity(x, planes, 1).ok() && ok;
     return world.state_hash() != 0 && world.step_count() > 0 && world.remove(id) == ingot::Status::ok && ok;
 }
 /// Those of impacts and fields.

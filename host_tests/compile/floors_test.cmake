@@ -12,6 +12,7 @@ set(motion_may base math body)
 set(broad_phase_may base math body shape)
 set(narrow_phase_may base math level body shape broad_phase)
 set(query_may base math level body shape broad_phase narrow_phase)
+set(mover_may base math level body shape broad_phase narrow_phase query)
 set(draw_may base math body shape)
 set(impulse_may base math body shape)
 set(joint_may base math body)
@@ -28,7 +29,7 @@ set(events_may base math body broad_phase narrow_phase constraint)
 set(continuous_may base math body shape motion broad_phase narrow_phase joint figure constraint island solver solver/sweeps solver/sequential)
 set(world_features_may base math level body shape motion broad_phase narrow_phase impulse joint figure energy_momentum constraint island sleep solver/sweeps solver/direct
   solver/sequential events continuous world)
-set(world_may world/features base math level body shape motion broad_phase narrow_phase query draw impulse joint figure energy_momentum constraint island sleep solver solver/sweeps solver/direct solver/sequential
+set(world_may world/features base math level body shape motion broad_phase narrow_phase query mover draw impulse joint figure energy_momentum constraint island sleep solver solver/sweeps solver/direct solver/sequential
   events continuous)
 set(freestanding "stdint\\.h|stddef\\.h|float\\.h|limits\\.h")
 # Freestanding C++17 has it, a C compiler has not: of compilers without GNU's words alone, see base/compiler.h.
@@ -43,6 +44,7 @@ set(level_shares level_table level_walk height_walk mesh_walk height_grid lattic
 set(narrow_phase_shares find_level_manifolds collide_kinds inner_edges level_cone level_patches collide_level triangle_hull manifold manifold_points box_axes contact_geometry contact_patch collide_pairs nearest_points plane_between manifold_record
   manifold_anchors find_manifolds normal_cone)
 set(query_shares level_queries cast_shape candidates shapes_of_tree query_filter ray_on_shapes cast_ray)
+set(mover_shares mover axis_touch half_spaces mover_space)
 set(impulse_shares contact collide_shapes contact_rows impulse impact_step impact_times find_contacts solve_impacts)
 set(joint_shares joints joint_record joint_lists limit_record drives reactions tie_record target_record)
 set(figure_shares spatial figure_row figure_view ground tree_passes joint_sides row_motion displace_rows cursor_moves joint_row measure_joint row_compliance

@@ -13,7 +13,7 @@ PUBLIC = {
     "base/ids.h": None, "base/report.h": ["StepReport"], "base/status.h": ["Result"], "body/check_body.h": ["BodyState"],
     "body/mass_properties.h": ["MassDistribution", "MassProperties", "MeshTriangle"], "body/user_frame.h": None,
     "broad_phase/body_filter.h": ["BodyFilter"], "events/contact_events.h": ["Event", "EventView"], "impulse/impulse.h": None,
-    "motion/force_fields.h": None, "query/query_filter.h": None, "shape/compound.h": ["ShapeDef", "ShapePlace"], "shape/convex_hull.h": None,
+    "motion/force_fields.h": None, "mover/mover.h": None, "query/query_filter.h": None, "shape/compound.h": ["ShapeDef", "ShapePlace"], "shape/convex_hull.h": None,
     "shape/placed_shape.h": None, "shape/shapes.h": None, "world/body_def.h": None, "world/world_contacts.h": ["ContactInfo", "OverlapInfo"],
 }
 MEMBER = re.compile(r"^ {4}(?: {4})?(?!using|static|template|friend|return|if|for)(?:const )?[\w:]+(?:<[^>]*>)?[ *]+(\w[^();]*|\w+\[[^;]*\]);$")

@@ -21,6 +21,7 @@ HEADERS = """
 ingot.h
 world/world.h world/world_bodies.h world/world_touching.h world/world_edits.h world/world_kinematic.h world/world_joints.h world/world_drives.h
 world/world_reactions.h world/world_ties.h world/world_contacts.h world/world_reads.h world/world_queries.h
+world/world_mover.h mover/mover.h mover/solve_planes.h
 world/body_def.h world/contact_info.h world/scene.h world/step.h world/snapshot.h world/draw.h
 base/config.h base/status.h base/report.h base/ids.h base/limits.h base/effort.h base/version.h base/floating_point.h
 body/mass_properties.h body/check_body.h body/kinematics.h body/user_frame.h
@@ -54,6 +55,7 @@ INTERNAL = {
     "draw/wireframe.h": "lines_of_box lines_of_capsule lines_of_half_space",
     "events/contact_events.h": "write_event EventList ContactsOfStep emit_hits emit_begins copy_list",
     "figure/read_figure.h": "FigureMarks mark_figure",
+    "mover/mover.h": "movers check_mover check_mover_input",
     "joint/joints.h": "is_tie is_wheel has_length limited_directions driven_directions is_same has_ties limits_of_joint drives_of_joint may_break has_reactions "
                       "has_limits has_drives",
     "joint/drives.h": "DriveRecord",

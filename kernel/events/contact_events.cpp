@@ -9,11 +9,11 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
-struct Mover {
+struct ToldBody {
     Vector r_CM, v_CM, omega, a;
 };
 
-Mover mover(const BodyView& bodies, const Vector& gravity, int slot) {
+ToldBody told_body(const BodyView& bodies, const Vector& gravity, int slot) {
     const Place at = place_of(slot);
     const TranslationTile& tile = bodies.translation[at.tile];
     const scalar inv_M = tile.inv_M[at.lane];
@@ -30,7 +30,7 @@ scalar closing_speed(scalar speed, scalar a, scalar s, scalar h) {
     return v < most ? v : most;
 }
 
-ImpactNote note_of(const Mover& A, const Mover& B, scalar h, const Manifold& manifold) {
+ImpactNote note_of(const ToldBody& A, const ToldBody& B, scalar h, const Manifold& manifold) {
     ImpactNote note{};
     const Vector& n = manifold.n;
     const scalar a = dot(n, B.a - A.a);
@@ -102,7 +102,7 @@ Event event_of(EventKind kind, const PairOfBodies& pair, uint16_t world_tag, con
 void note_approaches(const BodyView& bodies, const Vector& gravity, scalar h, const ManifoldView& manifolds, ImpactNote* notes) {
     for (int manifold_i = 0; manifold_i < *manifolds.count; ++manifold_i) {  // bound: max_manifolds
         const BodyPair& pair = manifolds.pairs[manifold_i];
-        const Mover A = mover(bodies, gravity, pair.body_A), B = mover(bodies, gravity, pair.body_B);
+        const ToldBody A = told_body(bodies, gravity, pair.body_A), B = told_body(bodies, gravity, pair.body_B);
         write_note(notes[manifold_i], note_of(A, B, h, manifold_of(manifolds, manifold_i)));
     }
 }

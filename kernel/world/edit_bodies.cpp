@@ -303,4 +303,15 @@ Result<scalar> collide_locked_bodies(const BodyView& bodies, const uint8_t* lock
     return j;
 }
 
+Status push_body(const BodyView& bodies, int slot, const Vector& v, const Vector& P, const Vector& n, scalar j_max) {
+    const Place at = place_of(slot);
+    const TranslationTile& translation = bodies.translation[at.tile];
+    CollidingBody pusher, body;
+    pusher.v_CM = v;
+    body = {translation.inv_M[at.lane], inverse_inertia_world(lane_of(bodies.rotation[at.tile].A, at.lane), inv_I_body_of(bodies, slot)),
+            lane_of(translation.v_CM, at.lane), omega_of(bodies, slot), P - lane_of(translation.r_CM, at.lane)};
+    const Vector j = n * -min(collision_impulse(pusher, body, n, 0), j_max);
+    return length_sq(j) > 0 ? accumulate_impulse(bodies, slot, j, cross(body.r_P, j)) : Status::ok;
+}
+
 } }  // namespace ingot

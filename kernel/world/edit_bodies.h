@@ -87,4 +87,8 @@ Result<scalar> collide_bodies(const BodyView& bodies, int slot_A, int slot_B, co
 Result<scalar> collide_locked_bodies(const BodyView& bodies, const uint8_t* locks, int slot_A, int slot_B, const Vector& P, const Vector& n,
                                      scalar e);
 
+/// What moves with v, m/s, and nothing stops, pushes the body of a slot at the world point P along -n (unit, out of the body): Figure 4 without
+/// restitution, by j_max, N s, at most. Needs: a body that can move.
+Status push_body(const BodyView& bodies, int slot, const Vector& v, const Vector& P, const Vector& n, scalar j_max);
+
 } }  // namespace ingot

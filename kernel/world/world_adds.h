@@ -2,17 +2,17 @@
 // The part of World by which bodies come and go.
 #pragma once
 
-#include "world_queries.h"
+#include "world_mover.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
 /// Calls of World, see world.h.
 template <class S>
-class WorldAdds : public WorldQueries<S> {
+class WorldAdds : public WorldMover<S> {
     static constexpr int max_bodies = S::max_bodies;
 
 protected:
-    using Base = WorldQueries<S>;
+    using Base = WorldMover<S>;
     using Base::storage_;
     using Base::compounds_only;
     using Base::levels_only;

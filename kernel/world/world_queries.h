@@ -120,7 +120,7 @@ public:
         return {Status::ok, {id_of_shape(nearest.slot), nearest.distance, nearest.P, nearest.n, number_of_shape(nearest.slot)}};
     }
 
-private:
+protected:
     /// Asks of all shapes, or of the tree, where there is one.
     template <class Ask>
     auto over_candidates(const Ask& ask) const {
@@ -132,6 +132,7 @@ private:
         return ask(all);
     }
 
+private:
     /// Bodies that are met along a way, once each: of several shapes the first that is met counts. Returns how many.
     template <class Sees, class Hits>
     int list_hits(const MovingBall& ball, QueryHit* found, int capacity, const Sees& sees, const Hits& hits) const {
@@ -195,6 +196,8 @@ private:
     Result<int> slot_of_exception(const QueryFilter& filter) const {
         return filter.except.generation == 0 ? Result<int>{Status::ok, no_slot} : find(filter.except);
     }
+
+protected:
     /// Of a level one of its shapes stands for all of it.
     bool is_first_of_level(int shape_slot) const {
         const Shape& shape = storage_.surfaces[shape_slot].shape;

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: MIT
+#include "axis_touch.h"
+
+#include "../narrow_phase/plane_between.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+PlacedShape placed_mover(const Mover& mover) {
+    // Two directions across `up`, by the one of its components that is least.
+    const Vector &z = mover.up, size = {abs(z.x), abs(z.y), abs(z.z)};
+    const Vector away = size.x <= size.y && size.x <= size.z ? Vector{1, 0, 0} : size.y <= size.z ? Vector{0, 1, 0} : Vector{0, 0, 1};
+    const Vector across = cross(away, z), x = across * (1 / sqrt(length_sq(across)));
+    return {mover.capsule, mover.r, {x, cross(z, x), z}, nullptr};
+}
+
+AxisTouch touch_of_shape(const PlacedShape& capsule, const PlacedShape& other, scalar reach) {
+    const scalar radius = capsule.shape.size.x;
+    PlacedShape axis = capsule;
+    axis.shape.size.x = 0;
+    if (other.shape.kind == ShapeKind::half_space) {
+        const Vector n = other.A * other.shape.size, lowest = support_point(axis, -n);
+        const scalar height = face_below(other, lowest).height;
+        return {height - radius <= reach, false, true, n, lowest - n * height, height - radius};
+    }
+    PlacedShape B = other;  // all is seen from it: what is far from the origin loses nothing more
+    B.r = {};
+    axis.r = capsule.r - other.r;
+    const Nearest nearest = closest_points(axis, B, reach + radius);
+    if (nearest.overlap) {
+        const scalar far = sqrt(length_sq(axis.r));
+        const PlaneBetween out = plane_along(axis, B, far > 0 ? axis.r * (1 / far) : capsule.A.c2);
+        return {true, true, false, out.n, other.r + (support_point(axis, -out.n) - out.n * out.gap), out.gap - radius};
+    }
+    const PlaneBetween plane = plane_between(axis, B, nearest);
+    return {plane.gap - radius <= reach, false, false, plane.n, other.r + nearest.P_B, plane.gap - radius};
+}
+
+namespace {
+
+/// A point of the axis and one of a triangle.
+struct AxisNearest {
+    scalar distance_sq;
+    Vector on_axis, p;
+    bool inside;  ///< of the triangle
+};
+
+/// Where the axis from a, along the unit vector u, is nearest to an edge.
+/// Source: Ericson, "Real-Time Collision Detection", 2005, 5.1.9.
+AxisNearest nearest_to_edge(const Vector& a, const Vector& u, scalar length, const TriangleFace& face, int i) {
+    const Vector &e = face.corners[i], &v = face.along[i], w = a - e;
+    const scalar edge = dot(v, face.corners[i == 2 ? 0 : i + 1] - e);
+    const scalar b = dot(u, v), c = dot(u, w), f = dot(v, w), sine_sq = 1 - b * b;
+    const auto within = [](scalar t, scalar most) { return t < 0 ? scalar(0) : t > most ? most : t; };
+    scalar s = sine_sq > limits::parallel_sin_sq ? within((b * f - c) / sine_sq, length) : length / 2;
+    const scalar t = within(b * s + f, edge);
+    s = within(b * t - c, length);
+    const Vector on_axis = a + u * s, p = e + v * within(b * s + f, edge);
+    return {length_sq(on_axis - p), on_axis, p, false};
+}
+AxisNearest nearest_to_end(const Vector& end, const TriangleFace& face) {
+    const TriangleTouch on = nearest_on_triangle(face, end, 0);
+    return {length_sq(end - on.p), end, on.p, on.part == TrianglePart::inside};
+}
+bool is_over(const TriangleFace& face, const Vector& x) {
+    bool over = true;
+    for (int i = 0; i < 3; ++i) over = over && dot(face.inward[i], x - face.corners[i]) >= 0;
+    return over;
+}
+
+}  // namespace
+
+AxisTouch touch_of_triangle(const PlacedShape& capsule, const TriangleFace& face, bool solid) {
+    constexpr AxisTouch none = {false, false, false, {}, {}, 0};
+    const scalar radius = capsule.shape.size.x, half = capsule.shape.size.y;
+    const Vector &u = capsule.A.c2, a = capsule.r - u * half, b = capsule.r + u * half;
+    const scalar at_a = dot(face.n, a - face.corners[0]), at_b = dot(face.n, b - face.corners[0]);
+    const scalar low = min(at_a, at_b), high = max(at_a, at_b);
+    if (!(high > 0) && !solid) return none;  // behind it
+    if (!(low > 0)) {
+        // The axis goes through it, or, of what is solid, ends below it.
+        const Vector x = high > 0 ? a + (b - a) * (at_a / (at_a - at_b)) : (at_a > at_b ? a : b) - face.n * high;
+        if (is_over(face, x)) return {true, true, true, face.n, x, low - radius};
+        if (!(high > 0)) return none;
+    }
+    AxisNearest nearest = nearest_to_end(a, face);
+    const auto take = [&nearest](const AxisNearest& other) {
+        const bool as_near = other.distance_sq <= nearest.distance_sq * (1 + 4 * epsilon);
+        if (other.distance_sq < nearest.distance_sq * (1 - 4 * epsilon) || (as_near && other.inside && !nearest.inside)) nearest = other;
+    };
+    take(nearest_to_end(b, face));
+    for (int i = 0; i < 3; ++i) take(nearest_to_edge(a, u, 2 * half, face, i));
+    const Vector away = nearest.on_axis - nearest.p;
+    const scalar distance = sqrt(nearest.distance_sq), rise = dot(away, face.n);
+    if (nearest.inside && rise > 0) return {true, false, true, face.n, nearest.p, rise - radius};
+    if (!(distance > 0) || rise < -limits::edge_tilt * distance) return none;
+    const Vector n = away * (1 / distance);
+    const bool along = length_sq(n - face.n * dot(n, face.n)) <= limits::edge_tilt * limits::edge_tilt;
+    return {true, false, along, n, nearest.p, distance - radius};
+}
+
+void put_on_shape(const PlacedShape& S, const PlacedShape& capsule, scalar flush, MoverTouch& touch) {
+    Touch on = {touch.P, touch.n, limits::edge_tilt, touch.face, {}};
+    Vector inside = touch.P;
+    if (S.shape.kind == ShapeKind::half_space) inside = capsule.r;
+    if (S.shape.kind == ShapeKind::box) {
+        put_on_box(S, on);
+        inside = S.r + S.A * clamp(transpose_times(S.A, capsule.r - S.r), S.shape.size);
+        const Vector to_middle = S.r - on.p;  // where the capsule is all beside the face
+        if (length_sq(inside - on.p) <= flush * flush) inside = on.p + to_middle;
+    }
+    if (S.shape.kind == ShapeKind::hull) {
+        put_on_hull(S, on);
+        inside = S.r + S.A * S.hull->centre;
+    }
+    touch.P = on.p;
+    touch.face = on.face;
+    Vector inwards = inside - on.p;
+    inwards = inwards - touch.n * dot(touch.n, inwards);
+    const scalar way = sqrt(length_sq(inwards)), most = 4 * flush;
+    touch.inner = on.p + inwards * (way > most ? most / way : scalar(1));
+}
+
+namespace {
+
+/// Which of two touches counts more: the nearer, and of those as near the one whose direction comes first, so that it is no matter who was found
+/// first.
+bool counts_more(const MoverTouch& a, const MoverTouch& b) {
+    if (a.gap != b.gap) return a.gap < b.gap;
+    if (a.n.x != b.n.x) return a.n.x < b.n.x;
+    if (a.n.y != b.n.y) return a.n.y < b.n.y;
+    if (a.n.z != b.n.z) return a.n.z < b.n.z;
+    if (a.P.x != b.P.x) return a.P.x < b.P.x;
+    if (a.P.y != b.P.y) return a.P.y < b.P.y;
+    return a.P.z < b.P.z;
+}
+
+}  // namespace
+
+void MoverTouches::add(const MoverTouch& touch) {
+    if (count == movers::touches_max) {
+        if (!counts_more(touch, touches[count - 1])) return;
+        --count;
+    }
+    int place = count++;
+    for (; place > 0 && counts_more(touch, touches[place - 1]); --place) touches[place] = touches[place - 1];  // bound: movers::touches_max
+    touches[place] = touch;
+}
+
+void MoverTouches::merge(const Vector& up) {
+    int kept = 0;
+    for (int i = 0; i < count; ++i) {  // bound: movers::touches_max
+        bool said = false;
+        for (int k = 0; k < kept && !said; ++k) {  // bound: movers::planes_max
+            if (!(dot(touches[i].n, touches[k].n) >= movers::merge_cos)) continue;
+            said = true;
+            if (dot(touches[i].upright, up) > dot(touches[k].upright, up)) touches[k].upright = touches[i].upright;
+        }
+        if (!said && kept < movers::planes_max) touches[kept++] = touches[i];
+    }
+    count = kept;
+}
+
+bool hidden_by_shape(const PlacedShape& T, const Vector& p, const Vector& d, scalar flush) {
+    const Touch touch = {p, d, limits::edge_tilt, false, {}};
+    if (T.shape.kind == ShapeKind::box) return hidden_by_box(T, touch, p, flush);
+    if (T.shape.kind == ShapeKind::hull) return hidden_by_hull(T, touch, p, flush);
+    return T.shape.kind == ShapeKind::half_space && hidden_by_half_space(T, touch, p, flush);
+}
+
+bool hidden_by_level_at(const PlacedShape& T, const LevelTable& table, const Vector& p, const Vector& d, scalar flush) {
+    const LevelFrame frame(T, table);
+    return hidden_by_level(table, frame.seen_point(p), frame.seen_direction(d), limits::edge_tilt, flush);
+}
+
+void add_touches_of_level(const PlacedShape& capsule, const PlacedShape& level, const LevelTable& table, const MoverReach& asked, int slot,
+                          MoverTouches& touches) {
+    const LevelFrame frame(level, table);
+    const PlacedShape seen = frame.seen(capsule);
+    const Vector more = {asked.reach, asked.reach, asked.reach};
+    for_triangles_in(table, seen.r - reach_below_in_level(seen) - more, seen.r + reach_in_level(seen) + more, [&](const LevelTriangle& triangle) {
+        TriangleFace face;
+        if (!face_of_triangle(triangle, face)) return;
+        const AxisTouch found = touch_of_triangle(seen, face, !table.is_mesh());
+        if (!found.there || !(found.gap <= asked.reach)) return;
+        Vector inwards = (face.corners[0] + face.corners[1] + face.corners[2]) * (scalar(1) / 3) - found.P;
+        const scalar way = sqrt(length_sq(inwards)), most = 4 * asked.flush;
+        if (way > most) inwards = inwards * (most / way);
+        const Vector inner = found.face ? found.P + inwards : found.P;
+        const auto hidden = [&](const Vector& p) { return hidden_by_level(table, p, found.n, limits::edge_tilt, asked.flush); };
+        if (!found.crosses && hidden(found.P) && (!found.face || hidden(inner))) return;
+        touches.add({level.A * found.n, frame.place(found.P), frame.place(inner), level.A * found.n, found.gap - asked.skin, slot, found.face});
+    });
+}
+
+ShapeEntry cast_axis_on_level(const PlacedShape& capsule, const Vector& way, scalar fraction_max, const AxisCast& cast, const PlacedShape& level,
+                              const LevelTable& table) {
+    const LevelFrame frame(level, table);
+    const PlacedShape seen = frame.seen(capsule);
+    const Vector seen_way = frame.seen_direction(way), reached = seen_way * fraction_max, none = {}, more = Vector{1, 1, 1} * (cast.stop + cast.near);
+    const Vector low = seen.r - reach_below_in_level(seen) + min(reached, none) - more;
+    const Vector high = seen.r + reach_in_level(seen) + max(reached, none) + more;
+    ShapeEntry first = {false, 1, {}, {}};
+    for_triangles_in(table, low, high, [&](const LevelTriangle& triangle) {
+        TriangleFace face;
+        if (!face_of_triangle(triangle, face)) return;
+        const ShapeEntry entry = cast_axis(seen, seen_way, first.meets ? first.fraction : fraction_max, cast,
+                                           [&](const PlacedShape& now) { return touch_of_triangle(now, face, !table.is_mesh()); });
+        if (entry.meets && (!first.meets || entry.fraction < first.fraction)) first = entry;
+    });
+    if (!first.meets) return first;
+    return {true, first.fraction, frame.place(first.P), level.A * first.n};
+}
+
+} }  // namespace ingot
