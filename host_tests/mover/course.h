@@ -43,6 +43,14 @@ struct Planted : Street {
     using broad_phase = ingot::QueryTree;
 };
 
+constexpr double pi = 3.14159265358979;
+
+inline double within(level_test::Random& random, double low, double high) {
+    return low + (high - low) * static_cast<double>(random() % 1048576) / 1048576;
+}
+/// Even in its logarithm.
+inline double about(level_test::Random& random, double low, double high) { return low * std::pow(high / low, within(random, 0, 1)); }
+
 inline V exact(const Vector& v) { return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)}; }
 inline Vector rounded(const V& v) { return {static_cast<scalar>(v.x()), static_cast<scalar>(v.y()), static_cast<scalar>(v.z())}; }
 inline bool same(const Vector& a, const Vector& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
@@ -54,7 +62,9 @@ inline Matrix pitched(double angle) {
 }
 
 struct Block {
-    V low, high;  ///< m
+    V low, high;                                        ///< m, in its own frame
+    Matrix A = ingot::identity_matrix<scalar>();  ///< to the world
+    V r = V::Zero();                                    ///< m, of its frame
 };
 
 template <class S>
@@ -92,7 +102,10 @@ inline double on_lattice(double x) { return std::round(x * 1024) / 1024; }
 template <class S>
 void add_as_boxes(World<S>& world, const std::vector<Block>& blocks) {
     const double unit = static_cast<double>(S::length_unit);
-    for (const Block& block : blocks) (void)add_box(world, (block.high - block.low) * (unit / 2), (block.high + block.low) * (unit / 2));
+    for (const Block& block : blocks) {
+        const V middle = block.r + exact(block.A * rounded((block.high + block.low) / 2));
+        (void)add_box(world, (block.high - block.low) * (unit / 2), middle * unit, block.A);
+    }
 }
 /// The same as one mesh, which has to outlive the world.
 template <class S>
@@ -114,7 +127,9 @@ void add_as_mesh(World<S>& world, const std::vector<Block>& blocks, level_tool::
 
 /// m, how near the capsule is to a block; below 0 inside. The distance of the axis from it is a convex function of the place on the axis.
 inline double gap_to(const Mover& mover, const Block& block) {
-    const V r = exact(mover.r), up = exact(mover.up);
+    Eigen::Matrix3d A;
+    A << exact(block.A.c0), exact(block.A.c1), exact(block.A.c2);
+    const V r = A.transpose() * (exact(mover.r) - block.r), up = A.transpose() * exact(mover.up);
     const double half = static_cast<double>(mover.capsule.half_length), radius = static_cast<double>(mover.capsule.radius);
     const auto distance = [&](double t) {
         const V p = r + up * t, q = p.cwiseMax(block.low).cwiseMin(block.high);
@@ -132,8 +147,8 @@ inline double gap_to(const Mover& mover, const Block& block) {
 inline double gap_to(const Mover& mover, const std::vector<Block>& blocks) {
     double least = 1e9;
     for (const Block& block : blocks) {
-        const V r = exact(mover.r), reach = V::Constant(static_cast<double>(mover.capsule.half_length + mover.capsule.radius) + 0.1);
-        if (((r + reach).array() >= block.low.array()).all() && ((r - reach).array() <= block.high.array()).all())
+        const double reach = static_cast<double>(mover.capsule.half_length + mover.capsule.radius) + 0.1, size = (block.high - block.low).norm() / 2;
+        if ((exact(mover.r) - block.r - exact(block.A * rounded((block.low + block.high) / 2))).norm() < reach + size)
             least = std::min(least, gap_to(mover, block));
     }
     return least;
@@ -150,6 +165,7 @@ Mover standing_at(World<S>& world, double x, double y, double z) {
     mover.r = rounded(V(x, y, z + 0.95) * unit);
     for (int i = 0; i < 40 && !stands(mover); ++i) EXPECT_EQ(world.move(mover, {}, scalar(1) / 120), Status::ok);
     EXPECT_TRUE(stands(mover));
+    EXPECT_EQ(world.move(mover, {}, scalar(1) / 120), Status::ok);  // out of what it came into its skin by when it landed
     return mover;
 }
 

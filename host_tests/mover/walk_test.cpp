@@ -84,4 +84,307 @@ void climb_all(bool as_mesh) {
 TEST(MoverOnStairs, of_boxes_is_as_fast_as_on_the_flat) { climb_all<Street>(false); }
 TEST(MoverOnStairs, of_triangles_is_as_fast_as_on_the_flat) { climb_all<Street>(true); }
 
+/// A ramp from x = 2 on, of one box or of two triangles, and where a mover gets to that walks at it for 3 s from x = 0.
+double height_on_ramp(double degrees, bool as_mesh, scalar h, double speed) {
+    auto& world = empty_world<Street>();
+    (void)add_plane(world);
+    const double angle = degrees * pi / 180;
+    level_tool::MeshData mesh;
+    if (as_mesh) {
+        // As exact as the lattice: 0.01 degrees.
+        level_test::Soup soup;
+        const int far = 8192, high = static_cast<int>(std::lround(far * std::tan(angle)));
+        soup.points = {level_test::lattice_point(0, 0, 0), level_test::lattice_point(far, 0, high), level_test::lattice_point(far, 8192, high),
+                       level_test::lattice_point(0, 8192, 0)};
+        soup.faces = {{0, 1, 2}, {0, 2, 3}};
+        mesh = level_test::built(soup);
+        Street::levels[0] = mesh.view;
+        ingot::LevelDef def;
+        def.r = {2, -4, 0};
+        EXPECT_TRUE(world.add_level(def).ok());
+    } else {
+        const V half(8, 4, 1), along(std::cos(angle), 0, std::sin(angle)), n(-std::sin(angle), 0, std::cos(angle));
+        (void)add_box(world, half, V(2, 0, 0) + along * 8 - n, pitched(-angle));
+    }
+    Mover mover = standing_at(world, 0, 0, 0);
+    double highest = 0;
+    for (int i = 0; i < static_cast<int>(3 / static_cast<double>(h)); ++i) {
+        EXPECT_EQ(world.move(mover, {{static_cast<scalar>(speed), 0, 0}, 0}, h), Status::ok);
+        highest = std::max(highest, static_cast<double>(mover.r.z) - 0.91);
+    }
+    return highest;
+}
+
+TEST(MoverOnSlope, of_its_limit_is_sharp_to_a_tenth_of_a_degree) {
+    for (const bool as_mesh : {false, true})
+        for (const scalar rate : {scalar(30), scalar(60), scalar(240)})
+            for (const double speed : {1.5, 6.0}) {
+                const auto where = ::testing::Message() << (as_mesh ? "mesh " : "box ") << rate << " Hz " << speed << " m/s";
+                EXPECT_GT(height_on_ramp(49.9, as_mesh, 1 / rate, speed), 0.9 * speed) << where;
+                EXPECT_LT(height_on_ramp(50.1, as_mesh, 1 / rate, speed), 0.05) << where;
+            }
+}
+
+/// Speed over the ground is across `up`: as far on a slope as on the flat, up and down.
+TEST(MoverOnSlope, is_as_fast_as_on_the_flat) {
+    for (const double degrees : {-45.0, -20.0, 0.0, 10.0, 30.0, 49.0}) {
+        const double angle = degrees * pi / 180;
+        auto& world = empty_world<Street>();
+        (void)add_plane(world, rounded(V(-std::sin(angle), 0, std::cos(angle)).normalized()));
+        Mover mover = standing_at(world, 0, 0, 0.5);
+        const Vector from = mover.r;
+        for (int i = 0; i < 120; ++i) {
+            ASSERT_EQ(world.move(mover, {{3, 2, 0}, 0}, scalar(1) / 60), Status::ok);
+            ASSERT_TRUE(stands(mover)) << degrees << " at " << i;
+        }
+        EXPECT_NEAR(static_cast<double>(mover.r.x - from.x), 6, 6e-4) << degrees;
+        EXPECT_NEAR(static_cast<double>(mover.r.y - from.y), 4, 4e-4) << degrees;
+        EXPECT_NEAR(static_cast<double>(mover.v.x), 3, 3e-3) << degrees;
+    }
+}
+
+/// Along a wall of many flush blocks, of boxes and of triangles: v cos of the angle.
+TEST(MoverAtWall, slides_along_it_at_v_cos) {
+    for (const bool as_mesh : {false, true})
+        for (const double degrees : {5.0, 30.0, 60.0, 85.0}) {
+            std::vector<Block> blocks = {{{-4, -4, -1}, {20, 6, 0}}};
+            for (int i = 0; i < 24; ++i) blocks.push_back({{i * 1.0 - 4, 2, 0}, {i * 1.0 - 3, 3, i % 3 == 0 ? 4.0 : 3.0}});
+            auto& world = empty_world<Street>();
+            level_tool::MeshData mesh;
+            if (as_mesh)
+                add_as_mesh(world, blocks, mesh);
+            else
+                add_as_boxes(world, blocks);
+            Mover mover = standing_at(world, 0, 1.6, 0);
+            const double angle = degrees * pi / 180, speed = 4;
+            const MoverInput input = {{static_cast<scalar>(speed * std::cos(angle)), static_cast<scalar>(speed * std::sin(angle)), 0}, 0};
+            for (int i = 0; i < 30; ++i) ASSERT_EQ(world.move(mover, input, scalar(1) / 60), Status::ok);
+            const Vector from = mover.r;
+            double gap = 1;
+            for (int i = 0; i < 120; ++i) {
+                ASSERT_EQ(world.move(mover, input, scalar(1) / 60), Status::ok);
+                gap = std::min(gap, gap_to(mover, blocks));
+            }
+            const double way = 2 * speed * std::cos(angle);
+            EXPECT_NEAR(static_cast<double>(mover.r.x - from.x), way, 1e-3 * way) << degrees << (as_mesh ? " mesh" : " boxes");
+            EXPECT_NEAR(static_cast<double>(mover.r.z), 0.91, 1e-4);
+            EXPECT_NEAR(gap, 0.01, 1e-4);
+        }
+}
+
+/// Into a corner of any angle, from any side: it comes to rest, to the bit.
+TEST(MoverInCorner, comes_to_rest) {
+    for (const double opening : {20.0, 45.0, 90.0, 120.0, 170.0})
+        for (const double aim : {-0.8, -0.3, 0.0, 0.5}) {
+            auto& world = empty_world<Street>();
+            (void)add_plane(world);
+            const double half = opening / 2 * pi / 180;
+            for (const double side : {-1.0, 1.0}) {
+                const V along(-std::cos(half), side * std::sin(half), 0), out(std::sin(half), side * std::cos(half), 0);
+                const Matrix A = {rounded(along), rounded(V::UnitZ().cross(along)), {0, 0, 1}};
+                (void)add_box(world, {6, 1, 4}, V(8, 0, 2) + along * 6 + out, A);
+            }
+            Mover mover = standing_at(world, 8 - 0.31 / std::sin(half) - 0.2, 0, 0);
+            const double angle = aim * (pi / 2 - half);  // so that it goes towards the corner along either wall
+            const MoverInput input = {{static_cast<scalar>(3 * std::cos(angle)), static_cast<scalar>(3 * std::sin(angle)), 0}, 0};
+            for (int i = 0; i < 500; ++i) ASSERT_EQ(world.move(mover, input, scalar(1) / 60), Status::ok);
+            const V from = exact(mover.r);
+            double jitter = 0;
+            for (int i = 0; i < 120; ++i) {
+                ASSERT_EQ(world.move(mover, input, scalar(1) / 60), Status::ok);
+                jitter = std::max(jitter, (exact(mover.r) - from).norm());
+            }
+            EXPECT_LT(jitter, 1e-5) << opening << " aim " << aim;
+            EXPECT_TRUE(stands(mover));
+        }
+}
+
+/// What a lift and a turntable carry stays where it is on them.
+TEST(MoverOnMovingGround, does_not_drift) {
+    for (const scalar rate : {scalar(30), scalar(60), scalar(240)})
+        for (const double lift : {3.0, -3.0, 0.0}) {
+            auto& world = empty_world<Street>();
+            const BodyId ground = add_box(world, {3, 3, 0.5}, {0, 0, -0.5}, ingot::identity_matrix<scalar>(), true);
+            Mover mover = standing_at(world, 1.5, 0.7, 0);
+            const Vector spin = {0, 0, lift == 0.0 ? scalar(1) : scalar(0)};
+            ASSERT_EQ(world.set_velocity(ground, {0, 0, static_cast<scalar>(lift)}, spin), Status::ok);
+            const auto place = [&] {
+                const ingot::BodyState state = world.state(ground).value;
+                return exact(ingot::transpose_times(state.A, mover.r - state.r_CM));
+            };
+            const V from = place();
+            const double seconds = 5;
+            for (int i = 0; i < static_cast<int>(seconds * static_cast<double>(rate)); ++i) {
+                (void)ingot::step(world, 1 / rate);
+                ASSERT_EQ(world.move(mover, {}, 1 / rate), Status::ok);
+                ASSERT_TRUE(stands(mover)) << i;
+            }
+            EXPECT_LT((place() - from).norm(), 1e-4 * seconds) << rate << " Hz, " << lift << " m/s";
+            EXPECT_NEAR(static_cast<double>(mover.v.z), lift, 1e-3 * static_cast<double>(rate) / 30) << rate;
+            if (lift == 0.0) {
+                EXPECT_NEAR(exact(mover.v).norm(), std::hypot(1.5, 0.7), 0.03);
+            }
+        }
+}
+
+TEST(MoverOnMovingGround, takes_its_velocity_along_when_it_jumps) {
+    auto& world = empty_world<Street>();
+    const BodyId ground = add_box(world, {9, 3, 0.5}, {0, 0, -0.5}, ingot::identity_matrix<scalar>(), true);
+    Mover mover = standing_at(world, 0, 0, 0);
+    ASSERT_EQ(world.set_velocity(ground, {4, 0, 1}), Status::ok);
+    const scalar h = scalar(1) / 60;
+    for (int i = 0; i < 10; ++i) {
+        (void)ingot::step(world, h);
+        ASSERT_EQ(world.move(mover, {}, h), Status::ok);
+    }
+    (void)ingot::step(world, h);
+    ASSERT_EQ(world.move(mover, {{0, 0, 0}, 3}, h), Status::ok);
+    EXPECT_EQ(mover.ground.footing, MoverFooting::none);
+    EXPECT_NEAR(static_cast<double>(mover.v.x), 4, 1e-3);
+    EXPECT_NEAR(static_cast<double>(mover.v.z), 4 - 9.81 / 60, 1e-3);
+    double seconds = 1.0 / 60;
+    const V place = exact(mover.r) - exact(world.state(ground).value.r_CM);
+    while (!stands(mover) && seconds < 2) {
+        (void)ingot::step(world, h);
+        ASSERT_EQ(world.move(mover, {}, h), Status::ok);
+        seconds += 1.0 / 60;
+    }
+    EXPECT_NEAR(seconds, 2 * 3 / 9.81, 1.5 / 60);
+    EXPECT_NEAR((exact(mover.r) - exact(world.state(ground).value.r_CM)).x(), place.x(), 1e-3) << "it lands where it jumped";
+}
+
+/// No more than force_max h to what is in the way, and no more than it takes.
+TEST(MoverPushes, bodies_as_hard_as_it_may) {
+    for (const double mass : {1.0, 400.0}) {
+        auto& world = empty_world<Street>();
+        (void)add_plane(world);
+        BodyDef def;
+        def.mass = ingot::principal(ingot::with_mass(ingot::solid_box(1, {scalar(0.5), scalar(0.5), scalar(0.5)}), static_cast<scalar>(mass))).value;
+        def.shape = ingot::Box{{scalar(0.5), scalar(0.5), scalar(0.5)}};
+        def.friction = 0;
+        def.state = ingot::body_state(def.mass, {{2, 0, scalar(0.5)}});
+        const BodyId crate = world.add(def).value;
+        Mover mover = standing_at(world, 0, 0, 0);
+        mover.force_max = 50;
+        const scalar h = scalar(1) / 60;
+        double last = 0;
+        for (int i = 0; i < 120; ++i) {
+            (void)ingot::step(world, h);
+            ASSERT_EQ(world.move(mover, {{2, 0, 0}, 0}, h), Status::ok);
+            const double v = static_cast<double>(world.state(crate).value.v_CM.x);
+            EXPECT_LE(mass * (v - last), 50.0 / 60 * 1.01) << i;
+            EXPECT_LE(v, 2.02);
+            last = v;
+        }
+        EXPECT_GT(last, mass > 10 ? 0.05 : 1.8);
+        const V r = exact(world.state(crate).value.r_CM), half = V::Constant(0.5);
+        EXPECT_GT(gap_to(mover, Block{r - half, r + half}), -1e-3);
+    }
+}
+
+/// Through a door that is 50 mm higher than the mover, over a sill, and up three steps below a lintel that leaves no room for a whole step.
+TEST(MoverOnCourse, goes_through_a_low_door_over_its_sill) {
+    for (const bool as_mesh : {false, true})
+        for (const double speed : {1.0, 4.0}) {
+            const double sill = 0.125;
+            std::vector<Block> blocks = {{{-4, -3, -1}, {12, 3, 0}}, {{3, -3, 0}, {3.5, -0.5, 3}}, {{3, 0.5, 0}, {3.5, 3, 3}},
+                                         {{3, -0.5, 0}, {3.5, 0.5, sill}}, {{3, -0.5, sill + 1.875}, {3.5, 0.5, 3}}};
+            auto& world = empty_world<Street>();
+            level_tool::MeshData mesh;
+            if (as_mesh)
+                add_as_mesh(world, blocks, mesh);
+            else
+                add_as_boxes(world, blocks);
+            const Walked walked = walk(world, standing_at(world, 0, 0.05, 0), blocks, speed, 6, scalar(1) / 60);
+            EXPECT_NEAR(walked.highest, sill, 2e-3) << speed;
+            EXPECT_LT(walked.seconds, 6 / speed * 1.01 + 1.0 / 60) << speed;
+            EXPECT_EQ(walked.in_air, 0);
+            EXPECT_GT(walked.least_gap, 0);
+        }
+}
+
+/// A ramp whose foot and top lie on floors: as fast as on the flat over both joints.
+TEST(MoverOnCourse, does_not_slow_down_where_ramps_begin_and_end) {
+    for (const double degrees : {10.0, 30.0, 45.0})
+        for (const scalar rate : {scalar(30), scalar(240)}) {
+            const double angle = degrees * pi / 180, high = 4 * std::tan(angle);
+            auto& world = empty_world<Street>();
+            (void)add_plane(world);
+            const V along(std::cos(angle), 0, std::sin(angle)), n(-std::sin(angle), 0, std::cos(angle));
+            const double half = 2 / std::cos(angle);
+            (void)add_box(world, {half, 2, 1}, V(3, 0, 0) + along * half - n, pitched(-angle));
+            (void)add_box(world, {2, 2, high / 2}, {9, 0, high / 2});
+            const Walked walked = walk(world, standing_at(world, 0, 0, 0), {}, 4, 10, 1 / rate);
+            EXPECT_NEAR(walked.highest, high, 2e-3) << degrees;
+            EXPECT_LT(walked.seconds, 2.5 * 1.01 + 1 / static_cast<double>(rate)) << degrees << " " << rate;
+            EXPECT_EQ(walked.in_air, 0) << degrees << " " << rate;
+        }
+}
+
+/// A step is as high as it says, on a box and on a mesh.
+TEST(MoverOnCourse, steps_on_what_is_no_higher_than_its_step) {
+    for (const bool as_mesh : {false, true})
+        for (const double height : {0.34, 0.37}) {
+            const std::vector<Block> blocks = {{{-4, -3, -1}, {12, 3, 0}}, {{2, -3, 0}, {6, 3, on_lattice(height)}}};
+            auto& world = empty_world<Street>();
+            level_tool::MeshData mesh;
+            if (as_mesh)
+                add_as_mesh(world, blocks, mesh);
+            else
+                add_as_boxes(world, blocks);
+            const Walked walked = walk(world, standing_at(world, 0, 0, 0), blocks, 2, 4, scalar(1) / 60);
+            EXPECT_NEAR(walked.highest, height < 0.35 ? on_lattice(height) : 0, 2e-3) << height << (as_mesh ? " mesh" : " box");
+        }
+}
+
+/// Bad input leaves mover and world as they were, to the byte.
+TEST(MoverRefused, changes_nothing) {
+    auto& world = empty_world<Street>();
+    (void)add_plane(world);
+    const Mover good = standing_at(world, 0, 0, 0);
+    const scalar nan = std::numeric_limits<scalar>::quiet_NaN(), h = scalar(1) / 60;
+    static World<Street> before;
+    const auto refused = [&](const Mover& bad, const MoverInput& input, scalar step) {
+        Mover mover;
+        std::memcpy(static_cast<void*>(&mover), &bad, sizeof mover);
+        std::memcpy(static_cast<void*>(&before), &world, sizeof before);
+        const Status status = world.move(mover, input, step);
+        EXPECT_EQ(std::memcmp(&mover, &bad, sizeof mover), 0);
+        EXPECT_EQ(std::memcmp(&before, &world, sizeof before), 0);
+        return status;
+    };
+    const auto with = [&](auto change) {
+        Mover mover;
+        std::memcpy(static_cast<void*>(&mover), &good, sizeof mover);
+        change(mover);
+        ingot::MoverPlane planes[ingot::movers::planes_max];
+        const Status status = refused(mover, {}, h);
+        EXPECT_EQ(world.collide_mover(mover, planes).status, status);
+        EXPECT_EQ(world.cast_mover(mover, {1, 0, 0}).status, status);
+        return status;
+    };
+    EXPECT_EQ(with([&](Mover& m) { m.r.y = nan; }), Status::not_finite);
+    EXPECT_EQ(with([&](Mover& m) { m.r.y = scalar(1e10); }), Status::out_of_range);
+    EXPECT_EQ(with([&](Mover& m) { m.v.z = nan; }), Status::not_finite);
+    EXPECT_EQ(with([&](Mover& m) { m.v.z = scalar(1e7); }), Status::out_of_range);
+    EXPECT_EQ(with([&](Mover& m) { m.up = {0, 1, 1}; }), Status::bad_direction);
+    EXPECT_EQ(with([&](Mover& m) { m.capsule.radius = -1; }), Status::bad_shape);
+    EXPECT_EQ(with([&](Mover& m) { m.capsule.half_length = nan; }), Status::not_finite);
+    EXPECT_EQ(with([&](Mover& m) { m.skin = 0; }), Status::bad_shape);
+    EXPECT_EQ(with([&](Mover& m) { m.skin = 1; }), Status::bad_shape);
+    EXPECT_EQ(with([&](Mover& m) { m.slope = 2; }), Status::out_of_range);
+    EXPECT_EQ(with([&](Mover& m) { m.step = -1; }), Status::out_of_range);
+    EXPECT_EQ(with([&](Mover& m) { m.stick = nan; }), Status::not_finite);
+    EXPECT_EQ(with([&](Mover& m) { m.force_max = -1; }), Status::out_of_range);
+    EXPECT_EQ(with([&](Mover& m) { m.ground.n.x = nan; }), Status::not_finite);
+    EXPECT_EQ(with([&](Mover& m) { m.r_in_ground.x = nan; }), Status::not_finite);
+    EXPECT_EQ(refused(good, {{nan, 0, 0}, 0}, h), Status::not_finite);
+    EXPECT_EQ(refused(good, {{scalar(1e7), 0, 0}, 0}, h), Status::out_of_range);
+    EXPECT_EQ(refused(good, {{0, 0, 0}, -1}, h), Status::out_of_range);
+    EXPECT_EQ(refused(good, {}, nan), Status::not_finite);
+    EXPECT_EQ(refused(good, {}, 0), Status::bad_step);
+    EXPECT_EQ(refused(good, {}, 2), Status::bad_step);
+    EXPECT_EQ(world.cast_mover(good, {}).status, Status::bad_direction);
+}
+
 }  // namespace

@@ -38,7 +38,7 @@ public:
         if (hit.slot == no_slot)
             at.r = to;
         else
-            slide(at, to - at.r, false);
+            slide(at, to - at.r, nullptr);
     }
 
     /// Over the ground by `own`, m, across `up`: along the ground that it stands on, whose normal is n, or over a step, whichever gets further.
@@ -46,8 +46,8 @@ public:
         const scalar length = sqrt(length_sq(own)), upright = dot(n, up_);
         const scalar rise = upright >= l_.slope_cos ? -dot(n, own) / upright : scalar(0);
         const PlacedShape begin = at;
-        slide(at, own + up_ * rise, true);
-        (void)drop(at, l_.stick);
+        slide(at, own + up_ * rise, &begin.r);
+        (void)drop(at, l_.stick, begin.r);
         if (!(length > 0)) return;
         const Vector ahead = own * (1 / length);
         const scalar whole = length * (1 - limits::edge_tilt);
@@ -57,9 +57,9 @@ public:
             PlacedShape lifted = begin;
             const scalar free = height * (height > 0 ? space_.cast(begin, up_ * height, forward()).fraction : scalar(0));
             lifted.r += up_ * free;
-            slide(lifted, own, true);
+            slide(lifted, own, &begin.r);
             const scalar got = dot(lifted.r - begin.r, ahead);
-            if (!(got > best + length * limits::edge_tilt) || !drop(lifted, free + l_.stick)) continue;
+            if (!(got > best + length * limits::edge_tilt) || !drop(lifted, free + l_.stick, begin.r)) continue;
             if (dot(lifted.r - begin.r, up_) > l_.step + l_.skin) continue;
             best = got;
             at = lifted;
@@ -67,7 +67,7 @@ public:
     }
 
     /// Through the air by `way`, m.
-    void fly(PlacedShape& at, const Vector& way) const { slide(at, way, false); }
+    void fly(PlacedShape& at, const Vector& way) const { slide(at, way, nullptr); }
 
     /// What is left of a velocity across `up` where it touches what is too steep: this is as a wall, and is not climbed by running at it.
     Vector held_by_slopes(const PlacedShape& at, const Vector& across) const {
@@ -76,7 +76,7 @@ public:
         HalfSpaces walls;
         for (int i = 0; i < touches.count; ++i) {  // bound: movers::planes_max
             const MoverTouch& touch = touches.touches[i];
-            if (touch.gap <= l_.still && dot(touch.n, up_) > 0 && !is_walkable(at, touch)) (void)add_as_wall(touch, 0, walls);
+            if (touch.gap <= l_.still && dot(touch.n, up_) > 0 && !is_walkable(touch, at.r)) (void)add_as_wall(touch, 0, walls);
         }
         return nearest_in(walls, across);
     }
@@ -92,15 +92,16 @@ public:
     }
 
     /// The touch that it stands on best; -1: none.
-    /// lands: it comes from the air, and what it touches with its side, however even, it slides off.
-    int ground_of(const PlacedShape& at, const MoverTouches& touches, bool lands, MoverFooting& footing) const {
+    /// from: m, where its middle was or is: what is more than a step above its foot there is no ground. lands: it comes from the air, and what it
+    /// touches with its side, however even, it slides off.
+    int ground_of(const Vector& from, const MoverTouches& touches, bool lands, MoverFooting& footing) const {
         int best = -1;
         footing = MoverFooting::none;
         for (int i = 0; i < touches.count; ++i) {  // bound: movers::planes_max
             const MoverTouch& touch = touches.touches[i];
             const scalar support = dot(touch.n, up_);
             if (!(support >= movers::support_min)) continue;
-            const bool stands = is_walkable(at, touch) && !(lands && support < l_.slope_cos / 2);
+            const bool stands = is_walkable(touch, from) && !(lands && support < l_.slope_cos / 2);
             const MoverFooting is = stands ? MoverFooting::walkable : MoverFooting::steep;
             const bool better = best < 0 || is > footing ||
                                 (is == footing && dot(touch.upright, up_) > dot(touches.touches[best].upright, up_));
@@ -115,10 +116,10 @@ private:
     AxisCast forward() const { return {l_.skin - l_.enter, l_.enter / 2, l_.near}; }
     AxisCast down() const { return {l_.skin - l_.enter, 0, l_.near}; }
 
-    /// Ground to walk on, no higher above its foot than a step.
-    bool is_walkable(const PlacedShape& at, const MoverTouch& touch) const {
+    /// Ground to walk on, no higher above its foot, where it is at `from`, than a step.
+    bool is_walkable(const MoverTouch& touch, const Vector& from) const {
         return dot(touch.upright, up_) >= l_.slope_cos && dot(touch.n, up_) >= movers::support_min &&
-               dot(touch.P - at.r, up_) + to_foot_ <= l_.step + l_.skin;
+               dot(touch.P - from, up_) + to_foot_ <= l_.step + l_.skin;
     }
     /// The gap of what is on the skin, to roundings, is 0.
     scalar gap_of(const MoverTouch& touch) const { return abs(touch.gap) <= l_.still ? scalar(0) : touch.gap; }
@@ -132,24 +133,24 @@ private:
         return true;
     }
 
-    /// What is left of a way by what is touched. walks: what is too steep, or too high, is a wall.
-    Vector left_of(const PlacedShape& at, const Vector& way, bool walks) const {
+    /// What is left of a way by what is touched. walks_from: m, where it walks from: what is too steep, or too high from there, is a wall; null: it flies.
+    Vector left_of(const PlacedShape& at, const Vector& way, const Vector* walks_from) const {
         MoverTouches touches;
         space_.planes_at(at, touches);
         HalfSpaces spaces;
         for (int i = 0; i < touches.count; ++i) {  // bound: movers::planes_max
             const MoverTouch& touch = touches.touches[i];
             const scalar gap = gap_of(touch);
-            if (walks && dot(touch.n, up_) > 0 && !is_walkable(at, touch) && add_as_wall(touch, gap, spaces)) continue;
+            if (walks_from != nullptr && dot(touch.n, up_) > 0 && !is_walkable(touch, *walks_from) && add_as_wall(touch, gap, spaces)) continue;
             spaces.add(touch.n, -gap);
         }
         return nearest_in(spaces, way);
     }
 
-    void slide(PlacedShape& at, const Vector& way, bool walks) const {
+    void slide(PlacedShape& at, const Vector& way, const Vector* walks_from) const {
         Vector left = way;
         for (int i = 0; i < movers::slides_max; ++i) {
-            const Vector by = left_of(at, left, walks);
+            const Vector by = left_of(at, left, walks_from);
             if (!(length_sq(by) > 0)) return;
             const SlotHit hit = space_.cast(at, by, forward());
             at.r += by * hit.fraction;
@@ -158,11 +159,11 @@ private:
         }
     }
 
-    bool stands_at(const PlacedShape& at) const {
+    bool stands_at(const PlacedShape& at, const Vector& from) const {
         MoverTouches touches;
         space_.planes_at(at, touches);
         MoverFooting footing;
-        (void)ground_of(at, touches, false, footing);
+        (void)ground_of(from, touches, false, footing);
         return footing == MoverFooting::walkable;
     }
 
@@ -170,18 +171,18 @@ private:
     ///
     /// A cast ends below the skin: so it does not end at walls beside it, which the skin touches. From there it is up again, by the plane that it
     /// met.
-    bool drop(PlacedShape& at, scalar depth) const {
-        if (!(depth > 0)) return stands_at(at);
+    bool drop(PlacedShape& at, scalar depth, const Vector& from) const {
+        if (!(depth > 0)) return stands_at(at, from);
         const SlotHit hit = space_.cast(at, up_ * (-depth - l_.enter), down());
         if (hit.slot == no_slot) return false;
         const scalar fall = (depth + l_.enter) * hit.fraction - l_.enter / max(dot(hit.n, up_), movers::support_min);
         PlacedShape low = at;
         if (fall > l_.still) low.r -= up_ * min(fall, depth);
-        if (!stands_at(low)) {
+        if (!stands_at(low, from)) {
             const Vector before = low.r;
-            slide(low, up_ * -(depth - max(fall, scalar(0))), false);
+            slide(low, up_ * -(depth - max(fall, scalar(0))), nullptr);
             const Vector by = low.r - before, aside = by - up_ * dot(up_, by);
-            if (length_sq(aside) > l_.skin * l_.skin || !stands_at(low)) return false;
+            if (length_sq(aside) > l_.skin * l_.skin || !stands_at(low, from)) return false;
         }
         at = low;
         return true;

@@ -179,7 +179,7 @@ private:
         const Vector& up = mover.up;
         mover.r = at.r;
         MoverFooting footing;
-        const int ground_i = walk.ground_of(at, touches, !walks, footing);
+        const int ground_i = walk.ground_of(at.r, touches, !walks, footing);
         Vector v_here{};
         if (ground_i >= 0) v_here = velocity_at(touches.touches[ground_i].slot, touches.touches[ground_i].P);
         if (!walks) {

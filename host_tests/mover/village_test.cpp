@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+// Movers that go anywhere: never into anything, the same way in any company, and over a floor of many parts as over one.
+#include <gtest/gtest.h>
+
+#include "course.h"
+
+namespace {
+
+using namespace mover_test;
+
+/// Steps at random among blocks at random, walks, jumps and turns; the same draw gives the same way.
+template <class S, class Look>
+void wander_on(World<S>& world, Mover& mover, uint64_t draw, int steps, bool steps_world, const Look& look) {
+    level_test::Random random(draw);
+    const scalar unit = S::length_unit;
+    Vector v{};
+    for (int i = 0; i < steps; ++i) {
+        if (random() % 20 == 0)
+            v = {static_cast<scalar>(within(random, -4, 4)) * unit, static_cast<scalar>(within(random, -4, 4)) * unit, 0};
+        const scalar jump = random() % 50 == 0 && stands(mover) ? 4 * unit : scalar(0);
+        if (steps_world) (void)ingot::step(world, scalar(1) / 64);
+        EXPECT_EQ(world.move(mover, {v, jump}, scalar(1) / 64), Status::ok);
+        look();
+    }
+}
+template <class S>
+std::vector<Vector> wander(World<S>& world, uint64_t draw, int steps, bool steps_world) {
+    Mover mover = standing_at(world, 0.2, 0.1, 0);
+    std::vector<Vector> places;
+    wander_on(world, mover, draw, steps, steps_world, [&] { places.push_back(mover.r * (1 / S::length_unit)); });
+    return places;
+}
+std::vector<Block> blocks_about(uint64_t draw) {
+    level_test::Random random(draw);
+    std::vector<Block> blocks = {{{-12, -12, -1}, {12, 12, 0}}, {{-12, -12, 0}, {-9, 12, 8}}, {{9, -12, 0}, {12, 12, 8}},
+                                 {{-9, -12, 0}, {9, -9, 8}},   {{-9, 9, 0}, {9, 12, 8}}};
+    for (int i = 0; i < 40; ++i) {
+        const V low{on_lattice(within(random, -8, 8)), on_lattice(within(random, -8, 8)), 0};
+        const V size{on_lattice(within(random, 0.2, 3)), on_lattice(within(random, 0.2, 3)),
+                     on_lattice(about(random, 0.1, 3))};
+        if ((low.array() < 1).all() && ((low + size).array() > -1).head(2).all()) continue;  // not where it begins
+        blocks.push_back({low, low + size});
+    }
+    return blocks;
+}
+
+TEST(MoverAnywhere, goes_the_same_way_at_twice_the_scale_in_company_and_by_a_tree) {
+    for (uint64_t draw = 0; draw < 4; ++draw) {
+        const std::vector<Block> blocks = blocks_about(draw);
+        const int steps = INGOT_TEST_BRIEF ? 200 : 2000;
+        const auto places_in = [&](auto& world, bool in_company) {
+            if (in_company) {
+                for (int i = 0; i < 5; ++i) (void)add_box(world, {1, 1, 1}, {100 + 3.0 * i, 50, 1});
+                BodyDef ball;
+                ball.mass = ingot::principal(ingot::solid_sphere(500, scalar(0.3))).value;
+                ball.shape = ingot::Sphere{scalar(0.3)};
+                ball.state = ingot::body_state(ball.mass, {{100, 50, 4}});
+                EXPECT_TRUE(world.add(ball).ok());
+            }
+            add_as_boxes(world, blocks);
+            return wander(world, draw, steps, true);
+        };
+        const std::vector<Vector> alone = places_in(empty_world<Street>(), false), in_company = places_in(empty_world<Street>(), true),
+                                  twofold = places_in(empty_world<Twofold>(), false), by_tree = places_in(empty_world<Planted>(), false);
+        for (size_t i = 0; i < alone.size(); ++i) {
+            ASSERT_TRUE(same(alone[i], in_company[i])) << "in company " << draw << " " << i;
+            ASSERT_TRUE(same(alone[i], by_tree[i])) << "by a tree " << draw << " " << i;
+            ASSERT_TRUE(same(alone[i], twofold[i])) << "twice as large " << draw << " " << i;
+        }
+    }
+}
+
+
+/// Blocks at random, some of them tilted any way.
+std::vector<Block> village(uint64_t draw, bool tilted) {
+    std::vector<Block> blocks = blocks_about(draw);
+    level_test::Random random(draw + 1000);
+    for (int i = 0; tilted && i < 30; ++i) {
+        V axis{within(random, -1, 1), within(random, -1, 1), within(random, -1, 1)};
+        if (axis.norm() < 0.1) axis = V::UnitX();
+        const Eigen::Matrix3d A = Eigen::AngleAxisd(within(random, 0, 3), axis.normalized()).toRotationMatrix();
+        const V half{about(random, 0.1, 1.5), about(random, 0.1, 1.5), about(random, 0.05, 1)};
+        const V r{within(random, -8, 8), within(random, -8, 8), within(random, 0, 2)};
+        if (r.head(2).norm() < half.norm() + 1) continue;
+        blocks.push_back({-half, half, ingot::nearest_rotation({rounded(A.col(0)), rounded(A.col(1)), rounded(A.col(2))}), exact(rounded(r))});
+    }
+    return blocks;
+}
+
+TEST(MoverAnywhere, is_never_in_anything) {
+    const int draws = INGOT_TEST_BRIEF ? 6 : 500, steps = INGOT_TEST_BRIEF ? 500 : 2000;
+    for (int draw = 0; draw < draws; ++draw)
+        for (const int kind : {0, 1, 2}) {  // boxes, a mesh, tilted boxes
+            const std::vector<Block> blocks = village(static_cast<uint64_t>(draw), kind == 2);
+            auto& world = empty_world<Street>();
+            level_tool::MeshData mesh;
+            if (kind == 1)
+                add_as_mesh(world, blocks, mesh);
+            else
+                add_as_boxes(world, blocks);
+            Mover mover = standing_at(world, 0.2, 0.1, 0);
+            double least = 1;
+            int worst = 0, i = 0;
+            wander_on(world, mover, static_cast<uint64_t>(draw), steps, false, [&] {
+                const double gap = gap_to(mover, blocks);
+                if (gap < least) worst = i;
+                least = std::min(least, gap);
+                ++i;
+            });
+            EXPECT_GT(least, -1e-4) << "draw " << draw << " kind " << kind << " step " << worst;
+            EXPECT_GT(static_cast<double>(mover.r.z), 0.85);
+        }
+}
+
+/// A floor of flush tiles of any size, as boxes, as a mesh, and half and half: as on one slab, in any direction.
+TEST(MoverOnTiles, goes_as_on_one_slab) {
+    for (int draw = 0; draw < (INGOT_TEST_BRIEF ? 6 : 60); ++draw) {
+        level_test::Random random(static_cast<uint64_t>(draw));
+        std::vector<Block> as_boxes, as_mesh;
+        for (double x = -4; x < 4;) {
+            const double wide = on_lattice(within(random, 0.3, 2));
+            for (double y = -4; y < 4;) {
+                const double deep = on_lattice(within(random, 0.3, 2));
+                const Block tile = {{x, y, -on_lattice(within(random, 0.1, 1))}, {x + wide, y + deep, 0}};
+                (random() % 3 == static_cast<uint64_t>(draw % 3) ? as_mesh : as_boxes).push_back(tile);
+                y += deep;
+            }
+            x += wide;
+        }
+        auto& world = empty_world<Street>();
+        level_tool::MeshData mesh;
+        if (!as_mesh.empty()) add_as_mesh(world, as_mesh, mesh);
+        add_as_boxes(world, as_boxes);
+        for (int way = 0; way < 8; ++way) {
+            const V begin{within(random, -1, 1), within(random, -1, 1), 0};
+            Mover mover = standing_at(world, begin.x(), begin.y(), 0);
+            const double angle = within(random, 0, 2 * pi), speed = about(random, 0.5, 8);
+            const MoverInput input = {{static_cast<scalar>(speed * std::cos(angle)), static_cast<scalar>(speed * std::sin(angle)), 0}, 0};
+            const V from = exact(mover.r);
+            const int steps = static_cast<int>(2.5 / speed * 120);
+            for (int i = 0; i < steps; ++i) {
+                ASSERT_EQ(world.move(mover, input, scalar(1) / 120), Status::ok);
+                ASSERT_TRUE(stands(mover)) << draw;
+                ASSERT_NEAR(static_cast<double>(mover.r.z), 0.91, 1e-4) << draw;
+            }
+            const V by = exact(mover.r) - from, wanted = exact(input.v) * (steps / 120.0);
+            EXPECT_LT((by - wanted).head(2).norm(), 1e-4 * wanted.norm()) << draw << " way " << way;
+        }
+    }
+}
+
+}  // namespace
