@@ -88,7 +88,7 @@ std::vector<Block> village(uint64_t draw, bool tilted) {
 }
 
 TEST(MoverAnywhere, is_never_in_anything) {
-    const int draws = INGOT_TEST_BRIEF ? 6 : 500, steps = INGOT_TEST_BRIEF ? 500 : 2000;
+    const int draws = INGOT_TEST_BRIEF ? 4 : 500, steps = INGOT_TEST_BRIEF ? 500 : 2000;
     for (int draw = 0; draw < draws; ++draw)
         for (const int kind : {0, 1, 2}) {  // boxes, a mesh, tilted boxes
             const std::vector<Block> blocks = village(static_cast<uint64_t>(draw), kind == 2);
@@ -114,7 +114,7 @@ TEST(MoverAnywhere, is_never_in_anything) {
 
 /// A floor of flush tiles of any size, as boxes, as a mesh, and half and half: as on one slab, in any direction.
 TEST(MoverOnTiles, goes_as_on_one_slab) {
-    for (int draw = 0; draw < (INGOT_TEST_BRIEF ? 6 : 60); ++draw) {
+    for (int draw = 0; draw < (INGOT_TEST_BRIEF ? 3 : 60); ++draw) {
         level_test::Random random(static_cast<uint64_t>(draw));
         std::vector<Block> as_boxes, as_mesh;
         for (double x = -4; x < 4;) {

@@ -57,7 +57,7 @@ void climb_all(bool as_mesh) {
     for (const Stairs& stairs : stairs_of)
         for (const scalar rate : rates)
             for (const double speed : speeds) {
-                if (INGOT_TEST_BRIEF && rate > 100 && speed < 5) continue;
+                if (INGOT_TEST_BRIEF && (rate > 100 || (speed != 2.5 && speed != 8.0))) continue;
                 for (const double across : {0.0, 0.5}) {
                     double to = 0;
                     const std::vector<Block> blocks = staircase(stairs, to);
@@ -174,8 +174,8 @@ TEST(MoverAtWall, slides_along_it_at_v_cos) {
 
 /// Into a corner of any angle, from any side: it comes to rest, to the bit.
 TEST(MoverInCorner, comes_to_rest) {
-    for (const double opening : {20.0, 45.0, 90.0, 120.0, 170.0})
-        for (const double aim : {-0.8, -0.3, 0.0, 0.5}) {
+    for (const double opening : {20.0, 45.0, 90.0, 170.0})
+        for (const double aim : {-0.8, 0.0, 0.5}) {
             auto& world = empty_world<Street>();
             (void)add_plane(world);
             const double half = opening / 2 * pi / 180;

@@ -133,7 +133,8 @@ private:
         return true;
     }
 
-    /// What is left of a way by what is touched. walks_from: m, where it walks from: what is too steep, or too high from there, is a wall; null: it flies.
+    /// What is left of a way by what is touched. walks_from: m, where it walks from: what is too steep, or too high from there, is a wall; null: it
+    /// flies.
     Vector left_of(const PlacedShape& at, const Vector& way, const Vector* walks_from) const {
         MoverTouches touches;
         space_.planes_at(at, touches);
