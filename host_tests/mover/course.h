@@ -178,7 +178,7 @@ Mover standing_at(World<S>& world, double x, double y, double z) {
     Mover mover;
     mover.capsule = {scalar(0.3) * S::length_unit, scalar(0.6) * S::length_unit};
     mover.r = rounded(V(x, y, z + 0.95) * unit);
-    for (int i = 0; i < 40 && !stands(mover); ++i) EXPECT_EQ(world.move(mover, {}, scalar(1) / 120), Status::ok);
+    for (int i = 0; i < 200 && !stands(mover); ++i) EXPECT_EQ(world.move(mover, {}, scalar(1) / 120), Status::ok);
     EXPECT_TRUE(stands(mover));
     EXPECT_EQ(world.move(mover, {}, scalar(1) / 120), Status::ok);  // out of what it came into its skin by when it landed
     return mover;

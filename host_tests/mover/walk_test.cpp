@@ -337,6 +337,75 @@ TEST(MoverOnCourse, steps_on_what_is_no_higher_than_its_step) {
         }
 }
 
+/// Hills, as a field of heights and as a mesh: as fast as on the flat, never off the ground, never in it.
+TEST(MoverOnHills, is_as_fast_as_on_the_flat) {
+    constexpr int n = 24, cell = 1024;
+    for (const bool as_mesh : {false, true})
+        for (int draw = 0; draw < (INGOT_TEST_BRIEF ? 2 : 40); ++draw) {
+            level_test::Random random(static_cast<uint64_t>(draw));
+            std::vector<uint16_t> heights((n + 1) * (n + 1));
+            for (uint16_t& height : heights) height = static_cast<uint16_t>(random() % 700);  // m / 1024: up to 44 degrees
+            const auto height_at = [&](int column, int row) { return heights[static_cast<size_t>(row * (n + 1) + column)]; };
+            auto& world = empty_world<Street>();
+            level_tool::MeshData mesh;
+            const auto field = ingot::height_field_of<n + 1, n + 1, (n + 1) * (n + 1)>(
+                *reinterpret_cast<const uint16_t(*)[(n + 1) * (n + 1)]>(heights.data()), 1, 1, scalar(1) / 1024);
+            ASSERT_TRUE(field.ok());
+            if (as_mesh) {
+                mesh = level_test::built(level_test::terrain(random, n, cell, height_at));
+                Street::levels[0] = mesh.view;
+            } else {
+                Street::levels[0] = field.value.view();
+            }
+            ASSERT_TRUE(world.add_level({}).ok());
+            for (const double speed : {1.0, 6.0}) {
+                Mover mover = standing_at(world, 12, 12, 0.7);
+                const double angle = within(random, 0, 2 * pi);
+                const MoverInput input = {{static_cast<scalar>(speed * std::cos(angle)), static_cast<scalar>(speed * std::sin(angle)), 0}, 0};
+                const V from = exact(mover.r);
+                const int steps = static_cast<int>(9 / speed * 60);
+                double deepest = 1;
+                for (int i = 0; i < steps; ++i) {
+                    ASSERT_EQ(world.move(mover, input, scalar(1) / 60), Status::ok);
+                    ASSERT_TRUE(stands(mover)) << draw << " " << i;
+                    ingot::MoverPlane planes[ingot::movers::planes_max];
+                    const int count = world.collide_mover(mover, planes).value;
+                    for (int k = 0; k < count; ++k) deepest = std::min(deepest, static_cast<double>(planes[k].gap) + 0.01);
+                }
+                const V by = exact(mover.r) - from, wanted = exact(input.v) * (steps / 60.0);
+                EXPECT_LT((by - wanted).head(2).norm(), 0.01 * wanted.norm()) << draw << " at " << speed << (as_mesh ? " mesh" : " field");
+                EXPECT_GT(deepest, 0) << draw << " at " << speed << (as_mesh ? " mesh" : " field");
+            }
+        }
+}
+
+/// A gate that closes pushes it aside, against another it overlaps as little as there is to be, and leaves it when it opens.
+TEST(MoverOnMovingGround, is_pushed_by_what_moves_and_survives_what_closes) {
+    auto& world = empty_world<Street>();
+    (void)add_plane(world);
+    (void)add_box(world, {1, 3, 2}, {3, 0, 2});
+    const BodyId gate = add_box(world, {1, 3, 2}, {-3, 0, 2}, ingot::identity_matrix<scalar>(), true);
+    Mover mover = standing_at(world, 0, 0, 0);
+    const scalar h = scalar(1) / 60;
+    ASSERT_EQ(world.set_velocity(gate, {2, 0, 0}), Status::ok);
+    for (int i = 0; i < 160; ++i) {
+        if (i == 100) {
+            ASSERT_EQ(world.set_velocity(gate, {-2, 0, 0}), Status::ok);
+        }
+        (void)ingot::step(world, h);
+        ASSERT_EQ(world.move(mover, {}, h), Status::ok);
+        const double to_gate = static_cast<double>(mover.r.x - world.state(gate).value.r_CM.x) - 1.3;
+        const double to_wall = 2 - static_cast<double>(mover.r.x) - 0.3;
+        if (to_gate + to_wall > 0.03) {
+            EXPECT_GT(std::min(to_gate, to_wall), 0) << i;
+        } else {
+            EXPECT_NEAR(to_gate, to_wall, 2e-3) << i << ": as deep in one as in the other";
+        }
+        EXPECT_LT(std::abs(static_cast<double>(mover.r.y)), 1e-3);
+        EXPECT_LT(std::abs(static_cast<double>(mover.r.z) - 0.91), 1e-3);
+    }
+}
+
 /// Bad input leaves mover and world as they were, to the byte.
 TEST(MoverRefused, changes_nothing) {
     auto& world = empty_world<Street>();
