@@ -45,7 +45,7 @@ CODE = re.compile(r"^```.*?^```$|^<!-- cpp.*?^-->$", re.M | re.S)
 IN_TICKS = re.compile(r"`([^`\n]+)`")
 DECLARATION = re.compile(r"(struct|class|enum|using|namespace|template|static|inline|constexpr|int main)\b|#|void \w+\(")
 SCENE = re.compile(r"^struct (\w+) : ingot::Scene \{(?:[^\n]*\};|.*?^\};)[^\n]*$", re.M | re.S)
-CALL = re.compile(r"^( *)((?:\w+\.)(?:set_|add|remove|apply_|move_to|wake|sleep|collide)\w*\(.*\));( *//.*)?$")
+CALL = re.compile(r"^( *)((?:\w+\.)(?:set_|add|remove|apply_|move|wake|sleep|collide)\w*\(.*\));( *//.*)?$")
 MEASURED = re.compile(r"(?<![\w.`])\d[\d ,.]*(?:e-?\d+)? ?(?:bytes?|B|KB|MB|mm|ms|instructions|cycles|%|per cent|flops)(?![\w`])")
 
 
