@@ -38,6 +38,11 @@ struct Street : ingot::Scene {
 struct Twofold : Street {
     static constexpr scalar length_unit = 2;
 };
+struct Belts : ingot::Scene {
+    static constexpr int max_bodies = 4, max_manifolds = 8;
+    static constexpr bool translates = true, kinematic_bodies = true, surface_velocities = true;
+    using shapes = ingot::Shapes<ingot::Box>;
+};
 /// The same, and what is near is told by a tree.
 struct Planted : Street {
     using broad_phase = ingot::QueryTree;

@@ -253,6 +253,19 @@ TEST(MoverOnMovingGround, takes_its_velocity_along_when_it_jumps) {
     EXPECT_NEAR((exact(mover.r) - exact(world.state(ground).value.r_CM)).x(), place.x(), 1e-3) << "it lands where it jumped";
 }
 
+TEST(MoverOnMovingGround, goes_with_a_belt) {
+    auto& world = empty_world<Belts>();
+    const BodyId belt = add_box(world, {8, 2, 0.5}, {0, 0, -0.5});
+    ASSERT_EQ(world.set_surface_velocity(belt, {scalar(1.5), 0, 0}), Status::ok);
+    Mover mover = standing_at(world, -4, 0, 0);
+    const Vector from = mover.r;
+    for (int i = 0; i < 120; ++i) ASSERT_EQ(world.move(mover, {{0, scalar(0.5), 0}, 0}, scalar(1) / 60), Status::ok);
+    EXPECT_NEAR(static_cast<double>(mover.r.x - from.x), 3, 1e-4);
+    EXPECT_NEAR(static_cast<double>(mover.r.y - from.y), 1, 1e-4);
+    EXPECT_NEAR(static_cast<double>(mover.v.x), 1.5, 1e-4);
+    EXPECT_NEAR(static_cast<double>(mover.ground.v.x), 1.5, 1e-4);
+}
+
 /// No more than force_max h to what is in the way, and no more than it takes.
 TEST(MoverPushes, bodies_as_hard_as_it_may) {
     for (const double mass : {1.0, 400.0}) {
