@@ -35,6 +35,19 @@ AxisTouch touch_of_shape(const PlacedShape& capsule, const PlacedShape& other, s
     return {plane.gap - radius <= reach, false, false, plane.n, other.r + nearest.P_B, plane.gap - radius};
 }
 
+bool passes_box(const PlacedShape& capsule, const Vector& way, const PlacedShape& box, scalar reach) {
+    const Vector from = capsule.r - box.r, u = transpose_times(box.A, capsule.A.c2) * capsule.shape.size.y, &h = box.shape.size;
+    const Vector begin = transpose_times(box.A, from), end = begin + transpose_times(box.A, way);
+    // The roundings of the places, and of a rotation: more than there are.
+    const scalar size = abs(from.x) + abs(from.y) + abs(from.z) + abs(way.x) + abs(way.y) + abs(way.z);
+    const scalar far = (capsule.shape.size.x + reach) * (1 + limits::flatness) + 16 * epsilon * size;
+    const auto passes = [far](scalar a, scalar b, scalar u_i, scalar h_i) {
+        const scalar extent = h_i * (1 + limits::flatness) + abs(u_i) + far;
+        return min(a, b) > extent || max(a, b) < -extent;
+    };
+    return passes(begin.x, end.x, u.x, h.x) || passes(begin.y, end.y, u.y, h.y) || passes(begin.z, end.z, u.z, h.z);
+}
+
 namespace {
 
 /// A point of the axis and one of a triangle.

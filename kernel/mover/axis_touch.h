@@ -26,6 +26,10 @@ struct AxisTouch {
 /// Cost: that of closest_points, and of plane_between.
 AxisTouch touch_of_shape(const PlacedShape& capsule, const PlacedShape& other, scalar reach);
 
+/// True for a box that the capsule, on all of its way, is further from than `reach`, m, along one of its axes: so most whose balls are met are left
+/// out.
+bool passes_box(const PlacedShape& capsule, const Vector& way, const PlacedShape& box, scalar reach);
+
 /// Of a triangle, in the frame of its level; exact. solid: what is below it is inside.
 AxisTouch touch_of_triangle(const PlacedShape& capsule, const TriangleFace& face, bool solid);
 

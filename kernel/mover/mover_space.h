@@ -55,6 +55,8 @@ private:
     static ShapeEntry cast_on(const PlacedShape& capsule, const Vector& way, scalar fraction_max, const AxisCast& how, const PlacedShape& B) {
         if constexpr (Shapes::has(ShapeKind::level))
             if (B.shape.kind == ShapeKind::level) return cast_axis_on_level(capsule, way, fraction_max, how, B, *Shapes::level_of(B.shape));
+        if (B.shape.kind == ShapeKind::box && passes_box(capsule, way * fraction_max, B, max(how.stop, scalar(0)) + how.near))
+            return {false, 1, {}, {}};
         return cast_axis(capsule, way, fraction_max, how, [&B](const PlacedShape& now) { return touch_of_shape(now, B, limits::unbounded); });
     }
 
@@ -66,6 +68,7 @@ private:
             const PlacedShape S = placed(slot);
             if constexpr (Shapes::has(ShapeKind::level))
                 if (S.shape.kind == ShapeKind::level) return add_touches_of_level(capsule, S, *Shapes::level_of(S.shape), asked_, slot, touches);
+            if (S.shape.kind == ShapeKind::box && passes_box(capsule, {}, S, asked_.reach)) return;
             const AxisTouch found = touch_of_shape(capsule, S, asked_.reach);
             if (!found.there) return;
             MoverTouch touch = {found.n, found.P, found.P, found.n, found.gap - asked_.skin, slot, found.face};

@@ -11,8 +11,8 @@ namespace ingot { inline namespace INGOT_ABI {
 /// is to be, the nearest of these.
 ///
 /// The point of a polyhedron that is nearest to another point is on one, two or three of its planes, so of all these the nearest that no other plane
-/// forbids is the answer: it is exact, to the rounding of the sum, and does not depend on the order of the planes, to the bit. It is computed in
-/// double.
+/// forbids is the answer: it is exact, to the rounding of the sum (of double, planes are kept to 64 of them), and does not depend on the order of the
+/// planes, to the bit. It is computed in double.
 /// Units:  m, world.
 /// Errors: not_finite, out_of_range (fewer than 0 or more than 16 planes, a way beyond 2 limits::position_max), bad_direction (a normal that is not
 ///         of unit length).
