@@ -419,6 +419,57 @@ TEST(MoverOnMovingGround, is_pushed_by_what_moves_and_survives_what_closes) {
     }
 }
 
+/// Whatever is up: a floor, a step, a wall.
+TEST(MoverOnCourse, goes_alike_whatever_is_up) {
+    const V ups[] = {{0, 0, 1}, {0, 0, -1}, {1, 0, 0}, {0, -1, 0}, V(1, 2, -3).normalized()};
+    for (const V& up : ups) {
+        const V along = (std::abs(up.x()) < 0.9 ? V::UnitX() : V::UnitY()).cross(up).normalized(), across = up.cross(along);
+        auto& world = empty_world<Street>();
+        ASSERT_EQ(world.set_gravity(rounded(up * -9.81)), Status::ok);
+        (void)add_plane(world, rounded(up));
+        const Matrix A = ingot::nearest_rotation({rounded(along), rounded(across), rounded(up)});
+        (void)add_box(world, {4, 4, 0.125}, along * 6 + up * 0.125, A);
+        (void)add_box(world, {4, 0.5, 2}, along * 6 + across * 1.5 + up * 2, A);
+        Mover mover;
+        mover.up = rounded(up);
+        mover.r = rounded(up * 0.95);
+        const MoverInput input = {rounded(along * 3 + across * 1), 0};
+        for (int i = 0; i < 30; ++i) ASSERT_EQ(world.move(mover, {}, scalar(1) / 60), Status::ok);
+        const V from = exact(mover.r);
+        for (int i = 0; i < 120; ++i) {
+            ASSERT_EQ(world.move(mover, input, scalar(1) / 60), Status::ok);
+            ASSERT_TRUE(stands(mover)) << up.transpose() << " at " << i;
+        }
+        const V by = exact(mover.r) - from;
+        EXPECT_NEAR(by.dot(along), 6, 6e-3) << up.transpose();
+        EXPECT_NEAR(by.dot(across), 1 - 0.3 - 0.01, 1e-3) << up.transpose();
+        EXPECT_NEAR(by.dot(up), 0.25, 1e-3) << up.transpose();
+    }
+}
+
+/// On a ridge it stands on the faces that meet there: on one of two roofs of 40 degrees, and on none of 60.
+TEST(MoverOnSlope, of_a_ridge_is_that_of_its_faces) {
+    for (const double degrees : {40.0, 60.0}) {
+        const int high = static_cast<int>(std::lround(2048 * std::tan(degrees * pi / 180)));
+        level_test::Soup soup;
+        for (const int y : {0, 8192})
+            for (const int x : {0, 2048, 4096}) soup.points.push_back(level_test::lattice_point(x, y, x == 2048 ? high : 0));
+        soup.faces = {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}};
+        const level_tool::MeshData mesh = level_test::built(soup);
+        auto& world = empty_world<Street>();
+        (void)add_plane(world);
+        Street::levels[0] = mesh.view;
+        ASSERT_TRUE(world.add_level({}).ok());
+        Mover mover;
+        mover.r = rounded(V(2, 4, high / 1024.0 + 0.95));
+        for (int i = 0; i < 60; ++i) ASSERT_EQ(world.move(mover, {}, scalar(1) / 60), Status::ok);
+        EXPECT_EQ(stands(mover), degrees < 50) << degrees;
+        if (degrees < 50) {
+            EXPECT_NEAR(static_cast<double>(mover.ground.n.z), std::cos(degrees * pi / 180), 1e-3);
+        }
+    }
+}
+
 /// Bad input leaves mover and world as they were, to the byte.
 TEST(MoverRefused, changes_nothing) {
     auto& world = empty_world<Street>();

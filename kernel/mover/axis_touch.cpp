@@ -105,7 +105,8 @@ AxisTouch touch_of_triangle(const PlacedShape& capsule, const TriangleFace& face
     const Vector away = nearest.on_axis - nearest.p;
     const scalar distance = sqrt(nearest.distance_sq), rise = dot(away, face.n);
     if (nearest.inside && rise > 0) return {true, false, true, face.n, nearest.p, rise - radius};
-    if (!(distance > 0) || rise < -limits::edge_tilt * distance) return none;
+    if (!(distance > epsilon * radius)) return {true, true, true, face.n, nearest.p, low - radius};  // through an edge of it
+    if (rise < -limits::edge_tilt * distance) return none;
     const Vector n = away * (1 / distance);
     const bool along = length_sq(n - face.n * dot(n, face.n)) <= limits::edge_tilt * limits::edge_tilt;
     return {true, false, along, n, nearest.p, distance - radius};
