@@ -51,7 +51,7 @@ def free_functions(text):
 
 def missing_calls(kernel, source):
     """Public functions that the source calls less often than they have overloads, as sentences."""
-    parts = [kernel / "world" / name for name in ("world.h", "world_adds.h", "world_bodies.h", "world_touching.h", "world_edits.h", "world_kinematic.h", "world_joints.h", "world_contacts.h", "world_queries.h", "world_mover.h")]
+    parts = [kernel / "world" / name for name in ("world.h", "world_adds.h", "world_bodies.h", "world_touching.h", "world_edits.h", "world_kinematic.h", "world_joints.h", "world_dynamics.h", "world_contacts.h", "world_queries.h", "world_mover.h")]
     parts = [part.read_text(encoding="utf-8") for part in parts if part.exists()]  # the test of this has one of them
     members = sum((members_of_world(part) for part in parts), collections.Counter())
     free = r"\b(?<!\.)"

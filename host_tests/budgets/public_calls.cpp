@@ -157,8 +157,8 @@ CALL(step_limited_joints_in_contact)(World<LimitedRagdolls>& world, scalar h) { 
 CALL(step_driven_joints)(World<Servoed>& world, scalar h) { return step(world, h); }
 CALL(step_driven_joints_in_contact)(World<ServoedRagdolls>& world, scalar h) { return step(world, h); }
 CALL(set_joint_drive)(World<Servoed>& world, JointId id, const JointDrive& drive, int which) { return world.set_joint_drive(id, drive, which); }
-CALL(set_ball_drive)(World<Servoed>& world, JointId id, const JointDrive& drive, const Vector& target, const Vector& rate) {
-    return world.set_ball_drive(id, drive, target, rate);
+CALL(set_ball_drive)(World<Servoed>& world, JointId id, const JointDrive& drive, const Vector (&vectors)[3]) {
+    return world.set_ball_drive(id, drive, vectors[0], vectors[1], vectors[2]);
 }
 CALL(set_joint_target)(World<Servoed>& world, JointId id, scalar target, scalar rate) { return world.set_joint_target(id, target, rate); }
 CALL(set_ball_target)(World<Servoed>& world, JointId id, const Vector& target, const Vector& rate) {
@@ -181,6 +181,17 @@ CALL(broken_joints)(const World<BreakingRagdolls>& world) {
     for (const JointBreak& broken : world.broken_joints()) sum += broken.reaction.force.x;
     return sum;
 }
+CALL(read_dynamics)(const World<ServoedRagdolls>& world, BodyId id, FigureDynamics<8>& to) { return world.read_dynamics(id, to); }
+CALL(direction_rates)(FigureDynamics<8>& of, scalar* rates, int count) { return of.direction_rates(rates, count); }
+CALL(inverse_dynamics)(FigureDynamics<8>& of, const scalar* accelerations, scalar* torques, int count) {
+    return of.inverse_dynamics(accelerations, torques, count);
+}
+CALL(gravity_torques)(FigureDynamics<8>& of, scalar* torques, int count) { return of.gravity_torques(torques, count); }
+CALL(transpose_torques)(FigureDynamics<8>& of, BodyId id, const Vector& P, const Vector& F, scalar* torques, int count, BodyId up_to) {
+    return of.transpose_torques(id, P, F, {}, torques, count, up_to);
+}
+CALL(mass_matrix)(FigureDynamics<8>& of, scalar* matrix, int count) { return of.mass_matrix(matrix, count); }
+CALL(effective_inertia)(FigureDynamics<8>& of, int direction_i) { return of.effective_inertia(direction_i); }
 CALL(figure)(const World<Ragdolls>& world, BodyId id) { return world.figure(id); }
 CALL(figure_of_joint)(const World<Ragdolls>& world, JointId id) { return world.figure(id); }
 CALL(set_joint_limits)(World<LimitedRagdolls>& world, JointId id, const JointLimits& limits) { return world.set_joint_limits(id, limits); }

@@ -2,7 +2,7 @@
 // The part of World that is of contacts: who may touch, surfaces, sensors, events, sleep.
 #pragma once
 
-#include "world_ties.h"
+#include "world_dynamics.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -13,9 +13,9 @@ struct OverlapInfo {
 };
 /// Calls of World, see world.h.
 template <class S>
-class WorldContacts : public WorldTies<S> {
+class WorldContacts : public WorldDynamics<S> {
 protected:
-    using Base = WorldTies<S>;
+    using Base = WorldDynamics<S>;
     using Base::storage_;
     using Base::filters_only;
     using Base::sensors_only;

@@ -37,14 +37,18 @@ public:
         return Status::ok;
     }
     /// Drives a ball joint towards a turn of B against A, as a vector in the axes of A, rad; 0: as they were joined, with the axis in the middle of
-    /// its cone. target_rate: rad/s, in the same axes. Stiffness, damping, kind and max_torque are those of `drive`; its target, target_rate and
-    /// feedforward are not looked at. What is tuned is so for the mean inertia of the three turns.
+    /// its cone. target_rate, rad/s, and feedforward, N m: in the same axes. Stiffness, damping, kind and max_torque are those of `drive`; its
+    /// target, target_rate and feedforward are not looked at. What is tuned is so for the mean inertia of the three turns.
     /// Errors: those of ids and of check_drive, not_in_scene (another kind), out_of_range (a target of more than limits::joint_swing_max).
-    Status set_ball_drive(JointId id, const JointDrive& drive, const Vector& target = {}, const Vector& target_rate = {}) {
+    Status set_ball_drive(JointId id, const JointDrive& drive, const Vector& target = {}, const Vector& target_rate = {},
+                          const Vector& feedforward = {}) {
         static_assert(drives_only());
         const Result<int> joint = find_ball(id);
         if (!joint.ok()) return joint.status;
         JointDrive of[3] = {drive, drive, drive};
+        of[0].feedforward = feedforward.x;
+        of[1].feedforward = feedforward.y;
+        of[2].feedforward = feedforward.z;
         const Status status = set_targets(of, target, target_rate);
         if (status != Status::ok) return status;
         for (int i = 0; i < 3; ++i) storage_.drive_of(joint.value, i) = {of[i], 0};
@@ -122,7 +126,6 @@ private:
         for (int i = 0; i < 3; ++i) {
             of[i].target = targets[i];
             of[i].target_rate = rates[i];
-            of[i].feedforward = 0;
             const Status status = check_drive(of[i]);
             if (status != Status::ok) return status;
         }
