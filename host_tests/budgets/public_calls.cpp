@@ -197,6 +197,8 @@ CALL(figure_of_joint)(const World<Ragdolls>& world, JointId id) { return world.f
 CALL(set_joint_limits)(World<LimitedRagdolls>& world, JointId id, const JointLimits& limits) { return world.set_joint_limits(id, limits); }
 CALL(joint_angle)(const World<LimitedRagdolls>& world, JointId id, int which) { return world.joint_angle(id, which); }
 CALL(joint_rate)(const World<LimitedRagdolls>& world, JointId id, int which) { return world.joint_rate(id, which); }
+CALL(ball_turn)(const World<LimitedRagdolls>& world, JointId id) { return world.ball_turn(id); }
+CALL(ball_rate)(const World<LimitedRagdolls>& world, JointId id) { return world.ball_rate(id); }
 CALL(joint_travel)(const World<LimitedRagdolls>& world, JointId id) { return world.joint_travel(id); }
 CALL(joint_speed)(const World<LimitedRagdolls>& world, JointId id) { return world.joint_speed(id); }
 CALL(step_continuous)(World<Following>& world, scalar h) { return step(world, h); }
@@ -289,6 +291,7 @@ CALL(contacts_of)(const World<Sleeping>& world, BodyId id) {
     for (const ContactInfo& contact : world.contacts_of(id)) sum += contact.j;
     return sum;
 }
+CALL(contact_sum)(const World<Sleeping>& world, BodyId id) { return world.contact_sum(id); }
 CALL(filter)(const World<Sleeping>& world, BodyId id) { return world.filter(id); }
 CALL(set_filter)(World<Sleeping>& world, BodyId id, const BodyFilter& filter) { return world.set_filter(id, filter); }
 CALL(set_rolling_resistance)(World<Conveyors>& world, BodyId id, scalar lever) { return world.set_rolling_resistance(id, lever); }

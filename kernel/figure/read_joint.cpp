@@ -2,6 +2,7 @@
 #include "read_joint.h"
 
 #include "../math/sqrt.h"
+#include "driven_motion.h"
 #include "measure_joint.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -20,6 +21,14 @@ JointReading joint_values(const JointRecord& joint, const JointPair& bodies) {
     const JointValues<scalar> values = measure(joint.kind, sides_of(joint, bodies));
     return {{values.of[0], values.of[1]}};
 }
+
+Vector ball_turn(const JointRecord& joint, const JointPair& bodies) {
+    const JointSides<scalar> sides = sides_of(joint, bodies);
+    const Matrix of_A = triad_of(sides.axis_of_parent, sides.side_of_parent), of_B = triad_of(sides.axis, sides.side);
+    return transpose_times(bodies.A.A, rotation_vector_of(times_transposed(of_B, of_A)));
+}
+
+Vector ball_rate(const JointPair& bodies) { return transpose_times(bodies.A.A, bodies.B.omega - bodies.A.omega); }
 
 scalar angle_over_turns(scalar angle, const AngleRecord& last) {
     int32_t turns = 0;

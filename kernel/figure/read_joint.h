@@ -30,6 +30,10 @@ JointReading joint_values(const JointRecord& joint, const JointPair& bodies);
 scalar steering_angle(const JointRecord& joint, const JointPair& bodies);
 scalar steering_rate(const JointRecord& joint, const JointPair& bodies);
 
+/// rad, rad/s: of a ball joint, B against A, in the axes of A; a turn of 0: its axis is in the middle of its cone, and it is not twisted.
+Vector ball_turn(const JointRecord& joint, const JointPair& bodies);
+Vector ball_rate(const JointPair& bodies);
+
 /// The angle that is nearest to where the joint was last, over whole turns.
 scalar angle_over_turns(scalar angle, const AngleRecord& last);
 

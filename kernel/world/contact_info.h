@@ -31,6 +31,14 @@ struct ContactInfo {
     ContactPoint points[Manifold::points_max]{};  ///< point_count of them
 };
 
+/// What contacts gave a body in the last step, all together: divided by its h, the mean force on it.
+struct ContactSum {
+    int contact_count{};  ///< of those that gave something: 0: it touched nothing, or did not need to be held
+    Vector j{};           ///< N s, on the body, world, with friction
+    scalar j_normal{};    ///< N s, of all normals, by size
+    Vector P{};           ///< m, world: the centre of pressure, the mean place of the normals by what they gave; 0 where none did
+};
+
 /// Where contacts of the last step stand in storage: those of the step in the order of slots, then those of bodies that sleep.
 template <class S>
 struct ContactPlaces {

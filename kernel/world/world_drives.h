@@ -43,7 +43,7 @@ public:
     Status set_ball_drive(JointId id, const JointDrive& drive, const Vector& target = {}, const Vector& target_rate = {},
                           const Vector& feedforward = {}) {
         static_assert(drives_only());
-        const Result<int> joint = find_ball(id);
+        const Result<int> joint = this->find_ball(id);
         if (!joint.ok()) return joint.status;
         JointDrive of[3] = {drive, drive, drive};
         of[0].feedforward = feedforward.x;
@@ -73,7 +73,7 @@ public:
     /// The same of a ball joint. Errors: those of set_ball_drive.
     Status set_ball_target(JointId id, const Vector& target, const Vector& target_rate = {}) {
         static_assert(drives_only());
-        const Result<int> joint = find_ball(id);
+        const Result<int> joint = this->find_ball(id);
         if (!joint.ok()) return joint.status;
         JointDrive of[3];
         for (int i = 0; i < 3; ++i) of[i] = storage_.drive_of(joint.value, i).drive;
@@ -102,7 +102,7 @@ public:
     /// The same of a ball joint, N m, in the axes of A. Errors: those of ids, not_in_scene.
     Result<Vector> ball_torque(JointId id) const {
         static_assert(drives_only());
-        const Result<int> joint = find_ball(id);
+        const Result<int> joint = this->find_ball(id);
         if (!joint.ok()) return {joint.status, {}};
         const auto of = [&](int i) { return storage_.drive_of(joint.value, i).torque; };
         return {Status::ok, {of(0), of(1), of(2)}};
@@ -115,11 +115,6 @@ private:
         const JointKind kind = this->kind_of(joint.value);
         const bool has = kind != JointKind::ball && which >= 0 && which < driven_directions(kind);
         return has ? joint : Result<int>{Status::not_in_scene, 0};
-    }
-    Result<int> find_ball(JointId id) const {
-        const Result<int> joint = find(id);
-        if (!joint.ok() || this->kind_of(joint.value) == JointKind::ball) return joint;
-        return {Status::not_in_scene, 0};
     }
     static Status set_targets(JointDrive (&of)[3], const Vector& target, const Vector& target_rate) {
         const scalar targets[3] = {target.x, target.y, target.z}, rates[3] = {target_rate.x, target_rate.y, target_rate.z};

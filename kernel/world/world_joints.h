@@ -157,6 +157,22 @@ public:
             if (which == WheelJoint::steering) return {Status::ok, steering_rate(record, sides_of(record))};
         return {Status::ok, joint_rates(record, sides_of(record)).of[which]};
     }
+    /// How far a ball joint is turned, B against A, as a vector in the axes of A, rad, up to half a turn: as set_ball_drive takes its target.
+    /// Errors: those of ids, not_in_scene (another kind).
+    Result<Vector> ball_turn(JointId id) const {
+        static_assert(joints_only());
+        const Result<int> joint = find_ball(id);
+        if (!joint.ok()) return {joint.status, {}};
+        const JointRecord& record = record_of_slot(joint.value);
+        return {Status::ok, ingot::ball_turn(record, sides_of(record))};
+    }
+    /// How fast it turns, rad/s, in the same axes. Errors: those of ball_turn.
+    Result<Vector> ball_rate(JointId id) const {
+        static_assert(joints_only());
+        const Result<int> joint = find_ball(id);
+        if (!joint.ok()) return {joint.status, {}};
+        return {Status::ok, ingot::ball_rate(sides_of(record_of_slot(joint.value)))};
+    }
     /// How far a slider, or a wheel, has gone along its axis, m, B against A. Errors: those of ids, not_in_scene (a kind that goes along no axis).
     Result<scalar> joint_travel(JointId id) const {
         static_assert(joints_only());
@@ -219,6 +235,11 @@ protected:
         }
     }
 
+    Result<int> find_ball(JointId id) const {
+        const Result<int> joint = find(id);
+        if (!joint.ok() || kind_of(joint.value) == JointKind::ball) return joint;
+        return {Status::not_in_scene, 0};
+    }
     JointBody side_of(Index slot) const {
         if (slot == no_body) return {};
         BodyState state = read_state(storage_.bodies(), slot);

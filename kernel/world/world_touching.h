@@ -58,6 +58,37 @@ public:
         const Result<int> slot = find(id);
         return {storage_, slot.value, slot.ok()};
     }
+
+    /// What all contacts of a body gave it: of a foot its load, and where it stands. As contacts tell: see ContactInfo. In scenes with max_contacts
+    /// there are places, and so a P, where it names reads_contacts. Errors: those of ids. Cost: a look at all contacts.
+    Result<ContactSum> contact_sum(BodyId id) const {
+        static_assert(shapes_only());
+        const Result<int> slot = find(id);
+        if (!slot.ok()) return {slot.status, {}};
+        return {Status::ok, sum_of(contacts_of(id), id)};
+    }
+
+private:
+    static ContactSum sum_of(const ContactRange<S>& contacts, BodyId id) {
+        ContactSum sum;
+        Vector first{}, moved{};  // places from the first one: far from the origin no digits are lost
+        scalar of_points = 0;
+        for (const ContactInfo& contact : contacts) {
+            const scalar sign = contact.A == id ? scalar(1) : scalar(-1);
+            if (contact.j > 0) ++sum.contact_count;
+            sum.j = sum.j + (contact.n * contact.j + contact.j_friction) * sign;
+            sum.j_normal += contact.j;
+            for (int i = 0; i < contact.point_count; ++i) {  // bound: 4: Manifold::points_max
+                const ContactPoint& point = contact.points[i];
+                if (!(point.j > 0)) continue;
+                if (!(of_points > 0)) first = point.P;
+                moved = moved + (point.P - first) * point.j;
+                of_points += point.j;
+            }
+        }
+        if (of_points > 0) sum.P = first + moved * (1 / of_points);
+        return sum;
+    }
 };
 
 } }  // namespace ingot
