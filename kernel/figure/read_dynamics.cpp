@@ -9,8 +9,8 @@ namespace {
 
 using Twist = Spatial<scalar>;
 
-/// Ropes pull or do not, and targets give way: what they will give is not known, as of contacts. Rods and parallel joints close loops.
-bool is_outside(JointKind kind) { return kind == JointKind::rope || kind == JointKind::target; }
+/// Rods and parallel joints close loops. Of other ties it is not known what they will give, as of contacts: ropes pull or do not, targets give way.
+bool is_outside(JointKind kind) { return is_tie(kind) && kind != JointKind::rod && kind != JointKind::parallel; }
 
 int direction_count_of(JointKind kind) {
     switch (kind) {
