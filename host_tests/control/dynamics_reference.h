@@ -105,112 +105,25 @@ struct RefFigure {
 
     std::size_t size() const { return bodies.size(); }
 
-    std::vector<RefPose> poses(const std::vector<RefCoordinate>& q) const {
-        std::vector<RefPose> poses;
-        for (std::size_t i = 0; i < size(); ++i) {
-            const RefBody& body = bodies[i];
-            if (body.parent < 0 && floats) {
-                poses.push_back(pose_of_root(q));
-                continue;
-            }
-            const RefPose& parent = body.parent < 0 ? root : poses[static_cast<std::size_t>(body.parent)];
-            poses.push_back(pose_of_child(body, parent, q));
-        }
-        return poses;
-    }
+    std::vector<RefPose> poses(const std::vector<RefCoordinate>& q) const;
 
     /// Each number with the size of what it was summed from.
     struct Torques {
         VectorXd value, size;
     };
-    Torques torques(const std::vector<RefCoordinate>& q) const {
-        const std::vector<RefPose> now = poses(q);
-        Torques torques = {VectorXd::Zero(count), VectorXd::Zero(count)};
-        for (int k = 0; k < count; ++k) {
-            const std::vector<RefPose> partial = partial_poses(q, k);
-            for (std::size_t i = 0; i < size(); ++i) {
-                const RefBody& body = bodies[i];
-                const Matrix3d I = inertia(i, now);
-                const Vector3d w = now[i].spin(), v_k = partial[i].r.rate, w_k = partial[i].spin();
-                const Vector3d F = body.M * now[i].r.second, T = I * now[i].change_of_spin(), gyro = w.cross(I * w);
-                torques.value(k) += (F - body.weight - body.F).dot(v_k) + (T + gyro - body.T).dot(w_k);
-                torques.size(k) +=
-                    (F.norm() + body.weight.norm() + body.F.norm()) * v_k.norm() + (T.norm() + gyro.norm() + body.T.norm()) * w_k.norm();
-            }
-        }
-        return torques;
-    }
-    MatrixXd mass_matrix(const std::vector<RefCoordinate>& q) const {
-        const std::vector<RefPose> now = poses(q);
-        MatrixXd v(3 * size(), count), w(3 * size(), count), Mv = v, Iw = w;
-        for (int k = 0; k < count; ++k) {
-            const std::vector<RefPose> partial = partial_poses(q, k);
-            for (std::size_t i = 0; i < size(); ++i) {
-                const auto row = static_cast<Eigen::Index>(3 * i);
-                v.block<3, 1>(row, k) = partial[i].r.rate;
-                w.block<3, 1>(row, k) = partial[i].spin();
-                Mv.block<3, 1>(row, k) = bodies[i].M * partial[i].r.rate;
-                Iw.block<3, 1>(row, k) = inertia(i, now) * partial[i].spin();
-            }
-        }
-        return v.transpose() * Mv + w.transpose() * Iw;
-    }
+    Torques torques(const std::vector<RefCoordinate>& q) const;
+    MatrixXd mass_matrix(const std::vector<RefCoordinate>& q) const;
     /// What a force at a point of a body and a torque do along each coordinate.
     VectorXd transposed_jacobian(const std::vector<RefCoordinate>& q, std::size_t body_i, const Vector3d& P, const Vector3d& F,
-                                 const Vector3d& T) const {
-        const Vector3d arm = P - poses(q)[body_i].r.at;
-        VectorXd torques(count);
-        for (int k = 0; k < count; ++k) {
-            const RefPose partial = partial_poses(q, k)[body_i];
-            torques(k) = F.dot(partial.r.rate + partial.spin().cross(arm)) + T.dot(partial.spin());
-        }
-        return torques;
-    }
+                                 const Vector3d& T) const;
 
 private:
-    Matrix3d inertia(std::size_t i, const std::vector<RefPose>& now) const {
-        return now[i].A.at * bodies[i].I_body.asDiagonal() * now[i].A.at.transpose();
-    }
-    /// The figure where it is, with a rate of 1 of one coordinate and no other motion.
-    std::vector<RefPose> partial_poses(std::vector<RefCoordinate> q, int k) const {
-        for (RefCoordinate& one : q) one.rate = one.second = 0;
-        q[static_cast<std::size_t>(k)].rate = 1;
-        RefFigure resting = *this;
-        resting.root = {still(root.r.at), still(root.A.at)};
-        return resting.poses(q);
-    }
-    RefPose pose_of_root(const std::vector<RefCoordinate>& q) const {
-        const Vector3d v(q[0].rate, q[1].rate, q[2].rate), a(q[0].second, q[1].second, q[2].second);
-        const Vector3d w(q[3].rate, q[4].rate, q[5].rate), alpha(q[3].second, q[4].second, q[5].second);
-        return {{root.r.at, v, a}, turn_with(root.A.at, w, alpha)};
-    }
-    static RefPose pose_of_child(const RefBody& body, const RefPose& parent, const std::vector<RefCoordinate>& q) {
-        const auto coordinate = [&](int i) { return q[static_cast<std::size_t>(body.first + i)]; };
-        Turn B_in_A = still(body.start);
-        Changing<double> travel = {0, 0, 0};
-        switch (body.kind) {
-            case RefKind::ball: {
-                const RefCoordinate x = coordinate(0), y = coordinate(1), z = coordinate(2);
-                B_in_A = turn_with(body.start, {x.rate, y.rate, z.rate}, {x.second, y.second, z.second});
-                break;
-            }
-            case RefKind::hinge: B_in_A = turn_about(body.axis_A, coordinate(0)) * B_in_A; break;
-            case RefKind::slider: travel = coordinate(0); break;
-            case RefKind::universal: B_in_A = turn_about(body.axis_A, coordinate(0)) * turn_about(body.axis_B, coordinate(1)) * B_in_A; break;
-            case RefKind::wheel:
-                B_in_A = turn_about(body.axis_A, coordinate(2)) * turn_about(body.axis_B, coordinate(0)) * B_in_A;
-                travel = coordinate(1);
-                break;
-            case RefKind::fixed: break;
-        }
-        const Way place = {body.anchor_A + body.axis_A * travel.at, body.axis_A * travel.rate, body.axis_A * travel.second};
-        if (!body.is_A) {
-            const Turn A = parent.A * B_in_A;
-            return {parent.r + parent.A * place - A * still(body.anchor_B), A};
-        }
-        const Turn A = parent.A * transposed(B_in_A);
-        return {parent.r + parent.A * still(body.anchor_B) - A * place, A};
-    }
+    Matrix3d inertia(std::size_t i, const std::vector<RefPose>& now) const;
+    std::vector<RefPose> partial_poses(std::vector<RefCoordinate> q, int k) const;
+    RefPose pose_of_root(const std::vector<RefCoordinate>& q) const;
 };
+
+/// Of a symmetric, positive definite matrix.
+MatrixXd inverse_of(MatrixXd M);
 
 }  // namespace ingot_control

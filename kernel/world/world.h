@@ -22,7 +22,7 @@ namespace ingot { inline namespace INGOT_ABI {
 /// Calls that take a BodyId answer stale_id (removed, null, never given out) or foreign_id (of a world with another tag).
 /// Units are SI; vectors and points are in world axes unless they say body. Cost is O(1) unless said.
 ///
-/// Its calls stand in sixteen files: state of bodies and forces here, bodies that come and go in world_adds.h, what
+/// Its calls stand in fifteen files: state of bodies and forces here, bodies that come and go in world_adds.h, what
 /// scenes may name of a body in world_bodies.h, edits in world_edits.h, kinematic bodies in world_kinematic.h, joints and figures in
 /// world_joints.h, drives in world_drives.h, what joints bear in world_reactions.h, rods and ropes in world_ties.h, equations of motion of figures in
 /// world_dynamics.h, who touched in world_touching.h, who may in world_contacts.h, places in world_reads.h, queries in world_queries.h,
