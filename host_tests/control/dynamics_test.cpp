@@ -17,7 +17,7 @@ struct Controlled : ingot::Scene {
     static constexpr bool translates = true, gravity_shares = true, body_forces = true, kinematic_bodies = true;
     using shapes = ingot::Shapes<ingot::Sphere>;
     using joints = ingot::Joints<ingot::BallJoint, ingot::HingeJoint, ingot::SliderJoint, ingot::UniversalJoint, ingot::FixedJoint, ingot::WheelJoint,
-                                 ingot::RodJoint, ingot::RopeJoint, ingot::TargetJoint, ingot::WithDrives>;
+                                 ingot::RodJoint, ingot::RopeJoint, ingot::ParallelJoint, ingot::TargetJoint, ingot::WithDrives>;
 };
 using Figure = Read<Controlled>;
 
@@ -291,5 +291,26 @@ TEST(Dynamics, of_loops_are_refused) {
         const bool is_loop = run_i < 4;
         EXPECT_EQ(of.world->read_dynamics(of.built.bodies[1], of.figure), is_loop ? Status::bad_joint : Status::ok) << run_i;
         EXPECT_EQ(of.figure.body_count(), is_loop ? 0 : 4);
+    }
+}
+
+/// A parallel joint of the root to the world, which keeps a figure in its plane, leaves joints as they are; of another body it does not.
+TEST(Dynamics, of_a_root_that_is_kept_upright_are_told) {
+    RandomInput random(15);
+    for (int body_i = 0; body_i < 4; ++body_i) {
+        Figure of;
+        of.drawn = draw_figure(random, {4, 2, 0, false});
+        of.built = add_figure(*of.world, of.drawn);
+        of.read();
+        ASSERT_EQ(of.figure.inverse_dynamics(of.numbers, of.torques, of.count()), Status::ok);
+        const VectorXd free = of.given();
+        ingot::JointDef joint;
+        joint.body_B = of.built.bodies[static_cast<std::size_t>(body_i)];
+        joint.joint = ingot::ParallelJoint{};
+        ASSERT_TRUE(of.world->add_joint(joint).ok());
+        ASSERT_EQ(of.world->read_dynamics(of.built.bodies[0], of.figure), body_i == 0 ? Status::ok : Status::bad_joint);
+        if (body_i > 0) continue;
+        ASSERT_EQ(of.figure.inverse_dynamics(of.numbers, of.torques, of.count()), Status::ok);
+        EXPECT_EQ(of.given(), free);
     }
 }

@@ -65,7 +65,8 @@ struct Lister {
             if (is_own || is_outside(record.kind)) return;
             const Index other = from.lists.partner_of(end);
             if (is_tie(record.kind)) {
-                status = also_loops && status == Status::ok ? Status::bad_joint : status;
+                const bool holds_root = body_i == 0 && of.size.floats && !moves(other);  // what it bears is of the root's wrench
+                status = also_loops && !holds_root && status == Status::ok ? Status::bad_joint : status;
             } else if (!moves(other)) {
                 if (ground.joint == no_joint || joint < ground.joint) ground = {joint, other};
                 status = also_loops && status == Status::ok ? Status::bad_joint : status;

@@ -21,8 +21,8 @@ public:
     /// Reads the figure of a body, as it is now, with the forces that were added for the next step. A figure that floats has this body for its root;
     /// one that is tied by a joint to the world, or to another body that cannot move, the one that is tied.
     /// Errors: those of ids, immovable (also a kinematic body), frozen, no_room (it has more bodies than `to`), bad_joint (joints close a loop in it,
-    ///         it is tied by two, or one of its bodies has a rod or a parallel joint: torques then do not follow from accelerations alone). `to` is
-    ///         then without bodies.
+    ///         it is tied by two, or a rod or a parallel joint holds it: torques then do not follow from accelerations alone. But for one from
+    ///         the root of what floats to what cannot move: the wrench of the root is what that one bears, too). `to` is then without bodies.
     /// Cost:   1250 instructions a body on x86-64, and a bit of each slot; stack: a bit for each body of the world.
     template <int bodies>
     Status read_dynamics(BodyId id, FigureDynamics<bodies>& to) const {
