@@ -41,6 +41,25 @@ protected:
         if (report.contacts > 0) touches_ = true;
         if (sane_ && !fast()) demand_closed(touches_ ? gap_in_contact : gap_max);
         if (floats_ && !touches_) demand_momentum();
+        demand_dynamics(world_.body_at(static_cast<int>(world_.step_count() % N)));
+    }
+
+    /// What its equations of motion say of any figure: what floats is held by its weight. It goes for worlds that went bad, too.
+    void demand_dynamics(BodyId id) {
+        static ingot::FigureDynamics<N> figure;
+        static scalar torques[3 * N + 6];
+        const Status status = world_.read_dynamics(id, figure);
+        demand((status == Status::ok) == (figure.body_count() > 0), "a figure is read or refused");
+        if (status != Status::ok) return;
+        const int count = figure.direction_count();
+        demand(figure.gravity_torques(torques, count) == Status::ok, "torques of what was read are told");
+        for (int i = 0; i < count; ++i) demand(ingot::is_finite(torques[i]), "a torque is finite");
+        if (count > 0) demand(figure.effective_inertia(count - 1).value > 0, "what moves is heavy");
+        if (!figure.floats()) return;
+        scalar M = 0;
+        for (int i = 0; i < figure.body_count(); ++i) M += world_.mass(figure.body(i)).value;
+        const scalar force = torques[2] + (fuzz_fault == 6 ? 1 : 0), weight = -M * world_.gravity().z;
+        demand(ingot::abs(force - weight) <= 4 * N * ingot::epsilon * ingot::abs(weight), "what floats is held by its weight");
     }
 
     /// Some body turns by more than two radians a step: its joints are closed in the end, but not in every step.
