@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "figure_dynamics.h"
 #include "queries.h"
 #include "scenes/contact/stacks.h"
 
@@ -136,5 +137,5 @@ int main(int count, char** arguments) {
     else if (is("wall_210_ball_far_away")) wall(true, true);
     else if (is("wall_210")) wall(true, false);
     else if (is("ball")) wall(false, true);
-    else expect(ask_queries(name), "no such world");
+    else expect(ask_queries(name) || ask_dynamics(name), "no such world");
 }
