@@ -411,6 +411,16 @@ struct Wrong : ingot::Scene {
     static constexpr int max_joints = 1;
     using joints = ingot::Joints<ingot::RodJoint>;
 #endif
+#ifdef SERVOS_WITHOUT_LOOPS
+    static constexpr bool translates = true;
+    static constexpr int max_joints = 1;
+    using joints = ingot::Joints<ingot::ServoJoint, ingot::WithDrives>;
+#endif
+#ifdef SERVOS_WITHOUT_DRIVES
+    static constexpr bool translates = true;
+    static constexpr int max_joints = 1, max_loops = 1;
+    using joints = ingot::Joints<ingot::BallServoJoint>;
+#endif
 #ifdef FIGURE_MOTION_WITH_TIES
     static constexpr bool translates = true;
     static constexpr int max_joints = 1, max_loops = 1;

@@ -92,6 +92,7 @@ Spatial<scalar> change_of_body(const FigureView& view, Index node_i) { return ch
 
 void aim_loops(const FigureView& view, const LoopView& loops, const LoopFigure& of, scalar h) {
     for_loop_joints(loops, of, [&](LoopJoint& loop) {
+        if (locks_nothing(loop)) return;
         const bool exact = is_exact(view, loop);
         const LoopSides sides = sides_of(view, loop, h);
         if (loop.kind == JointKind::target) return set_targets(loop, {});  // see aim_targets
@@ -106,6 +107,7 @@ scalar aim_pushes(const FigureView& view, const LoopView& loops, const LoopFigur
     const scalar per_unit_sq = 1 / (view.unit * view.unit);
     scalar most = 0;
     for_loop_joints(loops, of, [&](LoopJoint& loop) {
+        if (locks_nothing(loop)) return;
         if (loop.kind == JointKind::target) return set_targets(loop, {});  // no push goes there
         const JointSides<scalar> now = sides_of(view, loop, 0).now();
         if (!has_length(loop.kind)) {

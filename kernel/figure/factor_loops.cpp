@@ -76,6 +76,7 @@ LoopRow row_of(const Spatial<scalar>& unit, const Vector& at_child, const Vector
 }
 
 void place_loop(const FigureView& view, const LoopView& loops, LoopJoint& loop) {
+    if (locks_nothing(loop)) return;
     const JointRecord& record = view.lists.joints[loop.joint];
     const bool is_tied = loop.other == no_node;
     const Ground<scalar> ground = is_tied ? ground_at(view, loop.ground) : Ground<scalar>{};
@@ -108,7 +109,7 @@ void place_free(const FigureView& view, LoopJoint& loop) {
     Vector at_other{};
     if (!is_tied) at_other = from_q(view, loop.other, sides.arm_of_other(loop.kind));
     Spatial<scalar> s[3];
-    const int free = free_directions(loop.kind, sides.now(), s);
+    const int free = free_directions(loop.kind, loop_sides_now(loop, sides), s);
     for (int i = 0; i < free; ++i) loop.rows[loop.row_count + i] = row_of(s[i], at_child, at_other, is_tied);  // bound: 3
     loop.row_end = static_cast<uint8_t>(loop.row_count + free);
 }

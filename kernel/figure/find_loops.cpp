@@ -22,8 +22,16 @@ uint8_t row_count_of(JointKind kind) {
         case JointKind::rod:
         case JointKind::rope: return 1;
         case JointKind::parallel: return 2;
+        case JointKind::servo:
+        case JointKind::ball_servo: return 0;
         default: return 5;
     }
+}
+
+/// A servo is driven as a hinge is, or as a ball joint; that it locks nothing is known by its rows: see locks_nothing.
+JointKind kind_in_rows(JointKind kind) {
+    if (!is_servo(kind)) return kind;
+    return kind == JointKind::servo ? JointKind::hinge : JointKind::driven_ball;
 }
 
 /// The loops of a figure and its machine, which may be the first.
@@ -60,7 +68,7 @@ bool add_loop(const FigureView& view, LoopView& loops, Index joint_i, Index node
     loop.child = child;
     loop.other = is_A ? no_node : node_A;
     loop.ground = is_A ? record.body_B : record.body_A;
-    loop.kind = record.kind == JointKind::wheel && is_A ? JointKind::carriage : record.kind;
+    loop.kind = record.kind == JointKind::wheel && is_A ? JointKind::carriage : kind_in_rows(record.kind);
     loop.is_A = is_A;
     loop.first_row = static_cast<uint8_t>(of.row_count);
     loop.row_count = loop.row_end = row_count;
@@ -85,6 +93,7 @@ void for_left_out(const FigureView& view, const Loops& loops, const Each& each) 
         const Index node_B = is_node(view, record.body_B) ? view.node_of[record.body_B] : no_node;
         const auto is_of_tree = [&](Index node_i) { return node_i != no_node && view.nodes[node_i].joint == joint_i; };
         if ((node_A == no_node && node_B == no_node) || is_of_tree(node_A) || is_of_tree(node_B)) continue;
+        if (is_servo(record.kind) && node_B == no_node) continue;  // nothing to turn
         each(static_cast<Index>(joint_i), node_A, node_B);
     }
 }

@@ -29,8 +29,17 @@ inline LoopSides sides_of(const FigureView& view, const LoopJoint& loop, scalar 
     const auto motion_of = [&](Index node_i) {
         return at_node(view, node_i, [](const auto& rows, const auto& at, int row_i) { return motion_of_row(at, rows[row_i]); });
     };
-    return {motion_of(loop.child), loop.other == no_node ? motion_of_ground(ground_at(view, loop.ground), h) : motion_of(loop.other),
+    const bool is_tied = loop.other == no_node || locks_nothing(loop);
+    const Index ground = locks_nothing(loop) ? no_body : loop.ground;
+    return {motion_of(loop.child), is_tied ? motion_of_ground(ground_at(view, ground), h) : motion_of(loop.other),
             loop.is_A ? record.frame_A : record.frame_B, loop.is_A ? record.frame_B : record.frame_A};
+}
+
+/// A servo turns about the axis of the world.
+inline JointSides<scalar> loop_sides_now(const LoopJoint& loop, const LoopSides& of) {
+    JointSides<scalar> sides = of.now();
+    if (locks_nothing(loop)) sides.axis = sides.axis_of_parent;
+    return sides;
 }
 
 /// Where the sides will be at the end of a substep of h seconds, if nothing acts. moved: m, the gap.
@@ -51,6 +60,7 @@ inline bool is_exact(const FigureView& view, const LoopJoint& loop) {
 inline int free_directions(JointKind kind, const JointSides<scalar>& of, Spatial<scalar> (&s)[3]) {
     switch (kind) {
         case JointKind::ball:
+        case JointKind::driven_ball:
             s[0] = {{1, 0, 0}, {}};
             s[1] = {{0, 1, 0}, {}};
             s[2] = {{0, 0, 1}, {}};

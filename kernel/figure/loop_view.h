@@ -110,6 +110,9 @@ struct LoopView {
     }
 };
 
+/// A servo: of its two bodies only the child is measured, in the world; the other gets the torque back.
+INGOT_INLINE bool locks_nothing(const LoopJoint& loop) { return loop.row_count == 0; }
+
 /// What a target gives at its most; and any row that is left out of the solve.
 INGOT_INLINE bool is_given(const LoopView& loops, const LoopJoint& loop, int row) {
     return loop.kind == JointKind::target && loops.target_motions[loop.joint].held[row / 3];

@@ -157,7 +157,7 @@ auto doubtful_lanes(const FigureRows<width>& rows, const LoopView& loops) {
     using T = T_of_width<width>;
     scalar flags[width];
     for (int lane_i = 0; lane_i < rows.lane_count; ++lane_i) flags[lane_i] = rows.figure(lane_i).resolved ? 0 : 1;  // bound: lanes
-    for_looped(rows, loops, [&](const LoopFigure&, int lane_i) { flags[lane_i] = 1; });
+    for_looped(rows, loops, [&](const LoopFigure& of, int lane_i) { flags[lane_i] = of.row_count > 0 ? 1 : flags[lane_i]; });
     return rows.all.get(flags) > T{};
 }
 
@@ -195,6 +195,7 @@ void hold_back_targets(const FigureView& view, const LoopView& loops, scalar h, 
         if (any(doubtful_lanes(rows, loops))) note_energies(rows);
     });
     for_looped_figures(view, loops, [&](const LoopFigure& of) {
+        if (of.row_count == 0) return;  // servos alone: its figures are by themselves
         share_energies(view, of);
         if (loops.ties != nullptr) allow_driven_speed(view, of, driven_speed(view, loops, of));
     });

@@ -76,7 +76,7 @@ struct LoopedJoint {
         const Vector v = of.child.v + cross(of.child.w, of.arm_of_child(loop.kind)) - of.other.v - cross(of.other.w, of.arm_of_other(loop.kind));
         const Spatial<scalar> u = {of.child.w - of.other.w, v};
         Spatial<scalar> s[3] = {};
-        (void)free_directions(loop.kind, of.now(), s);
+        (void)free_directions(loop.kind, loop_sides_now(loop, of), s);
         return {dot(s[0], u), dot(s[1], u), dot(s[2], u)};
     }
     Matrix A_of_child() const { return sides_of(of_figures, loop, 0).child.A; }

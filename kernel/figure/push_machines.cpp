@@ -16,7 +16,9 @@ auto allowed_of(const FigureRows<width>& rows, const LoopView& loops) {
     using T = typename AllLanes<width>::T;
     scalar allowed[width];
     rows.all.put(allowed, splat<T>(limits::joint_gap * limits::joint_gap));
-    for_looped(rows, loops, [&](const LoopFigure&, int lane_i) { allowed[lane_i] = limits::loop_gap * limits::loop_gap; });
+    for_looped(rows, loops, [&](const LoopFigure& of, int lane_i) {
+        if (of.row_count > 0) allowed[lane_i] = limits::loop_gap * limits::loop_gap;
+    });
     return rows.all.get(allowed);
 }
 

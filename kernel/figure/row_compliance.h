@@ -41,6 +41,12 @@ inline ImpulseAlong impulse_along(const LoopedJoint& joint, const Vector& along)
     return {row, loop.child, loop.other};
 }
 
+/// What of it is measured as well: of a servo that on the child alone.
+inline ImpulseAlong measured_along(const LoopedJoint& joint, const ImpulseAlong& impulse) {
+    if (!locks_nothing(joint.loop)) return impulse;
+    return {{impulse.row.on_child, {}}, impulse.child, no_node};
+}
+
 /// What the rows of a machine's loops feel of it: z is less by so much.
 struct FeltByLoops {
     LoopFigure* of;  ///< null: the machine has no loops
@@ -87,10 +93,26 @@ scalar compliance_of(const TreeJoint<width>& joint, const Rows& all, const Vecto
     else
         return K;
 }
+/// Of a servo: what its child answers to what is on both. 0: it would turn the other way, or its figure holds it.
+inline scalar compliance_of_servo(const LoopedJoint& joint, const LoopedRowView& all, const ImpulseAlong& impulse) {
+    const FigureView& view = joint.view();
+    const Spatial<scalar>& measured = impulse.row.on_child;
+    const scalar alone = at_node(view, impulse.child, [&](const auto& rows, const auto& at, int row_i) {
+        return dot(measured, read(at, rows.response(all.responses, row_i)) * measured);
+    });
+    scalar K = alone;
+    if (impulse.other != no_node) K += dot(measured, twist_across(view, all.responses, impulse.child, impulse.other, impulse.row.on_other));
+    const FeltByLoops felt = felt_by_loops(view, joint.loops, impulse), seen = felt_by_loops(view, joint.loops, measured_along(joint, impulse));
+    if (felt.of != nullptr)
+        for (int i = 0; i < felt.of->rank; ++i) K -= felt.parts[i] * seen.parts[i];  // bound: limits::loop_rows_max
+    return K > limits::row_compliance * alone ? K : scalar(0);
+}
+
 /// Of a joint that closes a loop: both of its bodies answer, each to what is on either.
 inline scalar compliance_of(const LoopedJoint& joint, const LoopedRowView& all, const Vector& along) {
     const FigureView& view = joint.view();
     const ImpulseAlong impulse = impulse_along(joint, along);
+    if (locks_nothing(joint.loop)) return compliance_of_servo(joint, all, impulse);
     const auto own = [&](Index node_i, const Spatial<scalar>& f) {
         return at_node(view, node_i, [&](const auto& rows, const auto& at, int row_i) {
             return dot(f, read(at, rows.response(all.responses, row_i)) * f);

@@ -78,9 +78,11 @@ scalar visit(const LoopedJoint& joint, const LoopedRowView& all, JointRow& of) {
             write(at, rows[row_i].change, read(at, rows[row_i].change) + read(at, rows.response(all.responses, row_i)) * f);
         });
     };
+    const ImpulseAlong measured = measured_along(joint, impulse);
     const FeltByLoops felt = felt_by_loops(view, joint.loops, impulse);
-    scalar change = lack_of_loops(joint.loops, felt) + change_at(impulse.child, impulse.row.on_child);
-    if (impulse.other != no_node) change += change_at(impulse.other, impulse.row.on_other);
+    scalar change = lack_of_loops(joint.loops, measured.other == impulse.other ? felt : felt_by_loops(view, joint.loops, measured));
+    change += change_at(measured.child, measured.row.on_child);
+    if (measured.other != no_node) change += change_at(measured.other, measured.row.on_other);
     const scalar more = give_row(of, change);
     if (more == 0) return 0;
     joint.add_drive(of.along * more);

@@ -13,7 +13,7 @@ namespace {
 /// One of each body, at right angles.
 bool has_axes(JointKind kind) { return kind == JointKind::universal || kind == JointKind::wheel; }
 bool has_axis(JointKind kind) {
-    return kind == JointKind::hinge || kind == JointKind::slider || kind == JointKind::parallel || has_axes(kind);
+    return kind == JointKind::hinge || kind == JointKind::slider || kind == JointKind::parallel || kind == JointKind::servo || has_axes(kind);
 }
 
 Status check_direction(const Vector& n) {
@@ -92,6 +92,11 @@ JointRecord record_of(const JointDef& def, const BodyView& bodies, Index slot_A,
         const Vector middle = is_aside ? unit(def.joint.middle) : axis;
         record.frame_A = frame_on(bodies, slot_A, def.P, middle, is_aside ? turned_along(side, axis, middle) : side);
         record.frame_B = frame_on(bodies, slot_B, def.P, axis, side);
+        if (is_servo(record.kind)) {  // what B is measured against is the world, and A gets a torque; see loop_sides.h
+            record.frame_A.axis = axis + Vector{};
+            record.frame_A.side = side + Vector{};
+            record.bodies_meet = 1;
+        }
     }
     return record;
 }
@@ -112,7 +117,8 @@ scalar gap_of(const JointRecord& joint, const BodyView& bodies) {
 
 bool is_valid(const JointRecord& joint, int slots) {
     const auto is_body = [slots](Index slot) { return slot == no_body || slot < slots; };
-    if (joint.kind == JointKind::none || joint.kind > JointKind::wheel || !is_body(joint.body_A) || !is_body(joint.body_B)) return false;
+    const bool is_kind = joint.kind != JointKind::none && (joint.kind <= JointKind::wheel || is_servo(joint.kind));
+    if (!is_kind || !is_body(joint.body_A) || !is_body(joint.body_B)) return false;
     if (joint.body_A == joint.body_B || !is_finite(joint.j) || !is_frame(joint.frame_A) || !is_frame(joint.frame_B)) return false;
     return joint.resolved <= 1 && joint.bodies_meet <= 1 && joint.doublings <= limits::doublings_max;
 }

@@ -8,10 +8,14 @@
 namespace ingot { inline namespace INGOT_ABI {
 
 /// driven_ball: within figure/, a ball joint that has a drive; carriage: a wheel whose body is nearer to the root than what it carries.
-enum class JointKind : uint8_t { none, ball, hinge, slider, universal, fixed, rod, rope, parallel, target, wheel, carriage, driven_ball = 64 };
+enum class JointKind : uint8_t {
+    none, ball, hinge, slider, universal, fixed, rod, rope, parallel, target, wheel, carriage, servo, ball_servo, driven_ball = 64
+};
 
+/// They lock nothing: what they drive is measured in the world, and is driven against another body.
+constexpr bool is_servo(JointKind kind) { return kind >= JointKind::servo && kind <= JointKind::ball_servo; }
 /// Kinds that lock little, or give way: they are rows beside the trees, see figure/loop_view.h.
-constexpr bool is_tie(JointKind kind) { return kind >= JointKind::rod && kind <= JointKind::target; }
+constexpr bool is_tie(JointKind kind) { return (kind >= JointKind::rod && kind <= JointKind::target) || is_servo(kind); }
 constexpr bool is_wheel(JointKind kind) { return kind >= JointKind::wheel && kind <= JointKind::carriage; }
 /// Those that keep two points at a distance.
 constexpr bool has_length(JointKind kind) { return kind == JointKind::rod || kind == JointKind::rope; }
@@ -116,6 +120,23 @@ struct TargetJoint {
     constexpr operator Joint() const { return {kind, {}, {}}; }
 };
 
+/// Turns a body, B, about an axis of the world to where it should be there, whatever it hangs on: the trunk of a walker, the thigh that swings. What
+/// turns B turns A back: any other body, joined to it or not, or, with the null id, none. It locks nothing, and P is where it is drawn.
+///
+/// Its drive is that of a hinge, see World::set_joint_drive: torque on B along the axis, against it on A; angle and rate are those of B in the world,
+/// about the axis, 0 as it is joined, and the angle goes on over whole turns. It is solved with the figures of both, their contacts and all that is
+/// driven, so no stiffness rings. Where A, pushed back, would turn B more than B is turned, torque acts the wrong way round: then it is what the law
+/// asks for as the substep begins. In scenes that name WithDrives. One of max_loops. B has to move.
+struct ServoJoint {
+    static constexpr JointKind kind = JointKind::servo;
+    constexpr operator Joint() const { return {kind, {}, {}}; }
+};
+/// The same of all turns of a body: see World::set_ball_drive. Its targets and torques are in the axes of the world, 0 as it is joined.
+struct BallServoJoint {
+    static constexpr JointKind kind = JointKind::ball_servo;
+    constexpr operator Joint() const { return {kind, {}, {}}; }
+};
+
 /// Beside the kinds of a scene's joints: they may have limits.
 struct WithLimits {
     static constexpr JointKind kind = JointKind::none;
@@ -151,6 +172,7 @@ constexpr int limited_directions(JointKind kind) {
 }
 /// How many can be driven: a ball joint's are its three turns, driven as one. The steering of a wheel has no limits.
 constexpr int driven_directions(JointKind kind) {
+    if (is_servo(kind)) return kind == JointKind::servo ? 1 : 3;
     return kind == JointKind::ball || kind == JointKind::driven_ball || is_wheel(kind) ? 3 : limited_directions(kind);
 }
 
@@ -166,6 +188,7 @@ struct Joints {
     /// The scene names this kind.
     static constexpr bool has(JointKind kind) { return kind != JointKind::none && ((Kinds::kind == kind) || ...); }
     static constexpr bool has_ties = (is_tie(Kinds::kind) || ...);
+    static constexpr bool has_servos = (is_servo(Kinds::kind) || ...);
     static constexpr bool has_limits = (is_same<Kinds, WithLimits> || ...);
     /// The most directions with limits of a joint.
     static constexpr int limits_of_joint() {
@@ -189,7 +212,8 @@ struct JointDef {
     BodyId body_A{}, body_B{};     ///< the null id: the world
     Joint joint{};                 ///< HingeJoint{} or another kind
     Vector P{};                    ///< m, world; of a rod and a rope: on A
-    /// Unit, world: of a hinge, a slider, a parallel joint, of A of a universal one, of B of a ball joint with limits, of the suspension of a wheel.
+    /// Unit, world: of a hinge, a slider, a servo, a parallel joint, of A of a universal one, of B of a ball joint with limits, of the suspension of
+    /// a wheel.
     Vector axis = {0, 0, 1};
     Vector axis_B = {1, 0, 0};     ///< unit, world, at right angles to axis: of B of a universal joint; the axle of a wheel
     bool bodies_meet = false;      ///< the two may touch each other

@@ -48,7 +48,7 @@ struct Scene {
     static constexpr bool reads_contacts = false; ///< World::contact tells all impulses of a step, and where impacts of max_contacts are
     static constexpr int  max_joints   = 0;      ///< joints between bodies, or a body and the world, 0 .. 32767
     /// Of these, how many may close loops: between bodies that hang together without them, or the second of a figure that leads to what cannot move,
-    /// as the second hinge of a door does; and all rods, ropes and targets. 0 .. max_joints; each takes half a KB, and each body with joints 24 bytes
+    /// as the second hinge of a door does; and all rods, ropes, targets and servos. 0 .. max_joints; each takes half a KB, and each body with joints 24 bytes
     /// for each of its rows
     static constexpr int  max_loops    = 0;
     static constexpr int  max_contacts = 0;      ///< points of contact in one step, 0 .. 65535, of FrictionlessImpacts
@@ -147,6 +147,8 @@ inline constexpr bool has_loops = S::max_loops > 0;
 /// Rods, ropes, targets: rows beside the trees.
 template <class S>
 inline constexpr bool has_ties = has_joints<S> && S::joints::has_ties;
+template <class S>
+inline constexpr bool has_servos = has_joints<S> && S::joints::has_servos;
 template <class S>
 inline constexpr bool has_targets = has_joints<S> && S::joints::has(JointKind::target);
 

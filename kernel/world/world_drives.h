@@ -23,9 +23,9 @@ protected:
 public:
     // Drives of joints, in scenes that name WithDrives among their joints: see joint/drives.h.
 
-    /// Drives a hinge, a slider, a universal joint about the axis of A, or, with which = 1, of B, or of a wheel the spin, the travel or the steering,
-    /// see WheelJoint, from now on; {}: no more. Wakes its bodies.
-    /// Errors: those of ids and of check_drive, not_in_scene (a kind without such a direction, or a ball joint).
+    /// Drives a hinge, a slider, a servo, a universal joint about the axis of A, or, with which = 1, of B, or of a wheel the spin, the travel or the
+    /// steering, see WheelJoint, from now on; {}: no more. Wakes its bodies.
+    /// Errors: those of ids and of check_drive, not_in_scene (a kind without such a direction, or a ball joint or ball servo).
     Status set_joint_drive(JointId id, const JointDrive& drive, int which = 0) {
         static_assert(drives_only());
         const Result<int> joint = find_direction(id, which);
@@ -37,13 +37,14 @@ public:
         return Status::ok;
     }
     /// Drives a ball joint towards a turn of B against A, as a vector in the axes of A, rad; 0: as they were joined, with the axis in the middle of
-    /// its cone. target_rate, rad/s, and feedforward, N m: in the same axes. Stiffness, damping, kind and max_torque are those of `drive`; its
-    /// target, target_rate and feedforward are not looked at. What is tuned is so for the mean inertia of the three turns.
+    /// its cone; of a ball servo read the world for A. target_rate, rad/s, and feedforward, N m: in the same axes. Stiffness, damping, kind and
+    /// max_torque are those of `drive`; its target, target_rate and feedforward are not looked at. What is tuned is so for the mean inertia of the
+    /// three turns.
     /// Errors: those of ids and of check_drive, not_in_scene (another kind), out_of_range (a target of more than limits::joint_swing_max).
     Status set_ball_drive(JointId id, const JointDrive& drive, const Vector& target = {}, const Vector& target_rate = {},
                           const Vector& feedforward = {}) {
         static_assert(drives_only());
-        const Result<int> joint = this->find_ball(id);
+        const Result<int> joint = find_driven_ball(id);
         if (!joint.ok()) return joint.status;
         JointDrive of[3] = {drive, drive, drive};
         of[0].feedforward = feedforward.x;
@@ -73,7 +74,7 @@ public:
     /// The same of a ball joint. Errors: those of set_ball_drive.
     Status set_ball_target(JointId id, const Vector& target, const Vector& target_rate = {}) {
         static_assert(drives_only());
-        const Result<int> joint = this->find_ball(id);
+        const Result<int> joint = find_driven_ball(id);
         if (!joint.ok()) return joint.status;
         JointDrive of[3];
         for (int i = 0; i < 3; ++i) of[i] = storage_.drive_of(joint.value, i).drive;
@@ -102,7 +103,7 @@ public:
     /// The same of a ball joint, N m, in the axes of A. Errors: those of ids, not_in_scene.
     Result<Vector> ball_torque(JointId id) const {
         static_assert(drives_only());
-        const Result<int> joint = this->find_ball(id);
+        const Result<int> joint = find_driven_ball(id);
         if (!joint.ok()) return {joint.status, {}};
         const auto of = [&](int i) { return storage_.drive_of(joint.value, i).torque; };
         return {Status::ok, {of(0), of(1), of(2)}};
@@ -113,9 +114,16 @@ private:
         const Result<int> joint = find(id);
         if (!joint.ok()) return joint;
         const JointKind kind = this->kind_of(joint.value);
-        const bool has = kind != JointKind::ball && which >= 0 && which < driven_directions(kind);
+        const bool has = !is_ball_or_servo(kind) && which >= 0 && which < driven_directions(kind);
         return has ? joint : Result<int>{Status::not_in_scene, 0};
     }
+    Result<int> find_driven_ball(JointId id) const {
+        const Result<int> joint = find(id);
+        if (!joint.ok() || is_ball_or_servo(this->kind_of(joint.value))) return joint;
+        return {Status::not_in_scene, 0};
+    }
+    /// All of whose turns are driven as one.
+    static bool is_ball_or_servo(JointKind kind) { return kind == JointKind::ball || (has_servos<S> && kind == JointKind::ball_servo); }
     static Status set_targets(JointDrive (&of)[3], const Vector& target, const Vector& target_rate) {
         const scalar targets[3] = {target.x, target.y, target.z}, rates[3] = {target_rate.x, target_rate.y, target_rate.z};
         for (int i = 0; i < 3; ++i) {

@@ -44,6 +44,8 @@ public:
         if constexpr (has_targets<S>)
             if (status == Status::ok && def.joint.kind == JointKind::target && slot_A != no_body) status = Status::bad_joint;
         if (status == Status::ok && !moves(slot_A) && !moves(slot_B)) status = Status::immovable;
+        if constexpr (has_servos<S>)
+            if (status == Status::ok && is_servo(def.joint.kind) && !moves(slot_B)) status = Status::immovable;
         if (status != Status::ok) return {status, {}};
         const int joint_i = free_joint();
         if (joint_i == S::max_joints) return {Status::no_room, {}};
@@ -96,7 +98,7 @@ public:
     }
 
     /// How far apart the two sides of a joint are, m: along what it locks. By how much a rod is longer or shorter than it should be; a rope longer;
-    /// how far a target is. 0 of a parallel joint, which locks no way.
+    /// how far a target is. 0 of a parallel joint and of a servo, which lock no way.
     Result<scalar> joint_gap(JointId id) const {
         static_assert(joints_only());
         const Result<int> joint = find(id);
@@ -108,7 +110,7 @@ public:
                 return {Status::ok, record.kind == JointKind::rope && over < 0 ? 0 : abs(over)};
             }
         if constexpr (has_ties<S>)
-            if (record.kind == JointKind::parallel) return {Status::ok, 0};
+            if (record.kind == JointKind::parallel || is_servo(record.kind)) return {Status::ok, 0};
         return {Status::ok, gap_of(record, storage_.bodies())};
     }
 
@@ -131,14 +133,20 @@ public:
 
     /// The angle of a hinge, or of a universal joint about the axis of A, and, with which = 1, of B; the twist of a ball joint, and, with which = 1,
     /// how far its axis has swung from the middle of its cone; of a wheel how far it has spun, and, with which = WheelJoint::steering, how far it is
-    /// steered: rad, B against A. In scenes whose joints may have limits or drives the angles of a hinge and of a wheel's spin go on over whole
-    /// turns; else they are of -pi to pi.
+    /// steered: rad, B against A; of a servo how far B has turned in the world. In scenes whose joints may have limits or drives the angles of a
+    /// hinge, of a servo and of a wheel's spin go on over whole turns; else they are of -pi to pi.
     /// Errors: those of ids, not_in_scene (a kind that has no such angle).
     Result<scalar> joint_angle(JointId id, int which = 0) const {
         static_assert(joints_only());
         const Result<int> joint = find_turning(id, which);
         if (!joint.ok()) return {joint.status, 0};
         const JointRecord& record = record_of_slot(joint.value);
+        if constexpr (has_servos<S>)
+            if (is_servo(record.kind)) {
+                const JointRecord measured = measured_by(record);
+                const scalar angle = joint_values(measured, sides_of(measured)).of[0];
+                return {Status::ok, angle_over_turns(angle, storage_.joint_angles[joint.value])};
+            }
         if constexpr (has_wheels<S>)
             if (which == WheelJoint::steering) return {Status::ok, steering_angle(record, sides_of(record))};
         const scalar angle = joint_values(record, sides_of(record)).of[which];
@@ -153,6 +161,8 @@ public:
         const Result<int> joint = find_turning(id, which);
         if (!joint.ok()) return {joint.status, 0};
         const JointRecord& record = record_of_slot(joint.value);
+        if constexpr (has_servos<S>)
+            if (is_servo(record.kind)) return {Status::ok, steering_rate(record, sides_of(measured_by(record)))};
         if constexpr (has_wheels<S>)
             if (which == WheelJoint::steering) return {Status::ok, steering_rate(record, sides_of(record))};
         return {Status::ok, joint_rates(record, sides_of(record)).of[which]};
@@ -286,6 +296,13 @@ private:
         if constexpr (has_wheels<S>) return record.kind == JointKind::wheel;
         return false;
     }
+    /// As a hinge of the world.
+    static JointRecord measured_by(const JointRecord& servo) {
+        JointRecord hinge = servo;
+        hinge.kind = JointKind::hinge;
+        hinge.body_A = no_body;
+        return hinge;
+    }
     Result<int> find_turning(JointId id, int which) const {
         const Result<int> joint = find(id);
         if (!joint.ok()) return joint;
@@ -293,6 +310,7 @@ private:
         bool turns = kind != JointKind::slider && which >= 0 && which < limited_directions(kind);
         if constexpr (has_wheels<S>)
             if (kind == JointKind::wheel) turns = which == WheelJoint::spin || which == WheelJoint::steering;
+        if constexpr (has_servos<S>) turns = turns || (kind == JointKind::servo && which == 0);
         return turns ? joint : Result<int>{Status::not_in_scene, 0};
     }
     Result<int> find_sliding(JointId id) const {

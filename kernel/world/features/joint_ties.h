@@ -36,10 +36,17 @@ struct TiedJoints : Feature {
             // bound: the kinds of joints
             for (int kind = static_cast<int>(JointKind::rod); is_tie(static_cast<JointKind>(kind)); ++kind)
                 each(S::joints::has(static_cast<JointKind>(kind)));
+        if constexpr (has_servos<S>) {
+            each(S::joints::has(JointKind::servo));
+            each(S::joints::has(JointKind::ball_servo));
+        }
     }
     template <class S>
     static constexpr bool check() {
-        static_assert(!has_ties<S> || has_loops<S>, "rods, ropes and targets are rows beside the trees: set max_loops to how many there may be");
+        static_assert(!has_servos<S> || has_loops<S>, "servos are rows beside the trees: set max_loops to how many there may be");
+        static_assert(!has_servos<S> || S::joints::has_drives, "servos are driven: name WithDrives among the joints");
+        static_assert(!has_ties<S> || has_servos<S> || has_loops<S>,
+                      "rods, ropes and targets are rows beside the trees: set max_loops to how many there may be");
         static_assert(!has_ties<S> || !S::figure_motion::is_implicit,
                       "the energy-momentum step has no rods, ropes and targets: leave figure_motion out, or these kinds");
         static_assert(!has_ties<S> || !S::joints::has_reactions,
