@@ -48,8 +48,8 @@ struct Scene {
     static constexpr bool reads_contacts = false; ///< World::contact tells all impulses of a step, and where impacts of max_contacts are
     static constexpr int  max_joints   = 0;      ///< joints between bodies, or a body and the world, 0 .. 32767
     /// Of these, how many may close loops: between bodies that hang together without them, or the second of a figure that leads to what cannot move,
-    /// as the second hinge of a door does; and all rods, ropes, targets and servos. 0 .. max_joints; each takes half a KB, and each body with joints 24 bytes
-    /// for each of its rows
+    /// as the second hinge of a door does; and all rods, ropes, targets and servos. 0 .. max_joints; each takes half a KB, and each body with joints
+    /// 24 bytes for each of its rows
     static constexpr int  max_loops    = 0;
     static constexpr int  max_contacts = 0;      ///< points of contact in one step, 0 .. 65535, of FrictionlessImpacts
     static constexpr int  max_manifolds = 0;     ///< pairs of bodies that touch in one step, 0 .. 65534, of every other solver
