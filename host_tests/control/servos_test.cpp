@@ -242,6 +242,9 @@ TEST(Servos, that_are_none_are_refused) {
     EXPECT_EQ(add_joint(*world, ingot::ServoJoint{}, B, B, z).status, Status::bad_joint);
     EXPECT_EQ(add_joint(*world, ingot::ServoJoint{}, A, B, {0, 0, 2}).status, Status::bad_direction);
     EXPECT_EQ(add_joint(*world, ingot::ServoJoint{}, A, B, {0, 0, std::numeric_limits<double>::quiet_NaN()}).status, Status::not_finite);
+    const ingot::Joint limited = {ingot::JointKind::servo, {{{-1, 1}, {}}, 0}, {}}, broken = {ingot::JointKind::ball_servo, {{{}, {nan, 1}}, 0}, {}};
+    EXPECT_EQ(add_joint(*world, limited, A, B, z).status, Status::not_in_scene);
+    EXPECT_EQ(add_joint(*world, broken, A, B, z).status, Status::not_finite);
     EXPECT_EQ(world->set_joint_drive(servo, ingot::SpringDrive{nan}), Status::not_finite);
     EXPECT_EQ(world->set_joint_drive(servo, ingot::SpringDrive{-1}), Status::out_of_range);
     EXPECT_EQ(world->set_joint_drive(servo, ingot::SpringDrive{1, 1, 0, 0, 0, -1}), Status::out_of_range);

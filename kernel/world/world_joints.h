@@ -335,6 +335,11 @@ private:
         return joint_i;
     }
     static Status check_limits_of([[maybe_unused]] JointKind kind, const JointLimits& limits) {
+        if constexpr (has_servos<S> && S::joints::has_limits)
+            if (is_servo(kind)) {
+                const Status status = check_limits(kind, limits);
+                return status == Status::ok && limits_something(limits) ? Status::not_in_scene : status;
+            }
         if constexpr (has_ties<S>)
             if (is_tie(kind)) return Status::ok;
         if constexpr (S::joints::has_limits) return check_limits(kind, limits);

@@ -349,6 +349,8 @@ struct Figures : Feature {
             if ((generation & 1u) == 0) return kind == 0;
             if constexpr (has_joint_limits<S>)
                 if (!ingot::is_valid(limit, read.kind)) return false;
+            if constexpr (has_joint_limits<S> && has_servos<S>)
+                if (is_servo(read.kind) && limits_something(limit.limits)) return false;
             if constexpr (has_ties<S>)
                 if (!ingot::is_valid(tie, read.kind, S::length_unit)) return false;
             if constexpr (has_targets<S>)
