@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-#include "scenes/walker.h"
+#include "scenes/walker_in_space.h"
 
 namespace {
 
@@ -152,6 +152,43 @@ TEST(Walking, is_the_same_in_company) {
     }
     EXPECT_GT(of_first.steps, 10);
     EXPECT_GT(of_second.steps, 10);
+}
+
+/// In space nothing but servos holds it up, of ball joints and of the world: it walks, straight on, and at 60 Hz within the torque of a strong man.
+TEST(Walking, in_space_needs_no_more_than_servos) {
+    struct Case {
+        double rate, most;
+    };
+    const Case cases[] = {{60, 0}, {60, 150}, {60, 200}, {30, 0}, {120, 0}, {240, 0}};
+    for (const Case& of : cases) {
+        if (INGOT_TEST_BRIEF && (of.rate != 60 || of.most == 200)) continue;
+        const auto world = std::make_unique<ingot::World<scenes::WalkingInSpace>>();
+        scenes::SpatialWalker walker;
+        scenes::SpatialGait gait;
+        WalkState state;
+        if (of.most > 0) gait.max_torque = static_cast<scalar>(of.most);
+        ASSERT_EQ(scenes::add_ground(*world), Status::ok);
+        ASSERT_EQ(scenes::add_walker(*world, scalar(0.6), walker), Status::ok);
+        const double seconds = INGOT_TEST_BRIEF ? 10 : 60;
+        double gap = 0, torque = 0;
+        for (int step_i = 0; step_i < static_cast<int>(seconds * of.rate); ++step_i) {
+            ASSERT_EQ(scenes::walk(*world, walker, gait, state, static_cast<scalar>(1 / of.rate)), Status::ok);
+            (void)ingot::step(*world, static_cast<scalar>(1 / of.rate));
+            ASSERT_GE(world->state(walker.pelvis).value.r_CM.z, scalar(0.7)) << of.rate << " Hz, " << of.most << " N m, step " << step_i;
+            for (int side_i = 0; side_i < 2; ++side_i) {
+                const ingot::JointId joints[] = {walker.hip[side_i], walker.knee[side_i], walker.ankle[side_i]};
+                for (const ingot::JointId id : joints) gap = std::max(gap, static_cast<double>(world->joint_gap(id).value));
+                const ingot::JointId balls[] = {walker.upright[side_i], walker.swing[side_i], walker.ankle[side_i]};
+                for (const ingot::JointId id : balls)
+                    torque = std::max(torque, std::sqrt(static_cast<double>(length_sq(world->ball_torque(id).value))));
+            }
+        }
+        const ingot::Vector place = world->figure(walker.pelvis).value.r_CM;
+        EXPECT_GE(static_cast<double>(place.x), 0.45 * seconds) << of.rate << " Hz, " << of.most << " N m";
+        if (of.rate > 30) EXPECT_LE(std::abs(static_cast<double>(place.y)), 1) << of.rate << " Hz, " << of.most << " N m";
+        EXPECT_LE(gap, 5e-5) << of.rate << " Hz, " << of.most << " N m";
+        if (of.most > 0) EXPECT_LE(torque, of.most * (1 + 64 * static_cast<double>(ingot::epsilon)));
+    }
 }
 
 /// Gains that are none are refused before anything has moved, and the walker is as it was.

@@ -67,11 +67,12 @@ struct WalkState {
 
 namespace walker_parts {
 template <class S>
-ingot::BodyId add_part(ingot::World<S>& world, const WalkerPart& part, ingot::scalar x, ingot::scalar y, ingot::scalar v, ingot::Status& status) {
+ingot::BodyId add_part(ingot::World<S>& world, const WalkerPart& part, ingot::scalar x, ingot::scalar y, ingot::scalar v, ingot::Status& status,
+                       bool touches = true) {
     ingot::BodyDef body;
     const ingot::MassDistribution solid = ingot::with_mass(ingot::solid_box(1, part.half_extents), part.M);
     body.mass = {solid.M, {solid.I.xx, solid.I.yy, solid.I.zz}, {}, ingot::identity_matrix<scalar>()};
-    body.shape = ingot::Box{part.half_extents};
+    if (touches) body.shape = ingot::Box{part.half_extents};
     body.state.r_CM = {x + part.x, y, part.z};
     body.state.v_CM = {v, 0, 0};
     body.friction = scalar(0.8);
@@ -135,9 +136,9 @@ ingot::scalar load_of(const ingot::World<S>& world, ingot::BodyId foot) {
     return sum;
 }
 
-/// m, world.
-template <class S>
-ingot::Vector ankle_of(const ingot::World<S>& world, const Walker& walker, int leg_i) {
+/// m, world. Of a Walker, or another with such feet.
+template <class S, class AWalker>
+ingot::Vector ankle_of(const ingot::World<S>& world, const AWalker& walker, int leg_i) {
     const ingot::BodyState foot = world.state(walker.foot[leg_i]).value;
     return foot.r_CM + foot.A * ingot::Vector{-walker_parts::foot.x, 0, walker_parts::foot.joint_z - walker_parts::foot.z};
 }
