@@ -253,6 +253,25 @@ TEST(MoverOnMovingGround, takes_its_velocity_along_when_it_jumps) {
     EXPECT_NEAR((exact(mover.r) - exact(world.state(ground).value.r_CM)).x(), place.x(), 1e-3) << "it lands where it jumped";
 }
 
+/// Gates that are not quite parallel meet far away: it is not shot out of their wedge.
+TEST(MoverOnMovingGround, is_not_shot_out_of_a_wedge) {
+    for (const double tilt : {1e-6, 1e-4, 2e-3, 0.02}) {
+        auto& world = empty_world<Street>();
+        (void)add_plane(world);
+        (void)add_box(world, {1, 3, 2}, {3, 0, 2});
+        const BodyId gate = add_box(world, {1, 3, 2}, {-3, 0, 2}, pitched(tilt), true);
+        Mover mover = standing_at(world, 0, 0, 0);
+        const scalar h = scalar(1) / 60;
+        ASSERT_EQ(world.set_velocity(gate, {2, 0, 0}), Status::ok);
+        for (int i = 0; i < 110; ++i) {
+            const V from = exact(mover.r);
+            (void)ingot::step(world, h);
+            ASSERT_EQ(world.move(mover, {}, h), Status::ok);
+            EXPECT_LT((exact(mover.r) - from).norm(), 1.5) << tilt << " " << i;
+        }
+    }
+}
+
 TEST(MoverOnMovingGround, goes_with_a_belt) {
     auto& world = empty_world<Belts>();
     const BodyId belt = add_box(world, {8, 2, 0.5}, {0, 0, -0.5});

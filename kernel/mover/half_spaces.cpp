@@ -42,12 +42,13 @@ public:
     wide_scalar b[movers::planes_max];
     int count;
     wide_scalar size;  ///< m, of what b was computed from: its roundings are some epsilon of that
+    wide_scalar far;   ///< m, how long y may be
 
     /// Each plane gives way by so much.
     bool find(wide_scalar by, Wide& y) {
         by_ = by;
         found_ = false;
-        best_sq_ = far * far * size * size;
+        best_sq_ = far * far;
         consider({0, 0, 0});
         if (found_) return y = best_, true;
         for (int i = 0; i < count; ++i) {  // bound: movers::planes_max
@@ -63,7 +64,6 @@ public:
 
 private:
     static constexpr double epsilon_of_double = 1.0 / (1LL << 52);
-    static constexpr double far = 1024;  ///< times all lengths: where planes that are all but parallel meet beyond it they do not meet
 
     /// Keeps y where it is shorter than what there is and no plane forbids it, to its own roundings. That all planes of a set press is not asked:
     /// what is all but parallel has no sign for it, and who does not press gives a longer y than the set without it.
@@ -82,7 +82,7 @@ private:
     void meet(int i, int k) {
         const Wide &p = n[i], &q = n[k], across = cross(p, q), aside = cross(across, p);
         const wide_scalar sine_sq = length_sq(across), c = dot(p, q);
-        if (!(sine_sq > far * epsilon_of_double * epsilon_of_double)) return;
+        if (!(sine_sq > 1024 * epsilon_of_double * epsilon_of_double)) return;
         const auto on = [&](wide_scalar at_p, wide_scalar at_q) { return p * at_p + aside * ((at_q - c * at_p) / sine_sq); };
         const wide_scalar b_p = b[i] - by_, b_q = b[k] - by_;
         Wide y = on(b_p, b_q);
@@ -93,7 +93,7 @@ private:
     void meet(int i, int k, int m) {
         const Wide &p = n[i], &q = n[k], &u = n[m], q_u = cross(q, u), u_p = cross(u, p), p_q = cross(p, q);
         const wide_scalar det = dot(p, q_u);
-        if (!(abs(det) > far * epsilon_of_double)) return;
+        if (!(abs(det) > 1024 * epsilon_of_double)) return;
         const auto on = [&](wide_scalar at_p, wide_scalar at_q, wide_scalar at_u) { return (q_u * at_p + u_p * at_q + p_q * at_u) * (1 / det); };
         const wide_scalar b_p = b[i] - by_, b_q = b[k] - by_, b_u = b[m] - by_;
         Wide y = on(b_p, b_q, b_u);
@@ -129,7 +129,7 @@ Wide least_wrong(Shortest& search, wide_scalar most) {
 
 }  // namespace
 
-Vector nearest_in(HalfSpaces& s, const Vector& w) {
+Vector nearest_in(HalfSpaces& s, const Vector& w, scalar far) {
     sort(s);
     Shortest search;
     const Wide from = wide_of(w);
@@ -150,6 +150,7 @@ Vector nearest_in(HalfSpaces& s, const Vector& w) {
         search.size = max(search.size, abs(least));
     }
     if (!(most > 0)) return w;
+    search.far = static_cast<wide_scalar>(far) * search.size;
     Wide y;
     if (!search.find(0, y)) y = least_wrong(search, most);
     const Wide x = from + y;

@@ -18,6 +18,7 @@ struct HalfSpaces {
     }
 };
 /// The point of them that is nearest to w; see solve_planes. The order of the planes is left as it may be.
-Vector nearest_in(HalfSpaces& spaces, const Vector& w);
+/// far: times all lengths that are given: planes that meet further from w do not meet, and each is passed by.
+Vector nearest_in(HalfSpaces& spaces, const Vector& w, scalar far);
 
 } }  // namespace ingot

@@ -30,7 +30,8 @@ template <class Space, class Velocity>
 class MoverWalk {
 public:
     MoverWalk(const Space& space, const Velocity& velocity, const Mover& mover, const MoverLengths& lengths)
-        : space_(space), velocity_(velocity), l_(lengths), up_(mover.up), to_foot_(mover.capsule.half_length + mover.capsule.radius) {}
+        : space_(space), velocity_(velocity), l_(lengths), up_(mover.up), to_foot_(mover.capsule.half_length + mover.capsule.radius),
+          push_max_(mover.capsule.radius) {}
 
     /// Goes along with the ground, as far as nothing else is in the way.
     void carry(PlacedShape& at, const Vector& to) const {
@@ -78,7 +79,7 @@ public:
             const MoverTouch& touch = touches.touches[i];
             if (touch.gap <= l_.still && dot(touch.n, up_) > 0 && !is_walkable(touch, at.r)) (void)add_as_wall(touch, 0, walls);
         }
-        return nearest_in(walls, across);
+        return nearest_in(walls, across, movers::far_of_move);
     }
 
     /// What is left of a velocity among what is touched.
@@ -88,7 +89,7 @@ public:
             const MoverTouch& touch = touches.touches[i];
             if (touch.gap <= l_.still) spaces.add(touch.n, dot(touch.n, velocity_(touch.slot, touch.P)));
         }
-        return nearest_in(spaces, v);
+        return nearest_in(spaces, v, movers::far_of_move);
     }
 
     /// The touch that it stands on best; -1: none.
@@ -129,7 +130,7 @@ private:
         const Vector across = touch.n - up_ * dot(touch.n, up_);
         const scalar part = sqrt(length_sq(across));
         if (!(part > movers::support_min)) return false;
-        spaces.add(across * (1 / part), -gap / part);
+        spaces.add(across * (1 / part), min(-gap / part, push_max_));
         return true;
     }
 
@@ -143,9 +144,9 @@ private:
             const MoverTouch& touch = touches.touches[i];
             const scalar gap = gap_of(touch);
             if (walks_from != nullptr && dot(touch.n, up_) > 0 && !is_walkable(touch, *walks_from) && add_as_wall(touch, gap, spaces)) continue;
-            spaces.add(touch.n, -gap);
+            spaces.add(touch.n, min(-gap, push_max_));
         }
-        return nearest_in(spaces, way);
+        return nearest_in(spaces, way, movers::far_of_move);
     }
 
     void slide(PlacedShape& at, const Vector& way, const Vector* walks_from) const {
@@ -193,7 +194,7 @@ private:
     const Velocity& velocity_;
     const MoverLengths l_;
     const Vector up_;
-    const scalar to_foot_;
+    const scalar to_foot_, push_max_;  ///< m; out of what closed about it it comes by no more at once
 };
 
 } }  // namespace ingot

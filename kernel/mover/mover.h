@@ -81,6 +81,9 @@ inline constexpr int planes_max = 16;
 inline constexpr int touches_max = 32;  ///< before those are left out that neighbours hide, and those that say the same
 inline constexpr int slides_max = 5;    ///< times that a way is bent by what is met
 inline constexpr int lifts_max = 3;     ///< heights that are tried for a step: all of it, a half, a quarter
+/// Times all lengths that are given: where planes that are all but parallel meet further away they do not meet. For whoever asks, and for a move:
+/// what is pressed between two of them, a wall and a ball, slips no further than this out of their wedge.
+inline constexpr scalar far_planes = 1024, far_of_move = 4;
 inline constexpr scalar merge_cos = scalar(0.99939083);  ///< planes within 2 degrees are one
 /// The most that a plane to stand on may be tilted against `up`, as a sine: what is steeper is a wall, whatever faces meet there.
 inline constexpr scalar support_min = scalar(0.05);

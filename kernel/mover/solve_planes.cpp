@@ -30,7 +30,7 @@ Result<Vector> solve_planes(const Vector& way, const MoverPlane* planes, int cou
     if (status != Status::ok) return {status, {}};
     HalfSpaces spaces;
     for (int i = 0; i < count; ++i) spaces.add(planes[i].n, min(-planes[i].gap, planes[i].push_max));  // bound: movers::planes_max
-    return {Status::ok, nearest_in(spaces, way)};
+    return {Status::ok, nearest_in(spaces, way, movers::far_planes)};
 }
 
 Result<Vector> clip_velocity(const Vector& v, const MoverPlane* planes, int count) {
@@ -39,7 +39,7 @@ Result<Vector> clip_velocity(const Vector& v, const MoverPlane* planes, int coun
     if (status != Status::ok) return {status, {}};
     HalfSpaces spaces;
     for (int i = 0; i < count; ++i) spaces.add(planes[i].n, dot(planes[i].n, planes[i].v));  // bound: movers::planes_max
-    return {Status::ok, nearest_in(spaces, v)};
+    return {Status::ok, nearest_in(spaces, v, movers::far_planes)};
 }
 
 } }  // namespace ingot
