@@ -26,6 +26,8 @@ inline MoverReach reach_of(const Mover& mover, scalar unit) {
 }
 
 /// What a step is made of. space: a MoverSpace. velocity(slot, P): m/s, of a surface.
+///
+/// Not inlined: what is touched takes 2 KB of stack, which would add up where all of it became one function.
 template <class Space, class Velocity>
 class MoverWalk {
 public:
@@ -71,7 +73,7 @@ public:
     void fly(PlacedShape& at, const Vector& way) const { slide(at, way, nullptr); }
 
     /// What is left of a velocity across `up` where it touches what is too steep: this is as a wall, and is not climbed by running at it.
-    Vector held_by_slopes(const PlacedShape& at, const Vector& across) const {
+    INGOT_NOINLINE Vector held_by_slopes(const PlacedShape& at, const Vector& across) const {
         MoverTouches touches;
         space_.planes_at(at, touches);
         HalfSpaces walls;
@@ -136,7 +138,7 @@ private:
 
     /// What is left of a way by what is touched. walks_from: m, where it walks from: what is too steep, or too high from there, is a wall; null: it
     /// flies.
-    Vector left_of(const PlacedShape& at, const Vector& way, const Vector* walks_from) const {
+    INGOT_NOINLINE Vector left_of(const PlacedShape& at, const Vector& way, const Vector* walks_from) const {
         MoverTouches touches;
         space_.planes_at(at, touches);
         HalfSpaces spaces;
@@ -149,7 +151,7 @@ private:
         return nearest_in(spaces, way, movers::far_of_move);
     }
 
-    void slide(PlacedShape& at, const Vector& way, const Vector* walks_from) const {
+    INGOT_NOINLINE void slide(PlacedShape& at, const Vector& way, const Vector* walks_from) const {
         Vector left = way;
         for (int i = 0; i < movers::slides_max; ++i) {
             const Vector by = left_of(at, left, walks_from);
@@ -161,7 +163,7 @@ private:
         }
     }
 
-    bool stands_at(const PlacedShape& at, const Vector& from) const {
+    INGOT_NOINLINE bool stands_at(const PlacedShape& at, const Vector& from) const {
         MoverTouches touches;
         space_.planes_at(at, touches);
         MoverFooting footing;
@@ -173,7 +175,7 @@ private:
     ///
     /// A cast ends below the skin: so it does not end at walls beside it, which the skin touches. From there it is up again, by the plane that it
     /// met.
-    bool drop(PlacedShape& at, scalar depth, const Vector& from) const {
+    INGOT_NOINLINE bool drop(PlacedShape& at, scalar depth, const Vector& from) const {
         if (!(depth > 0)) return stands_at(at, from);
         const SlotHit hit = space_.cast(at, up_ * (-depth - l_.enter), down());
         if (hit.slot == no_slot) return false;

@@ -18,7 +18,7 @@ public:
         : all_(all), sees_(sees), stands_(stands), asked_(asked) {}
 
     /// All planes that bound the way from here, by the law of inner_edges.h, the nearest first.
-    void planes_at(const PlacedShape& capsule, MoverTouches& touches) const {
+    INGOT_NOINLINE void planes_at(const PlacedShape& capsule, MoverTouches& touches) const {
         touches.count = 0;
         gather(capsule, touches);
         drop_hidden(capsule, touches);
@@ -27,7 +27,7 @@ public:
     }
 
     /// How far the way is free, and what ends it.
-    SlotHit cast(const PlacedShape& capsule, const Vector& way, const AxisCast& how) const {
+    INGOT_NOINLINE SlotHit cast(const PlacedShape& capsule, const Vector& way, const AxisCast& how) const {
         const PlacedShape wide = widened(capsule, max(how.stop, scalar(0)) + how.near);
         MovingBall ball = {capsule.r, way, bounding_radius(wide.shape), 1, &wide};
         SlotHit hit = {no_slot, 1, capsule.r + way, {}};
