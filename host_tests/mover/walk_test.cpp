@@ -253,6 +253,20 @@ TEST(MoverOnMovingGround, takes_its_velocity_along_when_it_jumps) {
     EXPECT_NEAR((exact(mover.r) - exact(world.state(ground).value.r_CM)).x(), place.x(), 1e-3) << "it lands where it jumped";
 }
 
+/// A lift that is put somewhere else takes it along, and the next move is as any other.
+TEST(MoverOnMovingGround, goes_along_where_its_ground_is_put) {
+    auto& world = empty_world<Street>();
+    const BodyId ground = add_box(world, {2, 2, 0.5}, {0, 0, -0.5}, ingot::identity_matrix<scalar>(), true);
+    Mover mover = standing_at(world, 0.5, 0, 0);
+    ingot::BodyState state = world.state(ground).value;
+    state.r_CM.x = 65536;
+    ASSERT_EQ(world.set_state(ground, state), Status::ok);
+    for (int i = 0; i < 3; ++i) ASSERT_EQ(world.move(mover, {}, scalar(1) / 60), Status::ok);
+    EXPECT_NEAR(static_cast<double>(mover.r.x), 65536.5, 0.01);
+    EXPECT_TRUE(stands(mover));
+    EXPECT_NEAR(static_cast<double>(mover.v.x), 0, 1e-3);
+}
+
 /// Gates that are not quite parallel meet far away: it is not shot out of their wedge.
 TEST(MoverOnMovingGround, is_not_shot_out_of_a_wedge) {
     for (const double tilt : {1e-6, 1e-4, 2e-3, 0.02}) {

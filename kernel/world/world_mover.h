@@ -52,6 +52,10 @@ public:
         in_space(next, [&](const auto& space, int& except) { move_in(space, except, input, h, next, touches, wanted); });
         status = check_vector(next.r, limits::position_max);
         if (status != Status::ok) return Status::out_of_range;
+        // Ground that was put elsewhere, and took it along, may seem to move faster than the next call takes.
+        const Vector fastest = Vector{1, 1, 1} * limits::speed_max;
+        next.v = clamp(next.v, fastest);
+        next.v_drift = clamp(next.v_drift, fastest);
         mover = next;
         push(mover, touches, wanted, h);
         return Status::ok;
