@@ -452,6 +452,51 @@ TEST(MoverOnMovingGround, is_pushed_by_what_moves_and_survives_what_closes) {
     }
 }
 
+/// Along a circle of this radius until it has turned by `end`, and back.
+struct Circled {
+    double highest = 0;
+    int moves = 0, in_air = 0;
+};
+Circled circle(World<Street>& world, double radius, double end, double speed, scalar rate) {
+    Mover mover = standing_at(world, radius, -0.3, 0);
+    Circled done;
+    double angle = std::atan2(-0.3, radius);
+    for (const double way : {1.0, -1.0})
+        for (int i = 0; i < 3000 && (way > 0 ? angle < end : angle > -0.2); ++i, ++done.moves) {
+            const V r = exact(mover.r);
+            const double far = std::hypot(r.x(), r.y());
+            const V out = V(r.x(), r.y(), 0) / far, v = V(-out.y(), out.x(), 0) * (way * speed) + out * (radius - far) * 5;
+            EXPECT_EQ(world.move(mover, {rounded(v), 0}, 1 / rate), Status::ok);
+            const V now = exact(mover.r);
+            angle += std::atan2(r.x() * now.y() - r.y() * now.x(), r.x() * now.x() + r.y() * now.y());
+            done.highest = std::max(done.highest, now.z() - 0.91);
+            done.in_air += stands(mover) ? 0 : 1;
+        }
+    return done;
+}
+
+/// Up a spiral of boxes about a column, 20 steps of 17 cm in a turn and a quarter, and down again.
+TEST(MoverOnCourse, climbs_a_spiral) {
+    constexpr int steps = 20;
+    const double turn = 2 * pi / 16, radius = 1.1, rise = 0.17;
+    for (const double speed : {1.0, 2.5, 5.0})
+        for (const scalar rate : {scalar(30), scalar(120)}) {
+            auto& world = empty_world<Street>();
+            (void)add_plane(world);
+            const Circled flat = circle(world, radius, steps * turn - 0.1, speed, rate);
+            (void)add_box(world, {0.3, 0.3, 4}, {0, 0, 4});
+            for (int i = 1; i <= steps; ++i) {
+                const V out(std::cos(i * turn), std::sin(i * turn), 0), along(-out.y(), out.x(), 0);
+                const Matrix A = ingot::nearest_rotation({rounded(out), rounded(along), {0, 0, 1}});
+                (void)add_box(world, {0.75, 0.38, 0.05}, out * radius + V(0, 0, rise * i - 0.05), A);
+            }
+            const Circled walked = circle(world, radius, steps * turn - 0.1, speed, rate);
+            EXPECT_NEAR(walked.highest, rise * steps, 2e-3) << speed << " m/s " << rate << " Hz";
+            EXPECT_LE(walked.moves, flat.moves * 1.01 + 1) << speed << " m/s " << rate << " Hz";
+            EXPECT_EQ(walked.in_air, 0) << speed << " m/s " << rate << " Hz";
+        }
+}
+
 /// Whatever is up: a floor, a step, a wall.
 TEST(MoverOnCourse, goes_alike_whatever_is_up) {
     const V ups[] = {{0, 0, 1}, {0, 0, -1}, {1, 0, 0}, {0, -1, 0}, V(1, 2, -3).normalized()};
