@@ -91,14 +91,16 @@ TEST(Walking, keeps_to_its_torque) {
     }
 }
 
-/// A push against the trunk at four moments of a stride: 75 N s from ahead; from behind 70 N s, or, where it looks but sixty times a second, 45.
+/// A push against the trunk at four moments of a stride: 75 N s from ahead, 70 N s from behind. Where it looks but sixty times a second, its target
+/// has to move between two looks.
 TEST(Walking, survives_pushes) {
     constexpr double stride = 0.36;  // s, of one step
     for (const double rate : {60.0, 120.0, 240.0}) {
         if (INGOT_TEST_BRIEF && rate != 60) continue;
-        for (const double push : {rate < 100 ? 45.0 : 70.0, -75.0})
+        for (const double push : {70.0, -75.0})
             for (const double phase : {0.0, 0.25, 0.5, 0.75}) {
                 Walk walk;
+                walk.gait.lead = rate < 100 ? 1 : 0;
                 while (walk.state.steps < 8) walk.step(rate);
                 ASSERT_TRUE(walk.walks(phase * stride, rate));
                 ASSERT_EQ(walk.world->apply_central_impulse(walk.walker.trunk, {static_cast<scalar>(push), 0, 0}), Status::ok);

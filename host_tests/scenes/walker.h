@@ -49,6 +49,9 @@ struct Gait {
     ingot::scalar lift_time = ingot::scalar(0.3);        ///< s, of the first pose; the second one goes on to the foot strike
     ingot::scalar least_time = ingot::scalar(0.02);      ///< s, of the second pose
     ingot::scalar catch_time = ingot::scalar(0.1);       ///< s, in the first pose: from then on a foot that carries alone has struck, as after a push
+    /// Of the rate at which the swing hip's target goes with the distance, how much its drive is told. The law as published says nothing of it. 1
+    /// keeps it up to date between two steps: pushed on by 70 N s it walks on at 60 steps a second, too; without, at 120.
+    ingot::scalar lead = 0;
     struct Pose {
         ingot::scalar swing_hip, per_distance, per_speed, swing_knee, swing_ankle, stance_knee, stance_ankle, trunk;
     };
@@ -165,9 +168,9 @@ ingot::Status walk(ingot::World<S>& world, const Walker& walker, const Gait& gai
     const scalar hip = ingot::max(gait.hip_least, ingot::min(gait.hip_most, wanted));
 
     ingot::Status status = ingot::Status::ok;
-    const auto drive = [&](ingot::JointId joint, scalar target, scalar share) {
+    const auto drive = [&](ingot::JointId joint, scalar target, scalar share, scalar rate = 0) {
         const scalar most = gait.max_torque < ingot::unlimited ? gait.max_torque * share : ingot::unlimited;
-        const ingot::Status set = world.set_joint_drive(joint, ingot::SpringDrive{gait.stiffness, gait.damping, target, 0, 0, most});
+        const ingot::Status set = world.set_joint_drive(joint, ingot::SpringDrive{gait.stiffness, gait.damping, target, rate, 0, most});
         if (status == ingot::Status::ok) status = set;
     };
     const auto release = [&](ingot::JointId joint) {
@@ -175,7 +178,7 @@ ingot::Status walk(ingot::World<S>& world, const Walker& walker, const Gait& gai
         if (status == ingot::Status::ok) status = set;
     };
     drive(walker.upright[state.stance], pose.trunk, 1);
-    drive(walker.swing[swing], hip, 1);
+    drive(walker.swing[swing], hip, 1, hip == wanted ? gait.lead * pose.per_distance * whole.v_CM.x : scalar(0));
     release(walker.upright[swing]);
     release(walker.swing[state.stance]);
     drive(walker.knee[swing], pose.swing_knee, 1);
