@@ -57,7 +57,7 @@ set(constraint_shares belts collect_blocks moved_manifold turning_body without_j
 set(island_shares active_tiles awake_tiles disjoint_sets rest_view)
 set(sleep_shares wake)
 set(events_shares contact_events pair_rules)
-set(continuous_shares body_path fast_pairs parting_plane time_of_impact pair_sub_world pair_contacts continuous_collision find_pair_contacts locked_pair solve_pair
+set(continuous_shares body_path level_on_path fast_pairs parting_plane time_of_impact pair_sub_world pair_contacts continuous_collision find_pair_contacts locked_pair solve_pair
   lay_paths next_impact resolve_impact figures_on_paths contacts_of_figures close_figure wait_with_figure)
 # swept_contacts has the stages of a substep, for block_sweeps and hybrid_islands to conduct; plan_islands begins a batch.
 set(solver_sweeps_shares block_sweeps swept_contacts conduct_sweeps jointed_contacts jointed_reactions jointed_visits conjugate_gradients diverged_islands gaining_figures gaining_islands kinematic_contacts move_bodies note_impulses order_manifolds

@@ -132,7 +132,8 @@ TEST(FastOnTriangles, stay_above_hills) {
         for (int i = 0; i < 5; ++i) {
             BodyDef def = thrown(random, 0);
             half_extents.push_back(least_half_extent_of(def));
-            Vector r = middle + Vector{static_cast<scalar>(within(random, -0.6, 0.6)) * half.x, static_cast<scalar>(within(random, -0.6, 0.6)) * half.y, 0};
+            const double x = within(random, -0.6, 0.6), y = within(random, -0.6, 0.6);
+            Vector r = middle + Vector{static_cast<scalar>(x) * half.x, static_cast<scalar>(y) * half.y, 0};
             r.z = static_cast<scalar>(height_at(empty, r) + within(random, 1.5, 6));
             const double speed = about(random, 0.5, 200), down = within(random, 0, 1.5);
             const Vector along = about_z(within(random, 0, 2 * pi)).c1;
@@ -145,7 +146,8 @@ TEST(FastOnTriangles, stay_above_hills) {
             for (size_t k = 0; k < bodies.size(); ++k) {
                 const Vector r = world.state(bodies[k]).value.r_CM;
                 if (std::abs(r.x - middle.x) > half.x - 2 || std::abs(r.y - middle.y) > half.y - 2) continue;  // over the rim, or near it
-                ASSERT_GE(static_cast<double>(r.z), height_at(empty, r) - half_extents[k]) << "draw " << draw << ", step " << i << ", " << rate << " Hz";
+                const double height = height_at(empty, r);
+                ASSERT_GE(static_cast<double>(r.z), height - half_extents[k]) << "draw " << draw << ", step " << i << ", " << rate << " Hz";
             }
         }
     }

@@ -50,7 +50,8 @@ struct PathInLevel {
 
 /// Calls each(triangle, n) for the triangles of a level that a shape may meet on its path: a thin hull that stands, and its normal, world.
 ///
-/// Triangles are met from outside. What begins with its middle behind one has others before it, or is in the ground already, and contacts push it out.
+/// Triangles are met from outside. What begins with its middle behind one has others before it, or is in the ground already, and contacts push it
+/// out.
 /// Cost: walks to the triangles in the boxes of the pieces of the path; those in two of them are told twice.
 template <class Shapes, class Each>
 void for_triangles_on_path(const ShapeOnPath& A, const ShapeOnPath& level, scalar unit, const Each& each) {

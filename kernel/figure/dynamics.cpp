@@ -111,7 +111,7 @@ void transpose_torques(const Dynamics& of, int body_i, int up_to_i, const Vector
 void mass_matrix(const Dynamics& of, scalar* matrix) {
     sum_inertias(of);
     const int n = of.size.direction_count;
-    for (int i = 0; i < n * n; ++i) matrix[i] = 0;
+    for (int i = 0; i < n * n; ++i) matrix[i] = 0;  // bound: the square of 3 max_bodies + 6, as long as the matrix of the user is
     for (int body_i = 0; body_i < of.size.body_count; ++body_i)  // bound: max_bodies
         for (int i = 0; i < of.bodies[body_i].count; ++i) {      // bound: 6
             const int row = of.bodies[body_i].first + i;
