@@ -228,29 +228,35 @@ TEST(MoverOnMovingGround, does_not_drift) {
 }
 
 TEST(MoverOnMovingGround, takes_its_velocity_along_when_it_jumps) {
-    auto& world = empty_world<Street>();
-    const BodyId ground = add_box(world, {9, 3, 0.5}, {0, 0, -0.5}, ingot::identity_matrix<scalar>(), true);
-    Mover mover = standing_at(world, 0, 0, 0);
-    ASSERT_EQ(world.set_velocity(ground, {4, 0, 1}), Status::ok);
-    const scalar h = scalar(1) / 60;
-    for (int i = 0; i < 10; ++i) {
-        (void)ingot::step(world, h);
-        ASSERT_EQ(world.move(mover, {}, h), Status::ok);
-    }
-    (void)ingot::step(world, h);
-    ASSERT_EQ(world.move(mover, {{0, 0, 0}, 3}, h), Status::ok);
-    EXPECT_EQ(mover.ground.footing, MoverFooting::none);
-    EXPECT_NEAR(static_cast<double>(mover.v.x), 4, 1e-3);
-    EXPECT_NEAR(static_cast<double>(mover.v.z), 4 - 9.81 / 60, 1e-3);
-    double seconds = 1.0 / 60;
-    const V place = exact(mover.r) - exact(world.state(ground).value.r_CM);
-    while (!stands(mover) && seconds < 2) {
-        (void)ingot::step(world, h);
-        ASSERT_EQ(world.move(mover, {}, h), Status::ok);
-        seconds += 1.0 / 60;
-    }
-    EXPECT_NEAR(seconds, 2 * 3 / 9.81, 1.5 / 60);
-    EXPECT_NEAR((exact(mover.r) - exact(world.state(ground).value.r_CM)).x(), place.x(), 1e-3) << "it lands where it jumped";
+    for (const int rate : {10, 60, 240})
+        for (const double speed : {1.0, 4.0, 20.0}) {
+            SCOPED_TRACE(::testing::Message() << rate << " Hz, " << speed << " m/s");
+            auto& world = empty_world<Street>();
+            const BodyId ground = add_box(world, {9, 3, 0.5}, {0, 0, -0.5}, ingot::identity_matrix<scalar>(), true);
+            Mover mover = standing_at(world, 0, 0, 0);
+            ASSERT_EQ(world.set_velocity(ground, {static_cast<scalar>(speed), 0, 1}), Status::ok);
+            const scalar h = 1 / static_cast<scalar>(rate);
+            const auto place = [&] { return V(exact(mover.r) - exact(world.state(ground).value.r_CM)); };
+            for (int i = 0; i < 10; ++i) {
+                (void)ingot::step(world, h);
+                ASSERT_EQ(world.move(mover, {}, h), Status::ok);
+            }
+            const V before = place();
+            (void)ingot::step(world, h);
+            ASSERT_EQ(world.move(mover, {{0, 0, 0}, 3}, h), Status::ok);
+            EXPECT_EQ(mover.ground.footing, MoverFooting::none);
+            EXPECT_NEAR(static_cast<double>(mover.v.x), speed, 1e-3);
+            EXPECT_NEAR(static_cast<double>(mover.v.z), 4 - 9.81 / rate, 1e-3);
+            EXPECT_NEAR((place() - before).z(), 3.0 / rate - 9.81 / 2 / rate / rate, 1e-3) << "as high as from ground that stands";
+            double seconds = 1.0 / rate;
+            while (!stands(mover) && seconds < 2) {
+                (void)ingot::step(world, h);
+                ASSERT_EQ(world.move(mover, {}, h), Status::ok);
+                seconds += 1.0 / rate;
+            }
+            EXPECT_NEAR(seconds, 2 * 3 / 9.81, 1.5 / rate);
+            EXPECT_NEAR(place().x(), before.x(), 1e-3) << "it lands where it jumped";
+        }
 }
 
 /// A lift that is put somewhere else takes it along, and the next move is as any other.

@@ -31,7 +31,7 @@ enum class [[nodiscard]] Status : uint8_t {
     bad_snapshot,       ///< not a snapshot, not whole, damaged, or of a state that no world has
     other_version,      ///< a snapshot of another version of the kernel
     other_scene,        ///< a snapshot of a world of another scalar or scene
-    bad_joint,          ///< a body with itself, axes that are not at right angles, limits the wrong way round
+    bad_joint,          ///< a body with itself, axes that are not at right angles, limits the wrong way round; loops, of read_dynamics
 };
 
 /// A status in words, for people to read: its name, and what it says above. In flash where it is called.

@@ -46,9 +46,25 @@ struct PathInLevel {
     bool stays_above(const TriangleFace& face) const {
         return min(dot(face.n, begin - face.corners[0]), dot(face.n, end - face.corners[0])) > reach;
     }
+    /// While what goes along is near the plane of a face, all of it is above the inside. Needs: it does not stay above.
+    bool comes_down_inside(const TriangleFace& face) const {
+        const scalar from = dot(face.n, begin - face.corners[0]), fall = from - dot(face.n, end - face.corners[0]);
+        const auto fraction_at = [&](scalar height) {
+            const scalar way = from - height;
+            return way > 0 ? (way < fall ? way / fall : scalar(1)) : scalar(0);
+        };
+        const Vector way = end - begin, first = begin + way * fraction_at(reach), last = begin + way * fraction_at(-reach);
+        bool inside = true;
+        for (int i = 0; i < 3; ++i) {
+            const Vector& corner = face.corners[i];
+            inside = inside && min(dot(face.inward[i], first - corner), dot(face.inward[i], last - corner)) > reach;
+        }
+        return inside;
+    }
 };
 
-/// Calls each(triangle, n) for the triangles of a level that a shape may meet on its path: a thin hull that stands, and its normal, world.
+/// Calls each(triangle, n) for the triangles of a level that a shape may meet on its path: a thin hull that stands, or, where the shape comes down well
+/// inside, the half space below it, which costs a small thing above a large triangle no digits; and its normal, world.
 ///
 /// Triangles are met from outside. What begins with its middle behind one has others before it, or is in the ground already, and contacts push it
 /// out.
@@ -66,12 +82,18 @@ void for_triangles_on_path(const ShapeOnPath& A, const ShapeOnPath& level, scala
     const auto tell = [&](const LevelTriangle& triangle) {
         TriangleFace face;
         if (!face_of_triangle(triangle, face) || dot(face.n, middle - face.corners[0]) < 0 || on.stays_above(face)) return;
+        const Vector n = placed.A * face.n;
+        if (on.comes_down_inside(face)) {
+            stands.r_CM = frame.place(face.corners[0]);
+            stands.A = identity_matrix<scalar>();
+            return each(ShapeOnPath{stands, HalfSpace{n, 0}, nullptr, nullptr, 0}, n);
+        }
         const TriangleHull hull(face, half_extent);
         const PlacedShape thin = hull.placed();
         stands.r_CM = frame.place(thin.r);
         stands.A = placed.A;
         const ShapeOnPath met = {stands, thin.shape, nullptr, thin.hull, thin.hull->radius};
-        if (may_meet(A, met, unit)) each(met, placed.A * face.n);
+        if (may_meet(A, met, unit)) each(met, n);
     };
     const Vector more = {on.reach, on.reach, on.reach};
     const int pieces = on.pieces();

@@ -170,13 +170,14 @@ private:
         }
         to += belt * h;
         const Vector v_ground = (to - mover.r) * (1 / h);
+        // Who jumps flies along with what it leaves.
+        const bool walks = stood && !(input.jump > 0);
         except = carrier;
-        if (!same(to, mover.r)) walk.carry(at, to);
+        if (walks && !same(to, mover.r)) walk.carry(at, to);
         except = no_slot;
 
         // By itself.
         const PlacedShape begin = at;
-        const bool walks = stood && !(input.jump > 0);
         if (walks) {
             wanted = across + v_ground;
             walk.walk(at, across * h, mover.ground.n);
