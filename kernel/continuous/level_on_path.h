@@ -63,8 +63,8 @@ struct PathInLevel {
     }
 };
 
-/// Calls each(triangle, n) for the triangles of a level that a shape may meet on its path: a thin hull that stands, or, where the shape comes down well
-/// inside, the half space below it, which costs a small thing above a large triangle no digits; and its normal, world.
+/// Calls each(triangle, n) for the triangles of a level that a shape may meet on its path: a thin hull that stands, or, where the shape comes down
+/// well inside, the half space below it, which costs a small thing above a large triangle no digits; and its normal, world.
 ///
 /// Triangles are met from outside. What begins with its middle behind one has others before it, or is in the ground already, and contacts push it
 /// out.

@@ -14,8 +14,8 @@ namespace ingot { inline namespace INGOT_ABI {
 /// forbids is the answer: it is exact, to the rounding of the sum (of double, planes are kept to 64 of them), and does not depend on the order of the
 /// planes, to the bit. It is computed in double.
 /// Units:  m, world.
-/// Errors: not_finite, out_of_range (fewer than 0 or more than 16 planes, a way or a gap beyond 2 limits::position_max), bad_direction (a normal that is not
-///         of unit length).
+/// Errors: not_finite, out_of_range (fewer than 0 or more than 16 planes, a way or a gap beyond 2 limits::position_max), bad_direction (a normal that
+///         is not of unit length).
 /// Cost:   697 candidates of 16 planes, about 150 operations in double each; of 3 planes 8. Where no way keeps all planes, up to 35 times as many (of
 ///         double 70).
 Result<Vector> solve_planes(const Vector& way, const MoverPlane* planes, int count);
