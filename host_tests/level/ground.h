@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <vector>
 
 #include "fields.h"
 
@@ -252,6 +253,37 @@ BodyId add_level(World<S>& world, const LevelTable& table, scalar friction = sca
     def.friction = friction;
     def.r = r;
     return world.add_level(def).value;
+}
+
+// The same twice as large and twice as fast: in worlds of length_unit 2 it goes the same way.
+inline LevelTable twice(LevelTable level) {
+    level.step *= 2;
+    level.low = level.low * 2;
+    level.high = level.high * 2;
+    level.origin = level.origin * 2;
+    return level;
+}
+/// As heavy as before.
+inline BodyDef twice(BodyDef def) {
+    def.shape.size = def.shape.size * 2;
+    def.mass.I_body = def.mass.I_body * 4;
+    def.state.r_CM = def.state.r_CM * 2;
+    def.state.v_CM = def.state.v_CM * 2;
+    def.state.L = def.state.L * 4;
+    return def;
+}
+/// Steps both, and says in which step, counted from 1, bodies are not at the same places to the bit; 0: in none.
+template <class S, class Large>
+int parts_in_step(World<S>& one, World<Large>& two, const std::vector<BodyId>& bodies, const std::vector<BodyId>& large, int steps) {
+    for (int i = 1; i <= steps; ++i) {
+        (void)ingot::step(one, scalar(1) / 60);
+        (void)ingot::step(two, scalar(1) / 60);
+        for (size_t k = 0; k < bodies.size(); ++k) {
+            const Vector r = one.state(bodies[k]).value.r_CM * 2, R = two.state(large[k]).value.r_CM;
+            if (!(r.x == R.x && r.y == R.y && r.z == R.z)) return i;
+        }
+    }
+    return 0;
 }
 
 }  // namespace level_test

@@ -134,7 +134,7 @@ bool closes_in(const Collision& collision, int slot, int other, const ShapePair&
 /// When two shapes, or a shape and a triangle of a level, meet on the paths of their bodies, as these are.
 ///
 /// Where they touch already, and no contact has seen to it, they meet at once if they close in. And a body that is led along by what it touches does
-/// not meet the next part of the same floor: the two are passed as if they touched. solved: their manifold of the step, or null.
+/// not meet the next part of the same floor: the two are passed as if they touched. manifold: theirs of the step, or null.
 template <class Collision>
 scalar time_of_meeting(const Collision& collision, const MetPair& met, const BodyPair* manifold, scalar latest, PairRoom<Collision>& room) {
     const ShapeOnPath &A = met.A, &B = met.B;
