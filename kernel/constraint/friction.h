@@ -108,8 +108,10 @@ struct Friction {
     static void remember(const View& solver, int block_i, int lane_i, int record_i, scalar part) {
         const auto& block = solver.blocks[block_i];
         const Vector t_1 = lane_of(block.t_1, lane_i), t_2 = lane_of(block.t_2, lane_i);
-        solver.records[record_i].j_friction = (t_1 * block.friction.j[0][lane_i] + t_2 * block.friction.j[1][lane_i]) * part;
-        solver.friction_references[record_i] = (t_1 * block.friction.reference[0][lane_i] + t_2 * block.friction.reference[1][lane_i]) * part;
+        // Of what presses nothing the sign of zero is up to its neighbours in the block: 0 is added, and it is +.
+        solver.records[record_i].j_friction = (t_1 * block.friction.j[0][lane_i] + t_2 * block.friction.j[1][lane_i]) * part + Vector{};
+        solver.friction_references[record_i] =
+            (t_1 * block.friction.reference[0][lane_i] + t_2 * block.friction.reference[1][lane_i]) * part + Vector{};
     }
 
     template <class Visit, class Pair>

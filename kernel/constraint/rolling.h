@@ -61,7 +61,7 @@ struct Rolling {
         const auto& block = solver.blocks[block_i];
         const RollingRows& rolling = solver.rolling[block_i];
         solver.rolling_records[record_i].j =
-            (lane_of(block.t_1, lane_i) * rolling.j[0][lane_i] + lane_of(block.t_2, lane_i) * rolling.j[1][lane_i]) * part;
+            (lane_of(block.t_1, lane_i) * rolling.j[0][lane_i] + lane_of(block.t_2, lane_i) * rolling.j[1][lane_i]) * part + Vector{};
     }
 
     template <class Visit, class Pair>

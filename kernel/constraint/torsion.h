@@ -49,7 +49,7 @@ struct Torsion {
     }
     template <class View>
     static void remember(const View& solver, int block_i, int lane_i, int record_i, scalar part) {
-        solver.records[record_i].j_torsion = solver.blocks[block_i].torsion.j[lane_i] * part;
+        solver.records[record_i].j_torsion = solver.blocks[block_i].torsion.j[lane_i] * part + 0;  // +0: see Friction::remember
     }
 
     template <class Visit, class Pair>
