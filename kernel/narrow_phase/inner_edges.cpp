@@ -147,6 +147,11 @@ bool chain_fixed_touches(const FixedShapes& all, Index* last_of_shape, const Man
     return some;
 }
 
+void forget_fixed_touches(Index* last_of_shape, const ManifoldView& manifolds) {
+    // bound: max_manifolds
+    for (int i = 0; i < *manifolds.count; ++i) last_of_shape[manifolds.pairs[i].body_A] = last_of_shape[manifolds.pairs[i].body_B] = 0;
+}
+
 void end_fixed_chains(const FixedShapes& all, const PairList& found, Index* last_of_shape, const ManifoldView& manifolds) {
     int kept = 0, found_i = 0;
     // bound: max_manifolds

@@ -106,6 +106,8 @@ private:
 /// Chains the manifolds of each body with fixed shapes. True where some body has more than one.
 bool chain_fixed_touches(const FixedShapes& all, Index* last_of_shape, const ManifoldView& manifolds);
 
+/// Undoes chains of one.
+void forget_fixed_touches(Index* last_of_shape, const ManifoldView& manifolds);
 /// Undoes the chains, and ends manifolds that have no points left.
 void end_fixed_chains(const FixedShapes& all, const PairList& found, Index* last_of_shape, const ManifoldView& manifolds);
 
@@ -119,9 +121,9 @@ void drop_points(unsigned hidden, ManifoldRecord& record);
 /// Cost: two looks at each manifold; of a body on k fixed shapes, k^2 tests of bounds.
 template <class Shapes>
 void drop_hidden_points(const FixedShapes& all, const PairList& found, Index* last_of_shape, const ManifoldView& manifolds) {
-    const bool some = chain_fixed_touches(all, last_of_shape, manifolds);
+    if (!chain_fixed_touches(all, last_of_shape, manifolds)) return forget_fixed_touches(last_of_shape, manifolds);
     // bound: max_manifolds
-    for (int i = 0; some && i < *manifolds.count; ++i) {
+    for (int i = 0; i < *manifolds.count; ++i) {
         const FixedTouch touch = all.touch_of(manifolds.pairs[i]);
         if (touch.S < 0) continue;
         if constexpr (Shapes::has(ShapeKind::level))

@@ -118,9 +118,9 @@ private:
 /// Drops the points that other fixed shapes hide, where one of the two is a level. See drop_hidden_points.
 template <class Shapes>
 void drop_points_at_seams(const FixedShapes& all, const PairList& found, Index* last_of_shape, const ManifoldView& manifolds) {
-    const bool some = chain_fixed_touches(all, last_of_shape, manifolds);
+    if (!chain_fixed_touches(all, last_of_shape, manifolds)) return forget_fixed_touches(last_of_shape, manifolds);
     // bound: max_manifolds
-    for (int i = 0; some && i < *manifolds.count; ++i) {
+    for (int i = 0; i < *manifolds.count; ++i) {
         const FixedTouch touch = all.touch_of(manifolds.pairs[i]);
         if (touch.S < 0) continue;
         ManifoldRecord& record = manifolds.records[manifolds.pairs[i].record];
