@@ -10,6 +10,7 @@
 #include <ingot/platform/clock.h>
 #include <ingot/platform/console.h>
 #include <ingot/platform/fixed_step.h>
+#include <ingot/platform/host_threads.h>
 #include <ingot/platform/recorder.h>
 #include <ingot/platform/stack_watermark.h>
 

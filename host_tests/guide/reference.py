@@ -43,6 +43,7 @@ INTERNAL_MEMBERS = ("Memory AwakeMemory TreeMemory View name as_printed compensa
 INTERNAL = {
     "base/config.h": "PairKey key_of INGOT_JOIN_ INGOT_JOIN INGOT_DOUBLES_ADD_WRONGLY",
     "base/report.h": "count note_figures note_sweeps",
+    "base/workers.h": "tasks_of_worker tasks_max Range range_of tasks_for over_ranges",
     "base/effort.h": "sweeps_of_new new_until sweeps_of_balls steady_sweeps goes_up spares_substeps",
     "base/floating_point.h": "check_floating_point_of_kernel",
     "body/check_body.h": "ScaledInverseInertia scaled_inverse_inertia correction_of_rotation",
@@ -80,7 +81,7 @@ INTERNAL = {
     "world/contact_info.h": "ContactPlaces Iterator ContactRange(",
     "world/world_reactions.h": "Iterator BreakRange(",
     "world/draw.h": "WorldDrawing",
-    "world/scene.h": "SceneOrNone any_of collides stacks solves_pointwise solves_directly has_shapes has_joints has_joint_limits has_joint_drives has_wheels has_joint_rows "
+    "world/scene.h": "SceneOrNone shares_work solves_in_parts any_of collides stacks solves_pointwise solves_directly has_shapes has_joints has_joint_limits has_joint_drives has_wheels has_joint_rows "
                      "has_joint_reactions has_joint_breaking swings_freely has_loops has_ties has_targets hulls_of are_hulls has_compounds shape_capacity "
                      "pairs_with_own ShapesOf hides_internal_edges queries_by_tree has_sensors has_events follows_fast_bodies has_materials sweeps_balls_alone "
                      "has_field flies_in_field SceneOf",

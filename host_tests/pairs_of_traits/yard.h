@@ -15,6 +15,15 @@ using ingot::Vector;
 
 constexpr int max_bodies = 24;
 
+/// Workers that take the last task first.
+struct BackToFront {
+    static constexpr int workers = 2;
+    template <class Task>
+    static void run(int count, Task& task) {
+        for (int task_i = count - 1; task_i >= 0; --task_i) task(task_i);
+    }
+};
+
 /// The bodies that a trait may want to do something to.
 struct Ids {
     ingot::BodyId ground, wall, cubes[3], ball, bouncer, plank, resting;

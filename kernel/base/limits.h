@@ -161,6 +161,11 @@ inline constexpr scalar energy_turn_max = scalar(0.25); ///< rad, of one of them
 /// Of the energy: what is off by less is rounding. A body that spins about an axis of inertia would be turned by degrees to take that back.
 inline constexpr scalar energy_rounding = 16 * epsilon;
 
+// Stages that several cores share: what is worth a task, some ten microseconds on a PC.
+inline constexpr int bodies_of_task = 64;     ///< to be moved, or bounded
+inline constexpr int pairs_of_task = 64;      ///< to be looked at
+inline constexpr int manifolds_of_task = 16;  ///< to be solved
+
 // Sweeps (solver/sweeps/).
 inline constexpr int substeps = 4;  ///< of a step, unless the scene says other: see Effort; each is solved and displaced by itself
 inline constexpr int sweeps = 3;    ///< over all contacts in a substep, unless the scene says other

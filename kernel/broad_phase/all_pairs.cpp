@@ -30,8 +30,8 @@ void find_all_pairs(const BodyView& bodies, const BoundsTile* bounds, const Pair
     }
 }
 
-bool search_all_pairs(const SearchView& search, scalar h, const PairList& pairs) {
-    const bool left = refresh_bounds(search.shapes, search.surfaces, h, search.bounds);
+bool search_all_pairs(const SearchView& search, scalar h, const PairList& pairs, bool bounded) {
+    const bool left = refresh_bounds(search.shapes, search.surfaces, h, search.bounds, bounded);
     if (left) find_all_pairs(search.shapes, search.bounds, pairs);
     const bool crowded = *pairs.lost > 0;
     if (crowded) {

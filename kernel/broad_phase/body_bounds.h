@@ -17,8 +17,8 @@ struct alignas(tile_alignment) BoundsTile {
 /// are apart do not touch in this step. Needs omega. Cost: about 40 flops a body.
 ///
 /// Returns: whether a body has left its fat AABBs. If so, all fat AABBs are new, and pairs must be searched for again; if not, the pairs of the
-/// last search still hold all that may touch.
-bool refresh_bounds(const BodyView& bodies, const SurfaceView& surfaces, scalar h, BoundsTile* bounds);
+/// last search still hold all that may touch. bounded: those of this step are there already, see bound_shapes.
+bool refresh_bounds(const BodyView& bodies, const SurfaceView& surfaces, scalar h, BoundsTile* bounds, bool bounded = false);
 
 /// Fat AABBs without their skin: a search by these finds the pairs that may touch in this step, and no more.
 void shrink_bounds(const BodyView& bodies, BoundsTile* bounds);

@@ -68,8 +68,8 @@ INGOT_INLINE void bound(const BodyView& bodies, const SurfaceView& surfaces, Pla
     set_bounds(tile, at.lane, r - reach - travel, r + reach + travel);
 }
 
-/// Bounds of a tile of shapes. Returns the lanes that have left their fat AABBs.
-INGOT_INLINE mask refresh_tile(const BodyView& bodies, const SurfaceView& surfaces, int tile_i, scalar h, BoundsTile& tile) {
+/// Bounds of a tile of shapes.
+INGOT_INLINE void bound_tile(const BodyView& bodies, const SurfaceView& surfaces, int tile_i, scalar h, BoundsTile& tile) {
     for (int lane_i = 0; lane_i < lanes; ++lane_i) {
         const int slot = tile_i * lanes + lane_i;
         if (slot < surfaces.slot_count)
@@ -77,6 +77,9 @@ INGOT_INLINE mask refresh_tile(const BodyView& bodies, const SurfaceView& surfac
         else
             set_bounds(tile, lane_i, nowhere, -nowhere);
     }
+}
+/// The lanes that have left their fat AABBs.
+INGOT_INLINE mask left_bounds(const BoundsTile& tile) {
     mask left = splat<lane>(1) < lane{};
     for (int axis = 0; axis < 3; ++axis) {
         left = either(left, load(tile.low[axis]) < load(tile.fat_low[axis]));

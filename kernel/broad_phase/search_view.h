@@ -3,6 +3,7 @@
 // active bodies, and sensors. Pairs of two that rest are in no list; their manifolds are put aside (see island/rest_view.h).
 #pragma once
 
+#include "../base/workers.h"
 #include "body_pairs.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -30,12 +31,20 @@ struct SearchView {
     void clear(int slot, int flag) const { flags[slot] = static_cast<uint8_t>(flags[slot] & ~flag); }
 };
 
-/// Bounds of all shapes, where nothing sleeps. Those that left their fat AABB have a new one, and are due: due[0 .. count).
-/// Returns: how many. Cost: as refresh_bounds.
-int refresh_bounds_and_due(const SearchView& search, scalar h, uint32_t* due);
+/// Bounds in this step of the shapes of some tiles, beside others: where several cores work, all are bounded before a search looks at them.
+void bound_shapes(const SearchView& search, scalar h, const Range& tiles);
 
-/// Bounds of one shape in this step, as refresh_bounds. True when it has left its fat AABB.
+/// Bounds of all shapes, where nothing sleeps. Those that left their fat AABB have a new one, and are due: due[0 .. count).
+/// bounded: they have been by bound_shapes.
+/// Returns: how many. Cost: as refresh_bounds.
+int refresh_bounds_and_due(const SearchView& search, scalar h, uint32_t* due, bool bounded);
+
+/// Bounds of one shape in this step, as refresh_bounds.
+void bound_shape(const SearchView& search, scalar h, int slot);
+/// The same. True when it has left its fat AABB.
 bool refresh_bounds_of(const SearchView& search, scalar h, int slot);
+/// True when it has, once it has been bounded.
+bool has_left_bounds(const SearchView& search, int slot);
 /// Of a slot that holds no shape yet: such bounds overlap nothing.
 void empty_bounds(BoundsTile* bounds, int slot);
 /// A new fat AABB around its bounds.

@@ -97,9 +97,9 @@ void find_due_pairs_by_tree(const SearchView& search, const SortedTreeView& tree
     if (*tree.moved > moved_min + *tree.used / 2) build_with_places(search, tree);
 }
 
-bool search_by_tree(const SearchView& search, const SortedTreeView& tree, scalar h, const PairList& pairs) {
+bool search_by_tree(const SearchView& search, const SortedTreeView& tree, scalar h, const PairList& pairs, bool bounded) {
     const bool crowded = *pairs.lost > 0;
-    const int due = refresh_bounds_and_due(search, h, tree.counters);
+    const int due = refresh_bounds_and_due(search, h, tree.counters, bounded);
     if (due > 0 && !crowded) find_due_pairs_by_tree(search, tree, tree.counters, due, pairs);
     if (*pairs.lost > 0) {
         shrink_bounds(search.shapes, search.bounds);

@@ -53,7 +53,7 @@ void find_due_pairs_by_tree(const SearchView& search, const SortedTreeView& tree
 
 /// Bounds of the step, and a search for the shapes that have left their fat AABBs, where nothing sleeps. True when the list has changed. See
 /// stages.h, find_pairs.
-bool search_by_tree(const SearchView& search, const SortedTreeView& tree, scalar h, const PairList& pairs);
+bool search_by_tree(const SearchView& search, const SortedTreeView& tree, scalar h, const PairList& pairs, bool bounded);
 
 /// `using broad_phase = ingot::SortedTree;`, for hundreds to tens of thousands of bodies.
 struct SortedTree {
@@ -88,7 +88,9 @@ struct SortedTree {
     struct Memory : TreeMemory<max_bodies, max_pairs> {
         uint8_t search_flags[Memory::shape_slots] = {};
 
-        bool search(const SearchView& search, scalar h, const PairList& pairs) { return search_by_tree(search, this->sorted(), h, pairs); }
+        bool search(const SearchView& search, scalar h, const PairList& pairs, bool bounded) {
+            return search_by_tree(search, this->sorted(), h, pairs, bounded);
+        }
     };
 
     /// For scenes whose bodies sleep; they have the flags of the search.

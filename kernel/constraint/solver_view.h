@@ -84,6 +84,7 @@ struct SolverView {
     scalar unit = 1;           ///< m; of lengths and speeds in limits.h: see base/contact_lengths.h
     Effort effort = {};
     int sweeps_of_step = no_budget;  ///< that each island may have
+    bool side_by_side = false;  ///< a part of a step: it marks no body in tiles, which others share. See solver_parts.h
 
     SolverBody* bodies;        ///< [0] stands for all that cannot move and for spare lanes
     SolverBodyHistory* histories;

@@ -54,6 +54,7 @@ struct SensorView {
         if (A != B && overlap()) note(A ? pair.body_A : pair.body_B, A ? pair.body_B : pair.body_A);
         return true;
     }
+    bool has(const BodyPair& pair) const { return is_sensor[pair.body_A] != 0 || is_sensor[pair.body_B] != 0; }
     void note(Index sensor, Index visitor) const {
         if (*overlaps.count < overlaps.capacity)
             write_pair(overlaps.pairs[(*overlaps.count)++], {sensor, visitor, generation[sensor], generation[visitor], false});
@@ -102,6 +103,7 @@ struct NoSensors {
     static constexpr bool take(const BodyPair&, const Overlap&) {
         return false;
     }
+    static constexpr bool has(const BodyPair&) { return false; }
 };
 
 /// What a scene asks of a pair before it may touch.
@@ -114,6 +116,8 @@ struct PairRules {
     bool may_touch(const BodyPair& pair, const Overlap& overlap) const {
         return filters.let_meet(pair.body_A, pair.body_B) && !sensors.take(pair, overlap);
     }
+    /// True for a pair that may touch, and of which no sensor is to be told.
+    bool tells_nobody(const BodyPair& pair) const { return filters.let_meet(pair.body_A, pair.body_B) && !sensors.has(pair); }
     /// True where nothing can have changed since the step before: in scenes whose bodies sleep.
     static constexpr bool keeps(const BodyPair&) { return false; }
 };

@@ -81,19 +81,25 @@ void over_others(const BodyView& bodies, int tile_i, unsigned left_alone, const 
     kept.give_back(bodies, tile_i, left_alone);
 }
 
-/// Calls stage(view) until it has seen every tile with an awake body once. Bodies that sleep keep their bits.
-template <class Stage>
-void over_awake_bodies(const BodyView& bodies, const RestView& rest, const Stage& stage) {
-    const auto all_awake = [&](int tile_i) { return rest.awake[tile_i] != 0 && sleepers_of(bodies, rest, tile_i) == 0; };
+/// Calls stage(view) until it has seen every chosen tile with an awake body once. Bodies that sleep keep their bits.
+template <class Chosen, class Stage>
+void over_awake_bodies_of(const BodyView& bodies, const RestView& rest, const Chosen& chosen, const Stage& stage) {
+    const auto all_awake = [&](int tile_i) { return chosen(tile_i) && rest.awake[tile_i] != 0 && sleepers_of(bodies, rest, tile_i) == 0; };
     over_active_runs(bodies, rest, all_awake, stage);
     if constexpr (lanes == 1) return;
     rest.active.for_each([&](int tile_i) {
+        if (!chosen(tile_i)) return;
         const unsigned sleepers = rest.awake[tile_i] != 0 ? sleepers_of(bodies, rest, tile_i) : 0;
         if (sleepers == 0) return;
         const KeptTile kept(bodies, tile_i);
         stage(tiles_of(bodies, tile_i, 1));
         kept.give_back(bodies, tile_i, sleepers);
     });
+}
+/// Of all tiles.
+template <class Stage>
+void over_awake_bodies(const BodyView& bodies, const RestView& rest, const Stage& stage) {
+    over_awake_bodies_of(bodies, rest, [](int) { return true; }, stage);
 }
 
 } }  // namespace ingot

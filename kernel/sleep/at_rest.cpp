@@ -16,13 +16,21 @@ void make_all_bounds(const SearchView& search, const RestView& rest, SensorMarks
     }
 }
 
-int refresh_active_bounds(const SearchView& search, const RestView& rest, scalar h, uint32_t* due) {
+void bound_active_shapes(const SearchView& search, const RestView& rest, scalar h, const Range& tiles) {
+    for_active(rest, [&](int body_i) {
+        if (const int tile_i = place_of(body_i).tile; tile_i < tiles.begin || tile_i >= tiles.end) return;
+        // bound: max_shapes_of_body
+        for (int slot = body_i * rest.shapes_of_body; slot < (body_i + 1) * rest.shapes_of_body; ++slot) bound_shape(search, h, slot);
+    });
+}
+
+int refresh_active_bounds(const SearchView& search, const RestView& rest, scalar h, uint32_t* due, bool bounded) {
     int count = 0;
     for_active(rest, [&](int body_i) {
         const int first = body_i * rest.shapes_of_body;
         // bound: max_shapes_of_body
         for (int slot = first; slot < first + rest.shapes_of_body; ++slot) {
-            const bool left = refresh_bounds_of(search, h, slot);
+            const bool left = bounded ? has_left_bounds(search, slot) : refresh_bounds_of(search, h, slot);
             if (!left && search.has(slot, SearchFlag::searched)) continue;
             search.set(slot, SearchFlag::searched);
             fatten_bounds_of(search, slot);

@@ -25,8 +25,11 @@ void make_all_bounds(const SearchView& search, const RestView& rest, SensorMarks
 
 /// Bounds of the shapes of active bodies; the others keep theirs. A shape that left its fat AABB, or that the step before did not search for, gets a
 /// new fat AABB and is due: the search finds its pairs anew. They are due[0 .. count), where due is not null.
+/// bounded: they have been, by bound_active_shapes.
 /// Returns: how many. Cost: about 40 flops a shape of an active body.
-int refresh_active_bounds(const SearchView& search, const RestView& rest, scalar h, uint32_t* due);
+int refresh_active_bounds(const SearchView& search, const RestView& rest, scalar h, uint32_t* due, bool bounded);
+/// Bounds in this step of the shapes of active bodies, of some tiles of bodies, beside others.
+void bound_active_shapes(const SearchView& search, const RestView& rest, scalar h, const Range& tiles);
 
 /// Bodies that were settling are at rest now, unless they woke again: their shapes are searched for no more.
 /// True when there were some.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "../base/workers.h"
 #include "../broad_phase/all_pairs.h"
 #include "../broad_phase/query_tree.h"
 #include "../energy_momentum/energy_momentum.h"
@@ -89,6 +90,7 @@ struct Scene {
     static constexpr NoLevels levels = {};       ///< or `static constexpr LevelTable levels[]`, in flash, or in memory that is filled before it
                                                  /// is used: ground for World::add_level
     static constexpr int max_shapes_of_body = 1; ///< 1 .. 255; more: World::add takes several shapes for one body, see shape/compound.h
+    using workers  = OneCore;                    ///< or a type that brings other cores along: see base/workers.h. The bits are the same
     using rotation = MoserVeselov;               ///< or another method of motion/
     using force_field = NoForceField;            ///< or one of motion/force_fields.h, or your own
     using flight   = KickDriftKick;              ///< or another scheme of motion/forced_flight.h, for scenes with a field
@@ -121,6 +123,12 @@ inline constexpr bool solves_pointwise = S::solver::is_pointwise;
 /// Its islands may be solved directly.
 template <class S>
 inline constexpr bool solves_directly = S::solver::is_direct;
+
+/// It has several cores; and its contacts are solved in parts, side by side.
+template <class S>
+inline constexpr bool shares_work = S::workers::workers > 1;
+template <class S>
+inline constexpr bool solves_in_parts = shares_work<S> && stacks<S> && !solves_pointwise<S> && !solves_directly<S> && S::max_joints == 0;
 
 template <class S>
 inline constexpr bool has_shapes = collides<S> || stacks<S>;

@@ -8,34 +8,26 @@
 #include "../motion/integrate_r.h"
 #include "../motion/integrate_v.h"
 #include "../solver/sequential/move_point_bodies.h"
-#include "../solver/sweeps/move_bodies.h"
+#include "shared_stages.h"
 #include "stages.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// Calls a stage for the bodies that move: all, or those that are awake.
-template <class S, class Stage>
-INGOT_INLINE void over_moving(Step<S>& now, const Stage& stage) {
-    if constexpr (S::sleeps)
-        over_awake_bodies(now.bodies, now.storage.rest_view(), stage);
-    else
-        stage(now.bodies);
-}
-
-/// The same without those that figures have moved.
+/// over_moving without bodies that figures have moved.
 template <class S, class Stage>
 INGOT_INLINE void over_flying(Step<S>& now, const Stage& stage) {
+    [[maybe_unused]] const auto reported = [&](const BodyView& some) { stage(some, now.report); };
     if constexpr (!has_joints<S>) {
         over_moving(now, stage);
     } else if constexpr (S::sleeps) {
         const RestView rest = now.storage.rest_view();
         rest.active.for_each([&](int tile_i) {
             if (rest.awake[tile_i] == 0) return;
-            over_others(now.bodies, tile_i, now.storage.jointed_lanes[tile_i] | sleepers_of(now.bodies, rest, tile_i), stage);
+            over_others(now.bodies, tile_i, now.storage.jointed_lanes[tile_i] | sleepers_of(now.bodies, rest, tile_i), reported);
         });
     } else {
         // bound: max_bodies / lanes, rounded up
-        for (int tile_i = 0; tile_i < now.bodies.tile_count; ++tile_i) over_others(now.bodies, tile_i, now.storage.jointed_lanes[tile_i], stage);
+        for (int tile_i = 0; tile_i < now.bodies.tile_count; ++tile_i) over_others(now.bodies, tile_i, now.storage.jointed_lanes[tile_i], reported);
     }
 }
 
@@ -50,7 +42,7 @@ INGOT_INLINE SumView sums_of(Step<S>& now, const BodyView& some) {
 /// Forces change the motion: L (Eq. 16) and v_CM (Eq. 14).
 template <class S>
 INGOT_INLINE void kick(Step<S>& now) {
-    over_flying(now, [&now](const BodyView& some) {
+    over_flying(now, [&now](const BodyView& some, StepReport&) {
         if constexpr (S::compensated_sums) {
             integrate_L_in_sums(some, sums_of(now, some), now.h);
             if constexpr (S::translates) integrate_v_in_sums(some, sums_of(now, some), now.h, now.storage.gravity);
@@ -67,8 +59,8 @@ INGOT_INLINE void drift(Step<S>& now) {
     move_kinematic_bodies(now);
     stop_locked_turns(now);
     const FlightClock clock{now.storage.steps, now.storage.energy_unit(now.h), now.h / 2};
-    over_flying(now, [&now, &clock](const BodyView& some) {
-        count(now.report.spins_clamped, S::rotation::integrate_A(some, now.h, clock));
+    over_flying(now, [&now, &clock](const BodyView& some, StepReport& report) {
+        count(report.spins_clamped, S::rotation::integrate_A(some, now.h, clock));
         if constexpr (S::translates && S::compensated_sums)
             integrate_r_in_sums(some, sums_of(now, some), now.h, now.storage.gravity);
         else if constexpr (S::translates)
@@ -175,16 +167,15 @@ struct FieldFlight {
 struct ConstrainedMotion {
     template <class S>
     static void advance(Step<S>& now) {
-        auto& storage = now.storage;
-        over_moving(now, [](const BodyView& some) { refresh_inv_I_world(some); });  // Eq. 20
+        over_moving(now, [](const BodyView& some, StepReport&) { refresh_inv_I_world(some); });  // Eq. 20
         restrict_inertia(now);
         swing_freely(now);
         solve_contacts(now);
         leave_swung(now);
         kick(now);
-        write_contact_motion(now.solver, jointed_of(now.solver), now.bodies, storage.gravity, now.h);
+        write_contact_motion(now);
         drift(now);
-        turn_by_corrections(now.solver, jointed_of(now.solver), now.bodies, now.h);
+        turn_by_corrections(now);
     }
 
 private:
@@ -198,6 +189,7 @@ private:
         now.solver.sweeps_of_step = sweeps_within(S::work_budget, *moving.count);
         storage.clear_impulse_sums(moving);
         const ContactStep step{now.bodies, storage.gravity, now.h, {storage.impact_notes(), storage.sums_of_impulses()}};
+        if (solve_in_parts(now, step)) return;
         storage.template solve_contacts<has_events<S> || S::reads_contacts, S::bounces>(now.solver, step, now.report);
     }
 };

@@ -84,6 +84,26 @@ SearchView search_of(const Step<S>& now) {
     return search;
 }
 
+/// Bounds of the shapes that are looked at, where several cores work: true then.
+template <class S>
+bool bound_side_by_side([[maybe_unused]] Step<S>& now, [[maybe_unused]] const SearchView& search) {
+    if constexpr (shares_work<S>) {
+        constexpr int least = (limits::bodies_of_task + lanes - 1) / lanes;
+        over_ranges<typename S::workers>(S::sleeps ? now.bodies.tile_count : search.shapes.tile_count, least, [&](int, const Range& tiles) {
+            if constexpr (S::sleeps)
+                bound_active_shapes(search, now.storage.rest_view(), now.h, tiles);
+            else
+                bound_shapes(search, now.h, tiles);
+        });
+    }
+    return shares_work<S>;
+}
+/// The search where none do.
+template <class S>
+bool search_all(Step<S>& now, const SearchView& search, const PairList& pairs) {
+    return now.storage.search(search, now.h, pairs, bound_side_by_side(now, search));
+}
+
 /// The search in scenes whose bodies sleep: it looks at what is active, and the first one after a world began or was loaded at all. True when the
 /// list has changed.
 template <class S>
@@ -97,7 +117,7 @@ bool search_awake(Step<S>& now, const PairList& pairs) {
         storage.find_pairs(search, pairs);
         storage.bounds_are_made = 1;
         changed = true;
-    } else if (const int due = refresh_active_bounds(search, rest, now.h, storage.due_shapes()); due > 0) {
+    } else if (const int due = refresh_active_bounds(search, rest, now.h, storage.due_shapes(), bound_side_by_side(now, search)); due > 0) {
         if (!changed) storage.find_due_pairs(search, due, pairs);
         changed = true;
     }
@@ -121,7 +141,7 @@ void find_pairs([[maybe_unused]] Step<S>& now) {
         if constexpr (S::sleeps)
             changed = search_awake(now, pairs);
         else
-            changed = storage.search(search_of(now), now.h, pairs);
+            changed = search_all(now, search_of(now), pairs);
         if (!changed) return;
         if (S::holds_crowds && *pairs.lost != 0) choose_pairs(now);
         if constexpr (has_compounds<S>) drop_pairs_of_one_body<S::max_shapes_of_body>(pairs);
@@ -155,6 +175,22 @@ auto known_fast_pairs([[maybe_unused]] Step<S>& now) {
         return NoFastPairs{};
 }
 
+/// The narrow phase: several cores look at most of the pairs before their turn comes.
+template <class S, class Update>
+void update_manifolds(Step<S>& now, const Update& update) {
+    auto& storage = now.storage;
+    const auto rules = storage.pair_rules(now.report);
+    const PairList found = storage.pair_list();
+    if constexpr (shares_work<S>) {
+        const PairOutcomes outcomes{storage.pair_outcomes};
+        over_ranges<typename S::workers>(*found.count, limits::pairs_of_task,
+                                         [&](int, const Range& range) { look_ahead(update, rules, found, range, outcomes); });
+        update_manifolds(update, rules, found, now.report, outcomes);
+    } else {
+        update_manifolds(update, rules, found, now.report);
+    }
+}
+
 /// Manifolds of the pairs that touch, or are near enough to; sensors note who is in them.
 template <class S>
 void find_manifolds([[maybe_unused]] Step<S>& now) {
@@ -164,8 +200,10 @@ void find_manifolds([[maybe_unused]] Step<S>& now) {
         if constexpr (has_events<S> && has_sensors<S>) copy_list(storage.overlap_list(), storage.overlap_list_before());
         const SurfaceView surfaces = surfaces_of(now);
         const auto fast_pairs = find_fast_pairs(now);
-        update_manifolds<ShapesOf<S>, S::recycles_manifolds>(storage.shapes(), surfaces, storage.bounds, now.h, storage.pair_rules(now.report),
-                                                             storage.pair_list(), manifolds, now.report, fast_pairs);
+        const BodyView shapes = storage.shapes();
+        const PairUpdate<ShapesOf<S>, S::recycles_manifolds, decltype(fast_pairs)> update = {shapes, surfaces,  storage.bounds,
+                                                                                            now.h,  manifolds, fast_pairs};
+        update_manifolds(now, update);
         if (now.report.contacts_lost != 0) choose_manifolds(now, surfaces, fast_pairs);
         if constexpr (hides_internal_edges<S>)
             beside_moving_floors(now, [&] {

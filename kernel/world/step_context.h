@@ -15,6 +15,15 @@ constexpr auto solver_of_scene() {
         return NoSolver{};
 }
 
+/// Contacts with friction in parts, each with a solver of its own: see shared_stages.h.
+template <class Solver, int capacity>
+struct PartsOfStep {
+    SolverPart parts[static_cast<unsigned>(capacity)];
+    Solver solvers[static_cast<unsigned>(capacity)];
+    int count;  ///< 0: the step is solved as a whole
+};
+struct NoParts {};
+
 /// One step on its way through the stages: what it works on, and what it has to say.
 template <class S>
 struct Step {
@@ -23,6 +32,7 @@ struct Step {
     const BodyView& bodies;
     StepReport& report;
     decltype(solver_of_scene<S>()) solver{};  ///< of contacts with friction: filled by advance, read by follow_fast_bodies
+    If<solves_in_parts<S>, PartsOfStep<decltype(solver), tasks_max<typename S::workers>>, NoParts> parts{};
     FlightImpactList flights{};               ///< of fast bodies: for events
     If<S::work_budget == 0, AnyVisits, VisitsLeft> visits_left{S::work_budget - S::work_budget / 4};  ///< to contacts without friction
 };

@@ -54,22 +54,31 @@ void begin_body(const SolverView& solver, int body_i, const MotionAtBegin& motio
     set4(history.tau, motion.tau);
 }
 
+/// True where neither what it has nor what acts on it leads out of range.
+bool begins_well(const BodyView& bodies, const MotionAtBegin& motion, scalar h, const Place& at) {
+    return stays_in_range(bodies.rotation[at.tile], motion.v_CM + motion.a * h, motion.L + motion.tau * h, at.lane);
+}
+
 /// The solver's own body of a slot; 0 for one that cannot move, or that has gone bad: its motion must not reach those that touch it.
 Index take_in(SolverView& solver, const BodyView& bodies, const Vector& gravity, scalar h, int slot) {
     const Place at = place_of(slot);
     const scalar inv_M = bodies.translation[at.tile].inv_M[at.lane];
     if (!(inv_M > 0)) return 0;
     if (takes_part(solver, slot)) return solver.local_of[slot];
-    RotationTile& rotation = bodies.rotation[at.tile];
     const MotionAtBegin motion = motion_of(bodies, gravity, slot);
-    if (!stays_in_range(rotation, motion.v_CM + motion.a * h, motion.L + motion.tau * h, at.lane)) {
-        mark_lane_bad(rotation.bad, at.lane);
+    if (!begins_well(bodies, motion, h, at)) {
+        if (!solver.side_by_side) mark_lane_bad(bodies.rotation[at.tile].bad, at.lane);
         return 0;
     }
     const int local = solver.body_count++;
     solver.slot_of[local] = static_cast<Index>(slot);
     begin_body(solver, local, motion);
     return static_cast<Index>(local);
+}
+
+/// What cannot move is of several parts: 0 is there already.
+void name_local(const SolverView& solver, Index slot, Index local) {
+    if (solver.local_of[slot] != local) solver.local_of[slot] = local;
 }
 
 /// The inertia that it began the step with.
@@ -87,8 +96,8 @@ void take_in_bodies(SolverView& solver, const BodyView& bodies, const Vector& gr
     solver.body_count = 1;
     for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i) {  // bound: max_manifolds
         const BodyPair& pair = solver.pairs[manifold_i];
-        solver.local_of[pair.body_A] = take_in(solver, bodies, gravity, h, pair.body_A);
-        solver.local_of[pair.body_B] = take_in(solver, bodies, gravity, h, pair.body_B);
+        name_local(solver, pair.body_A, take_in(solver, bodies, gravity, h, pair.body_A));
+        name_local(solver, pair.body_B, take_in(solver, bodies, gravity, h, pair.body_B));
     }
 }
 
@@ -181,30 +190,66 @@ namespace {
 bool moves_in_figure(const NoJointedBodies&, int) { return false; }
 bool moves_in_figure(const JointedBodies& jointed, int body_i) { return jointed.has_joints(static_cast<Index>(body_i)); }
 
+/// False, and nothing is written, where it has gone bad.
+bool write_body(const SolverView& solver, int body_i, const BodyView& bodies, const Vector& gravity, scalar h) {
+    const SolverBody& body = solver.bodies[body_i];
+    const SolverBodyHistory& history = solver.histories[body_i];
+    const Place at = place_of(solver.slot_of[body_i]);
+    const Vector v = vector_of(body.v_CM), L = vector_of(body.L), dp = vector_of(body.dp);
+    RotationTile& rotation = bodies.rotation[at.tile];
+    TranslationTile& translation = bodies.translation[at.tile];
+    if (!stays_in_range(rotation, v, L, at.lane) || !is_finite(dp) || !is_finite(vector_of(body.dth))) return false;
+    const Vector a = (v - dp * (1 / h)) * (2 / h), L_mean = vector_of(history.L_sum) * (1 / static_cast<scalar>(solver.effort.substeps));
+    set_lane(translation.v_CM, at.lane, v);
+    set_lane(translation.F_T, at.lane, (a - gravity) * (1 / body.v_CM[3]));
+    set_lane(rotation.L, at.lane, L);
+    set_lane(rotation.tau_T, at.lane, (L - L_mean) * (2 / h));
+    return true;
+}
+
+void mark_body(const SolverView& solver, int body_i, const BodyView& bodies, bool good) {
+    const Place at = place_of(solver.slot_of[body_i]);
+    RotationTile& rotation = bodies.rotation[at.tile];
+    mark_lane_bad(good ? rotation.kicked : rotation.bad, at.lane);
+}
+
 }  // namespace
 
 template <class Joints>
 void write_contact_motion(const SolverView& solver, const Joints& jointed, const BodyView& bodies, const Vector& gravity, scalar h) {
-    for (int body_i = 1; body_i < solver.body_count; ++body_i) {  // bound: max_bodies + 1
-        if (moves_in_figure(jointed, body_i)) continue;
-        const SolverBody& body = solver.bodies[body_i];
-        const SolverBodyHistory& history = solver.histories[body_i];
-        const Place at = place_of(solver.slot_of[body_i]);
-        const Vector v = vector_of(body.v_CM), L = vector_of(body.L), dp = vector_of(body.dp);
-        RotationTile& rotation = bodies.rotation[at.tile];
-        TranslationTile& translation = bodies.translation[at.tile];
-        const uint16_t bit = static_cast<uint16_t>(1u << at.lane);
-        if (!stays_in_range(rotation, v, L, at.lane) || !is_finite(dp) || !is_finite(vector_of(body.dth))) {
-            rotation.bad = static_cast<uint16_t>(rotation.bad | bit);
-            continue;
-        }
-        const Vector a = (v - dp * (1 / h)) * (2 / h), L_mean = vector_of(history.L_sum) * (1 / static_cast<scalar>(solver.effort.substeps));
-        set_lane(translation.v_CM, at.lane, v);
-        set_lane(translation.F_T, at.lane, (a - gravity) * (1 / body.v_CM[3]));
-        set_lane(rotation.L, at.lane, L);
-        set_lane(rotation.tau_T, at.lane, (L - L_mean) * (2 / h));
-        rotation.kicked = static_cast<uint16_t>(rotation.kicked | bit);
+    for (int body_i = 1; body_i < solver.body_count; ++body_i)  // bound: max_bodies + 1
+        if (!moves_in_figure(jointed, body_i)) mark_body(solver, body_i, bodies, write_body(solver, body_i, bodies, gravity, h));
+}
+
+namespace {
+
+/// Calls each(slot) for bodies that can move and that take_in_bodies has left out.
+template <class Each>
+void over_left_out(const SolverView& solver, const BodyView& bodies, const Each& each) {
+    const auto look_at = [&](int slot) {
+        const Place at = place_of(slot);
+        if (solver.local_of[slot] == 0 && bodies.translation[at.tile].inv_M[at.lane] > 0) each(slot);
+    };
+    for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i) {  // bound: max_manifolds
+        look_at(solver.pairs[manifold_i].body_A);
+        look_at(solver.pairs[manifold_i].body_B);
     }
+}
+
+}  // namespace
+
+void write_motion_of_part(const SolverView& solver, const BodyView& bodies, const Vector& gravity, scalar h) {
+    // Of each body whether it is good; of [0], which is none, whether some were left out.
+    for (int body_i = 1; body_i < solver.body_count; ++body_i)  // bound: max_bodies + 1
+        solver.colours_of_body[body_i] = write_body(solver, body_i, bodies, gravity, h) ? 1u : 0u;
+    solver.colours_of_body[0] = 0;
+    over_left_out(solver, bodies, [&](int) { solver.colours_of_body[0] = 1; });
+}
+void mark_motion_of_part(const SolverView& solver, const BodyView& bodies) {
+    for (int body_i = 1; body_i < solver.body_count; ++body_i)  // bound: max_bodies + 1
+        mark_body(solver, body_i, bodies, solver.colours_of_body[body_i] != 0);
+    if (solver.colours_of_body[0] == 0) return;
+    over_left_out(solver, bodies, [&](int slot) { mark_lane_bad(bodies.rotation[place_of(slot).tile].bad, place_of(slot).lane); });
 }
 
 namespace {

@@ -41,6 +41,11 @@ void drift_bodies(View& solver, const BodyView& bodies, scalar h);
 template <class Joints>
 void write_contact_motion(const SolverView& solver, const Joints& jointed, const BodyView& bodies, const Vector& gravity, scalar h);
 
+/// The same for a part of a step, beside others; and what there is to note in tiles that parts share, one part after the other: bodies that were left
+/// out are among it.
+void write_motion_of_part(const SolverView& solver, const BodyView& bodies, const Vector& gravity, scalar h);
+void mark_motion_of_part(const SolverView& solver, const BodyView& bodies);
+
 /// The small turns by which overlaps were taken back; and of bodies that turn, those by which they have the energy that their contacts left them.
 /// Comes after the rotation.
 template <class Joints>

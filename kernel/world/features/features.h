@@ -22,6 +22,7 @@
 #include "reads_contacts.h"
 #include "sensors_and_events.h"
 #include "shapes.h"
+#include "shared_work.h"
 #include "sleep.h"
 #include "work_budget.h"
 
@@ -31,7 +32,7 @@ using All = FeatureList<Rotation, Translation, Compensation, EnergyReturn, Field
                         RollingResistance, Belts, Filters, Sensors, Continuous, Events, ToldEvents, Sleep, GravityShares, TouchAside, SteadyField,
                          UserData, BodyForces, BodyDamping, ReadsContacts, CompensatedSums, KinematicBodies, WorkBudget, ContactEffort, Figures,
                          MovingJoints, LimitedJoints, DrivenJoints, LoopJoints, FigureMotion, ReadReactions, BreakableJoints, TiedJoints,
-                         DrawnBodies, LockedAxes, Levels>;
+                         DrawnBodies, LockedAxes, Levels, SharedWork>;
 
 static_assert(All::bits_differ(SnapshotPart::doubles | SnapshotPart::anchors));  // of a snapshot's parts
 

@@ -33,9 +33,14 @@ struct AnchorPart<S, false> {
     ManifoldAnchors* manifold_anchors() { return nullptr; }
 };
 
+/// Parts beside the first: each has a body of its own that stands for all that cannot move, and may leave a part of its last block.
+template <class S>
+inline constexpr unsigned more_parts_of = solves_in_parts<S> ? static_cast<unsigned>(tasks_max<typename S::workers>) - 1 : 0;
+
 /// Manifolds of bodies with joints have blocks of their own: one more for what each kind leaves of its last.
 template <class S>
-inline constexpr unsigned block_capacity_of = (static_cast<unsigned>(S::max_manifolds) + lanes - 1) / lanes + (has_joints<S> && lanes > 1 ? 1 : 0);
+inline constexpr unsigned block_capacity_of =
+    (static_cast<unsigned>(S::max_manifolds) + lanes - 1) / lanes + (has_joints<S> && lanes > 1 ? 1 : 0) + more_parts_of<S>;
 
 template <class S, bool sleeps>
 struct BroadPhasePart : S::broad_phase::template AwakeMemory<shape_capacity<S>, pair_capacity<S>> {};
@@ -57,7 +62,7 @@ struct ManifoldTraitsPart : AnchorPart<S, S::recycles_manifolds>, BodyPairPart<S
 
 /// Solver bodies: one stands for all that cannot move; and each contact with a kinematic body has one.
 template <class S>
-inline constexpr unsigned solver_body_capacity = static_cast<unsigned>(S::max_bodies) + 1 +
+inline constexpr unsigned solver_body_capacity = static_cast<unsigned>(S::max_bodies) + 1 + more_parts_of<S> +
                                                  (S::kinematic_bodies ? static_cast<unsigned>(S::max_manifolds) : 0);
 
 /// What a solver works in that solves manifolds as blocks. The sequential solver brings all it needs.
@@ -87,7 +92,7 @@ template <class S, bool present>
 struct BlockOrderPart : ManifoldListPart<S> {
     static constexpr unsigned manifold_capacity = static_cast<unsigned>(S::max_manifolds);
     static constexpr unsigned block_capacity = block_capacity_of<S>;
-    static constexpr unsigned body_capacity = static_cast<unsigned>(S::max_bodies) + 1;
+    static constexpr unsigned body_capacity = static_cast<unsigned>(S::max_bodies) + 1 + more_parts_of<S>;
 
     static constexpr unsigned visit_capacity = manifold_capacity + block_capacity;
 

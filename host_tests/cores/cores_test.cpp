@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// The bits of a world are those of one core, whoever does the work and in whatever order: states, events, reports and snapshots.
+#include "reference/brief_types.h"
+#include "reference/draws.h"
+#include "same_bits.h"
+#include "shuffled_workers.h"
+
+namespace {
+
+using namespace cores_test;
+using ingot_reference::draws;
+
+template <class S, int count>
+void expect_same_when_shuffled(uint64_t seed, scalar h) {
+    Shuffled<count>::seed = seed;
+    Shuffled<count>::most_tasks = 0;
+    expect_same_bits<S, Shuffled<count>>(seed, 100, h);
+    EXPECT_GT(Shuffled<count>::most_tasks, 1) << "nothing was shared";
+}
+
+template <class S>
+class Cores : public ::testing::Test {};
+using Scenes = ingot_reference::BriefTypes<3, Sleepers, Materials, Full, Plain, Locked, Balls, Fast, OnLevels, Joined, Hybrid, Pointwise>;
+TYPED_TEST_SUITE(Cores, Scenes);
+
+TYPED_TEST(Cores, give_the_bits_of_one) {
+    const scalar rates[] = {60, 30, 120, 240, 1000};
+    for (uint64_t seed = 1; seed <= draws(16); ++seed) {
+        const scalar h = 1 / rates[seed % 5];
+        expect_same_when_shuffled<TypeParam, 3>(seed, h);
+#if !INGOT_TEST_BRIEF
+        expect_same_when_shuffled<TypeParam, 2>(seed + 100, h);
+        expect_same_when_shuffled<TypeParam, 8>(seed + 200, h);
+#endif
+    }
+}
+
+}  // namespace

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// The same with threads of the host, two cores, and jobs: what a thread sanitizer watches (preset tsan).
+#include <ingot/platform/host_threads.h>
+#include <ingot/platform/job_workers.h>
+#include <ingot/platform/second_core.h>
+
+#include <atomic>
+#include <thread>
+
+#include "reference/brief_types.h"
+#include "reference/draws.h"
+#include "same_bits.h"
+
+namespace {
+
+using namespace cores_test;
+using ingot_reference::draws;
+
+template <class S>
+class Threads : public ::testing::Test {};
+using Scenes = ingot_reference::BriefTypes<1, Sleepers, Materials, Full, Locked, Balls, Fast, OnLevels, Joined, Hybrid>;
+TYPED_TEST_SUITE(Threads, Scenes);
+
+TYPED_TEST(Threads, give_the_bits_of_one) {
+    for (uint64_t seed = 1; seed <= draws(8); ++seed) {
+        expect_same_bits<TypeParam, ingot::platform::HostThreads<2>>(seed, 100, scalar(1) / 60);
+#if !INGOT_TEST_BRIEF
+        expect_same_bits<TypeParam, ingot::platform::HostThreads<5>>(seed, 100, scalar(1) / 60);
+#endif
+    }
+}
+
+#if !INGOT_TEST_BRIEF
+TYPED_TEST(Threads, on_a_second_core) {
+    using Second = ingot::platform::SecondCore<>;
+    std::atomic<bool> over{false};
+    std::thread core_1([&over] {
+        while (!over.load())
+            if (!Second::serve_once()) std::this_thread::yield();
+    });
+    for (uint64_t seed = 1; seed <= draws(4); ++seed) expect_same_bits<TypeParam, Second>(seed, 60, scalar(1) / 60);
+    over.store(true);
+    core_1.join();
+}
+#endif
+
+}  // namespace

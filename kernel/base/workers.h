@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// Who does the work of a step: the kernel has no threads, it hands out tasks.
+#pragma once
+
+#include "config.h"
+
+namespace ingot { inline namespace INGOT_ABI {
+
+/// `using workers = ingot::OneCore;`, the default: the core that calls step() does all of it. Costs nothing.
+///
+/// A type of your own has the same two members, and brings other cores along (platform/host_threads.h has one of std::thread, guide/cores.md says how
+/// to write one for a job system or a second core):
+///
+///     static constexpr int workers;                                   1 .. 16: so many tasks may run at one time
+///     template <class Task> static void run(int count, Task& task);   calls task(0) .. task(count - 1), each once, in any order, on any core, and
+///                                                                     returns when all are done; what one has written, whoever goes on sees
+///
+/// Tasks write to places of their own, so they need no locks, and what they compute depends on their number alone: the bits of a world are the same
+/// for any workers. Up to 4 * workers tasks are handed out at one time, some ten times a step; stages with little to do are not shared.
+/// A task takes as much stack as step() does.
+struct OneCore {
+    static constexpr int workers = 1;
+    template <class Task>
+    static void run(int count, Task& task) {
+        for (int task_i = 0; task_i < count; ++task_i) task(task_i);  // bound: 4 workers
+    }
+};
+
+inline constexpr int workers_max = 16;
+/// Tasks into which a stage may be cut, for each worker: more than one, so that who is done early takes another.
+inline constexpr int tasks_of_worker = 4;
+template <class Workers>
+inline constexpr int tasks_max = Workers::workers == 1 ? 1 : tasks_of_worker * Workers::workers;
+
+/// A part of a row of things.
+struct Range {
+    int begin, end;
+};
+/// Part task_i of `tasks` equal parts of [0 .. count).
+constexpr Range range_of(int task_i, int tasks, int count) {
+    const long long all = count;
+    return {static_cast<int>(all * task_i / tasks), static_cast<int>(all * (task_i + 1) / tasks)};
+}
+/// Into how many parts `count` things are cut, of which `least` are worth a task.
+template <class Workers>
+constexpr int tasks_for(int count, int least) {
+    const int worth = count / least;
+    return worth < 2 ? 1 : worth < tasks_max<Workers> ? worth : tasks_max<Workers>;
+}
+
+/// Calls each(task_i, range) for equal parts of [0 .. count): side by side, or, where there is little, all at once on the core at hand.
+template <class Workers, class Each>
+INGOT_INLINE void over_ranges(int count, int least, const Each& each) {
+    if constexpr (Workers::workers == 1) {
+        each(0, Range{0, count});
+    } else {
+        const int tasks = tasks_for<Workers>(count, least);
+        if (tasks == 1) return each(0, Range{0, count});
+        const auto task = [&](int task_i) { each(task_i, range_of(task_i, tasks, count)); };
+        Workers::run(tasks, task);
+    }
+}
+
+} }  // namespace ingot

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// Workers of a scene (kernel/base/workers.h) that are threads of the host.
+//
+//   struct Village : ingot::Scene {
+//       using workers = ingot::platform::HostThreads<4>;
+//       ...
+//   };
+#pragma once
+
+namespace ingot::platform {
+
+/// Calls call(task, 0) .. call(task, count - 1), each once, on `workers` threads of which the caller is one, and returns when all are done.
+///
+/// The others are made by the first call that needs them and live until the program ends. They look for work for some 50 us after the last, so that a
+/// step does not wait for them, and then sleep. Calls from several threads take turns; a task does not call it again.
+/// Cost: 1 to 3 us a call while they are awake.
+void run_on_threads(int workers, int count, void (*call)(void* task, int task_i), void* task);
+
+/// count: 2 .. 16. More threads than there are cores free are slower than one.
+template <int count>
+struct HostThreads {
+    static constexpr int workers = count;
+    template <class Task>
+    static void run(int tasks, Task& task) {
+        // The task may be const: what is called takes the type back as it was.
+        run_on_threads(workers, tasks, [](void* of, int task_i) { (*static_cast<Task*>(of))(task_i); },
+                       const_cast<void*>(static_cast<const void*>(&task)));
+    }
+};
+
+}  // namespace ingot::platform
