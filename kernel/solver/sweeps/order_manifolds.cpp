@@ -151,7 +151,7 @@ void add_color(SolverView& solver, NoJointedBodies&, Index* manifolds, int count
     add_visits(to, manifolds, count, group);
 }
 
-bool has_joints(const SolverView& solver, const JointedBodies& jointed, Index manifold_i) {
+bool has_jointed_body(const SolverView& solver, const JointedBodies& jointed, Index manifold_i) {
     const BodyPair& pair = solver.pairs[manifold_i];
     const Index A = solver.local_of[pair.body_A], B = solver.local_of[pair.body_B];
     return (A != 0 && jointed.has_joints(A)) || (B != 0 && jointed.has_joints(B));
@@ -160,10 +160,10 @@ bool has_joints(const SolverView& solver, const JointedBodies& jointed, Index ma
 int part_free(const SolverView& solver, const JointedBodies& jointed, Index* manifolds, int count) {
     int free = 0;
     for (int i = 0; i < count; ++i)  // bound: max_manifolds
-        if (!has_joints(solver, jointed, manifolds[i])) jointed.parted[free++] = manifolds[i];
+        if (!has_jointed_body(solver, jointed, manifolds[i])) jointed.parted[free++] = manifolds[i];
     int next = free;
     for (int i = 0; i < count; ++i)
-        if (has_joints(solver, jointed, manifolds[i])) jointed.parted[next++] = manifolds[i];
+        if (has_jointed_body(solver, jointed, manifolds[i])) jointed.parted[next++] = manifolds[i];
     for (int i = 0; i < count; ++i) manifolds[i] = jointed.parted[i];
     return free;
 }
