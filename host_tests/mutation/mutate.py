@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Mutation run over kernel/: small faults are put in, one at a time, and the host tests have to notice.
 
-    mutate.py [--count 400] [--seed 1] [--jobs 2] [--rooms blocks,collide] [--programs query_test,laws_test] [--scratch build/mutation]
+    mutate.py [--count 400] [--seed 1] [--jobs 2] [--rooms blocks,collide] [--programs query_test,laws_test] [--brief] [--scratch build/mutation]
 
 A sample of mutants is drawn: operators and comparisons exchanged, constants changed, conditions negated, statements left out. clang's syntax tree
 says where they are. All of the sample are compiled at once into a copy of the tree, each behind a question `is this one switched on?`, so a mutant
@@ -214,16 +214,17 @@ def copy_tree(tree):
     shutil.copyfile(os.path.join(ROOT, "kernel", "CMakeLists.txt"), os.path.join(tree, "kernel", "CMakeLists.txt"))
 
 
-def build_all(mutants, scratch, jobs, wanted):
-    """Builds the tests of the mutated tree, or those wanted; drops the mutants that do not compile. Returns the test programs."""
+def build_all(mutants, scratch, jobs, wanted, brief):
+    """Builds the tests of the mutated tree, or those wanted, brief as the preset `test` has them or all of it; drops the mutants that do not compile. Returns the test programs."""
     tree, build = os.path.join(scratch, "tree"), os.path.join(scratch, "build")
     os.makedirs(os.path.join(tree, "kernel"), exist_ok=True)
     copy_tree(tree)
     runtime = os.path.join(scratch, "switch.o")
     subprocess.run(["g++", "-O2", "-c", os.path.join(HERE, "switch.cpp"), "-o", runtime], check=True)
     write_tree(mutants, tree)
+    level = ["-DINGOT_TEST_BRIEF=ON", "-DCMAKE_CXX_FLAGS_DEBUG=-O0", "-DINGOT_KERNEL_LEVEL=O1"] if brief else ["-DCMAKE_CXX_FLAGS_DEBUG=-O1"]
     subprocess.run(["cmake", "-S", tree, "-B", build, "-G", "Ninja", "-DCMAKE_TOOLCHAIN_FILE=" + os.path.join(tree, "toolchains", "host-gcc.cmake"),
-                    "-DCMAKE_BUILD_TYPE=Debug", "-DCMAKE_CXX_FLAGS_DEBUG=-O1", "-DCMAKE_CXX_FLAGS=-w -include " + os.path.join(HERE, "switch.h"),
+                    "-DCMAKE_BUILD_TYPE=Debug", *level, "-DCMAKE_CXX_FLAGS=-w -include " + os.path.join(HERE, "switch.h"),
                     "-DCMAKE_CXX_STANDARD_LIBRARIES=" + runtime, "-DINGOT_SCALAR=float", "-DINGOT_LANES=4", "-DINGOT_BUILD_DEMO=OFF",
                     "-DINGOT_BUILD_REPORT=OFF"], check=True, stdout=subprocess.DEVNULL)
     targets = subprocess.run(["ninja", "-C", build, "-t", "targets", "all"], check=True, stdout=subprocess.PIPE, text=True).stdout
@@ -337,6 +338,7 @@ def main():
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--rooms", type=lambda names: names.split(","), default=[])
     parser.add_argument("--programs", type=lambda names: names.split(","), default=[], help="what these notice alone: quick, while tests are written")
+    parser.add_argument("--brief", action="store_true", help="tests as brief as the preset `test` has them: half the time, and less is noticed")
     parser.add_argument("--scratch", default=os.path.join(ROOT, "build", "mutation"))
     parser.add_argument("--slowest", type=float, default=30.0, help="seconds of a case; slower ones are left out")
     parser.add_argument("--budget", type=float, default=300.0, help="seconds of tests for one mutant")
@@ -348,7 +350,7 @@ def main():
     everything = candidates(scratch)
     mutants = dict(enumerate(sample(everything, arguments.count, arguments.seed, arguments.rooms), 1))
     print("%d mutants of %d" % (len(mutants), len(everything)), flush=True)
-    programs = build_all(mutants, scratch, arguments.jobs, arguments.programs)
+    programs = build_all(mutants, scratch, arguments.jobs, arguments.programs, arguments.brief)
     print("built %d programs with %d mutants" % (len(programs), len(mutants)), flush=True)
     reaching = survey(programs, scratch, arguments.slowest, arguments.jobs)
     is_reviewed = read_reviewed()
