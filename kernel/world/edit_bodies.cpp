@@ -176,6 +176,17 @@ void stop_body(const BodyView& bodies, int slot) {
     write_checked_state(bodies, slot, {state.r_CM, {}, state.A, {}});
 }
 
+int next_living(const uint32_t* generation, int slot, int end) {
+    while (slot < end && (generation[slot] & 1u) == 0) ++slot;  // bound: max_bodies
+    return slot;
+}
+
+int next_free(const uint32_t* generation, int slot, int end) {
+    // bound: max_bodies
+    while (slot < end && ((generation[slot] & 1u) != 0 || generation[slot] == UINT32_MAX - 1)) ++slot;
+    return slot;
+}
+
 BodyState read_state(const BodyView& bodies, int slot) {
     const Place at = place_of(slot);
     BodyState state{{}, {}, lane_of(bodies.rotation[at.tile].A, at.lane), lane_of(bodies.rotation[at.tile].L, at.lane)};

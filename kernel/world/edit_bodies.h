@@ -69,6 +69,13 @@ INGOT_INLINE void write_shape_of(Surface& to, const Shape& shape) {
 /// An immovable body that has the first of a level's shapes: see World::add_level. The state is that of the middle of its box.
 BodyDef body_of_level(const LevelTable& level, const LevelDef& def);
 
+// Slots by their generations: see BodyId, odd while a body lives there.
+
+/// The first slot from this one on in which a body lives; `end` if there is none.
+int next_living(const uint32_t* generation, int slot, int end);
+/// The first in which none lives, and whose generation is not used up; `end` if there is none.
+int next_free(const uint32_t* generation, int slot, int end);
+
 BodyState read_state(const BodyView& bodies, int slot);
 Status write_state(const BodyView& bodies, int slot, const BodyState& state);
 

@@ -38,6 +38,7 @@ class World : public WorldAdds<SceneOf<User>> {
     using Base::touched;
     using Base::moved;
     using Base::lives;
+    using Base::next_living;
     using Base::id_of;
     using Base::find;
 
@@ -246,8 +247,8 @@ public:
     /// count. Cost: O(max_bodies).
     uint64_t state_hash() const {
         uint64_t hash = state_hash_seed;
-        for (int slot = 0; slot < storage_.slots_used; ++slot)
-            if (lives(slot)) hash = hash_of(slot, hash);
+        // bound: max_bodies
+        for (int slot = next_living(0); slot < storage_.slots_used; slot = next_living(slot + 1)) hash = hash_of(slot, hash);
         return hash;
     }
 

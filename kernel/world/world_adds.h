@@ -160,12 +160,8 @@ private:
         features::All::over_named<S>([&](auto feature) { decltype(feature)::begin_shape(storage_, shape_slot, def, place); });
     }
 
-    bool is_free(int slot) const { return !lives(slot) && storage_.generation[slot] != UINT32_MAX - 1; }
-    int free_slot_from(int slot) const {
-        // bound: max_bodies
-        while (slot < max_bodies && !is_free(slot)) ++slot;
-        return slot;
-    }
+    bool is_free(int slot) const { return free_slot_from(slot) == slot; }
+    int free_slot_from(int slot) const { return next_free(storage_.generation, slot, max_bodies); }
     /// The lowest slot that is free and whose generation is not used up; max_bodies if there is none.
     int free_slot() const { return free_slot_from(storage_.free_hint); }
     /// The first of so many that a level takes.

@@ -131,6 +131,8 @@ protected:
     BodyId id_of_shape(int shape_slot) const { return shape_slot == no_slot ? BodyId{} : id_of_owner(body_of(shape_slot)); }
 
     bool lives(int slot) const { return storage_.lives(slot); }
+    /// The first slot from this one on in which a body lives; slots_used if there is none.
+    int next_living(int slot) const { return ingot::next_living(storage_.generation, slot, storage_.slots_used); }
 
     /// The body of a level has the slot of the first of its shapes.
     BodyId id_of_owner(int slot) const { return id_of(storage_.owner_of(slot)); }
