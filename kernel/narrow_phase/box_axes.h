@@ -12,7 +12,8 @@ inline constexpr uint8_t axis_after[5] = {0, 1, 2, 0, 1};  // axis_after[i + 1] 
 inline constexpr int first_edge_axis = 6;
 inline constexpr int no_axis = -1;
 
-INGOT_INLINE const Vector& column(const Matrix& A, int i) { return i == 0 ? A.c0 : i == 1 ? A.c1 : A.c2; }
+inline constexpr Vector Matrix::*column_of[3] = {&Matrix::c0, &Matrix::c1, &Matrix::c2};
+INGOT_INLINE const Vector& column(const Matrix& A, int i) { return A.*column_of[i]; }
 
 /// Which axis separates the boxes best, where that is by no more than the margin.
 struct BestAxis {

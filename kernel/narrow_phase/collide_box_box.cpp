@@ -13,9 +13,11 @@ constexpr uint32_t feature_of(int axis, bool negative, uint32_t rest) {
 
 /// The gap between the shadows of the boxes on a unit vector n that points from B to A.
 INGOT_INLINE scalar gap_of_boxes(const PlacedShape& A, const PlacedShape& B, const Vector& n) {
-    const Vector &a = A.shape.size, &b = B.shape.size;
-    const scalar reach_A = a.x * abs(dot(n, A.A.c0)) + a.y * abs(dot(n, A.A.c1)) + a.z * abs(dot(n, A.A.c2));
-    const scalar reach_B = b.x * abs(dot(n, B.A.c0)) + b.y * abs(dot(n, B.A.c1)) + b.z * abs(dot(n, B.A.c2));
+    scalar reach_A = 0, reach_B = 0;
+    for (int k = 0; k < 3; ++k) {
+        reach_A += component(A.shape.size, k) * abs(dot(n, column(A.A, k)));
+        reach_B += component(B.shape.size, k) * abs(dot(n, column(B.A, k)));
+    }
     return dot(n, A.r - B.r) - (reach_A + reach_B);
 }
 

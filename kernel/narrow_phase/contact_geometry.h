@@ -11,7 +11,8 @@ namespace ingot { inline namespace INGOT_ABI {
 INGOT_INLINE Vector clamp(const Vector& x, const Vector& limit) {
     return {clamp(x.x, limit.x), clamp(x.y, limit.y), clamp(x.z, limit.z)};
 }
-INGOT_INLINE scalar component(const Vector& v, int i) { return i == 0 ? v.x : i == 1 ? v.y : v.z; }
+inline constexpr scalar Vector::*component_of[3] = {&Vector::x, &Vector::y, &Vector::z};
+INGOT_INLINE scalar component(const Vector& v, int i) { return v.*component_of[i]; }
 INGOT_INLINE Vector unit_axis(int i, scalar sign) { return {i == 0 ? sign : 0, i == 1 ? sign : 0, i == 2 ? sign : 0}; }
 INGOT_INLINE scalar smallest_of(const Vector& v) {
     const scalar least = v.x < v.y ? v.x : v.y;

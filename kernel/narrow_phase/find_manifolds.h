@@ -112,19 +112,6 @@ bool shapes_overlap(const BodyView& bodies, const SurfaceView& surfaces, const B
     return find_manifold<Shapes>(bodies, surfaces, pair, 0, no_manifold_before, found_now) && found_now.count != 0;
 }
 
-/// What was found, and zero where it has no point: equal worlds are equal bytes, and a snapshot holds nothing of the stack.
-INGOT_INLINE void keep_manifold(const Manifold& found, Manifold& kept) {
-    kept.n = found.n;
-    kept.count = found.count;
-    kept.halvings = found.halvings;
-    for (int point_i = 0; point_i < Manifold::points_max; ++point_i) {
-        const ManifoldPoint point = point_i < found.count ? found.points[point_i] : ManifoldPoint{};
-        kept.points[point_i].P = point.P;  // by members: with doubles a point has a gap, which would take bytes of the stack along
-        kept.points[point_i].separation = point.separation;
-        kept.points[point_i].feature = point.feature;
-    }
-}
-
 /// The same contacts as the solver knows them: by bodies, where pairs are of shape slots.
 template <int shapes_of_body>
 void name_bodies(const ManifoldView& manifolds, BodyPair* body_pairs) {

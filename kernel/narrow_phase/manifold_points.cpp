@@ -23,14 +23,29 @@ struct Choice {
     }
 };
 
+/// How much a candidate adds to those that are chosen: its distance from one, m^2; the area of its triangle with two, and the area that it adds to the
+/// triangle of three, m^2, twice.
+scalar weight_of(const Candidate* candidates, const Choice& choice, const Candidate& p) {
+    const Candidate& a = candidates[choice.chosen[0]];
+    if (choice.count == 1) return (p.x - a.x) * (p.x - a.x) + (p.y - a.y) * (p.y - a.y);
+    const Candidate& b = candidates[choice.chosen[1]];
+    const scalar of_ab = area(a, b, p);
+    if (choice.count == 2) return abs(of_ab);
+    const Candidate& c = candidates[choice.chosen[2]];
+    const scalar turn = area(a, b, c) < 0 ? scalar(-1) : scalar(1);
+    const scalar ab = -turn * of_ab, bc = -turn * area(b, c, p), ca = -turn * area(c, a, p);
+    const scalar most = ab > bc ? ab : bc;
+    return most > ca ? most : ca;
+}
+
 /// Adds the candidate of the largest weight above zero; what was chosen at this turn in the step before weighs more.
-template <class Weight>
-bool add_heaviest(const Candidate* candidates, int count, scalar preference, const Before& before, Choice& choice, Weight weight) {
+bool add_heaviest(const Candidate* candidates, int count, const Before& before, Choice& choice) {
+    const scalar preference = choice.count == 1 ? scalar(1.21) : scalar(1.1);
     int best = -1;
     scalar best_weight = 0;
     for (int i = 0; i < count; ++i) {
         if (choice.has(i)) continue;
-        scalar w = weight(candidates[i]);
+        scalar w = weight_of(candidates, choice, candidates[i]);
         if (before.had(choice.count, candidates[i].feature)) w = w * preference;
         if (w > best_weight) {
             best = i;
@@ -53,20 +68,7 @@ Choice spanning(const Candidate* candidates, int count, scalar tolerance, const 
         }
     }
     choice.count = 1;
-    const Candidate& a = candidates[choice.chosen[0]];
-    if (!add_heaviest(candidates, count, scalar(1.21), before, choice,
-                      [&](const Candidate& p) { return (p.x - a.x) * (p.x - a.x) + (p.y - a.y) * (p.y - a.y); }))
-        return choice;
-    const Candidate& b = candidates[choice.chosen[1]];
-    if (!add_heaviest(candidates, count, scalar(1.1), before, choice, [&](const Candidate& p) { return abs(area(a, b, p)); }))
-        return choice;
-    const Candidate& c = candidates[choice.chosen[2]];
-    const scalar turn = area(a, b, c) < 0 ? scalar(-1) : scalar(1);
-    (void)add_heaviest(candidates, count, scalar(1.1), before, choice, [&](const Candidate& p) {
-        const scalar ab = -turn * area(a, b, p), bc = -turn * area(b, c, p), ca = -turn * area(c, a, p);
-        const scalar most = ab > bc ? ab : bc;
-        return most > ca ? most : ca;
-    });
+    while (choice.count < Manifold::points_max && add_heaviest(candidates, count, before, choice)) {}  // bound: 4: Manifold::points_max
     return choice;
 }
 

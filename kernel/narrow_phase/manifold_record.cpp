@@ -63,6 +63,19 @@ void mix_materials_of(const SurfaceView& surfaces, const ManifoldView& manifolds
     }
 }
 
+void keep_manifold(const Manifold& found, Manifold& kept) {
+    kept.n = found.n;
+    kept.count = found.count;
+    kept.halvings = found.halvings;
+    // bound: 4: Manifold::points_max
+    for (int point_i = 0; point_i < Manifold::points_max; ++point_i) {
+        const ManifoldPoint point = point_i < found.count ? found.points[point_i] : ManifoldPoint{};
+        kept.points[point_i].P = point.P;  // by members: with doubles a point has a gap, which would take bytes of the stack along
+        kept.points[point_i].separation = point.separation;
+        kept.points[point_i].feature = point.feature;
+    }
+}
+
 void carry_impulses(ManifoldRecord& record, const Manifold& next) {
     const Manifold& before = record.manifold;
     bool same = next.count == before.count;

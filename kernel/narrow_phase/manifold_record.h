@@ -66,6 +66,9 @@ INGOT_INLINE void mix_materials(const SurfaceView& surfaces, const BodyPair& pai
 /// Contacts that are held, of a shape whose surface has changed, take it as it is now.
 void mix_materials_of(const SurfaceView& surfaces, const ManifoldView& manifolds, int shape_slot);
 
+/// What was found, and zero where it has no point: equal worlds are equal bytes, and a snapshot holds nothing of the stack.
+void keep_manifold(const Manifold& found, Manifold& kept);
+
 /// Before the next manifold takes the place of the one on record: impulses of points whose features live on go with them; new points start from zero.
 void carry_impulses(ManifoldRecord& record, const Manifold& next);
 
