@@ -14,6 +14,11 @@ void push_body(PointBody& body, MotionOfBody kind, const Vector& P, const Vector
     motion.moment += change;
 }
 
+INGOT_INLINE Vector velocity_at(const PointBody& body, MotionOfBody kind, const Vector& P) {
+    const PointMotion& motion = body.*kind;
+    return motion.linear + cross(motion.angular, P - body.r_CM);
+}
+
 /// Written once: a visit asks for it in several places.
 INGOT_SHARED scalar turning_compliance_of(const PointBody& body, const Vector& J) { return body.turning_compliance(J); }
 
@@ -39,15 +44,13 @@ scalar compliance_about_of(const PointBody& body, const Vector& n) {
 
 RelativeVelocity relative_motion(const PointPair& pair, MotionOfBody kind, const Vector& P) {
     Vector linear = {0, 0, 0}, angular = {0, 0, 0};
-    const PointBody* const bodies[2] = {&pair.A, &pair.B};
-    scalar sign = 1;
-    for (const PointBody* body : bodies) {
-        if (body->inv_M > 0) {
-            const PointMotion& motion = body->*kind;
-            linear += (motion.linear + cross(motion.angular, P - body->r_CM)) * sign;
-            angular += motion.angular * sign;
-        }
-        sign = -1;
+    if (pair.A.inv_M > 0) {
+        linear += velocity_at(pair.A, kind, P);
+        angular += (pair.A.*kind).angular;
+    }
+    if (pair.B.inv_M > 0) {
+        linear -= velocity_at(pair.B, kind, P);
+        angular -= (pair.B.*kind).angular;
     }
     return {linear, angular};
 }

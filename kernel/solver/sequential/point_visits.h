@@ -34,9 +34,8 @@ Vector clamp_length(const Vector& f, scalar limit) {
     return size_sq > limit * limit ? f * cone_cut(size_sq, limit) : f;
 }
 
-INGOT_SHARED scalar resting_speed(const PointVisit& visit, scalar separation, scalar h) {
-    return -resting_room(separation, limits::touching_gap * visit.scale()) / h;
-}
+/// gap: m, limits::touching_gap at the scale of the contact.
+INGOT_INLINE scalar resting_speed(scalar separation, scalar gap, scalar h) { return -resting_room(separation, gap) / h; }
 
 /// The part of v across n.
 INGOT_SHARED Vector across(const Vector& n, const Vector& v) { return v - n * dot(n, v); }
@@ -153,20 +152,22 @@ struct PointsOff {
     scalar separation[Manifold::points_max], wanted[Manifold::points_max], q[Manifold::points_max];  ///< m, m, kg m
 };
 
+/// kg^-1, of both bodies.
+INGOT_INLINE scalar inv_M_of(const PointPair& pair) { return max(pair.A.inv_M, scalar(0)) + max(pair.B.inv_M, scalar(0)); }
+
 /// Pressed points, and those that land, are brought to their place from either side; others only push.
 template <class View>
-bool pulls(const VisitOf<View>& visit, int point_i) {
-    const PointBody &A = visit.pair.A, &B = visit.pair.B;
-    bool is_pulled = presses(visit.record.j[point_i], max(A.inv_M, scalar(0)) + max(B.inv_M, scalar(0)), visit.unit);
+INGOT_INLINE bool pulls(const VisitOf<View>& visit, scalar inv_M_of_both, int point_i) {
+    bool is_pulled = presses(visit.record.j[point_i], inv_M_of_both, visit.unit);
     if constexpr (View::bounces) is_pulled = is_pulled || visit.lands(point_i);
     return is_pulled;
 }
 template <class View>
-void round_of_pushes(const VisitOf<View>& visit, PointsOff& off) {
+void round_of_pushes(const VisitOf<View>& visit, scalar inv_M_of_both, PointsOff& off) {
     for (int point_i = 0; point_i < visit.count(); ++point_i) {
         const scalar moved = normal_displacement(visit).at(visit.P(point_i)) + off.separation[point_i];
         scalar d = -(off.wanted[point_i] + moved) / compliance_of_point(visit, point_i);
-        if (!pulls(visit, point_i)) d = max(d, -off.q[point_i]);
+        if (!pulls(visit, inv_M_of_both, point_i)) d = max(d, -off.q[point_i]);
         off.q[point_i] += d;
         push_pair(visit.pair, &PointBody::displacement, visit.P(point_i), visit.n() * d, {});
     }
@@ -185,22 +186,24 @@ void visit_positions(const VisitOf<View>& visit, scalar h) {
     if constexpr (View::rolls) visit.rolling().change = {};
     if (visit.pair.A.hit || visit.pair.B.hit) cut_impulses_of_hit(visit, h);
     const NormalMotion motion = normal_displacement(visit);
+    const scalar scale = visit.scale(), touching_gap = limits::touching_gap * scale, settled_gap = limits::settled_gap_of_points * scale;
+    const scalar inv_M_of_both = inv_M_of(visit.pair);
     PointsOff off;
     bool is_off = false;
     for (int point_i = 0; point_i < visit.count(); ++point_i) {
         const scalar moved = motion.at(visit.P(point_i)), s = visit.record.manifold.points[point_i].separation + moved;
-        const bool pressed = pulls(visit, point_i);
+        const bool pressed = pulls(visit, inv_M_of_both, point_i);
         visit.record.j_before[point_i] = visit.record.j[point_i];
         scalar w = position_target(s, pressed, -limits::push_speed_max * h * visit.unit);
         if constexpr (View::bounces)
             if (visit.lands(point_i)) w = s - visit.landing(point_i);
-        visit.contact.target[point_i] = resting_speed(visit, s, h);
-        is_off = is_off || (pressed ? abs(w) : -w) > limits::settled_gap_of_points * visit.scale();
+        visit.contact.target[point_i] = resting_speed(s, touching_gap, h);
+        is_off = is_off || (pressed ? abs(w) : -w) > settled_gap;
         off.separation[point_i] = -moved;
         off.wanted[point_i] = w;
         off.q[point_i] = 0;
     }
-    for (int round_i = 0; is_off && round_i < limits::rounds_of_pushes; ++round_i) round_of_pushes(visit, off);
+    for (int round_i = 0; is_off && round_i < limits::rounds_of_pushes; ++round_i) round_of_pushes(visit, inv_M_of_both, off);
 }
 
 INGOT_SHARED void scale_impulses(ManifoldRecord& record, scalar share) {
@@ -231,12 +234,13 @@ void begin_contact(const VisitOf<View>& visit, scalar share, scalar h) {
     if constexpr (View::bounces)
         for (int point_i = 0; point_i < Manifold::points_max; ++point_i) visit.landing(point_i) = limits::unbounded;
     scale_impulses(visit.record, share);
+    const scalar scale = visit.scale(), touching_gap = limits::touching_gap * scale, margin = limits::contact_margin * scale;
     scalar weight[Manifold::points_max], weights = 0;
     for (int point_i = 0; point_i < visit.count(); ++point_i) {
         const scalar separation = visit.record.manifold.points[point_i].separation;
-        contact.target[point_i] = resting_speed(visit, separation, h);
+        contact.target[point_i] = resting_speed(separation, touching_gap, h);
         visit.record.j_before[point_i] = visit.record.j[point_i];
-        weight[point_i] = max(nearness(separation, limits::contact_margin * visit.scale()), limits::least_point_weight);
+        weight[point_i] = max(nearness(separation, margin), limits::least_point_weight);
         weights += weight[point_i];
         contact.middle += visit.P(point_i) * weight[point_i];
     }
