@@ -93,14 +93,15 @@ template <class Turned>
 INGOT_INLINE void integrate_tiles(const BodyView& bodies, const FlightClock& clock, const Turned& turned) {
     for (int tile_i = 0; tile_i < bodies.tile_count; ++tile_i) {  // bound: max_bodies / lanes, rounded up
         RotationTile& tile = bodies.rotation[tile_i];
+        const mask movable = load(tile.inv_I_scale) > lane{};  // an immovable body keeps its A to the bit
+        tile.kicked = 0;
+        if (!any(movable)) continue;
         const Mat3<lane> A = load(tile.A);
         const Vec3<lane> inv_I_body = load(tile.inv_I_ratio) * load(tile.inv_I_scale);
         const Vec3<lane> L = load(tile.L) - load(tile.tau_T) * splat<lane>(clock.kick_ahead);
         const Mat3<lane> A_next = turned(A, inv_I_body, L);
         const mask good = both(is_finite(A_next), is_within_runaway(spin_of(A, inv_I_body, L)));
-        const mask movable = load(tile.inv_I_scale) > lane{};  // an immovable body keeps its A to the bit
         store(tile.A, select(both(good, movable), A_next, A));
-        tile.kicked = 0;
         mark_bad(tile.bad, good);
     }
 }
