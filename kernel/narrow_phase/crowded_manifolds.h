@@ -70,8 +70,8 @@ void find_refused(const BodyView& shapes, const SurfaceView& surfaces, const Bou
 /// refused: how many; less those that find a record that another pair has given back.
 /// Cost: the manifold of each that was refused, and a place in a heap.
 template <class Shapes, bool renews, class Kept, class FastPairs>
-void keep_urgent_manifolds(const CrowdBodies& crowd, const BodyView& shapes, const BoundsTile* bounds, const PairList& found,
-                           const ManifoldView& manifolds, const Kept& kept, const FastPairs& fast_pairs, Index& refused) {
+[[gnu::cold]] void keep_urgent_manifolds(const CrowdBodies& crowd, const BodyView& shapes, const BoundsTile* bounds, const PairList& found,
+                                         const ManifoldView& manifolds, const Kept& kept, const FastPairs& fast_pairs, Index& refused) {
     const auto begin = [&](BodyPair& pair, const Manifold& manifold, scalar margin) {
         begin_record<renews>(shapes, crowd.surfaces, pair, manifold, margin, manifolds);
     };

@@ -45,7 +45,7 @@ bool rests([[maybe_unused]] Storage<S>& storage, [[maybe_unused]] const BodyPair
 
 /// Calls each(pair, manifold) for all that touch, or are about to, and have no record: those that the list holds, and those that it does not.
 template <class S, class Fast, class Each>
-void for_refused(Step<S>& now, const SurfaceView& surfaces, const Fast& fast_pairs, const Each& each) {
+[[gnu::cold]] void for_refused(Step<S>& now, const SurfaceView& surfaces, const Fast& fast_pairs, const Each& each) {
     auto& storage = now.storage;
     const PairList found = storage.pair_list();
     const auto meet = [&](const BodyPair& pair) {
@@ -67,7 +67,7 @@ void for_refused(Step<S>& now, const SurfaceView& surfaces, const Fast& fast_pai
 
 /// Who meets what sleeps wakes it, as it does by a manifold.
 template <class S, class Fast>
-void wake_refused([[maybe_unused]] Step<S>& now, [[maybe_unused]] const SurfaceView& surfaces, [[maybe_unused]] const Fast& fast_pairs) {
+[[gnu::cold]] void wake_refused([[maybe_unused]] Step<S>& now, [[maybe_unused]] const SurfaceView& surfaces, [[maybe_unused]] const Fast& fast_pairs) {
     if constexpr (S::sleeps) {
         auto& storage = now.storage;
         for_refused(now, surfaces, fast_pairs, [&](const BodyPair& pair, const Manifold&) {
@@ -122,7 +122,7 @@ struct HoldRefused {
 
 /// What meets what cannot move is seen to last: it is at rest then.
 template <class S, class Fast>
-void hold_all_refused(Step<S>& now, const SurfaceView& surfaces, const Fast& fast_pairs, bool is_over) {
+[[gnu::cold]] void hold_all_refused(Step<S>& now, const SurfaceView& surfaces, const Fast& fast_pairs, bool is_over) {
     for_refused(now, surfaces, fast_pairs, HoldRefused<S>{now, is_over, false});
     for_refused(now, surfaces, fast_pairs, HoldRefused<S>{now, is_over, true});
 }
@@ -147,7 +147,7 @@ template <class S, class Fast>
 
 /// Nothing has been pushed into what cannot move: bodies whose contact with it has a record are put back on it.
 template <class S, class Fast>
-void free_of_fixed(Step<S>& now, const SurfaceView& surfaces, const Fast& fast_pairs) {
+[[gnu::cold]] void free_of_fixed(Step<S>& now, const SurfaceView& surfaces, const Fast& fast_pairs) {
     auto& storage = now.storage;
     // bound: max_manifolds
     for (int pair_i = 0; pair_i < storage.manifold_count; ++pair_i) {
