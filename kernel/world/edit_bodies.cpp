@@ -182,8 +182,7 @@ int next_living(const uint32_t* generation, int slot, int end) {
 }
 
 int next_free(const uint32_t* generation, int slot, int end) {
-    // bound: max_bodies
-    while (slot < end && ((generation[slot] & 1u) != 0 || generation[slot] == UINT32_MAX - 1)) ++slot;
+    while (slot < end && !is_free(generation[slot])) ++slot;  // bound: max_bodies
     return slot;
 }
 

@@ -73,7 +73,9 @@ BodyDef body_of_level(const LevelTable& level, const LevelDef& def);
 
 /// The first slot from this one on in which a body lives; `end` if there is none.
 int next_living(const uint32_t* generation, int slot, int end);
-/// The first in which none lives, and whose generation is not used up; `end` if there is none.
+/// None lives there, and the generation is not used up.
+INGOT_INLINE bool is_free(uint32_t generation) { return (generation & 1u) == 0 && generation != UINT32_MAX - 1; }
+/// The first that is free; `end` if there is none.
 int next_free(const uint32_t* generation, int slot, int end);
 
 BodyState read_state(const BodyView& bodies, int slot);

@@ -160,8 +160,13 @@ private:
         features::All::over_named<S>([&](auto feature) { decltype(feature)::begin_shape(storage_, shape_slot, def, place); });
     }
 
-    bool is_free(int slot) const { return free_slot_from(slot) == slot; }
-    int free_slot_from(int slot) const { return next_free(storage_.generation, slot, max_bodies); }
+    bool is_free(int slot) const { return ingot::is_free(storage_.generation[slot]); }
+    int free_slot_from(int slot) const {
+        if constexpr (max_bodies == 1)
+            return slot == 0 && is_free(0) ? 0 : 1;
+        else
+            return next_free(storage_.generation, slot, max_bodies);
+    }
     /// The lowest slot that is free and whose generation is not used up; max_bodies if there is none.
     int free_slot() const { return free_slot_from(storage_.free_hint); }
     /// The first of so many that a level takes.

@@ -132,7 +132,12 @@ protected:
 
     bool lives(int slot) const { return storage_.lives(slot); }
     /// The first slot from this one on in which a body lives; slots_used if there is none.
-    int next_living(int slot) const { return ingot::next_living(storage_.generation, slot, storage_.slots_used); }
+    int next_living(int slot) const {
+        if constexpr (S::max_bodies == 1)
+            return slot == 0 && lives(0) ? 0 : 1;  // a search for one would be more than the rest
+        else
+            return ingot::next_living(storage_.generation, slot, storage_.slots_used);
+    }
 
     /// The body of a level has the slot of the first of its shapes.
     BodyId id_of_owner(int slot) const { return id_of(storage_.owner_of(slot)); }

@@ -34,6 +34,9 @@ struct Balls : Moving {
     static constexpr int max_manifolds = 3;
     using shapes = ingot::Shapes<ingot::Sphere, ingot::HalfSpace>;
 };
+struct BallsByPoint : Balls {
+    using solver = ingot::SequentialImpulses;
+};
 struct Capsules : Balls {
     using shapes = ingot::Shapes<ingot::Sphere, ingot::Capsule, ingot::HalfSpace>;
 };
