@@ -23,8 +23,8 @@ struct Choice {
     }
 };
 
-/// How much a candidate adds to those that are chosen: its distance from one, m^2; the area of its triangle with two, and the area that it adds to the
-/// triangle of three, m^2, twice.
+/// How much a candidate adds to those that are chosen, m^2: the square of its distance from one; twice the area of its triangle with two, and twice
+/// what it adds to the triangle of three.
 scalar weight_of(const Candidate* candidates, const Choice& choice, const Candidate& p) {
     const Candidate& a = candidates[choice.chosen[0]];
     if (choice.count == 1) return (p.x - a.x) * (p.x - a.x) + (p.y - a.y) * (p.y - a.y);

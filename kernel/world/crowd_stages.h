@@ -67,7 +67,8 @@ template <class S, class Fast, class Each>
 
 /// Who meets what sleeps wakes it, as it does by a manifold.
 template <class S, class Fast>
-[[gnu::cold]] void wake_refused([[maybe_unused]] Step<S>& now, [[maybe_unused]] const SurfaceView& surfaces, [[maybe_unused]] const Fast& fast_pairs) {
+[[gnu::cold]] void wake_refused([[maybe_unused]] Step<S>& now, [[maybe_unused]] const SurfaceView& surfaces,
+                                [[maybe_unused]] const Fast& fast_pairs) {
     if constexpr (S::sleeps) {
         auto& storage = now.storage;
         for_refused(now, surfaces, fast_pairs, [&](const BodyPair& pair, const Manifold&) {
