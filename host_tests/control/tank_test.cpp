@@ -63,8 +63,8 @@ TEST(Tank, goes_as_fast_as_its_belts) {
     }
 }
 
-/// Of all sizes: it turns about itself, and round, as fast as friction of sliding belts has no torque, within 1 %; its middle as fast as both belts in
-/// the mean. Slowly, so that its turn asks for a hundredth of what friction can give.
+/// Of all sizes: it turns about itself, and round, as fast as friction of sliding belts has no torque, within 1 %; its middle as fast as both belts
+/// in the mean. Slowly, so that its turn asks for a hundredth of what friction can give.
 TEST(Tank, turns_as_its_belts_slide) {
     RandomInput random(1);
     for (int case_i = 0; case_i < draws(24); ++case_i) {

@@ -139,8 +139,8 @@ double beyond_way(Ride& ride) {
     ride.go(v / mu / g + 1.5);
     return ride.x() - x - v * v / (2 * mu * g);
 }
-/// m, by which it may be short of that. Braked it bows by mu M g height / (k base^2), and as it stands it rises, its wheels locked; bristles of its tyres
-/// straighten too. Beside that: what it goes in half a substep, since places lead velocities, and the step in which it stops.
+/// m, by which it may be short of that. Braked it bows by mu M g height / (k base^2), and as it stands it rises, its wheels locked; bristles of its
+/// tyres straighten too. Beside that: what it goes in half a substep, since places lead velocities, and the step in which it stops.
 double short_at_most(const Ride& ride, double v) {
     const CarDesign& of = ride.car.design;
     const double mu = real(of.tyre.mu), height = real(of.radius + of.height), swing = 2 * 3.14159265 * real(of.hertz);
@@ -185,7 +185,8 @@ TEST(Vehicle, goes_faster_and_slower_as_its_wheels_are_turned) {
         }
 }
 
-/// In a steady turn, with a third of what grips, bristles are bent as the law has it, whatever the step is: what others do to a tyre is foretold right.
+/// In a steady turn, with a third of what grips, bristles are bent as the law has it, whatever the step is: what others do to a tyre is foretold
+/// right.
 TEST(Vehicle, slips_in_a_turn_as_the_law_says) {
     for (const double rate : rates()) {
         Ride ride(rate, car_that(true), 12);

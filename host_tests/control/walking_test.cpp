@@ -71,7 +71,9 @@ TEST(Walking, goes_on_for_a_minute_at_any_rate) {
         EXPECT_LE(walk.depth, 2e-4) << rate << " Hz";
         EXPECT_LE(walk.unfinished, 0.05 * seconds * rate) << rate << " Hz";
         if (rate == 60) at_60 = walk.distance();
-        if (rate == 960) EXPECT_NEAR(at_60, walk.distance(), 0.05 * walk.distance());
+        if (rate == 960) {
+            EXPECT_NEAR(at_60, walk.distance(), 0.05 * walk.distance());
+        }
     }
 }
 
@@ -192,9 +194,13 @@ TEST(Walking, in_space_needs_no_more_than_servos) {
         }
         const ingot::Vector place = world->figure(walker.pelvis).value.r_CM;
         EXPECT_GE(static_cast<double>(place.x), 0.45 * seconds) << of.rate << " Hz, " << of.most << " N m";
-        if (of.rate > 30) EXPECT_LE(std::abs(static_cast<double>(place.y)), 1) << of.rate << " Hz, " << of.most << " N m";
+        if (of.rate > 30) {
+            EXPECT_LE(std::abs(static_cast<double>(place.y)), 1) << of.rate << " Hz, " << of.most << " N m";
+        }
         EXPECT_LE(gap, 5e-5) << of.rate << " Hz, " << of.most << " N m";
-        if (of.most > 0) EXPECT_LE(torque, of.most * (1 + 64 * static_cast<double>(ingot::epsilon)));
+        if (of.most > 0) {
+            EXPECT_LE(torque, of.most * (1 + 64 * static_cast<double>(ingot::epsilon)));
+        }
     }
 }
 

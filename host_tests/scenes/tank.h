@@ -2,8 +2,8 @@
 // A tank: a hull on eight road wheels, with a belt about those of each side. x is forwards, y to the left, z up, as it is set down.
 //
 // A belt bears a tank where it runs below a road wheel, so it is the surface of these wheels, balls on sliders with springs, which moves: they do not
-// turn themselves. As one long capsule it would not turn the tank: friction of a contact of several points is one force at their middle and one torque,
-// each bounded by itself, and the torque of a line against its turn is as large as if it did not slide along.
+// turn themselves. As one long capsule it would not turn the tank: friction of a contact of several points is one force at their middle and one
+// torque, each bounded by itself, and the torque of a line against its turn is as large as if it did not slide along.
 #pragma once
 
 #include <ingot/ingot.h>
@@ -97,8 +97,8 @@ ingot::Status drive_tank(ingot::World<S>& world, Tank& tank, ingot::scalar left,
     return status == ingot::Status::ok ? run(1, tank.right, right) : status;
 }
 
-/// rad/s, at which it turns, to the left, at low speed, where all its wheels bear as much. All slip by what the belts differ from the turn, along, and
-/// by the turn itself, across, and what that gives has no torque in all.
+/// rad/s, at which it turns, to the left, at low speed, where all its wheels bear as much. All slip by what the belts differ from the turn, along,
+/// and by the turn itself, across, and what that gives has no torque in all.
 inline ingot::scalar turn_rate(const Tank& tank, ingot::scalar left, ingot::scalar right) {
     using ingot::scalar;
     const scalar w = tank.design.apart / 2, differ = (right - left) / 2;

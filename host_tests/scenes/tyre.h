@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 // A tyre by a slip law, for wheels without friction of their own: the ground carries them, and what grips is computed before each step.
 //
-// The tread is a brush: its bristles are carried along by V, the speed at which the tyre rolls, let go where it leaves the ground, and are bent on the
-// way by the slip s, m/s. Their deflection z goes as z' = s - V z / L, L being the relaxation length, so that z = s L / V in a steady motion; at rest
-// they are springs, and a car stands still on a slope. What they give is mu N (psi - psi^2/3 + psi^3/27), psi = |c z| / (mu L), along c z; above
+// The tread is a brush: its bristles are carried along by V, the speed at which the tyre rolls, let go where it leaves the ground, and are bent on
+// the way by the slip s, m/s. Their deflection z goes as z' = s - V z / L, L being the relaxation length, so that z = s L / V in a steady motion; at
+// rest they are springs, and a car stands still on a slope. What they give is mu N (psi - psi^2/3 + psi^3/27), psi = |c z| / (mu L), along c z; above
 // psi = 3 all of the tread slides, with mu N. c is the slope of force over load against slip, along and across.
 //
 // A wheel is light and its tyre stiff: r^2 c N / (I V) is 1000/s at 2 m/s, far beyond 60 steps a second. So the law is asked for the END of the step.
-// What a force does to the slip is known, s_end = s - h K F, but for what others do: the engine, gravity, the other wheels. That is taken to be what it
-// was in the last step, the part of s that went otherwise than was foretold. So a steady motion has no error whatever K is, and is stable for any K
-// that is three quarters of the true one or more: see `tyre::Slip`.
+// What a force does to the slip is known, s_end = s - h K F, but for what others do: the engine, gravity, the other wheels. That is taken to be what
+// it was in the last step, the part of s that went otherwise than was foretold. So a steady motion has no error whatever K is, and is stable for any
+// K that is three quarters of the true one or more: see `tyre::Slip`.
 //
 // Source: Pacejka, "Tire and Vehicle Dynamics", 3.2, the brush with a parabolic load; Canudas de Wit, Tsiotras, "Dynamic tire friction models", 1999,
 //         for z'; the end of the step and what is foretold are of here.

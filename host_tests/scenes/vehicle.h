@@ -116,7 +116,8 @@ void add_wheel(ingot::World<S>& world, Car& car, int wheel_i, const Vector& plac
 }
 }  // namespace vehicle
 
-/// Set down so that its wheels touch z = place.z, in the middle of them, rolling forwards with `speed`, m/s. Errors: those of World::add and add_joint.
+/// Set down so that its wheels touch z = place.z, in the middle of them, rolling forwards with `speed`, m/s. Errors: those of World::add and
+/// add_joint.
 template <class S>
 ingot::Status add_car(ingot::World<S>& world, const ingot::Vector& place, ingot::scalar speed, Car& car) {
     using namespace vehicle;
@@ -170,8 +171,9 @@ Ground ground_below(const ingot::World<S>& world, ingot::BodyId wheel, const Vec
     return ground;
 }
 
-/// A force on a wheel at P, and back on the ground. Of it the wheel by itself takes but the torque tau about its axle; the rest goes through its hub, so
-/// the chassis gets it: a light wheel that spins fast bears no torque across its axle, which a substep would let it turn by before its joint holds it.
+/// A force on a wheel at P, and back on the ground. Of it the wheel by itself takes but the torque tau about its axle; the rest goes through its hub,
+/// so the chassis gets it: a light wheel that spins fast bears no torque across its axle, which a substep would let it turn by before its joint holds
+/// it.
 template <class S>
 ingot::Status push_wheel(ingot::World<S>& world, const Car& car, int wheel_i, ingot::BodyId ground, const Vector& F, const Vector& P,
                          const Vector& tau) {
