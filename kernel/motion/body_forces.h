@@ -30,6 +30,16 @@ INGOT_INLINE void clear_forces(BodyForceTile& tile) {
     store(tile.tau_body, Vec3<lane>{});
 }
 
+/// L += h A tau_body, and v_CM += h A F_body / M where the scene translates: forces that turn with their bodies, as these stand. With h/2 before a
+/// free flight and h/2 after it the step is of second order, and half as far off as with the whole of it, turned to where the body will be in the
+/// middle. What would not be finite marks its body bad.
+///
+/// Shapes:  forces: a tile for each of bodies. Units: h in s. Cost: 42 flops a body, of tiles where some body is pushed.
+void push_in_body(const BodyView& bodies, const BodyForceTile* forces, scalar h);
+
+/// The sums of the next step begin.
+void clear_forces_in_body(BodyForceTile* forces, int tile_count);
+
 } }  // namespace ingot
 
 #pragma GCC diagnostic pop

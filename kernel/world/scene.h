@@ -270,4 +270,10 @@ inline constexpr bool has_field = is_field<typename S::force_field>;
 template <class S>
 inline constexpr bool flies_in_field = has_field<S> && !has_shapes<S> && !has_joints<S> && !S::rotation::as_printed;
 
+/// Scenes whose bodies fly freely, without what would have to hold them between two kicks: forces that turn with a body kick it before the flight and
+/// after. Others take such forces as constant over the step.
+template <class S>
+inline constexpr bool halves_body_forces = S::body_forces && !stacks<S> && !collides<S> && !has_joints<S> && !has_field<S> &&
+                                           !S::rotation::as_printed && !S::compensated_sums && !S::axis_locks && !S::sleeps;
+
 } }  // namespace ingot

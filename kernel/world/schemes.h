@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../impulse/solve_contact_forces.h"
+#include "../motion/body_forces.h"
 #include "../motion/compensated_sums.h"
 #include "../motion/integrate_L.h"
 #include "../motion/integrate_r.h"
@@ -83,12 +84,21 @@ struct AsPrinted {
     }
 };
 
+/// Half of what turns with its body, as that stands now.
+template <class S>
+INGOT_INLINE void push_half_in_body([[maybe_unused]] Step<S>& now) {
+    if constexpr (halves_body_forces<S>) push_in_body(now.bodies, now.storage.body_forces, now.h / 2);
+}
+
 /// Bodies that touch nothing.
 struct FreeFlight {
     template <class S>
     static void advance(Step<S>& now) {
         kick(now);
+        push_half_in_body(now);
         drift(now);
+        push_half_in_body(now);
+        if constexpr (halves_body_forces<S>) clear_forces_in_body(now.storage.body_forces, now.bodies.tile_count);
     }
 };
 

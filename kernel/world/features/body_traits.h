@@ -70,7 +70,12 @@ struct BodyForces : Feature {
         write(storage.body_forces[place_of(slot).tile], place_of(slot).lane, {}, {});
     }
     template <class S>
-    static void sum_forces(Storage<S>& storage, scalar h) {
+    static void sum_forces([[maybe_unused]] Storage<S>& storage, [[maybe_unused]] scalar h) {
+        if constexpr (!halves_body_forces<S>) sum_in_middle(storage, h);
+    }
+    /// As forces of the step, turned to where the body will be in its middle.
+    template <class S>
+    static void sum_in_middle(Storage<S>& storage, scalar h) {
         const BodyView bodies = storage.bodies();
         const scalar ahead = S::rotation::as_printed ? 0 : h / 2;
         const auto sum = [&](int tile_i) {
