@@ -60,7 +60,8 @@ inline ingot::Status set_up(ingot::World<CartPole>& world, CartPoleIds& ids, ing
     const ingot::Result<ingot::JointId> rail_id = world.add_joint(rail), hinge_id = world.add_joint(hinge);
     ids.rail = rail_id.value;
     ids.hinge = hinge_id.value;
-    for (const ingot::Status each : {cart_id.status, pole_id.status, rail_id.status, hinge_id.status})
+    const ingot::Status statuses[] = {cart_id.status, pole_id.status, rail_id.status, hinge_id.status};
+    for (const ingot::Status each : statuses)
         if (status == ingot::Status::ok) status = each;
     return status;
 }
