@@ -27,6 +27,7 @@ struct CarDesign {
     ingot::scalar height = ingot::scalar(0.35);                                    ///< of the middle of the chassis above the axles, as it stands
     ingot::scalar hertz = ingot::scalar(1.5), damping_ratio = ingot::scalar(0.4);  ///< at which it bounces on its springs
     ingot::scalar travel = ingot::scalar(0.12);                                    ///< of a wheel, either way
+    ingot::scalar top_speed = 55;  ///< m/s, over the ground, beyond which its motors turn its wheels no faster
     TyreLaw tyre{};
     ingot::scalar park_speed = ingot::scalar(0.05);  ///< m/s: braked and below it, tyres that slip by their law are held by friction
     bool slips = false;                              ///< by the law of its tyres; else by friction, with the mu of that law
@@ -240,8 +241,8 @@ ingot::Status set_driving(ingot::World<S>& world, Car& car, const Driving& drivi
         ingot::JointDrive spin;
         if (driving.is_braked())
             spin = ingot::MotorDrive{0, driving.locked ? ingot::unlimited : driving.brake};
-        else if (wheel_i >= 2)
-            spin = ingot::SpringDrive{0, 0, 0, 0, driving.torque};
+        else if (wheel_i >= 2 && driving.torque != 0)
+            spin = ingot::MotorDrive{(driving.torque > 0 ? of.top_speed : -of.top_speed) / of.radius, ingot::abs(driving.torque)};
         statuses.note(world.set_joint_drive(car.joint[wheel_i], spin, ingot::WheelJoint::spin));
     }
     return statuses.status;
