@@ -101,15 +101,18 @@ bool is_followed(double speed, const CarDesign& design, double rate) { return sp
 /// m, by which a place may be off that is rounded in every step, the same way each time, since each step is as long.
 double grain(double x, double rate, double seconds) { return eps * x * rate * seconds / 2; }
 
-/// Within a millimetre of its line in ten seconds, at 60 m/s too, where float knows 600 m by itself to 0.03 mm; and as far as it was thrown.
+/// Within a millimetre of its line in ten seconds, and as far as it was thrown. Far from the origin what float knows of the places of two axles is a
+/// heading that is off by a grain over the wheelbase, at worst: of speeds from 4 to 60 m/s one in forty leaves the millimetre in float, by up to
+/// 5 mm, and none in double, by 0.3 mm at most.
 TEST(Vehicle, goes_straight_on) {
     for (const bool slips : {false, true})
         for (const double rate : rates())
-            for (const double speed : {2.0, 20.0, 60.0}) {
-                if (!is_followed(speed, car_that(slips), rate)) continue;
+            for (const double speed : {2.0, 20.0, 34.0, 46.0, 60.0}) {
+                if (!is_followed(speed, car_that(slips), rate) || (INGOT_TEST_BRIEF && speed > 30)) continue;
                 Ride ride(rate, car_that(slips), speed);
                 ride.go(10);
-                EXPECT_LE(ride.aside, 1e-3) << slips << ", " << rate << " Hz, " << speed << " m/s";
+                const double far = speed > 20 ? eps * 100 * speed * speed / real(ride.car.design.base) : 0;
+                EXPECT_LE(ride.aside, 1e-3 + far) << slips << ", " << rate << " Hz, " << speed << " m/s";
                 EXPECT_NEAR(ride.x(), 10 * speed, 1e-5 * 10 * speed + grain(10 * speed, rate, 10))
                     << slips << ", " << rate << " Hz, " << speed << " m/s";
                 EXPECT_GE(ride.least_up, 1 - 1e-5) << slips << ", " << rate << " Hz";
