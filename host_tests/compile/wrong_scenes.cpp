@@ -387,7 +387,7 @@ struct Wrong : ingot::Scene {
     using joints = ingot::Joints<ingot::FixedJoint, ingot::WithDrives>;
 #endif
 #if defined(DRIVE_WITHOUT_DRIVES) || defined(LIMIT_WITHOUT_LIMITS) || defined(REACTION_WITHOUT_REACTIONS) || \
-    defined(LENGTH_WITHOUT_TIES) || defined(TARGET_WITHOUT_TARGETS)
+    defined(LENGTH_WITHOUT_TIES) || defined(TARGET_WITHOUT_TARGETS) || defined(GEAR_WITHOUT_GEARS)
     static constexpr bool translates = true;
     static constexpr int max_joints = 1;
     using joints = ingot::Joints<ingot::BallJoint>;
@@ -410,6 +410,11 @@ struct Wrong : ingot::Scene {
     static constexpr bool translates = true;
     static constexpr int max_joints = 1;
     using joints = ingot::Joints<ingot::RodJoint>;
+#endif
+#ifdef GEARS_OF_NOTHING
+    static constexpr bool translates = true;
+    static constexpr int max_joints = 1, max_loops = 1;
+    using joints = ingot::Joints<ingot::BallJoint, ingot::GearJoint>;
 #endif
 #ifdef SERVOS_WITHOUT_LOOPS
     static constexpr bool translates = true;
@@ -521,6 +526,9 @@ int main() {
 #endif
 #ifdef TARGET_WITHOUT_TARGETS
     (void)world.set_target_drive({}, {});
+#endif
+#ifdef GEAR_WITHOUT_GEARS
+    (void)world.add_gear({}, {}, 1);
 #endif
 #ifdef LIMIT_WITHOUT_LIMITS
     (void)world.set_joint_limits({}, {});

@@ -36,6 +36,7 @@ inline constexpr int pushes_max = 9;                     ///< of the bodies of a
 inline constexpr scalar joint_gap = scalar(2e-5);        ///< m, rad; a joint that is further off after a push is pushed again
 inline constexpr scalar tie_length_min = scalar(1e-3);   ///< units of length, of a rod or a rope; shorter, it has no direction: take a ball joint
 inline constexpr scalar reel_speed = 3;                  ///< units of length a second, with which one becomes as long as it was told to be
+inline constexpr scalar gear_ratio_max = scalar(1e6);    ///< of a gear, either way; of a rack and its pinion m/rad, of units of length
 inline constexpr int rope_rounds = 8;                    ///< of a substep, in which ropes may come to their ends; then those that push are let go
 
 // Figures on their way through a step (continuous/).

@@ -4,6 +4,7 @@
 #include "../base/figure_limits.h"
 #include "../math/sqrt.h"
 #include "factor_loops.h"
+#include "gear_rows.h"
 #include "loop_sides.h"
 #include "move_figures.h"
 #include "target_rows.h"
@@ -94,6 +95,7 @@ void aim_loops(const FigureView& view, const LoopView& loops, const LoopFigure& 
     for_loop_joints(loops, of, [&](LoopJoint& loop) {
         if (locks_nothing(loop)) return;
         const bool exact = is_exact(view, loop);
+        if (loop.kind == JointKind::gear) return aim_gear(view, loops, loop, exact, h);
         const LoopSides sides = sides_of(view, loop, h);
         if (loop.kind == JointKind::target) return set_targets(loop, {});  // see aim_targets
         if (!has_length(loop.kind)) return set_targets(loop, back_of_motion(loop.kind, sides, exact, h) * (1 / h));
@@ -109,6 +111,11 @@ scalar aim_pushes(const FigureView& view, const LoopView& loops, const LoopFigur
     for_loop_joints(loops, of, [&](LoopJoint& loop) {
         if (locks_nothing(loop)) return;
         if (loop.kind == JointKind::target) return set_targets(loop, {});  // no push goes there
+        if (loop.kind == JointKind::gear) {
+            loop.target[0] = way_back_of_gear(view, loops, loop);
+            most = max(most, loop.target[0] * loop.target[0]);
+            return;
+        }
         const JointSides<scalar> now = sides_of(view, loop, 0).now();
         if (!has_length(loop.kind)) {
             const Spatial<scalar> back = back_of(loop.kind, now);
@@ -130,29 +137,18 @@ void leave_out_targets(const LoopView& loops, const LoopFigure& of) {
     });
 }
 
-scalar driven_speed(const FigureView& view, const LoopView& loops, const LoopFigure& of) {
-    scalar most_sq = 0;
-    const auto see = [&](Index ground) {
-        const Ground<scalar> at = ground_at(view, ground);
-        most_sq = max(most_sq, length_sq(at.v));
-    };
-    for_loop_joints(loops, of, [&](const LoopJoint& loop) {
-        if (loop.other == no_node) see(loop.ground);
-        if (!has_length(loop.kind)) return;
-        const TieRecord& tie = loops.ties[loop.joint];
-        const scalar reeled = (tie.reeled - tie.begin) / view.h;
-        most_sq = max(most_sq, reeled * reeled);
-    });
-    for (int i = of.figure; i < of.figure + of.figure_count; ++i) see(view.figures[i].ground);  // bound: max_bodies
-    return sqrt(most_sq);
-}
-
 void find_lacks(const FigureView& view, const LoopView& loops, const LoopFigure& of, bool passed) {
     const scalar* const L = loops.L + of.first_entry;
     const uint8_t* const order = loops.order + of.first_row;
     scalar* const z = loops.z + of.first_row;
     scalar lacks[limits::loop_rows_max];
     for_loop_joints(loops, of, [&](const LoopJoint& loop) {
+        if (loop.kind == JointKind::gear) {
+            scalar change = 0;
+            for_bodies_of(loops, loop, 0, [&](Index node_i, const Spatial<scalar>& f) { change += dot(f, change_of(view, node_i)); });
+            lacks[loop.first_row] = loop.target[0] - change;
+            return;
+        }
         const Spatial<scalar> of_child = change_of(view, loop.child);
         const Spatial<scalar> of_other = loop.other == no_node ? Spatial<scalar>{} : change_of(view, loop.other);
         for (int row = 0; row < loop.row_count; ++row)  // bound: rows_of_joint_max
@@ -190,6 +186,11 @@ template <class First>
 void add_impulses(const FigureView& view, const LoopView& loops, const First& first) {
     for_looped_figures(view, loops, [&](const LoopFigure& of) {
         for_loop_joints(loops, of, [&](const LoopJoint& loop) {
+            if (loop.kind == JointKind::gear) {
+                if (first(loop) > 0) return;  // it has no free rows
+                for_bodies_of(loops, loop, 0, [&](Index node_i, const Spatial<scalar>& f) { add_to_impulse(view, node_i, f * loop.j[0]); });
+                return;
+            }
             Spatial<scalar> on_child{}, on_other{};
             for (int row = first(loop); row < loop.row_end; ++row) {  // bound: rows_of_joint_max
                 on_child = on_child + loop.rows[row].on_child * loop.j[row];
@@ -355,6 +356,7 @@ void keep_loops(const FigureView& view, const LoopView& loops, int doublings) {
             joint.resolved = figure.resolved ? 1 : 0;
             joint.doublings = figure.doublings;
             if (loop.kind == JointKind::target) keep_target(view, loops, loop);
+            if (loop.kind == JointKind::gear) keep_gear(loops, loop);
         });
     });
 }

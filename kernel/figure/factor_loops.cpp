@@ -3,6 +3,7 @@
 
 #include "../base/figure_limits.h"
 #include "../math/sqrt.h"
+#include "gear_rows.h"
 #include "loop_sides.h"
 #include "target_rows.h"
 #include "tree_passes.h"
@@ -127,10 +128,9 @@ void answer_row(const FigureRows<width>& rows, const OneLane<width>& at, const L
     const int count = rows.count(), first = rows.figure(at.lane_i).first_node;
     for (int row_i = 0; row_i < count; ++row_i) write(at, rows[row_i].impulse, none);  // bound: max_bodies
     const auto give = [&](Index node_i, const Spatial<scalar>& f) {
-        if (node_i != no_node && node_i >= first && node_i < first + count) add_to_impulse(at, rows[node_i - first], f);
+        if (node_i >= first && node_i < first + count) add_to_impulse(at, rows[node_i - first], f);
     };
-    give(loop.child, loop.rows[row].on_child);
-    give(loop.other, loop.rows[row].on_other);
+    for_bodies_of(loops, loop, row, give);
     for (int row_i = count - 1; row_i > 0; --row_i) {  // bound: max_bodies
         const FigureNode& node = rows.node(row_i);
         const Spatial<scalar> sent = impulse_through(at, rows[row_i], node.kind, read(at, rows[row_i].impulse), none.v);
@@ -175,10 +175,24 @@ scalar free_compliance(const FigureView& view, Index node_i, const Spatial<scala
     });
 }
 
+/// The row of a gear in C.
+void couple_gear(const FigureView& view, const LoopView& loops, const LoopFigure& of, const LoopJoint& loop, scalar* L, scalar* free) {
+    const int i = loop.first_row;
+    scalar* const entries = L + i * (i + 1) / 2;
+    for (int k = 0; k <= i; ++k) entries[k] = 0;  // bound: limits::loop_rows_max
+    free[i] = 0;
+    for_bodies_of(loops, loop, 0, [&](Index node_i, const Spatial<scalar>& f) {
+        const Spatial<scalar>* const X = loops.X_of(of, node_i - of.first_node);
+        for (int k = 0; k <= i; ++k) entries[k] += dot(f, X[k]);  // bound: limits::loop_rows_max
+        free[i] += free_compliance(view, node_i, f);
+    });
+}
+
 /// C in the place of L. free: of each row, what it would give way without joints.
 void couple_rows(const FigureView& view, const LoopView& loops, const LoopFigure& of, scalar* L, scalar* free) {
     const Index first = of.first_node;
     for_loop_joints(loops, of, [&](const LoopJoint& loop) {
+        if (loop.kind == JointKind::gear) return couple_gear(view, loops, of, loop, L, free);
         const Spatial<scalar>* const of_child = loops.X_of(of, loop.child - first);
         const Spatial<scalar>* const of_other = loop.other == no_node ? nullptr : loops.X_of(of, loop.other - first);
         for (int row = 0; row < loop.row_count; ++row) {  // bound: rows_of_joint_max
@@ -271,7 +285,10 @@ void drop_impulses(const LoopView& loops, const LoopFigure& of, const uint8_t* o
 
 void place_loops(const FigureView& view, const LoopView& loops) {
     for_looped_figures(view, loops, [&](const LoopFigure& of) {
-        for_loop_joints(loops, of, [&](LoopJoint& loop) { place_loop(view, loops, loop); });
+        for_loop_joints(loops, of, [&](LoopJoint& loop) {
+            if (loop.kind == JointKind::gear) return place_gear(view, loops, of, loop);
+            place_loop(view, loops, loop);
+        });
     });
 }
 

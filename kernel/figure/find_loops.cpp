@@ -2,6 +2,7 @@
 #include "find_loops.h"
 
 #include "../base/limits.h"
+#include "gear_rows.h"
 #include "target_rows.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -19,6 +20,7 @@ uint8_t row_count_of(JointKind kind) {
         case JointKind::universal: return 4;
         case JointKind::target:
         case JointKind::fixed: return 6;
+        case JointKind::gear:
         case JointKind::rod:
         case JointKind::rope: return 1;
         case JointKind::parallel: return 2;
@@ -136,6 +138,7 @@ void load_loops(const FigureView& view, const LoopView& loops, scalar h) {
             loop.given = loop.is_A ? -on_B : on_B;
             for (scalar& j : loop.j) j = 0;
             loop.is_slack = loop.kind == JointKind::rope && length_sq(on_B) == 0;
+            if (loop.kind == JointKind::gear) begin_gear(loops, loop);
             resolved = resolved && view.lists.joints[loop.joint].resolved != 0;
         });
         if (loops.targets != nullptr) begin_targets(loops, of, h);

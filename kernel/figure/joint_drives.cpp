@@ -206,11 +206,34 @@ void given_in_solve(const LoopedJoint& joint, const DrivenRowView&, const JointR
 
 }  // namespace
 
+namespace {
+
+void loosen_held_ends(const FigureView&, const DrivenRowView&) {}
+/// An end that a joint would go beyond, and that gives way by nothing but rounding once the loops hold, is held by a drive of its machine, which has
+/// made that stiff: drives that have a largest torque are rows then.
+void loosen_held_ends(const FigureView& view, const LoopedRowView& all) {
+    const auto machine_of = [&](const JointRow& row) { return all.loops->of_node(view, node_of(all, row)); };
+    for (int i = 0; i < all.count; ++i) {  // bound: the rows of joint_row_capacity
+        const JointRow& end = all.list[i];
+        if (end.is_drive || end.stands || end.K > 0 || !(end.lower > 0 || end.upper < 0)) continue;
+        const LoopFigure* const machine = machine_of(end);
+        for (int k = 0; k < all.count; ++k) {  // bound: the rows of joint_row_capacity
+            const JointRow& row = all.list[k];
+            if (row.is_drive && row.most < unlimited && !row.closes && machine != nullptr && machine_of(row) == machine) all.list[k].gave_way = true;
+        }
+    }
+}
+
+}  // namespace
+
 template <class Rows>
 bool saturate_drives(const FigureView& view, const Rows& all) {
     bool some = false;
+    for (int i = 0; i < all.count; ++i) all.list[i].gave_way = false;  // bound: the rows of joint_row_capacity
+    loosen_held_ends(view, all);
     for (int i = 0; i < all.count; ++i) {  // bound: the rows of joint_row_capacity
         JointRow& row = all.list[i];
+        const bool is_loosened = row.gave_way;
         row.gave_way = false;
         if (!row.is_drive || !(row.most < unlimited)) continue;
         at_joint(view, all, row, [&](const auto& joint) {
@@ -219,7 +242,7 @@ bool saturate_drives(const FigureView& view, const Rows& all) {
             if (motion.saturated || (joint.closes && !is_ball(node.kind))) return;
             scalar given[3] = {};
             given_in_solve(joint, all, &row, given);
-            if (!is_beyond(node.kind, given, row.direction_i, row.most)) return;
+            if (!is_loosened && !is_beyond(node.kind, given, row.direction_i, row.most)) return;
             some = row.gave_way = motion.saturated = true;
             if (is_ball(node.kind))
                 for (int k = 0; k < 3; ++k) drive_motion(node, all, k).saturated = true;

@@ -20,6 +20,7 @@
 // Source: Featherstone 2008, chapter 8 (loop joints); columns by impulses as Mirtich 1996; pivoted Cholesky factors as Higham 2002, chapter 10.
 #pragma once
 
+#include "../joint/gear_record.h"
 #include "../joint/target_record.h"
 #include "../joint/tie_record.h"
 #include "figure_view.h"
@@ -62,6 +63,16 @@ struct TargetMotion {
     Vector force, torque;  ///< N s, N m s: given since the step began
 };
 
+/// Of a gear, in the step at hand. Its row is of up to four bodies: both sides of both of its joints.
+struct GearMotion {
+    int count;               ///< of those that can move
+    Index node[4];
+    Spatial<scalar> on[4];   ///< what a unit impulse of the row is on them, at q
+    AngleRecord value[2];    ///< as GearRecord has it
+    scalar elapsed;          ///< s, since the step began, as they were that
+    scalar driven;           ///< m/s, that what moves as it is told asks for
+};
+
 /// The loops of a machine: of one figure, or of several that follow each other.
 struct LoopFigure {
     Index figure;          ///< the first
@@ -93,6 +104,8 @@ struct LoopView {
     Index* of_figure;       ///< by figure: its loops, or no_loop
     TargetRecord* targets;         ///< by joint; null: the scene names none
     TargetMotion* target_motions;  ///< by joint
+    GearRecord* gears;             ///< by joint; null: the scene names none
+    GearMotion* gear_motions;      ///< by joint
     Index* machine_of;      ///< by figure: the first of its machine; of scenes that name ties
     scalar* z;              ///< by row
     scalar* L;              ///< triangles by rows; the inverse of the diagonal in its place

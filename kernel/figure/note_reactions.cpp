@@ -95,7 +95,7 @@ void note_loop(const FigureView& view, const LoopJoint& loop, ReactionView all) 
     Vector gap{};
     if (loop.kind == JointKind::slider)
         gap = place_of_side(view, loop.child, no_body, loop.arm) - place_of_side(view, loop.other, loop.ground, loop.arm_of_other);
-    add_reaction(all.of_joint[loop.joint], on_child, loop.is_A, gap);
+    add_reaction(all.of_joint[loop.joint], on_child, loop.is_A && loop.kind != JointKind::gear, gap);
 }
 
 void note_loops(const FigureView&, const NoLoops&, ReactionView) {}

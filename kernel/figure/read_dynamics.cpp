@@ -9,8 +9,9 @@ namespace {
 
 using Twist = Spatial<scalar>;
 
-/// Rods and parallel joints close loops. Of other ties it is not known what they will give, as of contacts: ropes pull or do not, targets give way.
-bool is_outside(JointKind kind) { return is_tie(kind) && kind != JointKind::rod && kind != JointKind::parallel; }
+/// Rods, parallel joints and gears close loops. Of other ties it is not known what they will give, as of contacts: ropes pull or do not, targets give
+/// way.
+bool is_outside(JointKind kind) { return kind == JointKind::rope || kind == JointKind::target || is_servo(kind); }
 
 int direction_count_of(JointKind kind) {
     switch (kind) {

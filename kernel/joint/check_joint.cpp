@@ -117,7 +117,7 @@ scalar gap_of(const JointRecord& joint, const BodyView& bodies) {
 
 bool is_valid(const JointRecord& joint, int slots) {
     const auto is_body = [slots](Index slot) { return slot == no_body || slot < slots; };
-    const bool is_kind = joint.kind != JointKind::none && (joint.kind <= JointKind::wheel || is_servo(joint.kind));
+    const bool is_kind = joint.kind != JointKind::none && (joint.kind <= JointKind::wheel || is_tie(joint.kind));
     if (!is_kind || !is_body(joint.body_A) || !is_body(joint.body_B)) return false;
     if (joint.body_A == joint.body_B || !is_finite(joint.j) || !is_frame(joint.frame_A) || !is_frame(joint.frame_B)) return false;
     return joint.resolved <= 1 && joint.bodies_meet <= 1 && joint.doublings <= limits::doublings_max;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "../base/status.h"
+#include "gear_record.h"
 #include "tie_record.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -14,6 +15,11 @@ Status check_length(scalar length, scalar unit);
 
 /// m: as given, or as far as the ends are apart.
 scalar length_of(const JointDef& def);
+
+/// unit_A, unit_B: what its ways are of, m of travel, else 1. Errors: not_finite, out_of_range (0, or beyond limits::gear_ratio_max either way).
+Status check_ratio(scalar ratio, scalar unit_A, scalar unit_B);
+/// joints: how many slots there are. False for what no gear can have become; or, of another kind, for what is not all zero.
+bool is_valid(const GearRecord& gear, JointKind kind, int joints);
 
 /// False for what no joint of the kind can have become.
 bool is_valid(const TieRecord& record, JointKind kind, scalar unit);

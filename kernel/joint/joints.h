@@ -9,14 +9,18 @@ namespace ingot { inline namespace INGOT_ABI {
 
 /// driven_ball: within figure/, a ball joint that has a drive; carriage: a wheel whose body is nearer to the root than what it carries.
 enum class JointKind : uint8_t {
-    none, ball, hinge, slider, universal, fixed, rod, rope, parallel, target, wheel, carriage, servo, ball_servo, driven_ball = 64
+    none, ball, hinge, slider, universal, fixed, rod, rope, parallel, target, wheel, carriage, servo, ball_servo, gear, driven_ball = 64
 };
 
 /// They lock nothing: what they drive is measured in the world, and is driven against another body.
 constexpr bool is_servo(JointKind kind) { return kind >= JointKind::servo && kind <= JointKind::ball_servo; }
 /// Kinds that lock little, or give way: they are rows beside the trees, see figure/loop_view.h.
-constexpr bool is_tie(JointKind kind) { return (kind >= JointKind::rod && kind <= JointKind::target) || is_servo(kind); }
+constexpr bool is_tie(JointKind kind) {
+    return (kind >= JointKind::rod && kind <= JointKind::target) || (kind >= JointKind::servo && kind <= JointKind::gear);
+}
 constexpr bool is_wheel(JointKind kind) { return kind >= JointKind::wheel && kind <= JointKind::carriage; }
+/// Those that a gear may couple: by their first free direction.
+constexpr bool may_be_geared(JointKind kind) { return kind == JointKind::hinge || kind == JointKind::slider || kind == JointKind::wheel; }
 /// Those that keep two points at a distance.
 constexpr bool has_length(JointKind kind) { return kind == JointKind::rod || kind == JointKind::rope; }
 
@@ -135,6 +139,20 @@ struct ServoJoint {
 struct BallServoJoint {
     static constexpr JointKind kind = JointKind::ball_servo;
     constexpr operator Joint() const { return {kind, {}, {}}; }
+};
+
+/// Couples two joints, A and B: by so much as A goes, B goes `ratio` times as far. See World::add_gear. One of max_loops.
+///
+/// Of a hinge it is its angle, of a wheel its spin, rad; of a slider its travel, m: each of its B against its A. Two hinges are wheels with teeth,
+/// of ratio -z_A / z_B where they touch from outside and z_A / z_B by a chain or a belt; a hinge and a slider are a pinion and its rack, of its
+/// radius, m; two hinges of one carrier with -1 are a differential, as what they turn by in it is opposite. Their bodies may be of one figure or of
+/// two, or tied to the world; so limits, drives and brakes of either joint are those of both. The ratio holds over whole turns, to the rounding of
+/// an angle: nothing adds up. There is no play.
+///
+/// While one of the two does nothing, as it is broken or switched off, so does the gear; once it works again they are coupled as they are then. What
+/// turns by more than half a turn in a substep is not told from what turns the other way round.
+struct GearJoint {
+    static constexpr JointKind kind = JointKind::gear;
 };
 
 /// Beside the kinds of a scene's joints: they may have limits.

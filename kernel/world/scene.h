@@ -158,6 +158,8 @@ inline constexpr bool has_ties = has_joints<S> && S::joints::has_ties;
 template <class S>
 inline constexpr bool has_servos = has_joints<S> && S::joints::has_servos;
 template <class S>
+inline constexpr bool has_gears = has_joints<S> && S::joints::has(JointKind::gear);
+template <class S>
 inline constexpr bool has_targets = has_joints<S> && S::joints::has(JointKind::target);
 
 /// The hulls a scene names.

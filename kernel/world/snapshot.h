@@ -47,6 +47,7 @@ constexpr uint32_t snapshot_parts() {
     if (stacks<S> && S::recycles_manifolds) parts |= SnapshotPart::anchors;
     if (stacks<S> && solves_pointwise<S>) parts |= SnapshotPart::pointwise;
     if (S::axis_locks) parts |= SnapshotPart::locks;
+    if (has_gears<S>) parts |= features::JointPart::gears;
     features::All::over_named<S>([&parts](auto feature) { parts |= decltype(feature)::part; });
     return parts;
 }

@@ -130,6 +130,8 @@ struct SnapshotPart {
     static constexpr uint32_t locks = 1u << 31;  ///< without joints; with them it stands for their limits
     /// Manifolds are solved point by point: friction has no slow mean. With joints they are not: there it stands for rods, ropes and targets.
     static constexpr uint32_t pointwise = 1u << 20;
+    /// Islands may be solved directly. With joints they are not: there it stands for gears.
+    static constexpr uint32_t direct = 2048;
 };
 
 /// What comes first in a snapshot, whatever its scene.

@@ -225,12 +225,14 @@ void find_manifolds([[maybe_unused]] Step<S>& now) {
     }
 }
 
-/// Rods and ropes become as long as they were told to be; ropes that stay slack are nothing to the step.
+/// Rods and ropes become as long as they were told to be; ropes that stay slack are nothing to the step, and gears of joints that do nothing.
 template <class S>
 INGOT_INLINE void look_at_ropes([[maybe_unused]] Step<S>& now) {
     if constexpr (has_ties<S>) {
         auto& storage = now.storage;
         look_at_ropes(now.bodies, storage.joint_lists(), storage.joint_ties, storage.joint_slots_used, storage.gravity, S::length_unit, now.h);
+        if constexpr (has_gears<S>)
+            look_at_gears(now.bodies, storage.joint_lists(), storage.joint_gears, storage.joint_ties, storage.joint_slots_used);
     }
 }
 

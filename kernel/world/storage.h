@@ -77,6 +77,7 @@ struct Storage : features::All::Memory<S> {
         auto view = this->loops();
         this->show_ties(view);
         this->show_targets(view);
+        this->show_gears(view);
         return view;
     }
     JointRowViewOf<S> joint_row_view() {

@@ -44,6 +44,8 @@ public:
         if constexpr (has_targets<S>)
             if (status == Status::ok && def.joint.kind == JointKind::target && slot_A != no_body) status = Status::bad_joint;
         if (status == Status::ok && !moves(slot_A) && !moves(slot_B)) status = Status::immovable;
+        if constexpr (has_gears<S>)
+            if (status == Status::ok && def.joint.kind == JointKind::gear) status = Status::bad_joint;  // see add_gear
         if constexpr (has_servos<S>)
             if (status == Status::ok && is_servo(def.joint.kind) && !moves(slot_B)) status = Status::immovable;
         if (status != Status::ok) return {status, {}};
@@ -73,12 +75,13 @@ public:
         return {Status::ok, id_of_joint(joint_i)};
     }
 
-    /// Its bodies go their own ways. Errors: those of ids.
+    /// Its bodies go their own ways. Gears of it go with it. Errors: those of ids.
     Status remove(JointId id) {
         static_assert(joints_only());
         const Result<int> joint = find(id);
         if (!joint.ok()) return joint.status;
         wake_sides(joint.value);
+        features::Figures::take_out_gears_of(storage_, joint.value);
         features::Figures::take_out(storage_, joint.value);
         return Status::ok;
     }
@@ -98,7 +101,8 @@ public:
     }
 
     /// How far apart the two sides of a joint are, m: along what it locks. By how much a rod is longer or shorter than it should be; a rope longer;
-    /// how far a target is. 0 of a parallel joint and of a servo, which lock no way.
+    /// how far a target is; of a gear how far its joint B is from where its ratio wants it, rad, or m of a slider. 0 of a parallel joint and of a
+    /// servo, which lock no way.
     Result<scalar> joint_gap(JointId id) const {
         static_assert(joints_only());
         const Result<int> joint = find(id);
@@ -109,6 +113,9 @@ public:
                 const scalar over = distance_of(record) - storage_.joint_ties[joint.value].reeled;
                 return {Status::ok, record.kind == JointKind::rope && over < 0 ? 0 : abs(over)};
             }
+        if constexpr (has_gears<S>)
+            if (record.kind == JointKind::gear)
+                return {Status::ok, abs(gap_of(storage_.bodies(), storage_.joints, storage_.joint_gears[joint.value]))};
         if constexpr (has_ties<S>)
             if (record.kind == JointKind::parallel || is_servo(record.kind)) return {Status::ok, 0};
         return {Status::ok, gap_of(record, storage_.bodies())};
@@ -290,6 +297,14 @@ protected:
         return find_loops(figures, loops) == 0;
     }
 
+    JointId id_of_joint(int joint_i) const { return {static_cast<Index>(joint_i), storage_.world_tag, storage_.joint_generation[joint_i]}; }
+    int free_joint() const {
+        int joint_i = 0;
+        // bound: max_joints; a slot whose counter is used up is not given out again
+        while (joint_i < storage_.joint_slots_used && (storage_.joint_lives(joint_i) || storage_.joint_generation[joint_i] == 0xfffffffeu)) ++joint_i;
+        return joint_i;
+    }
+
 private:
     /// Known to be none where the scene has none.
     static bool is_wheel_of([[maybe_unused]] const JointRecord& record) {
@@ -326,13 +341,6 @@ private:
         const FigureMarks marks = {bits, room};
         mark_figure(storage_.bodies(), const_cast<Storage<S>&>(storage_).joint_lists(), slot, marks);  // a list that is only read
         return figure_of(storage_.bodies(), marks, storage_.slots_used);
-    }
-    JointId id_of_joint(int joint_i) const { return {static_cast<Index>(joint_i), storage_.world_tag, storage_.joint_generation[joint_i]}; }
-    int free_joint() const {
-        int joint_i = 0;
-        // bound: max_joints; a slot whose counter is used up is not given out again
-        while (joint_i < storage_.joint_slots_used && (storage_.joint_lives(joint_i) || storage_.joint_generation[joint_i] == 0xfffffffeu)) ++joint_i;
-        return joint_i;
     }
     static Status check_limits_of([[maybe_unused]] JointKind kind, const JointLimits& limits) {
         if constexpr (has_servos<S> && S::joints::has_limits)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The part of World for rods, ropes and targets.
+// The part of World for rods, ropes, targets and gears.
 #pragma once
 
 #include "world_reactions.h"
@@ -118,7 +118,69 @@ public:
         return {Status::ok, storage_.joint_targets[joint.value].torque};
     }
 
+    // Gears, in scenes that name GearJoint among their joints: see joint/joints.h.
+
+    /// Couples two joints, hinges, sliders or wheels, as they are now: joint_B goes `ratio` times as far as joint_A from here on, rad to rad, of a
+    /// slider m. Rates that are otherwise are brought to it by the next step, as by an impact. Wakes their bodies. Goes with either joint.
+    /// Errors: no_room (as add_joint), those of ids, bad_joint (the same joint twice; a kind without a way of its own), not_in_scene (one of the two
+    ///         does nothing for now), not_finite, out_of_range (0, or beyond limits::gear_ratio_max or its inverse), immovable (no side can move).
+    /// Cost:   O(max_joints).
+    Result<JointId> add_gear(JointId joint_A, JointId joint_B, scalar ratio) {
+        static_assert(gears_only());
+        GearRecord gear{};
+        const Status status = check_gear(joint_A, joint_B, ratio, gear);
+        if (status != Status::ok) return {status, {}};
+        JointRecord record{};
+        record.kind = JointKind::gear;
+        record.frame_A = record.frame_B = {{}, {0, 0, 1}, {1, 0, 0}};
+        record.body_A = record.body_B = no_body;
+        record.resolved = record.bodies_meet = 1;
+        name_bodies(storage_.bodies(), storage_.joint_lists(), gear, record);
+        if (record.body_A == no_body && record.body_B == no_body) return {Status::immovable, {}};
+        const int joint_i = this->free_joint();
+        if (joint_i == S::max_joints) return {Status::no_room, {}};
+        couple(storage_.bodies(), storage_.joints, gear);
+        storage_.joints[joint_i] = record;
+        storage_.joint_gears[joint_i] = gear;
+        storage_.joint_lists().link(joint_i);
+        if (!this->has_room_for_loop(joint_i)) {
+            storage_.joint_lists().unlink(joint_i);
+            storage_.joints[joint_i] = {};
+            storage_.joint_gears[joint_i] = {};
+            return {Status::no_room, {}};
+        }
+        if constexpr (has_joint_breaking<S>) storage_.joint_breaking[joint_i].strength = JointStrength{};
+        ++storage_.joint_generation[joint_i];
+        if (joint_i == storage_.joint_slots_used) ++storage_.joint_slots_used;
+        this->wake_sides(joint_i);
+        return {Status::ok, this->id_of_joint(joint_i)};
+    }
+    /// As add_gear was told. Errors: those of ids, not_in_scene (another kind).
+    Result<scalar> gear_ratio(JointId id) const {
+        static_assert(gears_only());
+        const Result<int> joint = find(id);
+        if (!joint.ok()) return {joint.status, 0};
+        if (this->kind_of(joint.value) != JointKind::gear) return {Status::not_in_scene, 0};
+        return {Status::ok, storage_.joint_gears[joint.value].ratio};
+    }
+
 private:
+    static constexpr bool gears_only() {
+        static_assert(has_gears<S>, "this scene has no gears: put GearJoint among its joints, and set max_loops");
+        return true;
+    }
+    Status check_gear(JointId joint_A, JointId joint_B, scalar ratio, GearRecord& gear) const {
+        const Result<int> A = find(joint_A), B = find(joint_B);
+        if (!A.ok()) return A.status;
+        if (!B.ok()) return B.status;
+        if (A.value == B.value || !may_be_geared(this->kind_of(A.value)) || !may_be_geared(this->kind_of(B.value))) return Status::bad_joint;
+        const JointKind kind_A = storage_.joints[A.value].kind, kind_B = storage_.joints[B.value].kind;
+        if (kind_A == JointKind::none || kind_B == JointKind::none) return Status::not_in_scene;
+        gear.joint[0] = static_cast<Index>(A.value);
+        gear.joint[1] = static_cast<Index>(B.value);
+        gear.ratio = ratio;
+        return check_ratio(ratio, unit_of_travel(kind_A, 0, S::length_unit), unit_of_travel(kind_B, 0, S::length_unit));
+    }
     static constexpr bool targets_only() {
         static_assert(has_targets<S>, "no body of this scene is drawn to a target: put TargetJoint among its joints, and set max_loops");
         return true;

@@ -32,7 +32,7 @@ using All = FeatureList<Rotation, Translation, Compensation, EnergyReturn, Field
                         RollingResistance, Belts, Filters, Sensors, Continuous, Events, ToldEvents, Sleep, GravityShares, TouchAside, SteadyField,
                          UserData, BodyForces, BodyDamping, ReadsContacts, CompensatedSums, KinematicBodies, WorkBudget, ContactEffort, Figures,
                          MovingJoints, LimitedJoints, DrivenJoints, LoopJoints, FigureMotion, ReadReactions, BreakableJoints, TiedJoints,
-                         DrawnBodies, LockedAxes, Levels, SharedWork>;
+                         DrawnBodies, LockedAxes, Levels, GearedJoints, SharedWork>;
 
 static_assert(All::bits_differ(SnapshotPart::doubles | SnapshotPart::anchors));  // of a snapshot's parts
 

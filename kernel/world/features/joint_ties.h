@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Rods, ropes and targets.
+// Rods, ropes, targets and gears.
 #pragma once
 
+#include "../../figure/gear_rows.h"
 #include "../../figure/slack_ropes.h"
 #include "../../joint/check_tie.h"
 #include "joint_loops.h"
@@ -51,6 +52,39 @@ struct TiedJoints : Feature {
                       "the energy-momentum step has no rods, ropes and targets: leave figure_motion out, or these kinds");
         static_assert(!has_ties<S> || !S::joints::has_reactions,
                       "rods, ropes and targets neither tell what they bear nor break: leave WithReactions and WithBreaking out, or these kinds");
+        return true;
+    }
+};
+
+/// Joints that are coupled. Their numbers stand with those of joints.
+struct GearedJoints : Feature {
+    template <class S>
+    static constexpr bool named = has_gears<S>;
+
+    template <class S, bool present>
+    struct Memory {
+        GearRecord joint_gears[static_cast<unsigned>(S::max_joints)] = {};
+        GearMotion gear_motions[static_cast<unsigned>(S::max_joints)] = {};
+
+        void show_gears(LoopView& view) {
+            view.gears = joint_gears;
+            view.gear_motions = gear_motions;
+        }
+    };
+    template <class S>
+    struct Memory<S, false> {
+        template <class Loops>
+        static void show_gears(Loops&) {}
+    };
+
+    template <class S, class Each>
+    static constexpr void traits(Each& each) {
+        if constexpr (has_gears<S>) each(S::joints::has(JointKind::gear));
+    }
+    template <class S>
+    static constexpr bool check() {
+        static_assert(!has_gears<S> || S::joints::has(JointKind::hinge) || S::joints::has(JointKind::slider) || S::joints::has(JointKind::wheel),
+                      "gears couple hinges, sliders and wheels: name one of them among the joints, or drop GearJoint");
         return true;
     }
 };

@@ -11,6 +11,7 @@
 #include "../../joint/reactions.h"
 #include "../../constraint/jointed_view.h"
 #include "../../island/islands.h"
+#include "gear_numbers.h"
 #include "manifolds.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -21,6 +22,7 @@ namespace features {
 struct JointPart {
     static constexpr uint32_t limits = 1u << 31, drives = 1u << 21, reactions = 1u << 23;
     static constexpr uint32_t ties = SnapshotPart::pointwise;  // of scenes with joints no bit is left, and this one they have not
+    static constexpr uint32_t gears = SnapshotPart::direct;    // the same
 };
 
 /// What a body answers with its figure.
@@ -163,9 +165,19 @@ struct Figures : Feature {
         if constexpr (has_joint_rows<S>) storage.joint_angles[joint_i] = {};
         if constexpr (has_ties<S>) storage.joint_ties[joint_i] = {};
         if constexpr (has_targets<S>) storage.joint_targets[joint_i] = {};
+        if constexpr (has_gears<S>) storage.joint_gears[joint_i] = {};
         if constexpr (has_joint_drives<S>)
             for (int i = 0; i < S::joints::drives_of_joint(); ++i) storage.drive_of(joint_i, i) = {};  // bound: 3
         ++storage.joint_generation[joint_i];
+    }
+    /// Gears of a joint go before it.
+    template <class S>
+    static void take_out_gears_of([[maybe_unused]] Storage<S>& storage, [[maybe_unused]] int joint_i) {
+        if constexpr (has_gears<S>)
+            for (int gear_i = 0; gear_i < storage.joint_slots_used; ++gear_i) {  // bound: max_joints
+                const GearRecord& gear = storage.joint_gears[gear_i];
+                if (kind_of(storage, gear_i) == JointKind::gear && (gear.joint[0] == joint_i || gear.joint[1] == joint_i)) take_out(storage, gear_i);
+            }
     }
     /// Bodies that are joined sleep and wake as one: those that have just come to rest too, whose islands are made once more, to last.
     template <class S>
@@ -186,7 +198,9 @@ struct Figures : Feature {
     static void before_removal(Storage<S>& storage, int slot) {
         for (int joint_i = 0; joint_i < storage.joint_slots_used; ++joint_i) {  // bound: max_joints
             const JointRecord& joint = storage.joints[joint_i];
-            if (kind_of(storage, joint_i) != JointKind::none && (joint.body_A == slot || joint.body_B == slot)) take_out(storage, joint_i);
+            if (kind_of(storage, joint_i) == JointKind::none || (joint.body_A != slot && joint.body_B != slot)) continue;
+            take_out_gears_of(storage, joint_i);
+            take_out(storage, joint_i);
         }
     }
 
@@ -205,6 +219,7 @@ struct Figures : Feature {
         uint8_t phase;
         TieRecord tie;
         TargetRecord target;
+        GearNumbers gear;
 
         template <class Each>
         constexpr void numbers(Each& each, uint32_t parts) {
@@ -241,6 +256,7 @@ struct Figures : Feature {
                 each("joint.slack", tie.slack);
                 numbers_of_target(each);
             }
+            if ((parts & JointPart::gears) != 0) gear.numbers(each);
         }
         template <class Each>
         constexpr void numbers_of_target(Each& each) {
@@ -292,6 +308,7 @@ struct Figures : Feature {
             if constexpr (has_joint_limits<S>) limit = storage.joint_limits[joint_i];
             if constexpr (has_ties<S>) tie = storage.joint_ties[joint_i];
             if constexpr (has_targets<S>) target = storage.joint_targets[joint_i];
+            if constexpr (has_gears<S>) gear.take(storage.joint_gears[joint_i]);
             if constexpr (has_joint_rows<S>) {
                 angle = storage.joint_angles[joint_i];
                 turns = static_cast<uint32_t>(angle.turns);
@@ -330,6 +347,7 @@ struct Figures : Feature {
         void put_beside(Storage<S>& storage, int joint_i) const {
             if constexpr (has_joint_limits<S>) storage.joint_limits[joint_i] = limit;
             if constexpr (has_targets<S>) storage.joint_targets[joint_i] = target;
+            if constexpr (has_gears<S>) storage.joint_gears[joint_i] = gear.read();
             if constexpr (has_ties<S>) storage.joint_ties[joint_i] = {tie.length, tie.reeled, tie.reeled, tie.slack};
             if constexpr (has_joint_rows<S>) storage.joint_angles[joint_i] = {angle.angle, static_cast<int32_t>(turns)};
             for (int i = 0; i < drives_of<S>(); ++i)  // bound: 3
@@ -351,12 +369,10 @@ struct Figures : Feature {
                 if (!ingot::is_valid(limit, read.kind)) return false;
             if constexpr (has_joint_limits<S> && has_servos<S>)
                 if (is_servo(read.kind) && limits_something(limit.limits)) return false;
-            if constexpr (has_ties<S>)
-                if (!ingot::is_valid(tie, read.kind, S::length_unit)) return false;
-            if constexpr (has_targets<S>)
-                if (!ingot::is_valid(target)) return false;
-            if constexpr (has_joint_rows<S>)
-                if (!ingot::is_valid(angle)) return false;
+            if (has_ties<S> && !ingot::is_valid(tie, read.kind, S::length_unit)) return false;
+            if (has_targets<S> && !ingot::is_valid(target)) return false;
+            if (has_gears<S> && !ingot::is_valid(gear.read(), read.kind, S::max_joints)) return false;
+            if (has_joint_rows<S> && !ingot::is_valid(angle)) return false;
             for (int i = 0; i < drives_of<S>(); ++i)  // bound: 3
                 if (!ingot::is_valid(drive_read(i))) return false;
             return S::joints::has(read.kind) && ingot::is_valid(read, static_cast<int>(context.shape_slots) / S::max_shapes_of_body);

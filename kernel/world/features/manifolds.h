@@ -272,7 +272,7 @@ struct Manifolds : Feature {
 
 /// Of each manifold, for how many steps sweeps have left it uneven: in scenes whose solver picks itself. The memory is the solver's.
 struct Unsettled : Feature {
-    static constexpr uint32_t part = 2048;
+    static constexpr uint32_t part = SnapshotPart::direct;
     template <class S>
     static constexpr bool named = stacks<S> && solves_directly<S>;
     template <class S, bool>
