@@ -11,6 +11,9 @@ namespace ingot { inline namespace INGOT_ABI { namespace limits {
 inline constexpr scalar stiff_tension = scalar(0.5);
 /// rad, by which the spins of a figure change a turn of the substep, at most: then its joints follow turns to second order.
 inline constexpr scalar resolved_turn = scalar(0.02);
+/// rad: of a figure with a body that turns by more than far_turn in a substep, or a joint that would be off by more than far_off at its end, targets
+/// may be motions that there are not. What is resolved is off by hundredths: by the squares of its turns, and what forces give in a substep.
+inline constexpr scalar far_turn = 1, far_off = scalar(0.25);
 /// How often the substeps of a figure are halved, at most, and from what tension on: (omega h)^2 of the turning back, in a substep that is whole.
 inline constexpr int doublings_max = 3;
 inline constexpr scalar tension_of_doublings[doublings_max] = {scalar(0.5), 2, 8};

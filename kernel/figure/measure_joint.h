@@ -86,9 +86,9 @@ INGOT_INLINE Vec3<T> free_rates(const At& at, const FigureRow<At::width>& row, J
     }
 }
 
-/// The same as the bodies move. Needs: place_joints, FigureRow::w.
+/// The twist of a child against its parent as they move, at the child's q. Needs: place_joints, FigureRow::w.
 template <unsigned width, class At, class T = typename At::T>
-INGOT_INLINE Vec3<T> free_rates_now(const FigureRows<width>& rows, const At& at, int row_i) {
+INGOT_INLINE Spatial<T> twist_of_joint(const FigureRows<width>& rows, const At& at, int row_i) {
     const FigureRow<width>& row = rows[row_i];
     const FigureNode& node = rows.node(row_i);
     const Vec3<T> w = read(at, row.w), c = read(at, row.c);
@@ -102,7 +102,12 @@ INGOT_INLINE Vec3<T> free_rates_now(const FigureRows<width>& rows, const At& at,
         w_parent = read(at, parent.w);
         v_parent = read(at, parent.v) + cross(w_parent, read(at, row.d) - read(at, parent.c));
     }
-    return free_rates(at, row, node.kind, Spatial<T>{w - w_parent, read(at, row.v) - cross(w, c) - v_parent});
+    return {w - w_parent, read(at, row.v) - cross(w, c) - v_parent};
+}
+/// The rates of its free directions.
+template <unsigned width, class At, class T = typename At::T>
+INGOT_INLINE Vec3<T> free_rates_now(const FigureRows<width>& rows, const At& at, int row_i) {
+    return free_rates(at, rows[row_i], rows.node(row_i).kind, twist_of_joint(rows, at, row_i));
 }
 
 /// Of a slot of a joint's record: a record is of B against A, and the child may be either.

@@ -5,6 +5,7 @@
 #include "../body/kinematics.h"
 #include "../math/sqrt.h"
 #include "close_loops.h"
+#include "measure_joint.h"
 #include "push_machines.h"
 #include "push_rows.h"
 #include "target_rows.h"
@@ -123,12 +124,19 @@ auto gaining_lanes(const FigureRows<width>& rows, const FigureEnergies<T>& energ
     return energies.after > energies.before * splat<T>(gain) + M * splat<T>(gap_speed * gap_speed);
 }
 
-template <unsigned width, class M>
-void leave_out_biases(const FigureRows<width>& rows, M gains) {
-    const auto none = rows.no_twist();
-    for (int row_i = 0; row_i < rows.count(); ++row_i) {
-        const auto bias = read(rows.all, rows[row_i].bias);
-        write(rows.all, rows[row_i].bias, Spatial<T_of_width<width>>{select(gains, none.w, bias.w), select(gains, none.v, bias.v)});
+/// They are left as they move; where that is far, they get velocities that fit their joints as they are: on what does not, any impulse would work.
+template <unsigned width, class M, class T = T_of_width<width>>
+void leave_out_biases(const FigureRows<width>& rows, M gains, M is_far) {
+    const Vec3<T> none{};
+    for (int row_i = 0; row_i < rows.count(); ++row_i) {  // bound: max_bodies
+        FigureRow<width>& row = rows[row_i];
+        const JointKind kind = rows.node(row_i).kind;
+        if (kind == JointKind::none) continue;
+        const Spatial<T> bias = read(rows.all, row.bias);
+        Spatial<T> off{};
+        if (any(is_far)) off = locked_part(rows.all, row, kind, twist_of_joint(rows, rows.all, row_i));
+        write(rows.all, row.bias,
+              Spatial<T>{select(gains, select(is_far, -off.w, none), bias.w), select(gains, select(is_far, -off.v, none), bias.v)});
     }
 }
 
@@ -139,26 +147,41 @@ void pass_alone(const FigureRows<width>& rows) {
     pass_down(rows);
 }
 
+/// Lanes whose figures turn by more than limits::far_turn in the substep, or whose joints would be off by more than limits::far_off: arms go on
+/// chords, and targets of second order ask for what is no motion any more, whatever the substep before was like.
+template <unsigned width>
+auto far_lanes(const FigureRows<width>& rows, scalar h) {
+    using T = T_of_width<width>;
+    const T of_turn = splat<T>(1 / (limits::far_turn * limits::far_turn)), of_off = splat<T>(h * h / (limits::far_off * limits::far_off));
+    T most{};
+    for (int row_i = 0; row_i < rows.count(); ++row_i) {  // bound: max_bodies
+        most = max(most, length_sq(read(rows.all, rows[row_i].turn)) * of_turn);
+        if (rows.node(row_i).kind != JointKind::none) most = max(most, length_sq(read(rows.all, rows[row_i].bias).w) * of_off);
+    }
+    return most > splat<T>(1);
+}
+
 /// Targets of what is not resolved may ask for what cannot be, where joints come near to where they lock: light bodies would get any speed. Where a
 /// figure would have more than limits::target_gain times its energy they are left out: velocities then fit the joints, which takes energy, and
 /// pushes take back the gaps.
 template <unsigned width, class M>
 void hold_back_targets(const FigureRows<width>& rows, scalar h, M is_exact) {
-    const auto doubtful = opposite(is_exact);
+    const auto is_far = far_lanes(rows, h);
+    const auto doubtful = either(opposite(is_exact), is_far);
     if (!any(doubtful)) return;
     pass_alone(rows);
     const auto gains = both(doubtful, gaining_lanes(rows, figure_energies_of(rows), mass_of(rows), h));
-    if (any(gains)) leave_out_biases(rows, gains);
+    if (any(gains)) leave_out_biases(rows, gains, is_far);
 }
 
 /// Lanes whose targets are doubtful where some have loops: these are, as their rows may come near to saying the same.
 template <unsigned width>
-auto doubtful_lanes(const FigureRows<width>& rows, const LoopView& loops) {
+auto doubtful_lanes(const FigureRows<width>& rows, const LoopView& loops, scalar h) {
     using T = T_of_width<width>;
     scalar flags[width];
     for (int lane_i = 0; lane_i < rows.lane_count; ++lane_i) flags[lane_i] = rows.figure(lane_i).resolved ? 0 : 1;  // bound: lanes
     for_looped(rows, loops, [&](const LoopFigure& of, int lane_i) { flags[lane_i] = of.row_count > 0 ? 1 : flags[lane_i]; });
-    return rows.all.get(flags) > T{};
+    return either(rows.all.get(flags) > T{}, far_lanes(rows, h));
 }
 
 /// The energies of a figure, and its mass, stand in FigureRow::drive of its root until the solve begins: a machine gains or not as a whole.
@@ -185,14 +208,14 @@ void allow_driven_speed(const FigureView& view, const LoopFigure& of, scalar spe
 /// The same of scenes with loops.
 void hold_back_targets(const FigureView& view, const LoopView& loops, scalar h, scalar gain) {
     for_groups(view, [&](const auto& rows) {
-        if (any(doubtful_lanes(rows, loops))) pass_alone(rows);
+        if (any(doubtful_lanes(rows, loops, h))) pass_alone(rows);
     });
     for_looped_figures(view, loops, [&](const LoopFigure& of) {
         find_lacks(view, loops, of, false);
         close_loops(view, loops, of);
     });
     for_groups(view, [&](const auto& rows) {
-        if (any(doubtful_lanes(rows, loops))) note_energies(rows);
+        if (any(doubtful_lanes(rows, loops, h))) note_energies(rows);
     });
     for_looped_figures(view, loops, [&](const LoopFigure& of) {
         if (of.row_count == 0) return;  // servos alone: its figures are by themselves
@@ -200,12 +223,12 @@ void hold_back_targets(const FigureView& view, const LoopView& loops, scalar h, 
         if (loops.ties != nullptr) allow_driven_speed(view, of, driven_speed(view, loops, of));
     });
     for_groups(view, [&](const auto& rows) {
-        const auto doubtful = doubtful_lanes(rows, loops);
+        const auto doubtful = doubtful_lanes(rows, loops, h);
         if (!any(doubtful)) return;
         const auto of = read(rows.all, rows[0].drive);
         const auto gains = both(doubtful, gaining_lanes(rows, {of.x, of.y}, of.z, h, gain));
         if (!any(gains)) return;
-        leave_out_biases(rows, gains);
+        leave_out_biases(rows, gains, far_lanes(rows, h));
         for_looped(rows, loops, [&](const LoopFigure& of_loops, int lane_i) {
             if ((bits(gains) >> lane_i & 1u) != 0) leave_out_targets(loops, of_loops);
         });

@@ -30,34 +30,6 @@ void for_all_joints(const FigureView& view, const LoopView& loops, const Each& e
     });
 }
 
-/// Without what is along free directions.
-template <class At, class T = typename At::T>
-INGOT_INLINE Spatial<T> locked_part(const At& at, const FigureRow<At::width>& row, JointKind kind, const Spatial<T>& f) {
-    switch (kind) {
-        case JointKind::ball:
-        case JointKind::driven_ball: return {Vec3<T>{}, f.v};
-        case JointKind::hinge: {
-            const Vec3<T> n = read(at, row.axis);
-            return {f.w - n * dot(n, f.w), f.v};
-        }
-        case JointKind::slider: {
-            const Vec3<T> n = read(at, row.axis_of_parent);
-            return {f.w, f.v - n * dot(n, f.v)};
-        }
-        case JointKind::universal: {
-            const Vec3<T> x = cross(read(at, row.axis_of_parent), read(at, row.axis));
-            return {x * (dot(x, f.w) / length_sq(x)), f.v};
-        }
-        case JointKind::wheel:
-        case JointKind::carriage: {
-            const Vec3<T> along = read(at, kind == JointKind::carriage ? row.axis : row.axis_of_parent);
-            const Vec3<T> x = cross(read(at, row.axis_of_parent), read(at, row.axis));
-            return {x * (dot(x, f.w) / length_sq(x)), f.v - along * dot(along, f.v)};
-        }
-        default: return f;
-    }
-}
-
 /// M' u of the parent.
 template <unsigned width, class T = typename AllLanes<width>::T>
 INGOT_INLINE Spatial<T> passed_down(const FigureRows<width>& rows, int row_i, JointKind kind) {

@@ -50,6 +50,34 @@ INGOT_INLINE int free_directions(const At& at, const FigureRow<At::width>& row, 
     return 3;
 }
 
+/// Of an impulse or a twist, without what is along free directions.
+template <class At, class T = typename At::T>
+INGOT_INLINE Spatial<T> locked_part(const At& at, const FigureRow<At::width>& row, JointKind kind, const Spatial<T>& f) {
+    switch (kind) {
+        case JointKind::ball:
+        case JointKind::driven_ball: return {Vec3<T>{}, f.v};
+        case JointKind::hinge: {
+            const Vec3<T> n = read(at, row.axis);
+            return {f.w - n * dot(n, f.w), f.v};
+        }
+        case JointKind::slider: {
+            const Vec3<T> n = read(at, row.axis_of_parent);
+            return {f.w, f.v - n * dot(n, f.v)};
+        }
+        case JointKind::universal: {
+            const Vec3<T> x = cross(read(at, row.axis_of_parent), read(at, row.axis));
+            return {x * (dot(x, f.w) / length_sq(x)), f.v};
+        }
+        case JointKind::wheel:
+        case JointKind::carriage: {
+            const Vec3<T> along = read(at, kind == JointKind::carriage ? row.axis : row.axis_of_parent);
+            const Vec3<T> x = cross(read(at, row.axis_of_parent), read(at, row.axis));
+            return {x * (dot(x, f.w) / length_sq(x)), f.v - along * dot(along, f.v)};
+        }
+        default: return f;
+    }
+}
+
 /// True of bodies whose turns are eliminated at once: at a ball joint, and roots of what floats.
 inline bool turns_freely(JointKind kind) { return kind == JointKind::ball || kind == JointKind::none; }
 
