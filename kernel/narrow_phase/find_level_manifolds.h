@@ -30,7 +30,18 @@ struct LevelPairs {
         BodyPair* pairs[level_patches];
         if (!has_all(pair, pairs)) count(report.contacts_lost);  // the list of pairs is full
         if (renews && !fast && are_renewed(pairs, margin)) return;
-        search(pairs, margin);
+        (void)search(pairs, margin, [](const auto&...) { return true; });
+    }
+    /// The same where no record is taken or given back, which has to wait for its turn: false, and the pairs are to be updated then.
+    bool update_ahead(BodyPair& pair, scalar margin) const {
+        BodyPair* pairs[level_patches];
+        if (!has_all(pair, pairs)) return false;
+        if (renews && are_renewed(pairs, margin)) return true;
+        return search(pairs, margin, [this](BodyPair* const(&all)[level_patches], const int(&patch_of)[level_patches]) {
+            for (int i = 0; i < level_patches; ++i)
+                if (has_record(all[i]) != (patch_of[i] >= 0)) return false;
+            return true;
+        });
     }
 
 private:
@@ -61,7 +72,9 @@ private:
         return some;
     }
 
-    void search(BodyPair* (&pairs)[level_patches], scalar margin) const {
+    /// Unless may(pairs, patch_of) forbids it: false.
+    template <class May>
+    bool search(BodyPair* (&pairs)[level_patches], scalar margin, const May& may) const {
         const bool swapped = level_is_A(*pairs[0]);
         const int level_slot = swapped ? pairs[0]->body_A : pairs[0]->body_B, body_slot = swapped ? pairs[0]->body_B : pairs[0]->body_A;
         const PlacedShape level = placed_body<Shapes>(bodies, surfaces, level_slot), body = placed_body<Shapes>(bodies, surfaces, body_slot);
@@ -69,6 +82,7 @@ private:
 
         int patch_of[level_patches];
         assign(pairs, touch, swapped ? scalar(-1) : scalar(1), patch_of);
+        if (!may(pairs, patch_of)) return false;
         for (int i = 0; i < level_patches; ++i) {
             if (pairs[i] == nullptr) continue;
             if (patch_of[i] < 0) {
@@ -81,6 +95,7 @@ private:
             if (swapped) now.n = -now.n;
             keep(*pairs[i], now, margin);
         }
+        return true;
     }
 
     /// Which patch goes to which pair; -1: none. A pair that has a contact keeps the plane that it had, as near as there is one; others take what is

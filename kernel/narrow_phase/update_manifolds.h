@@ -11,7 +11,7 @@ namespace ingot { inline namespace INGOT_ABI {
 enum class PairOutcome : uint8_t {
     unknown,  ///< nothing was done
     none,     ///< it does not touch
-    kept,     ///< its record holds the manifold of this step
+    kept,     ///< its record holds the manifold of this step; of the first pair with a level, those of all its companions do
 };
 /// Of scenes that look at one pair after the other.
 struct NoOutcomes {
@@ -63,7 +63,7 @@ struct PairUpdate {
 };
 
 /// For pairs [range.begin .. range.end) that need no room and tell nobody: what update_manifolds would do to them, noted in `outcomes`. Ranges may be
-/// looked at side by side. Pairs with levels, sensors and fast bodies are left to update_manifolds, and so are those that begin to touch.
+/// looked at side by side. Pairs with sensors and fast bodies are left to update_manifolds, and so are those that begin to touch or end.
 template <class Shapes, bool renews, class Rules, class FastPairs>
 void look_ahead(const PairUpdate<Shapes, renews, FastPairs>& update, const Rules& rules, const PairList& found, Range range,
                 const PairOutcomes& outcomes) {
@@ -77,9 +77,16 @@ void look_ahead(const PairUpdate<Shapes, renews, FastPairs>& update, const Rules
             outcome = PairOutcome::none;
             continue;
         }
-        if (Shapes::has(ShapeKind::level) && is_with_level(update.surfaces, pair)) continue;
         if (update.fast_pairs.has(pair) || is_led(update.fast_pairs, pair)) continue;
         const scalar margin = update.margin_of_pair(pair, false);
+        if constexpr (Shapes::has(ShapeKind::level)) {
+            if (is_with_level(update.surfaces, pair)) {
+                StepReport nothing_is_lost;
+                const LevelPairs<Shapes, renews> levels = {update.bodies, update.surfaces, found, update.manifolds, nothing_is_lost};
+                if (is_first_of_level(update.surfaces, pair) && levels.update_ahead(found.pairs[pair_i], margin)) outcome = PairOutcome::kept;
+                continue;
+            }
+        }
         if (update.renew(pair, has_record, false, margin)) {
             outcome = PairOutcome::kept;
             continue;
@@ -112,7 +119,7 @@ void update_manifolds(const PairUpdate<Shapes, renews, FastPairs>& update, const
         const bool has_record = pair.record != no_record;
         const PairOutcome outcome = outcomes.of(pair_i);
         if (outcome == PairOutcome::kept) {
-            manifolds.pairs[(*manifolds.count)++] = pair;
+            if (pair.record < refused_record) manifolds.pairs[(*manifolds.count)++] = pair;
             continue;
         }
         const auto overlap = [&] { return shapes_overlap<Shapes>(update.bodies, update.surfaces, pair); };
