@@ -41,6 +41,14 @@ struct Gusts : ingot::ForceField {
     ingot::Wrench operator()(const ingot::BodyMotion& body) const { return ingot::Wrench::force(body.v_CM * ingot::splat<ingot::lane>(body.t)); }
 };
 
+/// Workers that do nothing.
+template <int count>
+struct Workers {
+    static constexpr int workers = count;
+    template <class Task>
+    static void run(int, Task&) {}
+};
+
 #ifdef NOT_A_SCENE
 struct Wrong {
 #else
@@ -260,6 +268,15 @@ struct Wrong : ingot::Scene {
     static constexpr int max_manifolds = 20;
     static constexpr ingot::Effort effort = {4, 0};
     using shapes = ingot::Shapes<ingot::Box>;
+#endif
+#ifdef NO_WORKERS
+    using workers = Workers<0>;
+#endif
+#ifdef TOO_MANY_BODIES_FOR_WORKERS
+    static constexpr bool translates = true;
+    static constexpr int max_bodies = 65530, max_manifolds = 20;
+    using shapes = ingot::Shapes<ingot::Box>;
+    using workers = Workers<16>;
 #endif
 #ifdef BUDGET_TOO_SMALL
     static constexpr bool translates = true;
