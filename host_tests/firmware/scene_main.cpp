@@ -158,7 +158,9 @@ int main() {
                             run<scenes::DoublePendulum>("double_pendulum"),
                             run<scenes::ArmOfSix>("arm_6"),
                             run<scenes::Ragdolls>("ragdolls"),
-                            keep<scenes::Ragdolls>("snapshot_ragdolls")};
+                            keep<scenes::Ragdolls>("snapshot_ragdolls"),
+                            run<scenes::Terrain>("terrain"),
+                            keep<scenes::Terrain>("snapshot_terrain")};
     for (bool result : results)
         if (!result) return 1;
     return 0;

@@ -11,4 +11,5 @@
 #include "satellite.h"
 #include "stacked.h"
 #include "t_handle.h"
+#include "terrain.h"
 #include "tumblers.h"
