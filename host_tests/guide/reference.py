@@ -43,7 +43,7 @@ INTERNAL_MEMBERS = ("Memory AwakeMemory TreeMemory View name as_printed compensa
 INTERNAL = {
     "base/config.h": "PairKey key_of INGOT_JOIN_ INGOT_JOIN INGOT_DOUBLES_ADD_WRONGLY",
     "base/report.h": "count note_figures note_sweeps",
-    "base/workers.h": "tasks_of_worker tasks_max Range range_of tasks_for over_ranges",
+    "base/workers.h": "tasks_of_worker tasks_max TaskRange range_of tasks_for over_ranges",
     "base/effort.h": "sweeps_of_new new_until sweeps_of_balls steady_sweeps goes_up spares_substeps",
     "base/floating_point.h": "check_floating_point_of_kernel",
     "body/check_body.h": "ScaledInverseInertia scaled_inverse_inertia correction_of_rotation",

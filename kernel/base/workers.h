@@ -33,11 +33,11 @@ template <class Workers>
 inline constexpr int tasks_max = Workers::workers == 1 ? 1 : tasks_of_worker * Workers::workers;
 
 /// A part of a row of things.
-struct Range {
+struct TaskRange {
     int begin, end;
 };
 /// Part task_i of `tasks` equal parts of [0 .. count).
-constexpr Range range_of(int task_i, int tasks, int count) {
+constexpr TaskRange range_of(int task_i, int tasks, int count) {
     const long long all = count;
     return {static_cast<int>(all * task_i / tasks), static_cast<int>(all * (task_i + 1) / tasks)};
 }
@@ -52,10 +52,10 @@ constexpr int tasks_for(int count, int least) {
 template <class Workers, class Each>
 INGOT_INLINE void over_ranges(int count, int least, const Each& each) {
     if constexpr (Workers::workers == 1) {
-        each(0, Range{0, count});
+        each(0, TaskRange{0, count});
     } else {
         const int tasks = tasks_for<Workers>(count, least);
-        if (tasks == 1) return each(0, Range{0, count});
+        if (tasks == 1) return each(0, TaskRange{0, count});
         const auto task = [&](int task_i) { each(task_i, range_of(task_i, tasks, count)); };
         Workers::run(tasks, task);
     }

@@ -15,7 +15,7 @@ void begin_tile(const SearchView& search, int tile_i) {
 
 }  // namespace
 
-void bound_shapes(const SearchView& search, scalar h, const Range& tiles) {
+void bound_shapes(const SearchView& search, scalar h, const TaskRange& tiles) {
     for (int tile_i = tiles.begin; tile_i < tiles.end; ++tile_i) {  // bound: max_bodies max_shapes_of_body / lanes, rounded up
         begin_tile(search, tile_i);
         bounding::bound_tile(search.shapes, search.surfaces, tile_i, h, search.bounds[tile_i]);

@@ -32,7 +32,7 @@ struct SearchView {
 };
 
 /// Bounds in this step of the shapes of some tiles, beside others: where several cores work, all are bounded before a search looks at them.
-void bound_shapes(const SearchView& search, scalar h, const Range& tiles);
+void bound_shapes(const SearchView& search, scalar h, const TaskRange& tiles);
 
 /// Bounds of all shapes, where nothing sleeps. Those that left their fat AABB have a new one, and are due: due[0 .. count).
 /// bounded: they have been by bound_shapes.

@@ -65,7 +65,7 @@ struct PairUpdate {
 /// For pairs [range.begin .. range.end) that need no room and tell nobody: what update_manifolds would do to them, noted in `outcomes`. Ranges may be
 /// looked at side by side. Pairs with sensors and fast bodies are left to update_manifolds, and so are those that begin to touch or end.
 template <class Shapes, bool renews, class Rules, class FastPairs>
-void look_ahead(const PairUpdate<Shapes, renews, FastPairs>& update, const Rules& rules, const PairList& found, Range range,
+void look_ahead(const PairUpdate<Shapes, renews, FastPairs>& update, const Rules& rules, const PairList& found, TaskRange range,
                 const PairOutcomes& outcomes) {
     for (int pair_i = range.begin; pair_i < range.end; ++pair_i) {  // bound: pairs_with_own of scene.h
         const BodyPair& pair = found.pairs[pair_i];

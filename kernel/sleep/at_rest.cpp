@@ -16,7 +16,7 @@ void make_all_bounds(const SearchView& search, const RestView& rest, SensorMarks
     }
 }
 
-void bound_active_shapes(const SearchView& search, const RestView& rest, scalar h, const Range& tiles) {
+void bound_active_shapes(const SearchView& search, const RestView& rest, scalar h, const TaskRange& tiles) {
     for_active(rest, [&](int body_i) {
         if (const int tile_i = place_of(body_i).tile; tile_i < tiles.begin || tile_i >= tiles.end) return;
         // bound: max_shapes_of_body

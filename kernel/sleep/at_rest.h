@@ -29,7 +29,7 @@ void make_all_bounds(const SearchView& search, const RestView& rest, SensorMarks
 /// Returns: how many. Cost: about 40 flops a shape of an active body.
 int refresh_active_bounds(const SearchView& search, const RestView& rest, scalar h, uint32_t* due, bool bounded);
 /// Bounds in this step of the shapes of active bodies, of some tiles of bodies, beside others.
-void bound_active_shapes(const SearchView& search, const RestView& rest, scalar h, const Range& tiles);
+void bound_active_shapes(const SearchView& search, const RestView& rest, scalar h, const TaskRange& tiles);
 
 /// Bodies that were settling are at rest now, unless they woke again: their shapes are searched for no more.
 /// True when there were some.

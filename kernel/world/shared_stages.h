@@ -14,7 +14,7 @@ INGOT_INLINE void over_moving(Step<S>& now, const Stage& stage) {
     if constexpr (shares_work<S>) {
         StepReport of_task[tasks_max<typename S::workers>];
         constexpr int least = (limits::bodies_of_task + lanes - 1) / lanes;
-        over_ranges<typename S::workers>(now.bodies.tile_count, least, [&](int task_i, const Range& tiles) {
+        over_ranges<typename S::workers>(now.bodies.tile_count, least, [&](int task_i, const TaskRange& tiles) {
             if constexpr (S::sleeps)
                 over_awake_bodies_of(
                     now.bodies, now.storage.rest_view(), [&tiles](int tile_i) { return tile_i >= tiles.begin && tile_i < tiles.end; },

@@ -89,7 +89,7 @@ template <class S>
 bool bound_side_by_side([[maybe_unused]] Step<S>& now, [[maybe_unused]] const SearchView& search) {
     if constexpr (shares_work<S>) {
         constexpr int least = (limits::bodies_of_task + lanes - 1) / lanes;
-        over_ranges<typename S::workers>(S::sleeps ? now.bodies.tile_count : search.shapes.tile_count, least, [&](int, const Range& tiles) {
+        over_ranges<typename S::workers>(S::sleeps ? now.bodies.tile_count : search.shapes.tile_count, least, [&](int, const TaskRange& tiles) {
             if constexpr (S::sleeps)
                 bound_active_shapes(search, now.storage.rest_view(), now.h, tiles);
             else
@@ -184,7 +184,7 @@ void update_manifolds(Step<S>& now, const Update& update) {
     if constexpr (shares_work<S>) {
         const PairOutcomes outcomes{storage.pair_outcomes};
         over_ranges<typename S::workers>(*found.count, limits::pairs_of_task,
-                                         [&](int, const Range& range) { look_ahead(update, rules, found, range, outcomes); });
+                                         [&](int, const TaskRange& range) { look_ahead(update, rules, found, range, outcomes); });
         update_manifolds(update, rules, found, now.report, outcomes);
     } else {
         update_manifolds(update, rules, found, now.report);

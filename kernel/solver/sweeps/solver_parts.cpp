@@ -9,7 +9,7 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
-constexpr Index no_slot = index_max;  ///< of bodies: contacts go with fewer
+constexpr Index slot_of_none = index_max;  ///< of bodies: contacts go with fewer
 
 bool moves(const BodyView& bodies, int slot) { return bodies.translation[place_of(slot).tile].inv_M[place_of(slot).lane] > 0; }
 
@@ -158,7 +158,7 @@ void find_bodies_of_part(SolverView& whole, const SolverView& of_part, const Sol
     for (int body_i = 0; body_i <= part.body_count; ++body_i) {  // bound: max_bodies + 1
         Index& slot = of_part.slot_of[body_i];
         if (body_i == 0 || body_i >= of_part.body_count)
-            slot = no_slot;  // one that cannot move, or that has gone bad
+            slot = slot_of_none;  // one that cannot move, or that has gone bad
         else
             whole.local_of[slot] = static_cast<Index>(part.body_begin + body_i);
     }
