@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A body that legal input drives out of what numbers can say stands still and is reported. Nobody else notices.
 #include "capacity/yard.h"
+#include "reference/draws.h"
 
 #include <gtest/gtest.h>
 
@@ -246,7 +247,7 @@ TYPED_TEST(Frozen, or_not_a_body_moves_beside_others_as_it_moves_alone) {
     std::uniform_real_distribution<scalar> share(0, 1), unit(-1, 1);
     const auto direction = [&] { return Vector{unit(random), unit(random), unit(random)}; };
     const auto power = [&](scalar least, scalar most) { return std::pow(scalar(10), least + (most - least) * share(random)); };
-    for (int round_i = 0; round_i < 200; ++round_i) {
+    for (int round_i = 0; round_i < ingot_reference::draws(200); ++round_i) {
         // From balls to needles, from rest to spins that are clamped, from a breath to a blow.
         BodyDef defs[crowd];
         Vector blows[crowd];

@@ -59,11 +59,13 @@ TEST(QueriesOfManyByTree, are_the_same_whatever_is_done_to_bodies) {
     expect_same_life<ManyAsleep>(103, {60, 0.05, 1.5}, draws(20), 1200, draws(60));
 }
 
+using OneOfMany = Yard<ingot::QueryTree, 4000, 1, false, false>;  // a world that is there already: another one is seconds of a compiler
+
 /// Ground that is tilted by so little that its normal has a 1 in it, and the length 1: a kilometre away it is higher than where it is level.
 TEST(TreeOfQueries, meets_tilted_ground_far_away) {
     constexpr bool is_double = sizeof(scalar) == sizeof(double);
     const scalar tilt = is_double ? scalar(1e-9) : scalar(1) / 8192, away = is_double ? scalar(5e8) : scalar(4096), height = tilt * away;
-    using S = Yard<ingot::QueryTree, 40, 1, false, false>;
+    using S = OneOfMany;
     auto world = std::make_unique<World<S>>();
     const BodyId ground = world->add(body_of({ingot::HalfSpace{{tilt, 0, 1}, 0}, {}, ingot::identity_matrix<scalar>(), nullptr})).value;
     for (int i = 0; i < 30; ++i)
@@ -78,7 +80,7 @@ TEST(TreeOfQueries, meets_tilted_ground_far_away) {
 
 /// A body that leaves its fat AABB within a step is found where it is at its end.
 TEST(TreeOfQueries, finds_what_a_step_has_thrown) {
-    using S = Yard<ingot::QueryTree, 40, 1, false, false>;
+    using S = OneOfMany;
     auto world = std::make_unique<World<S>>();
     std::vector<BodyId> balls;
     for (int i = 0; i < 30; ++i)
