@@ -23,12 +23,12 @@ Counts counts;
 }  // namespace
 
 #ifdef INGOT_COUNTS_OPERATIONS
-#define INGOT_COUNT(function, counter)           \
-    float __real_##function(float, float);       \
-    float __wrap_##function(float, float);       \
-    float __wrap_##function(float a, float b) {  \
-        ++counts.counter;                        \
-        return __real_##function(a, b);          \
+#define INGOT_COUNT(function, counter)          \
+    float __real_##function(float, float);      \
+    float __wrap_##function(float, float);      \
+    float __wrap_##function(float a, float b) { \
+        ++counts.counter;                       \
+        return __real_##function(a, b);         \
     }
 extern "C" {
 INGOT_COUNT(__aeabi_fadd, adds)
@@ -109,7 +109,8 @@ int main() {
 #ifdef INGOT_CONTROLLED
     return run<scenes::INGOT_CONTROLLED>() ? 0 : 1;
 #else
-    const bool results[] = {run<scenes::PlanarWalk>(), run<scenes::SpatialWalk>(), run<scenes::BalancedWalk>(), run<scenes::UprightFlight>()};
+    const bool results[] = {run<scenes::PlanarWalk>(),    run<scenes::SpatialWalk>(), run<scenes::BalancedWalk>(),
+                            run<scenes::UprightFlight>(), run<scenes::CarDrive>(),    run<scenes::TankDrive>()};
     for (const bool result : results)
         if (!result) return 1;
     return 0;
