@@ -449,11 +449,6 @@ struct Wrong : ingot::Scene {
     using joints = ingot::Joints<ingot::RopeJoint>;
     using figure_motion = ingot::EnergyMomentum<>;
 #endif
-#ifdef REACTIONS_OF_TIES
-    static constexpr bool translates = true;
-    static constexpr int max_joints = 1, max_loops = 1;
-    using joints = ingot::Joints<ingot::RodJoint, ingot::WithReactions>;
-#endif
 #ifdef FIGURE_MOTION_WITHOUT_JOINTS
     static constexpr bool translates = true;
     using figure_motion = ingot::EnergyMomentum<>;

@@ -37,11 +37,12 @@ scalar angle_over_turns(scalar angle, const AngleRecord& last) {
 
 scalar misfit_of(const JointRecord& joint, const JointPair& bodies) {
     const JointSides<scalar> sides = sides_of(joint, bodies);
-    const bool holds_axis = joint.kind == JointKind::hinge || locks_turns(joint.kind);
+    const bool is_parallel = joint.kind == JointKind::parallel;
+    const bool holds_axis = joint.kind == JointKind::hinge || is_parallel || locks_turns(joint.kind);
     if (holds_axis && !(dot(sides.axis, sides.axis_of_parent) > 0)) return scalar_max;
     if (locks_turns(joint.kind) && !(dot(sides.side, sides.side_of_parent) > 0)) return scalar_max;
-    const Spatial<scalar> back = twist_back(joint.kind, sides);
-    return sqrt(max(length_sq(back.v), length_sq(back.w)));
+    const Spatial<scalar> back = twist_back(is_parallel ? JointKind::hinge : joint.kind, sides);
+    return sqrt(max(is_parallel ? scalar(0) : length_sq(back.v), length_sq(back.w)));
 }
 
 scalar steering_angle(const JointRecord& joint, const JointPair& bodies) { return steering_of(joint.kind, sides_of(joint, bodies)); }

@@ -231,6 +231,9 @@ INGOT_INLINE void look_at_ropes([[maybe_unused]] Step<S>& now) {
     if constexpr (has_ties<S>) {
         auto& storage = now.storage;
         look_at_ropes(now.bodies, storage.joint_lists(), storage.joint_ties, storage.joint_slots_used, storage.gravity, S::length_unit, now.h);
+        if constexpr (has_joint_reactions<S>)
+            for (int joint_i = 0; joint_i < storage.joint_slots_used; ++joint_i)  // bound: max_joints
+                if (storage.joint_ties[joint_i].slack != 0) storage.joint_reactions[joint_i] = {};
         if constexpr (has_gears<S>)
             look_at_gears(now.bodies, storage.joint_lists(), storage.joint_gears, storage.joint_ties, storage.joint_slots_used);
     }

@@ -66,7 +66,9 @@ public:
     // What joints bear, in scenes that name WithReactions or WithBreaking among their joints: see joint/reactions.h.
 
     /// Of the last step. A joint of bodies that sleep tells what it bore in their last step, as contacts do; one that does nothing, or that no step
-    /// has seen, 0. Of figures that move by EnergyMomentum it is what the step itself gave, without what a snap loses. Errors: those of ids.
+    /// has seen, 0. So does a rope that is slack, and a servo, which locks nothing: see joint_torque. Of a gear it is what it gives along the way of
+    /// its joint B, on its B. Of figures that move by EnergyMomentum it is what the step itself gave, without what a snap loses. Errors: those of
+    /// ids.
     Result<JointReaction> joint_reaction(JointId id) const {
         static_assert(reactions_only());
         const Result<int> joint = find(id);
@@ -111,7 +113,7 @@ public:
             features::BreakableJoints::disable(storage_, joint.value, JointPhase::disabled);
             return Status::ok;
         }
-        const Status status = check_sides(this->record_of_slot(joint.value));
+        const Status status = check_sides(this->record_of_slot(joint.value), joint.value);
         if (status != Status::ok) return status;
         const JointPhase phase = storage_.joint_breaking[joint.value].phase;
         features::BreakableJoints::enable(storage_, joint.value);
@@ -120,6 +122,8 @@ public:
             return Status::no_room;
         }
         storage_.joint_reactions[joint.value] = {};
+        if constexpr (has_gears<S>)
+            if (this->kind_of(joint.value) == JointKind::gear) couple(storage_.bodies(), storage_.joints, storage_.joint_gears[joint.value]);
         this->wake_sides(joint.value);
         return Status::ok;
     }
@@ -146,11 +150,22 @@ public:
     }
 
 private:
-    Status check_sides(const JointRecord& joint) const {
+    Status check_sides(const JointRecord& joint, int joint_i) const {
         const auto is_frozen = [this](Index slot) { return slot != no_body && ingot::is_frozen(storage_.bodies(), slot); };
         if (is_frozen(joint.body_A) || is_frozen(joint.body_B)) return Status::frozen;
         if (!this->moves(joint.body_A) && !this->moves(joint.body_B)) return Status::immovable;
-        return misfit_of(joint, this->sides_of(joint)) <= limits::mended_gap ? Status::ok : Status::bad_joint;
+        return misfit_of_joint(joint, joint_i) <= limits::mended_gap ? Status::ok : Status::bad_joint;
+    }
+    /// Of ties: what is too long, or a rod that is too short; axes that are not parallel. Others fit whatever their bodies do.
+    scalar misfit_of_joint(const JointRecord& joint, [[maybe_unused]] int joint_i) const {
+        if constexpr (has_ties<S>) {
+            if (has_length(joint.kind)) {
+                const scalar over = this->distance_of(joint) - storage_.joint_ties[joint_i].length;
+                return joint.kind == JointKind::rope && over < 0 ? 0 : abs(over);
+            }
+            if (is_tie(joint.kind) && joint.kind != JointKind::parallel) return 0;
+        }
+        return misfit_of(joint, this->sides_of(joint));
     }
 };
 

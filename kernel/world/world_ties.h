@@ -33,7 +33,7 @@ public:
         TieRecord& tie = storage_.joint_ties[joint.value];
         // Of a rope what lies slack is taken off at once.
         const JointRecord& record = storage_.joints[joint.value];
-        if (record.kind == JointKind::rope) tie.reeled = min(tie.reeled, max(length, this->distance_of(record)));
+        if (this->kind_of(joint.value) == JointKind::rope) tie.reeled = min(tie.reeled, max(length, this->distance_of(record)));
         tie.length = length;
         this->wake_sides(joint.value);
         return Status::ok;
@@ -187,12 +187,12 @@ private:
     }
     Result<int> find_target(JointId id) const {
         const Result<int> joint = find(id);
-        if (!joint.ok() || storage_.joints[joint.value].kind == JointKind::target) return joint;
+        if (!joint.ok() || this->kind_of(joint.value) == JointKind::target) return joint;
         return {Status::not_in_scene, 0};
     }
     Result<int> find_tie(JointId id) const {
         const Result<int> joint = find(id);
-        if (!joint.ok() || has_length(storage_.joints[joint.value].kind)) return joint;
+        if (!joint.ok() || has_length(this->kind_of(joint.value))) return joint;
         return {Status::not_in_scene, 0};
     }
 };

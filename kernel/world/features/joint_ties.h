@@ -50,8 +50,6 @@ struct TiedJoints : Feature {
                       "rods, ropes and targets are rows beside the trees: set max_loops to how many there may be");
         static_assert(!has_ties<S> || !S::figure_motion::is_implicit,
                       "the energy-momentum step has no rods, ropes and targets: leave figure_motion out, or these kinds");
-        static_assert(!has_ties<S> || !S::joints::has_reactions,
-                      "rods, ropes and targets neither tell what they bear nor break: leave WithReactions and WithBreaking out, or these kinds");
         return true;
     }
 };
