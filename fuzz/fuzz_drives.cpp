@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What fuzz_joints.cpp asks of trees, of figures that are driven, geared, served and closed to loops, that touch or do not: whatever drives do, numbers
-// are finite and copies step to the same bytes; with brakes alone, which take and do not give, joints and gears are closed and energy does not rise.
+// What fuzz_joints.cpp asks of trees, of figures that are driven, geared, served and closed to loops, that touch or do not: whatever drives do,
+// numbers are finite and copies step to the same bytes; with brakes alone, which take and do not give, joints and gears are closed and energy does
+// not rise.
 #include "figure_calls.h"
 
 namespace {

@@ -273,6 +273,12 @@ TEST(GearCalls, bad_gears_are_refused) {
     def.body_B = A;
     def.joint.kind = ingot::JointKind::gear;
     EXPECT_EQ(world->add_joint(def).status, Status::bad_joint);
+    // What a rope has no use for is looked at all the same: a snapshot of it would be refused.
+    def.body_B = B;
+    def.P_B = {2, 0, 3};
+    def.joint = ingot::RopeJoint{4};
+    def.joint.limits.range[1].lower = std::numeric_limits<scalar>::quiet_NaN();
+    EXPECT_EQ(world->add_joint(def).status, Status::not_finite);
     EXPECT_EQ(world->gear_ratio(at_A).status, Status::not_in_scene);
     EXPECT_EQ(world->gear_ratio(gear).value, scalar(2));
     EXPECT_EQ(world->set_joint_length(gear, 1), Status::not_in_scene);

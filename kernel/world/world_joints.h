@@ -343,10 +343,10 @@ private:
         return figure_of(storage_.bodies(), marks, storage_.slots_used);
     }
     static Status check_limits_of([[maybe_unused]] JointKind kind, const JointLimits& limits) {
-        if constexpr (has_servos<S> && S::joints::has_limits)
-            if (is_servo(kind)) {
+        if constexpr (has_ties<S> && S::joints::has_limits)
+            if (is_tie(kind)) {  // the length of a rod stands there
                 const Status status = check_limits(kind, limits);
-                return status == Status::ok && limits_something(limits) ? Status::not_in_scene : status;
+                return status == Status::ok && !has_length(kind) && limits_something(limits) ? Status::not_in_scene : status;
             }
         if constexpr (has_ties<S>)
             if (is_tie(kind)) return Status::ok;
