@@ -86,7 +86,8 @@ TEST(SoftFloat, every_shift_of_every_bit) {
 
 TEST(SoftFloat, numbers_of_any_bits) {
     RandomInput random(43);
-    for (int i = 0; i < ingot_reference::draws(5000000); ++i) ASSERT_TRUE(all_agree(static_cast<Bits>(random.bits()), static_cast<Bits>(random.bits())));
+    for (int i = 0; i < ingot_reference::draws(5000000); ++i)
+        ASSERT_TRUE(all_agree(static_cast<Bits>(random.bits()), static_cast<Bits>(random.bits())));
 }
 
 /// Of like size, where sums cancel and ties are common.
