@@ -76,8 +76,8 @@ double off_exact_loop(const Quaterniond& begin, const Vector3d& spin, const Matr
 
 }  // namespace
 
-/// From 2.1 rad and 3.7 rad/s off, about axes drawn at random: to a thousandth of the way at 60 Hz, and to second order. These are off by 0.14 to 0.68
-/// mrad, as half kicks by torques that turn with the body are where each flight is exact.
+/// From 2.1 rad and 3.7 rad/s off, about axes drawn at random: to a thousandth of the way at 60 Hz, and to second order. These are off by 0.14 to
+/// 0.68 mrad, as half kicks by torques that turn with the body are where each flight is exact.
 TEST(Quadrotor, turns_as_its_exact_sampled_loop) {
     RandomInput random(1);
     for (int run_i = 0; run_i < draws(20); ++run_i) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// FLIP(trait, number of the flip, a declaration that differs from Plain's): at least one for each trait of scene.h. No header guard: included twice.
+// FLIP(trait, number of the flip, a declaration that differs from Plain's): at least one for each trait of scene.h.
+// SAME: of a trait that is no matter to what a snapshot holds. No header guard: included twice.
 FLIP(max_bodies, 1, static constexpr int max_bodies = 2)
 FLIP(translates, 1, static constexpr bool translates = true)
 FLIP(length_unit, 1, static constexpr scalar length_unit = scalar(0.5))
@@ -73,3 +74,4 @@ FLIP(user_data, 1, static constexpr bool user_data = true)
 FLIP(axis_locks, 1, static constexpr bool axis_locks = true)
 FLIP(levels, 1, static constexpr const LevelTable (&levels)[1] = Constants::a_level)
 FLIP(levels, 2, static constexpr const LevelTable (&levels)[2] = Constants::two_levels)
+SAME(workers, 1, using workers = TwoInTurn)

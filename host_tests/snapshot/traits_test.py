@@ -9,7 +9,7 @@ scene, flips = (pathlib.Path(path).read_text() for path in sys.argv[1:])
 scene = re.sub(r"//.*", "", scene)
 members = re.search(r"^struct Scene \{\n(.*?)^\};", scene, re.M | re.S)[1]
 traits = re.findall(r"^    (?:static constexpr \w+|using)\s+(\w+)\s*=", members, re.M)
-rows = re.findall(r"^FLIP\((\w+),", flips, re.M)
+rows = re.findall(r"^(?:FLIP|SAME)\((\w+),", flips, re.M)
 declared = len(re.findall(r";", members))
 wrong = [f"{trait}: no row in {sys.argv[2]}" for trait in traits if trait not in rows]
 wrong += [f"{row}: no trait of Scene" for row in sorted(set(rows)) if row not in traits]

@@ -42,8 +42,8 @@ public:
     }
 
     // Forces of the next step in the axes of the body, in scenes with body_forces: they turn with it over the step, which takes them where it will be
-    // in the middle; where nothing touches, is joined, locked, sleeps or has compensated_sums, half where it begins and half where it ends. Otherwise as
-    // add_force: they are summed, and gone after it.
+    // in the middle; where nothing touches, is joined, locked, sleeps or has compensated_sums, half where it begins and half where it ends. Otherwise
+    // as add_force: they are summed, and gone after it.
     // Errors: not_finite, out_of_range (a summand or the sum beyond limits::force_max, torque_max), immovable, frozen.
 
     /// A force F_body, N, at the point r_body of the body, m from the centre of mass; both in body axes.
