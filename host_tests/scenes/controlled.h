@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Figures with their controllers, for firmware, golden hashes and counts: they walk in the plane and in space, balance on two wheels, turn in the air;
-// and vehicles.
+// Figures with their controllers, for firmware, golden hashes and counts: they walk in the plane and in space, balance on two wheels, turn in the
+// air; and vehicles.
 //
 // Each has what its controller keeps between two steps: begin sets up, steer is called before each step of 1/60 s.
 #pragma once
