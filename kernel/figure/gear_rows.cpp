@@ -19,7 +19,7 @@ struct GearedJoint {
     LoopSides sides;
 
     Spatial<scalar> direction() const {
-        Spatial<scalar> s[3];
+        Spatial<scalar> s[3] = {};
         (void)free_directions(kind, sides.now(), s);
         return s[0];
     }
