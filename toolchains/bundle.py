@@ -5,6 +5,7 @@
     bundle.py --out <folder> [--scalar float|double] [--lanes 1|2|4|8|16] [--index-bits 16|32] [--flat]
 
     ingot.h, ingot.cpp        the whole kernel; scalar, lanes and the width of indices are fixed in ingot.h
+    ingot_level.h             tables of levels by the compiler and from bytes; level/mesh_of.h and the others include it
     --flat                    ingot.h, ingot_stages.h, and one ingot_<room>_<stage>.cpp per stage: what a program does not call is
                               not linked, even where the linker drops whole objects only
 
@@ -24,6 +25,8 @@ import re
 KERNEL = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "kernel")
 INCLUDE_OWN = re.compile(r'\s*#\s*include\s+"([^"]+)"')
 INCLUDE_SYSTEM = re.compile(r"\s*#\s*include\s+<([^>]+)>")
+# What users include beside ingot.h.
+LEVEL_HEADERS = ("level/height_field_of.h", "level/level_from_bytes.h", "level/level_walk.h", "level/mesh_of.h")
 LICENSE_LINE = "// SPDX-License-Identifier: MIT"
 
 
@@ -150,6 +153,15 @@ def main():
     header = Pasted()
     header.paste("ingot.h")
     write("ingot.h", header.text(head_of(arguments.scalar, arguments.lanes, arguments.index_bits)))
+
+    level = Pasted(header)
+    for path in LEVEL_HEADERS:
+        if path not in level.headers:
+            level.paste(path)
+    write("ingot_level.h", level.text(["// Tables of levels; see ingot.h.", "#pragma once", "", '#include "ingot.h"']))
+    os.makedirs(os.path.join(arguments.out, "level"), exist_ok=True)
+    for path in LEVEL_HEADERS:
+        write(path, "\n".join([LICENSE_LINE, "#pragma once", '#include "../ingot_level.h"']) + "\n")
 
     # What stages share and users do not see, pasted ahead of the stages that need it.
     stages = Pasted(header)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What several cores are worth: cores_bench [steps]. Worlds of the same bits take turns step by step, on one core and on several, so that whatever
-// else the machine does hits all of them. Times are ratios within the run. What a step does outside of its tasks is measured where these are done one
-// after the other, and says what more cores could give.
+// What several cores are worth: cores_bench [steps]. Worlds of the same bits take turns, ten steps each, on one core and on several, so that whatever
+// else the machine does hits all of them, and threads need not wake up for each step. Times are ratios within the run. What a step does outside of
+// its tasks is measured where these are done one after the other, and says what more cores could give.
 #include <ingot/platform/host_threads.h>
 
 #include <algorithm>
@@ -112,7 +112,16 @@ struct Small {
     }
 };
 
-/// Median of the ratios of one step, on one core and on several.
+constexpr int steps_of_turn = 10;
+
+template <class World>
+double time_turn(World& world) {
+    const Clock::time_point begun = Clock::now();
+    for (int step_i = 0; step_i < steps_of_turn; ++step_i) (void)step(world, scenes::display_rate_h);
+    return since(begun);
+}
+
+/// Median of the ratios of a turn, on one core and on several.
 template <class Scene, int count>
 double ratio(int steps) {
     const auto one = std::make_unique<ingot::World<Yard<ingot::OneCore>>>();
@@ -120,13 +129,9 @@ double ratio(int steps) {
     Scene::build(*one);
     Scene::build(*many);
     std::vector<double> ratios;
-    for (int step_i = 0; step_i < steps; ++step_i) {
-        Clock::time_point begun = Clock::now();
-        (void)step(*one, scenes::display_rate_h);
-        const double alone = since(begun);
-        begun = Clock::now();
-        (void)step(*many, scenes::display_rate_h);
-        ratios.push_back(alone / since(begun));
+    for (int step_i = 0; step_i < steps; step_i += steps_of_turn) {
+        const double alone = time_turn(*one);
+        ratios.push_back(alone / time_turn(*many));
     }
     if (one->state_hash() != many->state_hash()) std::abort();
     std::nth_element(ratios.begin(), ratios.begin() + static_cast<long>(ratios.size() / 2), ratios.end());

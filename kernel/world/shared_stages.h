@@ -30,7 +30,7 @@ INGOT_INLINE void over_moving(Step<S>& now, const Stage& stage) {
     }
 }
 
-/// Calls each(solver) for all contacts of the step: that of the step, or that of each part, side by side.
+/// Calls each(part_i, solver) for the parts of the step, side by side.
 template <class S, class Each>
 INGOT_INLINE void over_parts(Step<S>& now, const Each& each) {
     const auto task = [&](int part_i) { each(part_i, now.parts.solvers[part_i]); };
