@@ -11,9 +11,9 @@ namespace ingot::platform {
 
 /// Calls call(task, 0) .. call(task, count - 1), each once, on `workers` threads of which the caller is one, and returns when all are done.
 ///
-/// The others are made by the first call that needs them and live until the program ends. They look for work for some 50 us after the last, so that a
-/// step does not wait for them, and then sleep. Calls from several threads take turns; a task does not call it again.
-/// Cost: 1 to 3 us a call while they are awake.
+/// The others are made by the first call that needs them and live until the program ends. They look for work for a moment after the last, so that the
+/// stages of a step do not wait for them, and then sleep: where a step comes now and then, its first tasks are the caller's. Calls from several
+/// threads take turns; a task does not call it again.
 void run_on_threads(int workers, int count, void (*call)(void* task, int task_i), void* task);
 
 /// count: 2 .. 16. More threads than there are cores free are slower than one.

@@ -17,7 +17,7 @@ namespace ingot::platform {
 /// Core 0 calls step(), and takes the tasks of even numbers; core 1 serves, and takes the others. It needs no more of a chip than that both cores see
 /// what is stored, in order: the Armv6-M of the RP2040 has no exclusive loads, so no task is taken by who comes first. The kernel hands out the
 /// largest tasks first, so halves are alike.
-/// number: where two worlds are stepped at one time, they need two. Cost: some thirty instructions a call, and the wait for the slower core.
+/// number: where two worlds are stepped at one time, they need two. Cost: a few loads and stores a call, and the wait for the slower core.
 /// Stack: a task takes as much as step() does, on core 1 too.
 template <int number = 0>
 class SecondCore {

@@ -161,7 +161,7 @@ inline constexpr scalar energy_turn_max = scalar(0.25); ///< rad, of one of them
 /// Of the energy: what is off by less is rounding. A body that spins about an axis of inertia would be turned by degrees to take that back.
 inline constexpr scalar energy_rounding = 16 * epsilon;
 
-// Stages that several cores share: what is worth a task, some ten microseconds on a PC.
+// Stages that several cores share: what is worth a task, tens of thousands of instructions on a PC.
 inline constexpr int bodies_of_task = 64;     ///< to be moved, or bounded
 inline constexpr int pairs_of_task = 64;      ///< to be looked at
 inline constexpr int manifolds_of_task = 16;  ///< to be solved
