@@ -6,16 +6,13 @@
 #include <memory>
 
 #include "scenes/vehicle.h"
+#include "vehicle_numbers.h"
 
 namespace {
 
-using ingot::scalar;
+using namespace vehicle_numbers;
 using ingot::Status;
 using scenes::CarDesign;
-
-constexpr double g = 9.81;
-scalar number(double x) { return static_cast<scalar>(x); }
-double real(scalar x) { return static_cast<double>(x); }
 
 struct OnLift : scenes::OnRoad {
     static constexpr bool kinematic_bodies = true;

@@ -11,18 +11,15 @@
 #include "reference/draws.h"
 #include "reference/random_input.h"
 #include "scenes/vehicle.h"
+#include "vehicle_numbers.h"
 
 namespace {
 
-using ingot::scalar;
+using namespace vehicle_numbers;
 using ingot::Status;
 using ingot_reference::draws;
 using ingot_reference::RandomInput;
 using scenes::Tank;
-
-constexpr double g = 9.81, eps = static_cast<double>(ingot::epsilon);
-scalar number(double x) { return static_cast<scalar>(x); }
-double real(scalar x) { return static_cast<double>(x); }
 
 struct Drive {
     std::unique_ptr<ingot::World<scenes::OnTracks>> world = std::make_unique<ingot::World<scenes::OnTracks>>();

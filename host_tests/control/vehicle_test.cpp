@@ -11,20 +11,17 @@
 #include <vector>
 
 #include "reference/random_input.h"
+#include "vehicle_numbers.h"
 
 namespace {
 
-using ingot::scalar;
+using namespace vehicle_numbers;
 using ingot::Status;
 using ingot_reference::RandomInput;
 using scenes::Car;
 using scenes::CarDesign;
 using scenes::Driving;
 using scenes::OnRoad;
-
-constexpr double g = 9.81, eps = static_cast<double>(ingot::epsilon);
-scalar number(double x) { return static_cast<scalar>(x); }
-double real(scalar x) { return static_cast<double>(x); }
 
 template <class S>
 void add_road(ingot::World<S>& world, scalar mu, double slope = 0) {
