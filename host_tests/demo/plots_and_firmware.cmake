@@ -1,9 +1,5 @@
 # SPDX-License-Identifier: MIT
-# After the scenes ran on the host: draws the plots, and runs the same scenes as firmware where the tools are at hand.
-
-foreach(picture tower pile)
-  message("picture file://${OUT}/${picture}.svg")
-endforeach()
+# After the scenes ran on the host: draws the plots, says where the viewer is, and runs the same scenes as firmware where the tools are at hand.
 
 find_program(gnuplot gnuplot)
 if(gnuplot)
@@ -15,6 +11,14 @@ else()
   message("gnuplot is not installed: no plots; the tables are in ${OUT}")
 endif()
 
+set(viewer ${SOURCE}/build/wasm32/viewer.html)
+if(EXISTS ${viewer})
+  message("viewer file://${viewer}")
+else()
+  message("viewer  a page with scenes to pull at, in a browser: with the packages clang and lld,\n"
+    "        cmake --preset wasm32 && cmake --build --preset wasm32 --target viewer")
+endif()
+
 find_program(arm_compiler arm-none-eabi-gcc)
 find_program(emulator qemu-system-arm)
 if(NOT arm_compiler OR NOT emulator)
@@ -22,7 +26,7 @@ if(NOT arm_compiler OR NOT emulator)
   return()
 endif()
 
-message("\nThe same scenes as firmware, emulated:")
+message("\nThe same scenes as firmware on emulated microcontrollers, which have to come to the same numbers:")
 set(disagreements 0)
 file(STRINGS ${OUT}/hashes.txt host_lines)
 list(TRANSFORM host_lines REPLACE " .*" "" OUTPUT_VARIABLE scenes)  # their firmware has the name of the scene
@@ -43,9 +47,9 @@ foreach(core m0 m4f m7)
     list(GET fields 1 steps)
     list(GET fields 2 hash)
     if(output MATCHES "${scene} float steps ${steps} hash (0x[0-9a-f]+)")
-      set(verdict "differs from the host's ${hash}")
+      set(verdict "differs from this computer's ${hash}")
       if(CMAKE_MATCH_1 STREQUAL hash)
-        set(verdict "agrees with the host")
+        set(verdict "the same as here")
       else()
         math(EXPR disagreements "${disagreements} + 1")
       endif()

@@ -25,31 +25,39 @@ struct SpatialWalker {
     ingot::JointId swing[2]{};    ///< servo of this thigh, with its torque on the other
 };
 
+/// Its bones beside those of a leg.
+namespace spatial_parts {
+using ingot::scalar;
+inline constexpr WalkerPart pelvis = {14, {scalar(0.1), scalar(0.15), scalar(0.08)}, 0, scalar(0.97), 0};
+inline constexpr WalkerPart chest = {26, {scalar(0.11), scalar(0.17), scalar(0.2)}, 0, scalar(1.27), scalar(1.05)};
+inline constexpr WalkerPart head = {scalar(4.5), {scalar(0.09), scalar(0.08), scalar(0.12)}, 0, scalar(1.62), scalar(1.5)};
+inline constexpr WalkerPart arm = {scalar(2.1), {scalar(0.04), scalar(0.04), scalar(0.15)}, 0, scalar(1.27), scalar(1.42)};
+inline constexpr WalkerPart forearm = {scalar(1.6), {scalar(0.035), scalar(0.035), scalar(0.15)}, 0, scalar(0.97), scalar(1.12)};
+}  // namespace spatial_parts
+
 /// Stands at the origin, and moves forwards with v, m/s. Errors: those of World::add and add_joint.
 template <class S>
 ingot::Status add_walker(ingot::World<S>& world, ingot::scalar v, SpatialWalker& walker) {
     using ingot::scalar;
     using walker_parts::join;
-    constexpr auto m = [](double x) { return static_cast<scalar>(x); };
+    namespace parts = spatial_parts;
     ingot::Status status = ingot::Status::ok;
-    const auto add = [&](double M, double half_x, double half_y, double half_z, double y, double z) {
-        return walker_parts::add_part(world, {m(M), {m(half_x), m(half_y), m(half_z)}, 0, m(z), 0}, 0, m(y), v, status, false);
-    };
-    walker.pelvis = add(14, 0.1, 0.15, 0.08, 0, 0.97);
-    walker.chest = add(26, 0.11, 0.17, 0.2, 0, 1.27);
-    walker.head = add(4.5, 0.09, 0.08, 0.12, 0, 1.62);
-    walker.waist = join(world, ingot::BallJoint{}, walker.pelvis, walker.chest, {0, 0, m(1.05)}, status);
-    walker.neck = join(world, ingot::BallJoint{}, walker.chest, walker.head, {0, 0, m(1.5)}, status);
+    const auto add = [&](const WalkerPart& part, scalar y) { return walker_parts::add_part(world, part, 0, y, v, status, false); };
+    walker.pelvis = add(parts::pelvis, 0);
+    walker.chest = add(parts::chest, 0);
+    walker.head = add(parts::head, 0);
+    walker.waist = join(world, ingot::BallJoint{}, walker.pelvis, walker.chest, {0, 0, parts::chest.joint_z}, status);
+    walker.neck = join(world, ingot::BallJoint{}, walker.chest, walker.head, {0, 0, parts::head.joint_z}, status);
     for (int side_i = 0; side_i < 2; ++side_i) {
-        const scalar y = side_i == 0 ? walker_parts::apart : -walker_parts::apart, y_arm = y * m(2.2);
+        const scalar y = side_i == 0 ? walker_parts::apart : -walker_parts::apart, y_arm = y * scalar(2.2);
         const auto leg = [&](const WalkerPart& part, bool touches) { return walker_parts::add_part(world, part, 0, y, v, status, touches); };
-        walker.arm[side_i] = add(2.1, 0.04, 0.04, 0.15, static_cast<double>(y_arm), 1.27);
-        walker.forearm[side_i] = add(1.6, 0.035, 0.035, 0.15, static_cast<double>(y_arm), 0.97);
+        walker.arm[side_i] = add(parts::arm, y_arm);
+        walker.forearm[side_i] = add(parts::forearm, y_arm);
         walker.thigh[side_i] = leg(walker_parts::thigh, false);
         walker.shank[side_i] = leg(walker_parts::shank, false);
         walker.foot[side_i] = leg(walker_parts::foot, true);
-        walker.shoulder[side_i] = join(world, ingot::BallJoint{}, walker.chest, walker.arm[side_i], {0, y_arm, m(1.42)}, status);
-        walker.elbow[side_i] = join(world, ingot::HingeJoint{}, walker.arm[side_i], walker.forearm[side_i], {0, y_arm, m(1.12)}, status);
+        walker.shoulder[side_i] = join(world, ingot::BallJoint{}, walker.chest, walker.arm[side_i], {0, y_arm, parts::arm.joint_z}, status);
+        walker.elbow[side_i] = join(world, ingot::HingeJoint{}, walker.arm[side_i], walker.forearm[side_i], {0, y_arm, parts::forearm.joint_z}, status);
         walker.hip[side_i] = join(world, ingot::BallJoint{}, walker.pelvis, walker.thigh[side_i], {0, y, walker_parts::thigh.joint_z}, status);
         const ingot::Vector knee = {0, y, walker_parts::shank.joint_z};
         walker.knee[side_i] = join(world, ingot::HingeJoint{}, walker.thigh[side_i], walker.shank[side_i], knee, status);

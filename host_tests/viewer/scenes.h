@@ -13,7 +13,7 @@ public:
     using Join = bool (*)(void* world, const ingot::JointDef& def, int A, int B);
     using Drive = bool (*)(void* world, int joint_i, const ingot::JointDrive& drive, int which);
 
-    Builder(void* world, Add add, Join join, Drive drive) : world_(world), add_(add), join_(join), drive_(drive) {}
+    Builder(void* world, Add to_add, Join to_join, Drive to_drive) : world_(world), add_(to_add), join_(to_join), drive_(to_drive) {}
 
     int add(const ingot::BodyDef& def) {
         good_ = add_(world_, def) && good_;
