@@ -16,7 +16,7 @@ function(_ingot_add_gnu_options target scope)
     "$<$<COMPILE_LANG_AND_ID:CXX,GNU,Clang,AppleClang,ARMClang,IntelLLVM>:${ARGN}>")
 endfunction()
 
-# The floating-point contract: one golden hash for every target (see "The same bits everywhere" in the README).
+# The floating-point contract: one golden hash for every target (host_tests/guide/determinism.md).
 #
 # PUBLIC, because the templates of the headers are compiled in the user's unit and must give the same bits there. Options of
 # a target come after CMAKE_CXX_FLAGS on the command line, so a project-wide -ffast-math is undone for the units that link

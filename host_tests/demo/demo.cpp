@@ -114,8 +114,8 @@ int main(int argc, char** argv) {
         return 2;
     }
     const std::string out_dir = argv[1];
-    std::printf("ingot %d.%d.%d: rigid bodies, %s, %d of them with each instruction\n\n", INGOT_VERSION_MAJOR, INGOT_VERSION_MINOR, INGOT_VERSION_PATCH,
-                sizeof(ingot::scalar) == 4 ? "in float" : "in double", ingot::lanes);
+    std::printf("ingot %d.%d.%d: rigid bodies, %s, %d of them with each instruction\n\n", INGOT_VERSION_MAJOR, INGOT_VERSION_MINOR,
+                INGOT_VERSION_PATCH, sizeof(ingot::scalar) == 4 ? "in float" : "in double", ingot::lanes);
     bool good = demo::write_pictures(out_dir);
 
     std::printf("\nWhat is kept to rounding, in scenes that run as firmware too:\n\n");

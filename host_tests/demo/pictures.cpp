@@ -2,15 +2,15 @@
 // The scenes that are for looking at: things that fly, fall, collide, walk and roll.
 #include "pictures.h"
 
+#include <cmath>
+#include <vector>
+
 #include "../draw/picture.h"
 #include "../scenes/contact/piles.h"
 #include "../scenes/contact/stacks.h"
 #include "../scenes/terrain.h"
 #include "../scenes/walker_in_space.h"
 #include "../viewer/scenes.h"
-
-#include <cmath>
-#include <vector>
 
 namespace {
 
@@ -74,8 +74,10 @@ void add_bodies(Picture& picture, PaintOf paint_of, bool cast_shadows = true) {
 }
 
 bool say(bool good, const std::string& path, const char* words) {
-    if (good) std::printf("picture file://%s\n        %s\n", path.c_str(), words);
-    else std::printf("%s could not be made\n", path.c_str());
+    if (good)
+        std::printf("picture file://%s\n        %s\n", path.c_str(), words);
+    else
+        std::printf("%s could not be made\n", path.c_str());
     std::fflush(stdout);  // pictures are there as soon as they are drawn
     return good;
 }
@@ -87,7 +89,8 @@ bool wall(const std::string& path) {
     for (int row = 0; row < 8; ++row)
         for (int brick = 0; brick < 7 - row % 2; ++brick) {
             const scalar y = scalar(1.02) * (static_cast<scalar>(brick) - 3) + static_cast<scalar>(row % 2) * scalar(0.51);
-            good = good && add<Yard>(scenes::solid_box(40, {scalar(0.25), half, scalar(0.25)}, {0, y, scalar(0.25) + half * static_cast<scalar>(row)}, scalar(0.6)));
+            good = good && add<Yard>(scenes::solid_box(40, {scalar(0.25), half, scalar(0.25)}, {0, y, scalar(0.25) + half * static_cast<scalar>(row)},
+                                                       scalar(0.6)));
         }
     const int ball_slot = world<Yard>.body_count();
     scenes::PlacedBody ball = scenes::solid_ball(700, scalar(0.6), {-6, scalar(-0.2), scalar(2.2)}, scalar(0.4));
@@ -185,7 +188,8 @@ struct Bone {
 std::vector<Bone> bones_of(const scenes::SpatialWalker& of) {
     namespace parts = scenes::spatial_parts;
     namespace legs = scenes::walker_parts;
-    std::vector<Bone> bones = {{of.pelvis, parts::pelvis.half_extents, draw::ochre}, {of.chest, parts::chest.half_extents, draw::ochre},
+    std::vector<Bone> bones = {{of.pelvis, parts::pelvis.half_extents, draw::ochre},
+                               {of.chest, parts::chest.half_extents, draw::ochre},
                                {of.head, parts::head.half_extents, draw::ochre}};
     for (int side_i = 0; side_i < 2; ++side_i) {
         const Paint paint = side_i == 0 ? draw::red : draw::blue;
@@ -235,7 +239,8 @@ bool terrain(const std::string& path) {
     for (int i = 0; good && i < things; ++i) {  // around the rim
         const Vector on_rim = ingot::axis_angle({0, 0, 1}, scalar(0.628) * static_cast<scalar>(i)) * Vector{scalar(3.3), 0, 0};
         const Vector at = on_rim + Vector{4, 4, scalar(2.2)};
-        scenes::PlacedBody body = i % 2 == 0 ? scenes::solid_ball(1, scalar(0.3), at, half) : scenes::solid_box(2, {scalar(0.3), scalar(0.3), scalar(0.2)}, at, half);
+        scenes::PlacedBody body =
+            i % 2 == 0 ? scenes::solid_ball(1, scalar(0.3), at, half) : scenes::solid_box(2, {scalar(0.3), scalar(0.3), scalar(0.2)}, at, half);
         if (i % 4 == 2) body.def.shape = ingot::Capsule{scalar(0.2), scalar(0.3)};
         if (i % 4 == 3) body.def.shape = ingot::Cylinder{scalar(0.3), scalar(0.2)};
         body.turn(scenes::scattered_rotation(i));

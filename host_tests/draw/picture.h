@@ -30,11 +30,22 @@ inline constexpr Paint blue = {95, 170, 225}, red = {226, 72, 78}, ochre = {224,
 
 /// Where the eye is, seen from what stands in the middle.
 struct Eye {
-    double width;              ///< m, that a field shows from left to right
-    Point middle;              ///< m
-    double turn = 25;          ///< degrees, to the right of in front, which is -y
-    double height = 17;        ///< degrees, above the ground
+    double width;        ///< m, that a field shows from left to right
+    Point middle;        ///< m
+    double turn = 25;    ///< degrees, to the right of in front, which is -y
+    double height = 17;  ///< degrees, above the ground
 };
+
+/// Unit vectors: rightwards and upwards in the picture, and towards the eye.
+struct Axes {
+    Point right, up, view;
+};
+inline Axes axes_of(const Eye& eye) {
+    const double to_rad = std::acos(-1.0) / 180, c = std::cos(eye.turn * to_rad), s = std::sin(eye.turn * to_rad);
+    const double height = std::sin(eye.height * to_rad), level = std::cos(eye.height * to_rad);
+    const Point right = {c, s, 0}, view = {s * level, -c * level, height};
+    return {right, cross(view, right), view};
+}
 
 class Picture {
 public:
@@ -44,13 +55,13 @@ public:
 
     /// What is added from now on stands in this field.
     void begin_field(int field_i, const Eye& eye, const char* note = "") {
-        const double to_rad = std::acos(-1.0) / 180, c = std::cos(eye.turn * to_rad), s = std::sin(eye.turn * to_rad);
-        const double up = std::sin(eye.height * to_rad), level = std::cos(eye.height * to_rad);
-        right_ = {c, s, 0};
-        view_ = {s * level, -c * level, up};
-        up_ = cross(view_, right_);
+        const Axes axes = axes_of(eye);
+        right_ = axes.right;
+        up_ = axes.up;
+        view_ = axes.view;
         flush();
-        body_ += print("%s<svg x=\"%g\" y=\"%g\" width=\"%g\" height=\"%g\">\n", end_of_field_.c_str(), field_i * field_width_, head, field_width_, field_height_);
+        body_ += print("%s<svg x=\"%g\" y=\"%g\" width=\"%g\" height=\"%g\">\n", end_of_field_.c_str(), field_i * field_width_, head, field_width_,
+                       field_height_);
         end_of_field_ = "</svg>\n";
         scale_ = field_width_ / eye.width;
         middle_ = eye.middle;
@@ -81,6 +92,7 @@ public:
         if (casts_shadow) add_shadow(shape);
         part_ = part;
         add_solid(things_, shape, paint);
+        if (part < 1 && !things_.empty()) things_.back().depth -= 1 / scale_;  // a dot behind what is there now
         part_ = 1;
     }
 
@@ -90,11 +102,12 @@ public:
         std::FILE* const file = std::fopen(path, "w");
         if (file == nullptr) return false;
         const double width = fields_ * field_width_, height = field_height_ + head;
-        std::fprintf(file,
-                     "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %g %g\" font-family=\"sans-serif\" fill=\"#1c2530\" stroke-linejoin=\"round\">\n"
-                     "<rect width=\"%g\" height=\"%g\" fill=\"white\"/>\n",
-                     width, height, width, height);
-        std::fprintf(file, "%s%s%s%s</svg>\n", body_.c_str(), end_of_field_.c_str(), text(12, 26, 17, caption_.c_str()).c_str(), notes_.c_str());
+        std::fprintf(
+            file,
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %g %g\" font-family=\"sans-serif\" fill=\"#1c2530\" stroke-linejoin=\"round\">\n"
+            "<rect width=\"%g\" height=\"%g\" fill=\"white\"/>\n",
+            width, height, width, height);
+        std::fprintf(file, "%s%s%s%s</svg>\n", body_.c_str(), end_of_field_.c_str(), text(12, 25, 16, caption_.c_str()).c_str(), notes_.c_str());
         return std::fclose(file) == 0;
     }
 
@@ -143,11 +156,13 @@ private:
         std::string path;
         for (const Point& corner : corners) path += pair(corner);
         const std::string fill = color(paint, light_on(n)), edge = outlined ? color(paint, 0.45) : fill;
-        to.push_back({depth, print("<polygon points=\"%s\" fill=\"%s\" stroke=\"%s\" stroke-width=\".8\"/>\n", path.c_str(), fill.c_str(), edge.c_str())});
+        to.push_back(
+            {depth, print("<polygon points=\"%s\" fill=\"%s\" stroke=\"%s\" stroke-width=\".8\"/>\n", path.c_str(), fill.c_str(), edge.c_str())});
     }
 
     void add_solid(Items& to, const ingot::PlacedShape& placed, const Paint& paint) {
-        const Point r = point_of(placed.r), size = point_of(placed.shape.size), axes[3] = {point_of(placed.A.c0), point_of(placed.A.c1), point_of(placed.A.c2)};
+        const Point r = point_of(placed.r), size = point_of(placed.shape.size),
+                    axes[3] = {point_of(placed.A.c0), point_of(placed.A.c1), point_of(placed.A.c2)};
         switch (placed.shape.kind) {
             case ingot::ShapeKind::sphere: return add_ball(to, r, size[0], axes, paint);
             case ingot::ShapeKind::capsule: return add_capsule(to, r, size[0], size[1], axes[2], paint);
@@ -158,10 +173,11 @@ private:
     }
     /// With a stripe, the great circle of its x and y axes, which shows how it turns.
     void add_ball(Items& to, const Point& r, double radius, const Point (&axes)[3], const Paint& paint) {
-        std::string svg = print("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"%.1f\" fill=\"%s\" stroke=\"%s\" stroke-width=\".8\"/>\n", x(r), y(r), radius * scale_,
-                                color(paint, 0.92).c_str(), color(paint, 0.45).c_str());
+        std::string svg = print("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"%.1f\" fill=\"%s\" stroke=\"%s\" stroke-width=\".8\"/>\n", x(r), y(r),
+                                radius * scale_, color(paint, 0.92).c_str(), color(paint, 0.45).c_str());
         const Point glint = r + radius * 0.45 * (Point{-0.35, -0.55, 0.76} + view_);
-        svg += print("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"%.1f\" fill=\"white\" fill-opacity=\"%g\"/>\n", x(glint), y(glint), radius * scale_ * 0.2, 0.5 * part_);
+        svg += print("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"%.1f\" fill=\"white\" fill-opacity=\"%g\"/>\n", x(glint), y(glint), radius * scale_ * 0.2,
+                     0.5 * part_);
         std::string path;
         bool drawn = false;
         for (int i = 0; i <= 32; ++i) {
@@ -171,14 +187,15 @@ private:
             if (seen) path += (drawn ? "L" : "M") + pair(r + P);
             drawn = seen;
         }
-        svg += print("<path d=\"%s\" fill=\"none\" stroke=\"%s\" stroke-width=\"%.1f\"/>\n", path.c_str(), color(paint, 0.6).c_str(), radius * scale_ * 0.12);
+        svg += print("<path d=\"%s\" fill=\"none\" stroke=\"%s\" stroke-width=\"%.1f\"/>\n", path.c_str(), color(paint, 0.6).c_str(),
+                     radius * scale_ * 0.12);
         to.push_back({dot(r, view_), svg});
     }
     void add_capsule(Items& to, const Point& r, double radius, double half_length, const Point& axis, const Paint& paint) {
         const Point a = r - half_length * axis, b = r + half_length * axis;
         const auto stroke = [&](double width, double light) {
-            return print("<path d=\"M%sL%s\" stroke-linecap=\"round\" stroke-width=\"%.1f\" stroke=\"%s\"/>\n", pair(a).c_str(), pair(b).c_str(), width,
-                         color(paint, light).c_str());
+            return print("<path d=\"M%sL%s\" stroke-linecap=\"round\" stroke-width=\"%.1f\" stroke=\"%s\"/>\n", pair(a).c_str(), pair(b).c_str(),
+                         width, color(paint, light).c_str());
         };
         to.push_back({dot(r, view_), stroke(2 * radius * scale_, 0.45) + stroke(2 * radius * scale_ - 1.6, 0.92)});
     }
@@ -214,13 +231,15 @@ private:
         }
         add_face(faces, cap, paint, 0, true);
         for (const Item& face : faces) svg += face.svg;
-        to.push_back({dot(r, view_), svg + print("<path d=\"M%sL%s\" stroke=\"%s\" stroke-width=\"1.5\"/>\n", pair(r + side * half_length * axes[2]).c_str(),
-                                                 pair(rim(0, side)).c_str(), color(paint, 0.45).c_str())});
+        to.push_back(
+            {dot(r, view_), svg + print("<path d=\"M%sL%s\" stroke=\"%s\" stroke-width=\"1.5\"/>\n", pair(r + side * half_length * axes[2]).c_str(),
+                                        pair(rim(0, side)).c_str(), color(paint, 0.45).c_str())});
     }
 
     /// What lies straight below, on the highest floor that is there: as far as it is of one floor.
     void add_shadow(const ingot::PlacedShape& placed) {
-        const Point r = point_of(placed.r), size = point_of(placed.shape.size), axes[3] = {point_of(placed.A.c0), point_of(placed.A.c1), point_of(placed.A.c2)};
+        const Point r = point_of(placed.r), size = point_of(placed.shape.size),
+                    axes[3] = {point_of(placed.A.c0), point_of(placed.A.c1), point_of(placed.A.c2)};
         const Floor* below = nullptr;
         for (const Floor& floor : floors_)
             if (std::fabs(r[0] - floor.at[0]) <= floor.half_x && std::fabs(r[1] - floor.at[1]) <= floor.half_y && floor.at[2] <= r[2] &&

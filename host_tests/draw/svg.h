@@ -10,12 +10,13 @@ namespace draw {
 
 class SvgPen {
 public:
-    /// to: where the picture goes. width: m that it shows from left to right; middle: what is in its middle, m.
-    SvgPen(std::FILE* to, double width, const ingot::Vector& middle) : to_(to), scale_(size / width), middle_(middle) {
+    /// to: where the picture goes. width: m that it shows from left to right; middle: what is in its middle, m. stroke: of a picture 960 wide.
+    SvgPen(std::FILE* to, double width, const ingot::Vector& middle, double stroke = 1.2)
+        : to_(to), scale_(size / width), radius_(2 * stroke), middle_(middle) {
         std::fprintf(to_,
-                     "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %g %g\" stroke-linecap=\"round\" stroke-width=\"1.2\">\n"
+                     "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %g %g\" stroke-linecap=\"round\" stroke-width=\"%g\">\n"
                      "<rect width=\"100%%\" height=\"100%%\" fill=\"white\"/>\n",
-                     size, size * 0.75);
+                     size, size * 0.75, stroke);
     }
     SvgPen(const SvgPen&) = delete;
     SvgPen& operator=(const SvgPen&) = delete;
@@ -25,7 +26,7 @@ public:
         std::fprintf(to_, "<path d=\"M%.1f %.1fL%.1f %.1f\" stroke=\"%s\"/>\n", x(a), y(a), x(b), y(b), paint(color));
     }
     void point(const ingot::Vector& P, ingot::DrawColor color) {
-        std::fprintf(to_, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"2.5\" fill=\"%s\"/>\n", x(P), y(P), paint(color));
+        std::fprintf(to_, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"%.1f\" fill=\"%s\"/>\n", x(P), y(P), radius_, paint(color));
     }
 
     static const char* paint(ingot::DrawColor color) {
@@ -50,7 +51,7 @@ private:
     double y(const ingot::Vector& P) const { return size * 0.375 - scale_ * along(up, P); }
 
     std::FILE* to_;
-    double scale_;
+    double scale_, radius_;
     ingot::Vector middle_;
 };
 

@@ -6,6 +6,8 @@
     guide.py --check PROGRAM...          fails where a figure is stale, a link leads nowhere, or a name is none of ingot's; with --partly figures
                                          that these programs do not print are left alone
     guide.py --update PROGRAM...         writes the figures
+    guide.py --check-pictures PROGRAM    fails where a picture is not what pictures.cpp draws
+    guide.py --update-pictures PROGRAM   writes them
     guide.py --try PAGE FOLDER           does what a reader of the page does, in a new folder: writes its files, and runs its commands
 
 Code. A block of C++ is a program, or declarations and statements; a line of three dots between them stands for what is left out. Statements go into
@@ -29,15 +31,22 @@ A figure with a unit that is measured, as KB, mm or instructions, is refused whe
 """
 import collections
 import csv
+import itertools
 import pathlib
 import re
 import shutil
 import subprocess
 import sys
+import tempfile
 
+sys.dont_write_bytecode = True
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "host_tests/pairs_of_traits"))
+import pairs_of_traits  # noqa: E402
+
 GUIDE = ROOT / "host_tests" / "guide"
 TABLES = ROOT / "host_tests" / "tables"
+PICTURES = GUIDE / "pictures"
 FIGURE = re.compile(r"<!--=([\w.+-]+)-->(.*?)<!--/-->")
 TABLE = re.compile(r"<!-- table: ([\w.-]+) -->\n(.*?)<!-- end of table -->\n", re.S)
 CHUNK = re.compile(r"^(?:<!-- cpp(?P<hidden_goes_on> continues)?\n(?P<hidden>.*?)^-->|(?P<goes_on><!-- continues -->\n\n?)?```cpp\n(?P<shown>.*?)^```)$", re.M | re.S)
@@ -120,24 +129,13 @@ class SharedScenes:
         return "".join(f"namespace {space} {{\n{text}\n}}\n" for space, text in self.sources.values())
 
 
-def contexts_of_readme():
-    """The README is for people who read it as it is: what its blocks need stands in of_readme.txt, by the line that a block begins with."""
-    text = (GUIDE / "of_readme.txt").read_text(encoding="utf-8")
-    contexts = {}
-    for first, context in re.findall(r"^## ([^\n]*)\n(.*?)(?=^## |\Z)", text, re.M | re.S):
-        before, _, after = context.partition("and after it\n")
-        contexts[first] = (list(CHUNK.finditer(before)), list(CHUNK.finditer(after)))
-    return contexts
-
-
 def chains():
     found = []
-    contexts = contexts_of_readme()
     for page in pages():
         text = page.read_text(encoding="utf-8")
         of_page = len(found)
 
-        def add(chunk, text, page=page):
+        for chunk in CHUNK.finditer(text):
             hidden = chunk["hidden"] is not None
             group = "hidden" if hidden else "shown"
             line = text[:chunk.start(group)].count("\n") + 1
@@ -146,19 +144,6 @@ def chains():
             elif len(found) == of_page:
                 sys.exit(f"{page.name}: a block goes on, and there is none before it")
             found[-1].add(line, chunk[group])
-
-        for chunk in CHUNK.finditer(text):
-            before, after = contexts.pop(chunk["shown"].split("\n", 1)[0], ((), ())) if page.parent == ROOT else ((), ())
-            for hidden in before:
-                add(hidden, hidden.string)
-            if before:
-                found[-1].add(text[:chunk.start("shown")].count("\n") + 1, chunk["shown"])
-            else:
-                add(chunk, text)
-            for hidden in after:
-                add(hidden, hidden.string)
-    if contexts:
-        sys.exit(f"of_readme.txt: no block of the README begins with {', '.join(contexts)}")
     return found
 
 
@@ -183,6 +168,17 @@ def rows_of(name):
         return list(csv.DictReader(line for line in file if not line.startswith("#")))
 
 
+def examples():
+    return [file for file in sorted((ROOT / "host_tests/examples").glob("*.cpp")) if file.stem != "all_examples"]
+
+
+def as_table(rows):
+    """A column of words stands to the left."""
+    heads = list(rows[0])
+    lines = ["| " + " | ".join(heads) + " |", "| " + " | ".join("---" if head.startswith(("scene", "what")) else "---:" for head in heads) + " |"]
+    return "\n".join(lines + ["| " + " | ".join(row.values()) + " |" for row in rows])
+
+
 def figures_of_tables():
     """From what is measured elsewhere."""
     figures = {}
@@ -200,7 +196,18 @@ def figures_of_tables():
     number = dict(re.findall(r"INGOT_(\w+) (\d+)", version))
     figures["version"] = ".".join(number[part] for part in ("VERSION_MAJOR", "VERSION_MINOR", "VERSION_PATCH"))
     figures["determinism"] = number["DETERMINISM_VERSION"]
-    figures["examples"] = str(len(list((ROOT / "host_tests/examples").glob("*.cpp"))) - 1)
+    figures["pairs_refused"] = pairs_of_traits.refused_table(pairs_of_traits.read_table())
+    for name in ("errors_of_scenes", "peers", "effort"):
+        figures[name] = as_table(rows_of(f"{name}.csv"))
+    for file in examples():
+        lines = file.read_text(encoding="utf-8").splitlines()
+        head = [line[3:] for line in itertools.takewhile(lambda line: line.startswith("// "), lines[1:])]
+        figures[f"example.{file.stem}"] = (f"![{file.stem}](pictures/example_{file.stem}.svg)\n\n{chr(10).join(head)}\n\n"
+                                           f"[{file.name}](../examples/{file.name}), {len(lines)} lines.")
+    flags = re.findall(r"static constexpr unsigned (\w+) += 1u << \d+; *///< (.*)", (ROOT / "kernel/world/draw.h").read_text(encoding="utf-8"))
+    figures["draw.flags"] = "\n".join(["| `Draw::` | what it draws | |", "| --- | --- | --- |"] +
+                                      [f"| `{name}` | {what} | ![{name}](pictures/draw_{name}.svg) |" for name, what in flags])
+    figures["examples"] = str(len(examples()))
     return figures
 
 
@@ -344,6 +351,33 @@ def complaints_about(page, text, known, words, partly=False):
     return complaints
 
 
+def check_pictures(program, update):
+    """Pictures are what the program draws; with update they become it. Each example has one, and each flag of draw()."""
+    complaints = []
+    with tempfile.TemporaryDirectory() as folder:
+        for name in ["draw"] + [file.stem for file in examples()]:
+            subprocess.run([program, name, folder], check=True, stdout=subprocess.DEVNULL)
+        drawn = {file.name: file.read_text(encoding="utf-8") for file in pathlib.Path(folder).glob("*.svg")}
+    kept = {file.name: file.read_text(encoding="utf-8") for file in PICTURES.glob("*.svg")}
+    for name in sorted(drawn.keys() | kept.keys()):
+        if update and name in drawn:
+            PICTURES.mkdir(exist_ok=True)
+            (PICTURES / name).write_text(drawn[name], encoding="utf-8")
+        elif update:
+            (PICTURES / name).unlink()
+        elif drawn.get(name) != kept.get(name):
+            complaints.append(f"pictures/{name} is stale: cmake --build <a host build> --target update_guide_pictures")
+    return complaints
+
+
+def check_all_are_shown(complaints):
+    """Each picture and each example stands on a page."""
+    text = "".join(page.read_text(encoding="utf-8") for page in pages())
+    complaints += [f"no page shows pictures/{file.name}" for file in sorted(PICTURES.glob("*"))
+                   if f"pictures/{file.name})" not in text]
+    complaints += [f"examples.md has no example.{file.stem}" for file in examples() if f"<!-- table: example.{file.stem} -->" not in text]
+
+
 def try_page(page, folder):
     """As a stranger: this repository lies in the folder `ingot`."""
     text = (GUIDE / page).read_text(encoding="utf-8")
@@ -365,6 +399,11 @@ def main():
     if sys.argv[1] == "--extract":
         pathlib.Path(sys.argv[2]).write_text(extracted(), encoding="utf-8")
         return
+    if sys.argv[1] in ("--check-pictures", "--update-pictures"):
+        complaints = check_pictures(sys.argv[2], sys.argv[1] == "--update-pictures")
+        if complaints:
+            sys.exit("\n".join(complaints))
+        return
     known = figures([argument for argument in sys.argv[2:] if argument != "--partly"])
     if sys.argv[1] == "--update":
         for page in pages():
@@ -378,6 +417,7 @@ def main():
         for page in sorted(folder.glob("*.md") if folder == ROOT else folder.rglob("*.md")):
             if page not in pages():
                 check_other_page(page, page.read_text(encoding="utf-8"), complaints)
+    check_all_are_shown(complaints)
     if complaints:
         sys.exit("\n".join(complaints))
 

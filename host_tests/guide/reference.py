@@ -247,7 +247,7 @@ def page(path, text):
         return f'@ref {label} "{match[1]}"'
     for i in range(0, len(blocks), 2):
         blocks[i] = re.sub(r"(?m)^(#+) (.*)$", heading, blocks[i])
-        blocks[i] = re.sub(r"\[([^\]]+)\]\(([^)\s]+)\)", link, blocks[i])
+        blocks[i] = re.sub(r"(?<!!)\[([^\]]+)\]\(([^)\s]+)\)", link, blocks[i])
     return "".join(blocks)
 
 

@@ -3,11 +3,11 @@
 """Every pair of traits compiles, runs and has a golden hash, or is refused with a sentence.
 
     pairs_of_traits.py --units TABLE DIR COUNT      writes unit_0.cpp .. and main.cpp: the scenes of pairs.csv, or of covering.csv
-    pairs_of_traits.py --check-table [SCENE.H]      every member of Scene is in traits.toml, every pair in pairs.csv, the README says who is refused
+    pairs_of_traits.py --check-table [SCENE.H]      every member of Scene is in traits.toml, every pair in pairs.csv
     pairs_of_traits.py --check-refused COMPILE...   the compiler refuses the pairs it has to, with these sentences, and no others
     pairs_of_traits.py --check-only-refused COMPILE...  the same of the pairs that are refused; the others run in the scenes of covering.csv
     pairs_of_traits.py --check-hashes TABLE PROGRAM SCALAR
-    pairs_of_traits.py --update-refused COMPILE...  writes which pairs are refused to pairs.csv, and to the README; and covering.csv anew
+    pairs_of_traits.py --update-refused COMPILE...  writes which pairs are refused to pairs.csv; and covering.csv anew
     pairs_of_traits.py --update-hashes TABLE PROGRAM SCALAR
 
 A pair is a row of pairs.csv: its traits, the base it stands in, and a hash for each scalar, over all lanes and compilers; or the sentence.
@@ -25,9 +25,8 @@ import tomllib
 
 HERE = pathlib.Path(__file__).resolve().parent
 HOUSE = HERE.parents[1]
-TABLES, README, SCENE = HERE.parent / "tables", HOUSE / "README.md", HOUSE / "kernel/world/scene.h"
+TABLES, SCENE = HERE.parent / "tables", HOUSE / "kernel/world/scene.h"
 TABLE, COVERING = TABLES / "pairs.csv", TABLES / "covering.csv"
-MARK_BEGIN, MARK_END = "<!-- written by pairs_of_traits.py -->\n", "<!-- end of pairs -->\n"
 COLUMNS = ("trait", "other", "base", "float", "double", "sentence")
 COVERING_COLUMNS = ("traits", "base", "float", "double")
 TRAITS_OF_SCENE_MAX = 12  # of covering.csv: with more, one fault hides the next
@@ -239,8 +238,8 @@ STANDS_IN = {("contacts",): "Only with `max_manifolds`", ("impacts",): "Only wit
              ("contacts", "flight"): "Never with `max_contacts`"}
 
 
-def readme_part(rows):
-    """Every pair that is refused: by the bases that its traits stand in, or by name."""
+def refused_table(rows):
+    """Every pair that is refused, by the bases that its traits stand in, or by name: of guide/refused.md."""
     kinds = kinds_of_scenes(rows)
     named = {bases: [f"`{name}`" for name, stands in kinds.items() if stands == set(bases)] for bases in STANDS_IN}
     stand = " ".join(f"{words}: {', '.join(named[bases])}." for bases, words in STANDS_IN.items() if named[bases])
@@ -265,14 +264,7 @@ def readme_part(rows):
             partners.setdefault(first, []).append(second)
         said = "; ".join(f"`{first}` with " + ", ".join(f"`{name}`" for name in others) for first, others in partners.items())
         lines.append(f"| {said} | {sentence} |")
-    return MARK_BEGIN + "\n".join(lines) + "\n" + MARK_END
-
-
-def in_readme(rows):
-    page = README.read_text()
-    begin = page.index(MARK_BEGIN)
-    end = page.index(MARK_END, begin) + len(MARK_END)
-    return page, page[:begin] + readme_part(rows) + page[end:]
+    return "\n".join(lines)
 
 
 def fail(complaints):
@@ -292,9 +284,6 @@ def check_table(header=SCENE):
     covered = {pair for names in read_covering() for pair in itertools.combinations(names, 2)}
     complaints += [f"{a} with {b} runs, and is in no row of covering.csv: --update-refused" for (a, b), row in rows.items()
                    if not row["sentence"] and (a, b) not in covered]
-    if not complaints:
-        page, new_page = in_readme(rows)
-        complaints = [] if page == new_page else ["the README is stale: --update-refused"]
     fail(complaints)
 
 
@@ -316,7 +305,6 @@ def update_refused(compile_command):
         kept = {} if sentence else {key: old.get(pair, {}).get(key, "") for key in ("float", "double")}
         rows[pair] = dict.fromkeys(COLUMNS, "") | {"trait": pair[0], "other": pair[1], "base": base, "sentence": sentence} | kept
     write_rows(TABLE, COLUMNS, (rows[pair] for pair in PAIRS))
-    README.write_text(in_readme(rows)[1])
     old = read_covering()
     write_rows(COVERING, COVERING_COLUMNS, ({"float": "", "double": ""} | old.get(names, {}) | {"traits": "+".join(names), "base": base}
                                             for names, base in covering(compile_command, rows).items()))

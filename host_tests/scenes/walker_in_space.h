@@ -57,7 +57,8 @@ ingot::Status add_walker(ingot::World<S>& world, ingot::scalar v, SpatialWalker&
         walker.shank[side_i] = leg(walker_parts::shank, false);
         walker.foot[side_i] = leg(walker_parts::foot, true);
         walker.shoulder[side_i] = join(world, ingot::BallJoint{}, walker.chest, walker.arm[side_i], {0, y_arm, parts::arm.joint_z}, status);
-        walker.elbow[side_i] = join(world, ingot::HingeJoint{}, walker.arm[side_i], walker.forearm[side_i], {0, y_arm, parts::forearm.joint_z}, status);
+        const ingot::Vector elbow = {0, y_arm, parts::forearm.joint_z};
+        walker.elbow[side_i] = join(world, ingot::HingeJoint{}, walker.arm[side_i], walker.forearm[side_i], elbow, status);
         walker.hip[side_i] = join(world, ingot::BallJoint{}, walker.pelvis, walker.thigh[side_i], {0, y, walker_parts::thigh.joint_z}, status);
         const ingot::Vector knee = {0, y, walker_parts::shank.joint_z};
         walker.knee[side_i] = join(world, ingot::HingeJoint{}, walker.thigh[side_i], walker.shank[side_i], knee, status);

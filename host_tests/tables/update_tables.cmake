@@ -27,4 +27,6 @@ update(cortex-m7 budgets_update)
 update(cortex-m4f budgets_update report_methods_update)
 update(cortex-m4f worst_steps_update)
 update(cortex-m4f footprint)  # last: the page is made of all others
-execute_process(COMMAND git diff --stat -- host_tests/tables README.md WORKING_DIRECTORY ${SOURCE})
+find_package(Python3 REQUIRED COMPONENTS Interpreter)
+run(${Python3_EXECUTABLE} host_tests/guide/guide.py --update)  # what it shows of these tables; update_guide has the rest
+execute_process(COMMAND git diff --stat -- host_tests/tables host_tests/guide README.md WORKING_DIRECTORY ${SOURCE})

@@ -29,7 +29,7 @@ int integrate_A_moser_veselov(const BodyView& bodies, scalar h, const FlightCloc
 /// Keeps:      L bitwise; the energy of the modified body exactly, so that of the body to rounding, without drift; A A^T = 1
 ///             to rounding (a polar step every limits::polar_interval steps).
 /// Cost:       flops and divisions a body and substep at 4 sweeps of the fixed point: 330 + 4 (order 6, nothing else),
-///             and 63 for compensate, 32 + 1 for energy_return, 0 to 160 for the series of other orders (see README).
+///             and 63 for compensate, 32 + 1 for energy_return, 0 to 160 for the series of other orders.
 ///             No square root unless clamped, no trigonometry.
 /// Source:     McLachlan and Zanna 2005; Hairer and Vilmart 2006. The scaled form and the energy return are ours.
 template <int order_ = (INGOT_DOUBLE ? 10 : 6), bool compensate = true, bool energy_return = true,

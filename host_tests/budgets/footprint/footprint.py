@@ -7,8 +7,6 @@
     footprint.py --check                      fails where FOOTPRINT.md is not what the tables of figures make it
     footprint.py --update                     writes it from them, and measures nothing
 
-The table of cores stands in the project's README too, for three scenes.
-
 A row is a firmware of footprint_scenes.h; flash and world_ram are those of ../README.md. Tolerances are those of the budgets.
 """
 import argparse
@@ -26,21 +24,18 @@ import measure  # noqa: E402
 TABLES = HERE.parent.parent / "tables"
 WORST_STEPS = TABLES / "worst_steps.csv"
 TABLE, PAGE = TABLES / "footprint.csv", TABLES / "FOOTPRINT.md"
-README = HERE.parents[2] / "README.md"
-MARK_BEGIN, MARK_END = "<!-- written by footprint.py -->\n", "<!-- end -->\n"
 FIGURES = ("flash", "world_ram")
 BUDGET_SCENES = {"satellite": "a satellite that turns", "ten_boxes_row": "ten boxes side by side", "ten_boxes_column": "ten boxes in a column",
                  "ten_boxes_on_budget": "the same, each contact visited up to 20 times",
                  "playground": "eight bodies with many features", "double_pendulum": "a pendulum of two rods on hinges",
                  "arm_6": "an arm of six hinges"}
-README_SCENES = ("satellite", "ten_boxes_row", "playground")
 CORES = {"cortex-m0": "M0", "cortex-m4f": "M4F", "cortex-m7": "M7"}
 
 HEAD = """<!-- SPDX-License-Identifier: MIT -->
 # What it takes
 
 Written by `cmake --build --preset cortex-m4f --target footprint`; release builds of arm-none-eabi-gcc %s. Flash is what a firmware has beyond
-start-up and console, with set-up and all checks of arguments; RAM is `sizeof(World)`, and the stack comes on top. See README.md.
+start-up and console, with set-up and all checks of arguments; RAM is `sizeof(World)`, and the stack comes on top.
 
 ## Shapes, solvers, features
 
@@ -104,10 +99,9 @@ def table_of_features(rows):
     return table([tuple(cell.strip() for cell in line) for line in cells])
 
 
-def table_of_cores(budgets, scenes=tuple(BUDGET_SCENES)):
+def table_of_cores(budgets):
     cells = [("scene", "core", "flash", "RAM", "stack", "last step", "worst step")]
-    for scene in scenes:
-        title = BUDGET_SCENES[scene]
+    for scene, title in BUDGET_SCENES.items():
         for core, short in CORES.items():
             row = budgets.get((scene, core))
             if row:
@@ -150,12 +144,6 @@ def page(rows):
             + WORST_HEAD + worst_steps + CALLS_HEAD % CALLS_STACK_MIN + table_of_calls(calls.read_table(calls.TABLE)))
 
 
-def readme():
-    """As it is, with the table of today's figures."""
-    head, rest = README.read_text(encoding="utf-8").split(MARK_BEGIN)
-    return head + MARK_BEGIN + table_of_cores(measure.read_table(measure.TABLE), README_SCENES) + MARK_END + rest.split(MARK_END)[1]
-
-
 def read_rows():
     with open(TABLE, newline="", encoding="utf-8") as source:
         return [{**row, **{figure: int(row[figure]) for figure in FIGURES}} for row in csv.DictReader(source)]
@@ -177,13 +165,12 @@ def main():
     if arguments.build is None:
         if arguments.update:
             PAGE.write_text(page(read_rows()), encoding="utf-8")
-            README.write_text(readme(), encoding="utf-8")
             return 0
         if not arguments.check:
             parser.error("nothing to do")
-        if PAGE.read_text(encoding="utf-8") == page(read_rows()) and README.read_text(encoding="utf-8") == readme():
+        if PAGE.read_text(encoding="utf-8") == page(read_rows()):
             return 0
-        print("FOOTPRINT.md, or the table in README.md, is not what the tables make it: cmake --build --preset cortex-m4f --target footprint")
+        print("FOOTPRINT.md is not what the tables make it: cmake --build --preset cortex-m4f --target footprint")
         return 1
 
     build = json.loads(arguments.build.read_text(encoding="utf-8"))
@@ -196,7 +183,6 @@ def main():
     if arguments.update:
         write_rows(rows)
         PAGE.write_text(page(rows), encoding="utf-8")
-        README.write_text(readme(), encoding="utf-8")
         print(page(rows))
     complaints = []
     if arguments.check:
