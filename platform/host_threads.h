@@ -19,7 +19,8 @@ void run_on_threads(int workers, int count, void (*call)(void* task, int task_i)
 /// count: 2 .. 16. More threads than there are cores free are slower than one.
 template <int count>
 struct HostThreads {
-    static constexpr int workers = count;
+    static constexpr int workers = count;  ///< so many tasks at one time
+    /// What a step asks of its workers: see base/workers.h.
     template <class Task>
     static void run(int tasks, Task& task) {
         // The task may be const: what is called takes the type back as it was.

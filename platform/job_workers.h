@@ -15,13 +15,14 @@ namespace ingot::platform {
 /// Where nobody has set for_each, tasks are done one after the other. One function for all worlds with so many workers. count: 2 .. 16.
 template <int count>
 struct JobWorkers {
-    static constexpr int workers = count;
+    static constexpr int workers = count;  ///< so many tasks at one time
 
     /// Calls call(task, 0) .. call(task, tasks - 1), each once, at most `count` of them at one time, and returns when all are done. What they have
     /// written is seen by whoever goes on from there.
     using ForEach = void (*)(int tasks, void (*call)(void* task, int task_i), void* task);
-    static inline ForEach for_each = nullptr;
+    static inline ForEach for_each = nullptr;  ///< yours
 
+    /// What a step asks of its workers: see base/workers.h.
     template <class Task>
     static void run(int tasks, Task& task) {
         if (for_each == nullptr) {

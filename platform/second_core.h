@@ -22,8 +22,9 @@ namespace ingot::platform {
 template <int number = 0>
 class SecondCore {
 public:
-    static constexpr int workers = 2;
+    static constexpr int workers = 2;  ///< so many tasks at one time
 
+    /// What a step asks of its workers: see base/workers.h.
     template <class Task>
     static void run(int tasks, Task& task) {
         call_ = [](void* of, int task_i) { (*static_cast<Task*>(of))(task_i); };

@@ -345,8 +345,8 @@ def complaints_about(page, text, known, words, partly=False):
     for sentence in re.findall(r"<!--while: (.*?)-->", text):
         if sentence not in known["sentences_of_compiler"]:
             complaints.append(f"{page.name}: the compiler does not say any more: {sentence}")
+    check_measured(page, text, complaints)
     if page.parent == GUIDE:
-        check_measured(page, text, complaints)
         check_article(page, text, complaints)
     return complaints
 

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: MIT
 """guide.py refuses what it should: a figure that somebody changed, a link that leads nowhere, a name that nobody has, code that goes on from nothing."""
 import pathlib
+import re
 import sys
 import unittest
 
@@ -29,6 +30,26 @@ class Refusals(unittest.TestCase):
         self.assertIn("nobody knows", self.complaints("It takes <!--=b.size-->72<!--/--> bytes.\n"))
         for typed in ("72 bytes", "1.5 KB", "0.02 mm", "3 %", "2,000 instructions"):
             self.assertIn("who wrote this figure", self.complaints(f"It takes {typed}.\n"))
+
+    def test_figures_of_all_pages(self):
+        """Each figure that stands on a page, changed by a digit, and one that a person typed there."""
+        known = {**guide.figures_of_tables(), **guide.tables_of_source()}
+        changed = 0
+        for page in guide.pages():
+            text = page.read_text(encoding="utf-8")
+            self.assertEqual(guide.with_figures(page, text, known, [], partly=True), text, page.name)
+            for match in [*guide.FIGURE.finditer(text), *guide.TABLE.finditer(text)]:
+                if match[1] in known:
+                    other = re.sub(r"\d(?=\D*$)", lambda digit: str((int(digit[0]) + 1) % 10), match[2]) if re.search(r"\d", match[2]) else match[2] + "1"
+                    altered = text[:match.start(2)] + other + text[match.end(2):]
+                    self.assertNotEqual(guide.with_figures(page, altered, known, [], partly=True), altered, f"{page.name}: {match[1]}")
+                    changed += 1
+            complaints = []
+            guide.check_measured(page, text, complaints)
+            self.assertEqual(complaints, [])
+            guide.check_measured(page, text + "It takes 72 bytes.\n", complaints)
+            self.assertEqual(len(complaints), 1, page.name)
+        self.assertGreater(changed, 40)
 
     def test_links(self):
         self.assertIn("no file", self.complaints("[a page](nowhere.md)\n"))

@@ -19,8 +19,9 @@ KERNEL, GUIDE = ROOT / "kernel", ROOT / "host_tests" / "guide"
 # What ingot.h brings along that a user names: calls, arguments, answers, traits, and what is to be put there.
 HEADERS = """
 ingot.h
-world/world.h world/world_bodies.h world/world_touching.h world/world_edits.h world/world_kinematic.h world/world_joints.h world/world_drives.h
+world/world.h world/world_adds.h world/world_bodies.h world/world_touching.h world/world_edits.h world/world_kinematic.h world/world_joints.h world/world_drives.h
 world/world_reactions.h world/world_ties.h world/world_contacts.h world/world_reads.h world/world_queries.h
+world/world_dynamics.h figure/dynamics.h base/workers.h
 world/world_mover.h mover/mover.h mover/solve_planes.h
 world/body_def.h world/contact_info.h world/scene.h world/step.h world/snapshot.h world/draw.h
 base/config.h base/status.h base/report.h base/ids.h base/limits.h base/effort.h base/version.h base/floating_point.h
@@ -55,9 +56,11 @@ INTERNAL = {
     "draw/pen.h": "draw_point draw_shape draw_color_count",
     "draw/wireframe.h": "lines_of_box lines_of_capsule lines_of_half_space",
     "events/contact_events.h": "write_event EventList ContactsOfStep emit_hits emit_begins copy_list",
+    "figure/dynamics.h": "DynamicsBody DynamicsSize Dynamics direction_rates inverse_dynamics gravity_torques transpose_torques mass_matrix "
+                         "effective_inertia",
     "figure/read_figure.h": "FigureMarks mark_figure",
     "mover/mover.h": "movers check_mover check_mover_input",
-    "joint/joints.h": "is_tie is_wheel has_length limited_directions driven_directions is_same has_ties limits_of_joint drives_of_joint may_break has_reactions "
+    "joint/joints.h": "is_tie is_servo has_servos is_wheel has_length limited_directions driven_directions is_same has_ties limits_of_joint drives_of_joint may_break has_reactions "
                       "has_limits has_drives",
     "joint/drives.h": "DriveRecord",
     "joint/reactions.h": "mean_of_step check_strength breaks_under JointPhase BreakRecord write_record",
@@ -74,7 +77,7 @@ INTERNAL = {
     "shape/compound.h": "CompoundView place_shapes drop_pairs_of_one_body",
     "shape/convex_hull.h": "HullTable table_of",
     "shape/hull_of_points.h": "hulls",
-    "shape/shapes.h": "least_half_extent bounding_radius",
+    "shape/shapes.h": "level_number patch_number least_half_extent bounding_radius",
     "solver/sequential/sequential_impulses.h": "LandingPart",
     "solver/sweeps/block_sweeps.h": "BlockSolver solve_by_sweeps",
     "solver/direct/hybrid_islands.h": "solve_hybrid",
@@ -82,7 +85,7 @@ INTERNAL = {
     "world/world_reactions.h": "Iterator BreakRange(",
     "world/draw.h": "WorldDrawing",
     "world/scene.h": "SceneOrNone shares_work solves_in_parts any_of collides stacks solves_pointwise solves_directly has_shapes has_joints has_joint_limits has_joint_drives has_wheels has_joint_rows "
-                     "has_joint_reactions has_joint_breaking swings_freely has_loops has_ties has_targets hulls_of are_hulls has_compounds shape_capacity "
+                     "has_joint_reactions has_joint_breaking swings_freely has_loops has_ties has_targets has_servos has_gears has_levels hulls_of are_hulls has_compounds shape_capacity "
                      "pairs_with_own ShapesOf hides_internal_edges queries_by_tree has_sensors has_events follows_fast_bodies has_materials sweeps_balls_alone "
                      "has_field flies_in_field SceneOf",
     "world/snapshot.h": "OfWorld OfBody OfShape OfManifold OfEntry snapshot_parts saved_size write_numbers read_numbers saved_field_size saved_body_size "

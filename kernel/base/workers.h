@@ -19,14 +19,15 @@ namespace ingot { inline namespace INGOT_ABI {
 /// for any workers. Up to 4 * workers tasks are handed out at one time, some ten times a step; stages with little to do are not shared.
 /// A task takes as much stack as step() does.
 struct OneCore {
-    static constexpr int workers = 1;
+    static constexpr int workers = 1;  ///< so many tasks at one time
+    /// Calls task(0) .. task(count - 1).
     template <class Task>
     static void run(int count, Task& task) {
         for (int task_i = 0; task_i < count; ++task_i) task(task_i);  // bound: 4 workers
     }
 };
 
-inline constexpr int workers_max = 16;
+inline constexpr int workers_max = 16;  ///< of a scene
 /// Tasks into which a stage may be cut, for each worker: more than one, so that who is done early takes another.
 inline constexpr int tasks_of_worker = 4;
 template <class Workers>

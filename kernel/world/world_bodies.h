@@ -90,6 +90,7 @@ public:
         if (status == Status::ok) storage_.locks[slot.value] = static_cast<uint8_t>(locks);
         return touched(slot.value, status);
     }
+    /// As set_locks, or BodyDef::locks, set them. Errors: those of ids.
     Result<unsigned> locks(BodyId id) const {
         static_assert(locks_only());
         const Result<int> slot = find(id);
