@@ -102,11 +102,11 @@ public:
         std::FILE* const file = std::fopen(path, "w");
         if (file == nullptr) return false;
         const double width = fields_ * field_width_, height = field_height_ + head;
-        std::fprintf(
-            file,
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %g %g\" font-family=\"sans-serif\" fill=\"#1c2530\" stroke-linejoin=\"round\">\n"
-            "<rect width=\"%g\" height=\"%g\" fill=\"white\"/>\n",
-            width, height, width, height);
+        std::fprintf(file,
+                     "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%g\" height=\"%g\" viewBox=\"0 0 %g %g\" font-family=\"sans-serif\" "
+                     "fill=\"#1c2530\" stroke-linejoin=\"round\">\n"
+                     "<rect width=\"%g\" height=\"%g\" fill=\"white\"/>\n",
+                     width, height, width, height, width, height);
         std::fprintf(file, "%s%s%s%s</svg>\n", body_.c_str(), end_of_field_.c_str(), text(12, 25, 16, caption_.c_str()).c_str(), notes_.c_str());
         return std::fclose(file) == 0;
     }

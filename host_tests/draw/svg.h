@@ -14,9 +14,10 @@ public:
     SvgPen(std::FILE* to, double width, const ingot::Vector& middle, double stroke = 1.2)
         : to_(to), scale_(size / width), radius_(2 * stroke), middle_(middle) {
         std::fprintf(to_,
-                     "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %g %g\" stroke-linecap=\"round\" stroke-width=\"%g\">\n"
+                     "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%g\" height=\"%g\" viewBox=\"0 0 %g %g\" "
+                     "stroke-linecap=\"round\" stroke-width=\"%g\">\n"
                      "<rect width=\"100%%\" height=\"100%%\" fill=\"white\"/>\n",
-                     size, size * 0.75, stroke);
+                     size * shown, size * 0.75 * shown, size, size * 0.75, stroke);
     }
     SvgPen(const SvgPen&) = delete;
     SvgPen& operator=(const SvgPen&) = delete;
@@ -39,7 +40,7 @@ public:
     }
 
 private:
-    static constexpr double size = 960;
+    static constexpr double size = 960, shown = 0.4;  // of its own, and as a page shows it that says nothing
     // Unit vectors, to the rounding of the digits printed.
     static constexpr double right[3] = {0.980, 0.199, 0}, up[3] = {-0.060, 0.294, 0.954};
 

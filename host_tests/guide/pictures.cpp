@@ -251,8 +251,9 @@ template <class ColorOf>
 bool draw_display(const std::string& path, int columns, int rows, ColorOf color_of) {
     std::FILE* const file = std::fopen(path.c_str(), "w");
     if (file == nullptr) return false;
-    std::fprintf(file, "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\">\n<rect width=\"%d\" height=\"%d\" fill=\"#101820\"/>\n",
-                 columns, rows, columns, rows);
+    std::fprintf(
+        file, "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"480\" viewBox=\"0 0 %d %d\">\n<rect width=\"%d\" height=\"%d\" fill=\"#101820\"/>\n",
+        columns, rows, columns, rows);
     for (int row = 0; row < rows; ++row)
         for (int column = 0, end; column < columns; column = end) {
             const unsigned color = color_of(column, row);
