@@ -248,7 +248,7 @@ bool terrain(const std::string& path) {
     }
     const Paint paints[] = {draw::red, draw::blue, draw::ochre, draw::violet, draw::grey};
     Picture picture("Things roll and slide down hills, which stand as a table in flash: every 0.3 s, and at rest", 1, 1100, 560);
-    picture.begin_field(0, {13.6, {4, 4, 0.7}, 20, 40});
+    picture.begin_field(0, {14.8, {4, 4, 0.95}, 20, 36});
     for (int cell = 0; cell < 64; ++cell) {
         const int x = cell % 8, y = cell / 8;
         const auto corner = [](int i, int j) {
