@@ -2,10 +2,9 @@
 # SPDX-License-Identifier: MIT
 """Makes one page of the viewer's parts: inline.py --module viewer.wasm --table native_hashes.txt --out viewer.html
 
-Module, table and scripts are packed together by LZMA and written in 85 signs; unpack.js, which is in the page as it is, takes them apart.
+Module, table and scripts are packed together by LZMA and written in 91 signs; unpack.js, which is in the page as it is, takes them apart.
 """
 import argparse
-import base64
 import lzma
 import pathlib
 import re
@@ -23,8 +22,21 @@ def without_comments(script):
 def pack(data):
     filters = [{"id": lzma.FILTER_LZMA1, "preset": 9 | lzma.PRESET_EXTREME, "lc": 3, "lp": 0, "pb": 0, "dict_size": 1 << 21}]
     packed = lzma.compress(data, format=lzma.FORMAT_RAW, filters=filters)
-    packed += b"\0" * (-len(packed) % 4)
-    return base64.b85encode(packed).decode().translate(str.maketrans("&<`", ".:,")), len(packed)
+    return in_91(packed), len(packed)
+
+
+def in_91(data):
+    """13 bits are two signs; a script's text has them as they are."""
+    signs = [sign for sign in map(chr, range(32, 127)) if sign not in "'<\\^"]
+    pairs, held, bits = [], 0, 0
+    for byte in data + b"\0\0":
+        held |= byte << bits
+        bits += 8
+        if bits >= 13:
+            pairs.append(signs[(held & 8191) // 91] + signs[(held & 8191) % 91])
+            held >>= 13
+            bits -= 13
+    return "".join(pairs)
 
 
 def main():
@@ -41,7 +53,7 @@ def main():
     parts = [module, table.encode(), script.encode()]
     text, packed = pack(b"".join(parts))
     sizes = ", ".join(str(len(part)) for part in parts)
-    loader = "{\n%s\nconst sizes = [%s], all = from_lzma(from_85('%s'), sizes[0] + sizes[1] + sizes[2]);\n%s\n}" % (
+    loader = "{\n%s\nconst sizes = [%s], all = from_lzma(from_91('%s'), sizes[0] + sizes[1] + sizes[2]);\n%s\n}" % (
         without_comments((HERE / "unpack.js").read_text()), sizes, text,
         "const words = bytes => new TextDecoder().decode(bytes), script = document.createElement('script');\n"
         "script.textContent = words(all.subarray(sizes[0] + sizes[1]));\n"

@@ -9,9 +9,9 @@ import vm from 'node:vm';
 const [, , page_path, module_path, table_path] = process.argv;
 const here = dirname(fileURLToPath(import.meta.url));
 const read = name => readFileSync(join(here, name), 'utf8');
-const {Engine, Run, NativeTable, FreeBody, angle_between, transpose_times, bounce_height, from_85, from_lzma, KINDS, SHAPE_FLOATS} =
+const {Engine, Run, NativeTable, FreeBody, angle_between, transpose_times, bounce_height, from_91, from_lzma, KINDS, SHAPE_FLOATS} =
     vm.runInThisContext(`${read('unpack.js')}${read('engine.js')}${read('exact.js')}
-  ;({Engine, Run, NativeTable, FreeBody, angle_between, transpose_times, bounce_height, from_85, from_lzma, KINDS, SHAPE_FLOATS})`);
+  ;({Engine, Run, NativeTable, FreeBody, angle_between, transpose_times, bounce_height, from_91, from_lzma, KINDS, SHAPE_FLOATS})`);
 const page = readFileSync(page_path, 'utf8'), bytes = readFileSync(module_path), table = readFileSync(table_path, 'utf8');
 const engine = await Engine.load(bytes), native = new NativeTable(table);
 const number = id => { const i = engine.scenes.findIndex(scene => scene.id === id); assert(i >= 0, id); return i; };
@@ -28,11 +28,11 @@ const tests = {
   the_page_holds_the_module_and_asks_for_nothing() {
     assert(page.length <= 250000, `${page.length} bytes`);
     const sizes = page.match(/const sizes = \[(\d+), (\d+), (\d+)\]/).slice(1).map(Number),
-          all = from_lzma(from_85(page.match(/from_85\('([^']*)'\)/)[1]), sizes[0] + sizes[1] + sizes[2]);
+          all = from_lzma(from_91(page.match(/from_91\('([^']*)'\)/)[1]), sizes[0] + sizes[1] + sizes[2]);
     assert.deepEqual(Buffer.from(all.subarray(0, sizes[0])), bytes);
     assert.equal(Buffer.from(all.subarray(sizes[0], sizes[0] + sizes[1])).toString(), table);
     new vm.Script(Buffer.from(all.subarray(sizes[0] + sizes[1])).toString());
-    assert(!/\b(src|href)=["'](?!#)|url\(|@import|https?:/.test(page.replace(/from_85\('[^']*'\)/, '')), 'names something outside');
+    assert(!/\b(src|href)=["'](?!#)|url\(|@import|https?:/.test(page.replace(/from_91\('[^']*'\)/, '')), 'names something outside');
   },
   the_module_imports_nothing() {
     assert.deepEqual(WebAssembly.Module.imports(new WebAssembly.Module(bytes)), []);
