@@ -211,6 +211,11 @@ def figures_of_tables():
     return figures
 
 
+def table_of_packages():
+    lines = ["| package | what you type | tried |", "| --- | --- | --- |"]
+    return "\n".join(lines + [f"| `{row['package']}` | {row['type']} | {row['tried']} |" for row in rows_of("packages.csv")])
+
+
 def tables_of_source():
     """What the compiler says of a scene that cannot be, and why a call may refuse."""
     sentences = set()
@@ -226,7 +231,7 @@ def tables_of_source():
 
 def figures(programs):
     """A table of budgets/capacities has rows of its own, without a name."""
-    known = {**figures_of_tables(), **tables_of_source()}
+    known = {**figures_of_tables(), **tables_of_source(), "packages": table_of_packages()}
     for program in programs:
         lines = subprocess.run([program], check=True, capture_output=True, text=True).stdout.splitlines()
         for line in lines:

@@ -5,6 +5,7 @@
 All: the version is that of project(), nothing is left to fill in, and what includes or manifests name is there. Then manifests are parsed, and those that are
 programs are run against stubs of their tools that note what they are told. Nothing lies at the root of the repository.
 """
+import csv
 import json
 import pathlib
 import re
@@ -73,6 +74,17 @@ class Packages(unittest.TestCase):
         for file in (ROOT / "platform/packages").rglob("*"):
             if file.is_file() and VERSION in file.read_text(encoding="utf-8"):
                 self.fail(f"{file.relative_to(ROOT)} has the version written in it")
+
+    def test_guide_says_how_far_each_is_tried(self):
+        with open(ROOT / "host_tests/tables/packages.csv", encoding="utf-8", newline="") as table:
+            rows = list(csv.DictReader(line for line in table if not line.startswith("#")))
+        folders = {path.name for path in (ROOT / "platform/packages").iterdir() if path.is_dir() and path.name != "__pycache__"}
+        self.assertEqual({row["package"] for row in rows}, folders)
+        for row in rows:
+            self.assertIn(row["tried"], ("whole", "units", "layout"))
+            by = (ROOT / "host_tests" / row["by"]).read_text(encoding="utf-8")
+            self.assertIn({"pkg_config": "pkg-config", "c": "ingot_c"}.get(row["package"], row["package"]), by, row["by"])
+            self.assertEqual(row["tried"] == "layout", row["by"] == "packages/complete_test.py", row["package"])
 
     def test_nothing_lies_at_the_root(self):
         manifests = ("library.properties", "library.json", "idf_component.yml", "zephyr", "Kconfig", "ingot.pdsc", "meson.build", "xmake.lua", "vcpkg.json",
