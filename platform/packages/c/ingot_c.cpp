@@ -12,20 +12,23 @@ using ingot::Vector;
 
 namespace {
 
-template <int bodies, int manifolds, int joints_of_it>
+template <int bodies, int manifolds, int joints_of_it, int loops, int events>
 struct Catalogued : ingot::Scene {
     static constexpr int max_bodies = bodies, max_manifolds = manifolds, max_joints = joints_of_it, max_overlaps = bodies;
-    static constexpr bool translates = true, sleeps = true, kinematic_bodies = true;
+    static constexpr int max_loops = loops, max_events = events;
+    static constexpr bool translates = true, sleeps = true, kinematic_bodies = true, filters = true;
     using shapes = ingot::Shapes<ingot::Sphere, ingot::Capsule, ingot::Box, ingot::Cylinder, ingot::HalfSpace>;
-    using joints = ingot::Joints<ingot::BallJoint, ingot::HingeJoint, ingot::SliderJoint, ingot::UniversalJoint, ingot::FixedJoint>;
+    using joints = ingot::Joints<ingot::BallJoint, ingot::HingeJoint, ingot::SliderJoint, ingot::UniversalJoint, ingot::FixedJoint,
+                                 ingot::RodJoint, ingot::RopeJoint, ingot::WithLimits, ingot::WithDrives>;
     using broad_phase = ingot::QueryTree;
 };
-using Small = Catalogued<16, 48, 8>;
-using Middle = Catalogued<256, 1024, 64>;
-using Large = Catalogued<4096, 16384, 1024>;
+using Small = Catalogued<16, 48, 8, 4, 32>;
+using Middle = Catalogued<256, 1024, 64, 16, 512>;
+using Large = Catalogued<4096, 16384, 1024, 64, 4096>;
 
 static_assert(static_cast<int>(ingot::ShapeKind::half_space) == INGOT_HALF_SPACE && static_cast<int>(ingot::ShapeKind::box) == INGOT_BOX);
-static_assert(static_cast<int>(ingot::JointKind::fixed) == INGOT_FIXED && static_cast<int>(ingot::JointKind::hinge) == INGOT_HINGE);
+static_assert(static_cast<int>(ingot::JointKind::rope) == INGOT_ROPE && static_cast<int>(ingot::JointKind::hinge) == INGOT_HINGE);
+static_assert(static_cast<int>(ingot::DriveKind::motor) == INGOT_MOTOR && static_cast<int>(ingot::EventKind::leave) == INGOT_LEAVE);
 static_assert(sizeof(IngotScalar) == sizeof(ingot::scalar), "compile with INGOT_DOUBLE as the kernel is");
 
 }  // namespace
@@ -105,6 +108,7 @@ ingot::Result<ingot::BodyDef> body_of(const IngotBodyDef& from) {
     def.restitution = from.restitution;
     def.friction = from.friction;
     def.sensor = from.sensor != 0;
+    def.filter = {from.category, from.mask};
     def.state = {vector(from.r), vector(from.v), matrix(from.A), vector(from.omega)};
     if (from.kind != INGOT_MOVABLE) return {Status::ok, def};
     const ingot::Result<ingot::MassProperties> mass = ingot::principal(ingot::solid_of_shape(from.density, def.shape));
@@ -112,6 +116,47 @@ ingot::Result<ingot::BodyDef> body_of(const IngotBodyDef& from) {
     // A solid of one of these shapes has its principal axes along those of the shape.
     def.state.L = ingot::angular_momentum_of_spin(def.state.A, def.mass.I_body, vector(from.omega));
     return {mass.status, def};
+}
+
+ingot::JointRange range_of(const IngotRange& from) {
+    return from.limited == 0 ? ingot::JointRange{} : ingot::JointRange{from.lower, from.upper};
+}
+ingot::JointLimits limits_of(const IngotLimits& from) {
+    ingot::JointLimits limits = {{range_of(from.range[0]), range_of(from.range[1])}, from.restitution};
+    if (from.cone != 0) limits.range[1].upper = from.cone;  // of a cone there is no lower end
+    return limits;
+}
+ingot::Result<ingot::JointDrive> drive_of(const IngotDrive& from) {
+    if (from.kind < INGOT_NO_DRIVE || from.kind > INGOT_MOTOR) return {Status::out_of_range, {}};
+    const ingot::scalar most = from.max_torque == 0 ? ingot::unlimited : from.max_torque;
+    const ingot::DriveKind kind = static_cast<ingot::DriveKind>(from.kind);
+    return {Status::ok, {kind, from.stiffness, from.damping, from.target, from.target_rate, from.feedforward, most}};
+}
+
+ingot::Result<ingot::JointDef> joint_of(const IngotJointDef& from) {
+    if (from.kind < INGOT_BALL || from.kind > INGOT_ROPE) return {Status::not_in_scene, {}};
+    ingot::JointDef def;
+    def.body_A = id_of<BodyId>(from.A);
+    def.body_B = id_of<BodyId>(from.B);
+    if (from.kind == INGOT_ROD)
+        def.joint = ingot::RodJoint{from.length};
+    else if (from.kind == INGOT_ROPE)
+        def.joint = ingot::RopeJoint{from.length};
+    else
+        def.joint = {static_cast<ingot::JointKind>(from.kind), limits_of(from.limits), {}};
+    def.P = vector(from.P);
+    def.axis = vector(from.axis);
+    if (from.axis_B[0] != 0 || from.axis_B[1] != 0 || from.axis_B[2] != 0) def.axis_B = vector(from.axis_B);
+    def.P_B = vector(from.P_B);
+    def.bodies_meet = from.bodies_meet != 0;
+    return {Status::ok, def};
+}
+
+void write(IngotHit& to, const ingot::QueryHit& hit) {
+    to.body = number_of(hit.body);
+    to.fraction = hit.fraction;
+    write(to.P, hit.P);
+    write(to.n, hit.n);
 }
 
 }  // namespace
@@ -174,6 +219,8 @@ void ingot_body_def(IngotBodyDef* def) {
     def->A[0] = def->A[4] = def->A[8] = 1;
     def->friction = IngotScalar(0.5);
     def->density = 1000;
+    def->category = ingot::meets_all.category;
+    def->mask = ingot::meets_all.mask;
 }
 IngotStatus ingot_add_body(IngotWorld* world, const IngotBodyDef* def, IngotBody* body) {
     *body = 0;
@@ -208,11 +255,37 @@ IngotStatus ingot_set_state(IngotWorld* world, IngotBody body, const IngotState*
         return code(of.set_state(id_of<BodyId>(body), {vector(state->r), vector(state->v), matrix(state->A), vector(state->L)}));
     });
 }
+IngotStatus ingot_mass(const IngotWorld* world, IngotBody body, IngotScalar* mass) {
+    *mass = 0;
+    return for_world(world, no_world, [&](const auto& of) {
+        const ingot::Result<ingot::scalar> read = of.mass(id_of<BodyId>(body));
+        *mass = read.value;
+        return code(read.status);
+    });
+}
+IngotStatus ingot_set_filter(IngotWorld* world, IngotBody body, uint32_t category, uint32_t mask) {
+    return for_world(world, no_world, [&](auto& of) { return code(of.set_filter(id_of<BodyId>(body), {category, mask})); });
+}
+IngotStatus ingot_set_velocity(IngotWorld* world, IngotBody body, const IngotScalar v[3], const IngotScalar omega[3]) {
+    return for_world(world, no_world, [&](auto& of) { return code(of.set_velocity(id_of<BodyId>(body), vector(v), vector(omega))); });
+}
 IngotStatus ingot_move_to(IngotWorld* world, IngotBody body, const IngotScalar r[3], const IngotScalar A[9]) {
     return for_world(world, no_world, [&](auto& of) { return code(of.move_to(id_of<BodyId>(body), vector(r), matrix(A))); });
 }
 IngotStatus ingot_add_force(IngotWorld* world, IngotBody body, const IngotScalar F[3], const IngotScalar P[3]) {
     return for_world(world, no_world, [&](auto& of) { return code(of.add_force(id_of<BodyId>(body), vector(F), vector(P))); });
+}
+IngotStatus ingot_add_torque(IngotWorld* world, IngotBody body, const IngotScalar tau[3]) {
+    return for_world(world, no_world, [&](auto& of) { return code(of.add_torque(id_of<BodyId>(body), vector(tau))); });
+}
+IngotStatus ingot_apply_angular_impulse(IngotWorld* world, IngotBody body, const IngotScalar k[3]) {
+    return for_world(world, no_world, [&](auto& of) { return code(of.apply_angular_impulse(id_of<BodyId>(body), vector(k))); });
+}
+IngotStatus ingot_wake(IngotWorld* world, IngotBody body) {
+    return for_world(world, no_world, [&](auto& of) { return code(of.wake(id_of<BodyId>(body))); });
+}
+IngotStatus ingot_sleep(IngotWorld* world, IngotBody body) {
+    return for_world(world, no_world, [&](auto& of) { return code(of.sleep(id_of<BodyId>(body))); });
 }
 IngotStatus ingot_apply_impulse(IngotWorld* world, IngotBody body, const IngotScalar j[3], const IngotScalar P[3]) {
     return for_world(world, no_world, [&](auto& of) { return code(of.apply_impulse(id_of<BodyId>(body), vector(j), vector(P))); });
@@ -244,10 +317,39 @@ IngotStatus ingot_cast_ray(const IngotWorld* world, const IngotScalar from[3], c
     return for_world(world, no_world, [&](const auto& of) {
         const ingot::Result<ingot::QueryHit> read = of.cast_ray(vector(from), vector(way));
         if (!read.ok()) return code(read.status);
-        hit->body = number_of(read.value.body);
-        hit->fraction = read.value.fraction;
-        write(hit->P, read.value.P);
-        write(hit->n, read.value.n);
+        write(*hit, read.value);
+        return code(Status::ok);
+    });
+}
+
+IngotStatus ingot_cast_ray_all(const IngotWorld* world, const IngotScalar from[3], const IngotScalar way[3], IngotHit* hits, int32_t capacity,
+                               int32_t* count) {
+    *count = 0;
+    return for_world(world, no_world, [&](const auto& of) {
+        ingot::QueryHit found[INGOT_HITS_MAX];
+        const int room = capacity < INGOT_HITS_MAX ? static_cast<int>(capacity) : int{INGOT_HITS_MAX};
+        const ingot::Result<int> there = of.cast_ray_all(vector(from), vector(way), found, room);
+        if (!there.ok()) return code(there.status);
+        for (int i = 0; i < there.value && i < room; ++i) write(hits[i], found[i]);  // up to INGOT_HITS_MAX
+        *count = there.value;
+        return code(Status::ok);
+    });
+}
+int32_t ingot_event_count(const IngotWorld* world) {
+    return for_world(world, int32_t{0}, [](const auto& of) { return int32_t{of.events().count}; });
+}
+IngotStatus ingot_event(const IngotWorld* world, int32_t index, IngotEvent* event) {
+    *event = {};
+    return for_world(world, no_world, [&](const auto& of) {
+        const ingot::EventView events = of.events();
+        if (index < 0 || index >= events.count) return code(Status::out_of_range);
+        const ingot::Event& read = events[index];
+        event->kind = static_cast<int32_t>(read.kind);
+        event->A = number_of(read.A);
+        event->B = number_of(read.B);
+        write(event->P, read.P);
+        write(event->n, read.n);
+        event->speed = read.speed;
         return code(Status::ok);
     });
 }
@@ -255,14 +357,9 @@ IngotStatus ingot_cast_ray(const IngotWorld* world, const IngotScalar from[3], c
 IngotStatus ingot_add_joint(IngotWorld* world, const IngotJointDef* def, IngotJoint* joint) {
     *joint = 0;
     return for_world(world, no_world, [&](auto& of) {
-        if (def->kind < INGOT_BALL || def->kind > INGOT_FIXED) return code(Status::not_in_scene);
-        ingot::JointDef read;
-        read.body_A = id_of<BodyId>(def->A);
-        read.body_B = id_of<BodyId>(def->B);
-        read.joint.kind = static_cast<ingot::JointKind>(def->kind);
-        read.P = vector(def->P);
-        read.axis = vector(def->axis);
-        const ingot::Result<JointId> id = of.add_joint(read);
+        const ingot::Result<ingot::JointDef> read = joint_of(*def);
+        if (!read.ok()) return code(read.status);
+        const ingot::Result<JointId> id = of.add_joint(read.value);
         *joint = number_of(id.value);
         return code(id.status);
     });
@@ -277,4 +374,47 @@ IngotStatus ingot_joint_gap(const IngotWorld* world, IngotJoint joint, IngotScal
         *gap = read.value;
         return code(read.status);
     });
+}
+IngotStatus ingot_joint_state(const IngotWorld* world, IngotJoint joint, IngotJointState* state) {
+    *state = {};
+    return for_world(world, no_world, [&](const auto& of) {
+        const JointId id = id_of<JointId>(joint);
+        const ingot::Result<ingot::scalar> gap = of.joint_gap(id);
+        if (!gap.ok()) return code(gap.status);
+        state->gap = gap.value;
+        // What a kind has not answers not_in_scene, and the value 0.
+        for (int which = 0; which < 2; ++which) {
+            state->angle[which] = of.joint_angle(id, which).value;
+            state->rate[which] = of.joint_rate(id, which).value;
+            state->torque[which] = of.drive_torque(id, which).value;
+        }
+        state->travel = of.joint_travel(id).value;
+        state->speed = of.joint_speed(id).value;
+        state->length = of.joint_length(id).value;
+        state->distance = of.joint_distance(id).value;
+        const ingot::Result<Vector> of_ball = of.ball_torque(id);
+        if (of_ball.ok()) write(state->torque, of_ball.value);
+        return code(Status::ok);
+    });
+}
+IngotStatus ingot_set_joint_limits(IngotWorld* world, IngotJoint joint, const IngotLimits* limits) {
+    return for_world(world, no_world, [&](auto& of) { return code(of.set_joint_limits(id_of<JointId>(joint), limits_of(*limits))); });
+}
+IngotStatus ingot_set_joint_drive(IngotWorld* world, IngotJoint joint, const IngotDrive* drive, int32_t which) {
+    return for_world(world, no_world, [&](auto& of) {
+        const ingot::Result<ingot::JointDrive> read = drive_of(*drive);
+        return code(read.ok() ? of.set_joint_drive(id_of<JointId>(joint), read.value, which) : read.status);
+    });
+}
+IngotStatus ingot_set_ball_drive(IngotWorld* world, IngotJoint joint, const IngotDrive* drive, const IngotScalar target[3]) {
+    return for_world(world, no_world, [&](auto& of) {
+        const ingot::Result<ingot::JointDrive> read = drive_of(*drive);
+        return code(read.ok() ? of.set_ball_drive(id_of<JointId>(joint), read.value, vector(target)) : read.status);
+    });
+}
+IngotStatus ingot_set_joint_target(IngotWorld* world, IngotJoint joint, IngotScalar target, IngotScalar target_rate, int32_t which) {
+    return for_world(world, no_world, [&](auto& of) { return code(of.set_joint_target(id_of<JointId>(joint), target, target_rate, which)); });
+}
+IngotStatus ingot_set_joint_length(IngotWorld* world, IngotJoint joint, IngotScalar length) {
+    return for_world(world, no_world, [&](auto& of) { return code(of.set_joint_length(id_of<JointId>(joint), length)); });
 }

@@ -43,16 +43,20 @@ typedef double IngotScalar;
 typedef float IngotScalar;
 #endif
 
-/* Worlds there are: bodies, pairs that touch, joints. All have every shape but hulls, sleep, kinematic bodies and sensors. */
+/* Worlds there are: bodies, pairs that touch, joints, of which close loops or are rods and ropes, events of a step. All have sleep, kinematic bodies,
+ * sensors, filters, limits and drives of joints. Bodies have one shape each, of any kind but hulls and levels, whose tables the compiler makes. */
 enum {
-    INGOT_SMALL = 0,  /* 16, 48, 8 */
-    INGOT_MIDDLE = 1, /* 256, 1024, 64 */
-    INGOT_LARGE = 2   /* 4096, 16384, 1024 */
+    INGOT_SMALL = 0,  /* 16, 48, 8, 4, 32 */
+    INGOT_MIDDLE = 1, /* 256, 1024, 64, 16, 512 */
+    INGOT_LARGE = 2   /* 4096, 16384, 1024, 64, 4096 */
 };
 
 enum { INGOT_SPHERE = 1, INGOT_CAPSULE, INGOT_BOX, INGOT_CYLINDER, INGOT_HALF_SPACE = 6 };
 enum { INGOT_MOVABLE = 0, INGOT_IMMOVABLE = 1, INGOT_KINEMATIC = 2 };
-enum { INGOT_BALL = 1, INGOT_HINGE, INGOT_SLIDER, INGOT_UNIVERSAL, INGOT_FIXED };
+enum { INGOT_BALL = 1, INGOT_HINGE, INGOT_SLIDER, INGOT_UNIVERSAL, INGOT_FIXED, INGOT_ROD, INGOT_ROPE };
+enum { INGOT_NO_DRIVE = 0, INGOT_SPRING, INGOT_TUNED, INGOT_MOTOR };
+enum { INGOT_BEGIN = 0, INGOT_END, INGOT_HIT, INGOT_ENTER, INGOT_LEAVE };
+enum { INGOT_HITS_MAX = 64 }; /* of one ray */
 
 enum { INGOT_OK = 0, INGOT_NO_WORLD = 255 };
 typedef int32_t IngotStatus;
@@ -71,6 +75,7 @@ typedef struct IngotBodyDef {
     IngotScalar v[3], omega[3];
     IngotScalar restitution, friction;
     int32_t sensor;
+    uint32_t category, mask; /* bits: what the body is, and what it meets; two meet where each is of a category that the other's mask names */
 } IngotBodyDef;
 
 typedef struct IngotState {
@@ -97,11 +102,53 @@ typedef struct IngotContact {
     IngotScalar P[4][3];
 } IngotContact;
 
+/* What a step tells of two bodies. They are told until the next step; a body that was removed is stale. */
+typedef struct IngotEvent {
+    int32_t kind;                  /* INGOT_BEGIN ...: they touch, they touch no more, they met faster than 1 m/s; B is in the sensor A, is not */
+    IngotBody A, B;
+    IngotScalar P[3], n[3], speed; /* m, unit from B to A, m/s at which they met; of INGOT_BEGIN and INGOT_HIT */
+} IngotEvent;
+
+/* Where the free directions of a joint end. All of B against A, 0 as they are joined. Zeros: nowhere. */
+typedef struct IngotRange {
+    int32_t limited; /* 0: it has no ends */
+    IngotScalar lower, upper;
+} IngotRange;
+typedef struct IngotLimits {
+    IngotRange range[2];     /* hinge: angle, rad; slider: travel, m; ball: twist; universal: angles about the axes of A and of B */
+    IngotScalar cone;        /* rad, of a ball joint: how far its axis swings, 0.01 to 3; 0: it has none */
+    IngotScalar restitution; /* 0 to 1 */
+} IngotLimits;
+
+/* Of zeros but for kind, bodies, P and axis it is a joint without limits. */
 typedef struct IngotJointDef {
-    int32_t kind;    /* INGOT_BALL ... */
-    IngotBody A, B;  /* 0: the world */
-    IngotScalar P[3], axis[3];
+    int32_t kind;          /* INGOT_BALL ... */
+    IngotBody A, B;        /* 0: the world */
+    IngotScalar P[3];      /* m, world; of a rod and a rope on A */
+    IngotScalar axis[3];   /* unit, world: of a hinge, a slider, A of a universal joint, B of a ball joint with limits */
+    IngotScalar axis_B[3]; /* of B of a universal joint, at right angles to axis; zeros: x */
+    IngotScalar P_B[3];    /* m, world, on B: of a rod and a rope */
+    IngotScalar length;    /* m, of a rod and a rope; 0: as far as they are now */
+    IngotLimits limits;
+    int32_t bodies_meet;   /* 1: the two may touch each other */
 } IngotJointDef;
+
+/* Torque feedforward - stiffness (angle - target) - damping (rate - target_rate), implicit; of a slider read force and travel. */
+typedef struct IngotDrive {
+    int32_t kind;                   /* INGOT_SPRING; INGOT_TUNED: stiffness in Hz, damping as a ratio; INGOT_MOTOR: keeps target_rate; 0: none */
+    IngotScalar stiffness, damping; /* N m/rad, N m s/rad */
+    IngotScalar target, target_rate, feedforward; /* rad, rad/s, N m */
+    IngotScalar max_torque;         /* N m; 0: no bound */
+} IngotDrive;
+
+/* How a joint stands; what its kind has not is 0. */
+typedef struct IngotJointState {
+    IngotScalar angle[2], rate[2]; /* rad, rad/s: hinge; universal about A, B; ball: twist, swing */
+    IngotScalar travel, speed;     /* m, m/s: slider */
+    IngotScalar length, distance;  /* m: rod, rope: as it should be, as it is */
+    IngotScalar torque[3];         /* N m, of a slider N: what drives gave in the last step; of a ball joint in the axes of A */
+    IngotScalar gap;               /* m: how far its sides are apart where they should not be */
+} IngotJointState;
 
 /* The library. */
 INGOT_C_API uint32_t ingot_determinism_version(void);
@@ -123,26 +170,50 @@ INGOT_C_API size_t ingot_save_snapshot(const IngotWorld* world, void* bytes, siz
 INGOT_C_API IngotStatus ingot_load_snapshot(IngotWorld* world, const void* bytes, size_t size);
 
 /* Bodies. */
-INGOT_C_API void ingot_body_def(IngotBodyDef* def); /* all zero, but A = 1, friction 0.5, density 1000 */
+INGOT_C_API void ingot_body_def(IngotBodyDef* def); /* all zero, but A = 1, friction 0.5, density 1000, category 1, mask all */
 INGOT_C_API IngotStatus ingot_add_body(IngotWorld* world, const IngotBodyDef* def, IngotBody* body);
 INGOT_C_API IngotStatus ingot_remove_body(IngotWorld* world, IngotBody body);
 INGOT_C_API int32_t ingot_body_count(const IngotWorld* world);
 INGOT_C_API IngotStatus ingot_state(const IngotWorld* world, IngotBody body, IngotState* state);
 INGOT_C_API IngotStatus ingot_set_state(IngotWorld* world, IngotBody body, const IngotState* state);
+INGOT_C_API IngotStatus ingot_mass(const IngotWorld* world, IngotBody body, IngotScalar* mass); /* kg; 0 of what does not move by forces */
+INGOT_C_API IngotStatus ingot_set_filter(IngotWorld* world, IngotBody body, uint32_t category, uint32_t mask);
+/* Kinematic bodies: to a pose by the end of the next step, pushing what is in the way; or on and on with a velocity, m/s, rad/s. */
 INGOT_C_API IngotStatus ingot_move_to(IngotWorld* world, IngotBody body, const IngotScalar r[3], const IngotScalar A[9]);
+INGOT_C_API IngotStatus ingot_set_velocity(IngotWorld* world, IngotBody body, const IngotScalar v[3], const IngotScalar omega[3]);
+/* Of the next step, at a point of the world: N, m. A torque: N m. */
 INGOT_C_API IngotStatus ingot_add_force(IngotWorld* world, IngotBody body, const IngotScalar F[3], const IngotScalar P[3]);
+INGOT_C_API IngotStatus ingot_add_torque(IngotWorld* world, IngotBody body, const IngotScalar tau[3]);
+/* At once: N s, m; N m s. */
 INGOT_C_API IngotStatus ingot_apply_impulse(IngotWorld* world, IngotBody body, const IngotScalar j[3], const IngotScalar P[3]);
+INGOT_C_API IngotStatus ingot_apply_angular_impulse(IngotWorld* world, IngotBody body, const IngotScalar k[3]);
 INGOT_C_API int32_t ingot_is_asleep(const IngotWorld* world, IngotBody body);
+INGOT_C_API IngotStatus ingot_wake(IngotWorld* world, IngotBody body);  /* and what it hangs together with */
+INGOT_C_API IngotStatus ingot_sleep(IngotWorld* world, IngotBody body);
 
 /* Contacts of the last step, and what is on a way. */
 INGOT_C_API int32_t ingot_contact_count(const IngotWorld* world);
 INGOT_C_API IngotStatus ingot_contact(const IngotWorld* world, int32_t index, IngotContact* contact);
 INGOT_C_API IngotStatus ingot_cast_ray(const IngotWorld* world, const IngotScalar from[3], const IngotScalar way[3], IngotHit* hit);
+/* All bodies on the way, as they are met, into hits[capacity], INGOT_HITS_MAX of them at most; count: how many there are, which may be more. */
+INGOT_C_API IngotStatus ingot_cast_ray_all(const IngotWorld* world, const IngotScalar from[3], const IngotScalar way[3], IngotHit* hits,
+                                           int32_t capacity, int32_t* count);
+/* Events of the last step, in an order that is the same everywhere. */
+INGOT_C_API int32_t ingot_event_count(const IngotWorld* world);
+INGOT_C_API IngotStatus ingot_event(const IngotWorld* world, int32_t index, IngotEvent* event);
 
 /* Joints. */
 INGOT_C_API IngotStatus ingot_add_joint(IngotWorld* world, const IngotJointDef* def, IngotJoint* joint);
 INGOT_C_API IngotStatus ingot_remove_joint(IngotWorld* world, IngotJoint joint);
 INGOT_C_API IngotStatus ingot_joint_gap(const IngotWorld* world, IngotJoint joint, IngotScalar* gap); /* m */
+INGOT_C_API IngotStatus ingot_joint_state(const IngotWorld* world, IngotJoint joint, IngotJointState* state);
+INGOT_C_API IngotStatus ingot_set_joint_limits(IngotWorld* world, IngotJoint joint, const IngotLimits* limits);
+/* which: 0, and 1 of a universal joint about the axis of B. */
+INGOT_C_API IngotStatus ingot_set_joint_drive(IngotWorld* world, IngotJoint joint, const IngotDrive* drive, int32_t which);
+/* Of a ball joint to a turn of B against A, a vector in the axes of A, rad; target and target_rate of drive are not looked at. */
+INGOT_C_API IngotStatus ingot_set_ball_drive(IngotWorld* world, IngotJoint joint, const IngotDrive* drive, const IngotScalar target[3]);
+INGOT_C_API IngotStatus ingot_set_joint_target(IngotWorld* world, IngotJoint joint, IngotScalar target, IngotScalar target_rate, int32_t which);
+INGOT_C_API IngotStatus ingot_set_joint_length(IngotWorld* world, IngotJoint joint, IngotScalar length); /* m, of a rod and a rope */
 
 #ifdef __cplusplus
 }
