@@ -23,7 +23,9 @@ protected:
 public:
     // Edits, between any two steps. They wake the body and what touches it, and count from the next step on, as if the body had been added so: with
     // the same id, place and motion. Where mass, friction or restitution change, contacts go on with the impulses that they had; where shape, kind or
-    // sensor change, the contacts of the body are found anew, and what World::contacts told of them is gone.
+    // sensor change, the contacts of the body are found anew, and what World::contacts told of them is gone. Joints stay, whatever changes: where
+    // neither body of one can move any more it does nothing, until one can again; what they are apart by then they draw together in a step, and
+    // whole turns that a hinge made meanwhile are not counted.
     // Errors: frozen (all that is of mass and kind); of a shape that the body has not: out_of_range.
 
     /// Mass and moments of a body that can move, about its centre and axes as they are: r_CM and A_principal are not looked at. v_CM and omega stay.
@@ -43,20 +45,24 @@ public:
     }
 
     /// An immovable or kinematic body may move from now on, and begins at rest. One that can move gets this mass, as by set_mass.
-    /// Errors: those of check_mass_properties, bad_shape (a half space cannot move).
+    /// Errors: those of check_mass_properties, bad_shape (a half space cannot move), no_room (its joints would close a loop: see add_joint).
     Status set_movable(BodyId id, const MassProperties& mass) {
         const Result<int> slot = find(id);
         if (!slot.ok()) return slot.status;
         if (is_dynamic(storage_.bodies(), slot.value)) return set_mass(id, mass);
         Status status = ingot::is_frozen(storage_.bodies(), slot.value) ? Status::frozen : check_mass_properties(mass);
         if (status == Status::ok && has_ground(slot.value)) status = Status::bad_shape;
+        const auto change = [&] { write_moments(storage_.bodies(), slot.value, mass); };
+        if (status == Status::ok && !has_room_for_joints(slot.value, change)) status = Status::no_room;
         if (status != Status::ok) return status;
         leave_contacts(slot.value);
-        write_moments(storage_.bodies(), slot.value, mass);
+        change();
         forget_kinematic(slot.value);
+        begin_joints(slot.value);
         return come_back(slot.value);
     }
     /// A body stands still from now on, wherever it is, and nothing moves it. One that does so already: ok, and nothing changes.
+    /// Errors: no_room (what hangs between it and what cannot move would close a loop: see add_joint).
     Status set_immovable(BodyId id) {
         const Result<int> slot = find(id);
         if (!slot.ok()) return slot.status;
@@ -65,8 +71,11 @@ public:
             forget_kinematic(slot.value);
             return Status::ok;
         }
+        const auto change = [&] { stop_body(storage_.bodies(), slot.value); };
+        if (!has_room_for_joints(slot.value, change)) return Status::no_room;
         leave_contacts(slot.value);
-        stop_body(storage_.bodies(), slot.value);
+        change();
+        begin_joints(slot.value);
         if constexpr (S::body_forces) features::BodyForces::forget_body(storage_, slot.value);
         return come_back(slot.value);
     }
@@ -214,9 +223,36 @@ private:
         return ShapesOf<S>::names_its_hull(shape) ? Status::ok : Status::bad_shape;
     }
 
+    /// Whether its joints can be held when it can move, or when it cannot any more. The change is made to see that, and taken back.
+    template <class Change>
+    bool has_room_for_joints([[maybe_unused]] int slot, [[maybe_unused]] const Change& change) {
+        if constexpr (has_joints<S>) {
+            RotationTile& rotation = storage_.bodies().rotation[place_of(slot).tile];
+            TranslationTile& translation = storage_.bodies().translation[place_of(slot).tile];
+            const RotationTile rotation_now = rotation;
+            const TranslationTile translation_now = translation;
+            change();
+            const int lost = features::Figures::joints_without_room(storage_, storage_.joint_slots_used);
+            rotation = rotation_now;
+            translation = translation_now;
+            return lost == 0;
+        } else {
+            return true;
+        }
+    }
+    /// What they gave was another body's; what hangs on it wakes.
+    void begin_joints([[maybe_unused]] int slot) {
+        if constexpr (has_joints<S>)
+            storage_.joint_lists().for_ends(static_cast<Index>(slot), [&](int end) {
+                features::Figures::forget_impulses(storage_, end / 2);
+                features::Figures::forget_reaction(storage_, end / 2);
+                const Index other = storage_.joint_lists().partner_of(end);
+                if (other != no_body && is_dynamic(storage_.bodies(), other)) (void)touched(other, Status::ok);
+            });
+    }
     /// Nothing is known of its contacts any more, as if it left: what it touches wakes.
     void leave_contacts(int slot) {
-        features::All::over_named<S>([&](auto feature) { decltype(feature)::before_removal(storage_, slot); });
+        if constexpr (S::sleeps) features::Sleep::before_removal(storage_, slot);
         if constexpr (stacks<S>)
             // bound: max_shapes_of_body
             for (int shape_slot = slot * S::max_shapes_of_body; shape_slot < (slot + 1) * S::max_shapes_of_body; ++shape_slot) {

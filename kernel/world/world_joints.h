@@ -219,7 +219,8 @@ public:
         if (!slot.ok()) return {slot.status, {}};
         return {Status::ok, figure_at(static_cast<Index>(slot.value))};
     }
-    /// The same of the bodies of a joint. Errors: those of ids, not_in_scene (one that does nothing: ask for its bodies), frozen.
+    /// The same of the bodies of a joint. Errors: those of ids, not_in_scene (one that is broken or disabled: ask for its bodies), immovable (neither
+    /// can move), frozen.
     Result<FigureInfo> figure(JointId id) const {
         static_assert(joints_only());
         const Result<int> joint = find(id);
@@ -227,7 +228,7 @@ public:
         const JointRecord& record = storage_.joints[joint.value];
         if (record.kind == JointKind::none) return {Status::not_in_scene, {}};
         const bool of_A = moves(record.body_A);
-        if (!of_A && !moves(record.body_B)) return {Status::frozen, {}};
+        if (!of_A && !moves(record.body_B)) return {freezes(record.body_A) || freezes(record.body_B) ? Status::frozen : Status::immovable, {}};
         return {Status::ok, figure_at(of_A ? record.body_A : record.body_B)};
     }
 
@@ -279,6 +280,7 @@ protected:
         if (moves(joint.body_A)) (void)touched(joint.body_A, Status::ok);
         if (moves(joint.body_B)) (void)touched(joint.body_B, Status::ok);
     }
+    bool freezes(Index slot) const { return slot != no_body && ingot::is_frozen(storage_.bodies(), slot); }
     bool moves(Index slot) const { return slot != no_body && is_dynamic(storage_.bodies(), slot); }
     /// What has no other joint closes no loop.
     bool hangs_on_others(Index slot, int joint_i) {
@@ -290,11 +292,8 @@ protected:
     bool has_room_for_loop(int joint_i) {
         const JointRecord& joint = storage_.joints[joint_i];
         if (!is_tie(joint.kind) && (!hangs_on_others(joint.body_A, joint_i) || !hangs_on_others(joint.body_B, joint_i))) return true;
-        FigureView figures = storage_.all_figures();
-        figures.joint_slots = joint_i < storage_.joint_slots_used ? storage_.joint_slots_used : joint_i + 1;
-        auto loops = storage_.loop_view();
-        build_figures(figures, loops);
-        return find_loops(figures, loops) == 0;
+        const int joint_slots = joint_i < storage_.joint_slots_used ? storage_.joint_slots_used : joint_i + 1;
+        return features::Figures::joints_without_room(storage_, joint_slots) == 0;
     }
 
     JointId id_of_joint(int joint_i) const { return {static_cast<Index>(joint_i), storage_.world_tag, storage_.joint_generation[joint_i]}; }

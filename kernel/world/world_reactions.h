@@ -151,8 +151,7 @@ public:
 
 private:
     Status check_sides(const JointRecord& joint, int joint_i) const {
-        const auto is_frozen = [this](Index slot) { return slot != no_body && ingot::is_frozen(storage_.bodies(), slot); };
-        if (is_frozen(joint.body_A) || is_frozen(joint.body_B)) return Status::frozen;
+        if (this->freezes(joint.body_A) || this->freezes(joint.body_B)) return Status::frozen;
         if (!this->moves(joint.body_A) && !this->moves(joint.body_B)) return Status::immovable;
         return misfit_of_joint(joint, joint_i) <= limits::mended_gap ? Status::ok : Status::bad_joint;
     }

@@ -62,10 +62,7 @@ struct BreakableJoints : Feature {
             storage.joint_lists().unlink(joint_i);
             record.kind = joint.kind;
             joint.kind = JointKind::none;
-            joint.j = {};
-            joint.resolved = joint.doublings = 0;
-            if constexpr (has_joint_limits<S>)
-                for (int i = 0; i < 2; ++i) storage.joint_limits[joint_i].j[i] = storage.joint_limits[joint_i].leave[i] = 0;
+            Figures::forget_impulses(storage, joint_i);
         }
         record.phase = phase;
     }
@@ -78,16 +75,14 @@ struct BreakableJoints : Feature {
         record.phase = JointPhase::works;
         storage.joint_lists().link(joint_i);
     }
-    /// What broke in the step before has been told. What does nothing bears nothing.
+    /// What broke in the step before has been told.
     template <class S>
     static void begin_step(Storage<S>& storage) {
         for (int joint_i = 0; joint_i < storage.joint_slots_used; ++joint_i) {  // bound: max_joints
             BreakRecord& record = storage.joint_breaking[joint_i];
             if (record.phase == JointPhase::works) continue;
             if (record.phase == JointPhase::breaks) record.phase = JointPhase::broken;
-            storage.joint_reactions[joint_i] = {};
-            if constexpr (has_joint_drives<S>)
-                for (int i = 0; i < S::joints::drives_of_joint(); ++i) storage.drive_of(joint_i, i).torque = 0;  // bound: 3
+            Figures::forget_reaction(storage, joint_i);
         }
     }
     /// What has borne more than it can breaks, and its bodies begin their time of rest anew.

@@ -170,6 +170,31 @@ struct Figures : Feature {
             for (int i = 0; i < S::joints::drives_of_joint(); ++i) storage.drive_of(joint_i, i) = {};  // bound: 3
         ++storage.joint_generation[joint_i];
     }
+    /// Of joints in the slots before joint_slots: those that close a loop, and have no room.
+    template <class S>
+    static int joints_without_room(Storage<S>& storage, int joint_slots) {
+        FigureView figures = storage.all_figures();
+        figures.joint_slots = joint_slots;
+        auto loops = storage.loop_view();
+        build_figures(figures, loops);
+        return find_loops(figures, loops);
+    }
+    /// It begins as if it had just come, with the angle that it has.
+    template <class S>
+    static void forget_impulses(Storage<S>& storage, int joint_i) {
+        JointRecord& joint = storage.joints[joint_i];
+        joint.j = {};
+        joint.resolved = joint.doublings = 0;
+        if constexpr (has_joint_limits<S>)
+            for (int i = 0; i < 2; ++i) storage.joint_limits[joint_i].j[i] = storage.joint_limits[joint_i].leave[i] = 0;
+    }
+    /// What does nothing bears nothing.
+    template <class S>
+    static void forget_reaction(Storage<S>& storage, int joint_i) {
+        if constexpr (has_joint_reactions<S>) storage.joint_reactions[joint_i] = {};
+        if constexpr (has_joint_drives<S>)
+            for (int i = 0; i < S::joints::drives_of_joint(); ++i) storage.drive_of(joint_i, i).torque = 0;  // bound: 3
+    }
     /// Gears of a joint go before it.
     template <class S>
     static void take_out_gears_of([[maybe_unused]] Storage<S>& storage, [[maybe_unused]] int joint_i) {
