@@ -195,6 +195,40 @@ TEST(Dynamics, effective_inertia_is_of_the_inverse_matrix) {
     });
 }
 
+/// Bodies put anywhere, so that the axes of a universal joint are near each other, or one: two directions that are nearly one leave roundings alone.
+TEST(Dynamics, effective_inertia_is_above_zero_however_bodies_are_put) {
+    RandomInput random(14);
+    for (int run_i = 0; run_i < ingot_reference::draws(200); ++run_i) {
+        const auto world = std::make_unique<ingot::World<Controlled>>();
+        ingot::FigureDynamics<2> figure;
+        ingot::BodyDef def;
+        def.mass = ingot::principal(ingot::with_mass(ingot::solid_box(1, to_vector(Vector3d(0.1, 0.2, 0.3))), 3)).value;
+        def.state.A = ingot_reference::to_matrix(random.rotation());
+        def.state.r_CM = to_vector(random.vector(1));
+        const bool floats = run_i % 2 == 0;
+        ingot::JointDef joint;
+        if (floats) joint.body_A = world->add(def).value;
+        const ingot::BodyId id = joint.body_B = world->add(def).value;
+        const Vector3d axis = random.direction(), axis_B = axis.cross(random.direction()).normalized();
+        joint.joint = ingot::UniversalJoint{};
+        joint.axis = to_vector(axis);
+        joint.axis_B = to_vector(axis_B);
+        ASSERT_TRUE(world->add_joint(joint).ok());
+        // The turn that takes axis_B to where axis is, but for a small one.
+        const double off = run_i % 5 == 0 ? 0 : std::pow(10, random.real(-8, -2));
+        const auto turn = Eigen::Quaterniond::FromTwoVectors(axis_B, axis) * Eigen::AngleAxisd(off, axis.cross(axis_B).normalized());
+        ingot::BodyState state = world->state(id).value;
+        state.A = ingot_reference::to_matrix((turn * ingot_reference::to_eigen(state.A)).eval());
+        ASSERT_EQ(world->set_state(id, state), Status::ok);
+        ASSERT_EQ(world->read_dynamics(id, figure), Status::ok);
+        for (int k = 0; k < figure.direction_count(); ++k) {
+            const auto inertia = figure.effective_inertia(k);
+            EXPECT_GT(inertia.value, 0) << run_i << ", " << k;
+            EXPECT_TRUE(std::isfinite(static_cast<double>(inertia.value)));
+        }
+    }
+}
+
 namespace {
 
 /// Whether a world is to the byte as it was.

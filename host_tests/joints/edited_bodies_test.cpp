@@ -55,9 +55,13 @@ TEST(EditedBodies, keep_their_joints) {
         const auto world = std::make_unique<ingot::World<Edited>>();
         ASSERT_TRUE(add_ground(*world) && weigh(*world));
         Built built;
-        for (const double x : {0.0, 1.5, 3.0}) add_figure(*world, random, {random.integer(2, 8), 0.1, 20, 1, random.integer(0, 1) == 1}, {x, 0, 0.8}, built);
+        for (const double x : {0.0, 1.5, 3.0}) {
+            const Drawn drawn = {random.integer(2, 8), 0.1, 20, 1, random.integer(0, 1) == 1};
+            add_figure(*world, random, drawn, {x, 0, 0.8}, built);
+        }
         ASSERT_TRUE(built.sound);
-        for (const ingot::BodyId id : built.bodies) ASSERT_EQ(world->set_shape(id, ingot::Box{{scalar(0.05), scalar(0.06), scalar(0.07)}}), Status::ok);
+        const ingot::Box box = {{scalar(0.05), scalar(0.06), scalar(0.07)}};
+        for (const ingot::BodyId id : built.bodies) ASSERT_EQ(world->set_shape(id, box), Status::ok);
         ASSERT_TRUE(live_all(*world, built));
         const double rate = rates[random.integer(0, 4)];
         const auto h = static_cast<scalar>(1 / rate);

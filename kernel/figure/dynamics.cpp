@@ -40,10 +40,11 @@ void sum_inertias(const Dynamics& of) {
     of.size.inertias = DynamicsInertias::composite;
 }
 
-/// Takes a direction out of an inertia, and out of a load that meets it. Returns 1 / D.
-scalar eliminate(Spatial6<scalar>& M, const Twist& s, Load& pulled) {
+/// Takes a direction out of an inertia, and out of a load that meets it. Returns 1 / D. whole: the inertia before any of the body's was taken out.
+/// What they leave of a direction that is nearly one of them is rounding, of either sign: of a universal joint that was bent until its axes are one.
+scalar eliminate(Spatial6<scalar>& M, const Spatial6<scalar>& whole, const Twist& s, Load& pulled) {
     pulled = M * s;
-    const scalar inv_D = 1 / dot(s, pulled);
+    const scalar inv_D = 1 / max(dot(s, pulled), epsilon * dot(s, whole * s));
     M = plus_square(M, pulled, -inv_D);
     return inv_D;
 }
@@ -56,7 +57,7 @@ void articulate(const Dynamics& of) {
         DynamicsBody& body = of.bodies[body_i];
         if (body.joint == JointId{}) continue;
         Spatial6<scalar> M = body.inertia;
-        for (int i = 0; i < body.count; ++i) body.inv_D[i] = eliminate(M, body.s[i], body.pulled[i]);  // bound: 3
+        for (int i = 0; i < body.count; ++i) body.inv_D[i] = eliminate(M, body.inertia, body.s[i], body.pulled[i]);  // bound: 3
         body.inertia = M;
         if (body.parent < 0) continue;
         Spatial6<scalar>& of_parent = of.bodies[body.parent].inertia;
@@ -143,7 +144,7 @@ scalar effective_inertia(const Dynamics& of, int direction_i) {
         for (int i = 0; i < body.count; ++i) {  // bound: 6
             const Twist s = direction_of(body, i);
             Load pulled = is_root ? Load{} : body.pulled[i];
-            const scalar inv_D = is_root ? eliminate(M, s, pulled) : body.inv_D[i];
+            const scalar inv_D = is_root ? eliminate(M, body.inertia, s, pulled) : body.inv_D[i];
             const scalar t = dot(s, P) + (!begun && body.first + i == direction_i ? scalar(1) : scalar(0));
             sum += t * t * inv_D;
             P = P - pulled * (t * inv_D);
