@@ -31,6 +31,11 @@ struct Strung : Tied {
     using joints = ingot::Joints<ingot::RodJoint, ingot::RopeJoint>;
 };
 using StrungWorld = ingot::World<Strung>;
+struct StrungAsleep : Strung {
+    static constexpr int max_manifolds = 60, max_pairs = 200;
+    static constexpr bool sleeps = true;
+    using shapes = ingot::Shapes<ingot::Sphere>;
+};
 
 /// m: of ties, alone, after a step. A push ends below loop_gap; beside other figures those of trees have `held`.
 constexpr double tied_gap = INGOT_DOUBLE ? 1e-9 : held;
@@ -368,6 +373,50 @@ TEST(Ties, a_rope_comes_taut) {
         const double off = (state_of(*world, built).body(0).r_CM - exact.state().body(0).r_CM).norm();
         std::printf("    %g Hz: %.2e m off\n", rate, off);
         EXPECT_LE(off, 5 / (rate * Tied::effort.substeps));  // at 5 m/s
+    }
+}
+
+/// Balls that float asleep on slack ropes, and one that is thrown, again and again: what it pulls at wakes, and no impulse goes to what sleeps.
+TEST(Ties, a_rope_that_comes_taut_wakes) {
+    RandomInput random(7);
+    for (int run_i = 0; run_i < ingot_reference::draws(40); ++run_i) {
+        const double rate = rates[random.integer(0, 4)];
+        FigureScene scene;
+        scene.g.setZero();
+        const int count = random.integer(2, 12);
+        for (int i = 0; i < count; ++i) {
+            scene.add(sphere(random.real(0.5, 5), 0.1, Vector3d(2 * i, 0, 0) + random.vector(0.5)));
+            for (int ropes = random.integer(1, 2); i > 0 && ropes > 0; --ropes) {
+                const int other = random.integer(0, i - 1);
+                scene.join(tie(other, i, scene.body(other).r_CM, scene.body(i).r_CM, random.real(1.02, 1.4), false));
+            }
+        }
+        const auto world = std::make_unique<ingot::World<StrungAsleep>>();
+        const Built built = add_scene(*world, scene);
+        ASSERT_TRUE(built.sound);
+        const auto h = static_cast<scalar>(1 / rate);
+        for (int step_i = 0; step_i < rate; ++step_i) ASSERT_TRUE(ingot::step(*world, h).clean());
+        ASSERT_EQ(world->asleep_count(), count) << run_i;
+        Vector3d momentum = Vector3d::Zero();
+        for (int throw_i = 0; throw_i < 4; ++throw_i) {
+            const Vector3d j = random.vector(1);
+            const ingot::BodyId thrown = built.bodies[static_cast<std::size_t>(random.integer(0, count - 1))];
+            ASSERT_EQ(world->apply_impulse(thrown, to_vector(j), world->state(thrown).value.r_CM), Status::ok);
+            momentum += j;
+            for (int step_i = 0; step_i < 2 * rate; ++step_i) {
+                ASSERT_TRUE(ingot::step(*world, h).clean());
+                ASSERT_LE(worst_gap(*world, built), tied_gap) << run_i << ", " << rate << " Hz";
+            }
+            Vector3d now = Vector3d::Zero();
+            double moved = 0;  // kg m/s, in all: a rounding of it is lost in each substep
+            for (const ingot::BodyId id : built.bodies) {
+                const Vector3d p = static_cast<double>(world->mass(id).value) * ingot_reference::to_eigen(world->state(id).value.v_CM);
+                now += p;
+                moved += p.norm();
+            }
+            const double substeps = 2 * rate * StrungAsleep::effort.substeps;
+            EXPECT_LE((now - momentum).norm(), substeps * 4 * eps * (moved + momentum.norm())) << run_i << ", " << throw_i;
+        }
     }
 }
 

@@ -250,6 +250,7 @@ void wake_islands([[maybe_unused]] Step<S>& now) {
         const int in_step = *manifolds.count;
         join_islands(now.bodies, rest, manifolds);
         if constexpr (has_joints<S>) features::Figures::join_islands(storage, false);
+        if constexpr (has_joints<S>) features::Figures::wake_joined(storage);
         wake_met_islands(now.bodies, rest, manifolds);
         wake_in_the_way(now);
         sort_in_woken(storage, in_step);

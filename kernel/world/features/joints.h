@@ -218,6 +218,22 @@ struct Figures : Feature {
             if (all || rest.is_active(joint.body_A) || rest.is_active(joint.body_B)) join_bodies_of(rest, joint.body_A, joint.body_B);
         }
     }
+    /// What sleeps wakes with what moves and has come to be joined to it: by a rope that was slack, or a gear that did nothing. After join_islands.
+    template <class S>
+    static void wake_joined([[maybe_unused]] Storage<S>& storage) {
+        if constexpr (has_ties<S>) {
+            const BodyView bodies = storage.bodies();
+            const RestView rest = storage.rest_view();
+            for (int joint_i = 0; joint_i < storage.joint_slots_used; ++joint_i) {  // bound: max_joints
+                const JointRecord& joint = storage.joints[joint_i];
+                if (joint.kind == JointKind::none || storage.joint_ties[joint_i].slack != 0) continue;
+                if (joint.body_A == no_body || joint.body_B == no_body) continue;
+                if (!is_dynamic(bodies, joint.body_A) || !is_dynamic(bodies, joint.body_B)) continue;
+                if (rest.is_awake(joint.body_A) == rest.is_awake(joint.body_B)) continue;
+                wake_island(bodies, rest, storage.manifold_view(), rest.is_awake(joint.body_A) ? joint.body_B : joint.body_A);
+            }
+        }
+    }
     /// A body takes its joints along.
     template <class S>
     static void before_removal(Storage<S>& storage, int slot) {
