@@ -191,7 +191,8 @@ void add_touches_of_level(const PlacedShape& capsule, const PlacedShape& level, 
     const LevelFrame frame(level, table);
     const PlacedShape seen = frame.seen(capsule);
     const Vector more = {asked.reach, asked.reach, asked.reach};
-    for_triangles_in(table, seen.r - reach_below_in_level(seen) - more, seen.r + reach_in_level(seen) + more, [&](const LevelTriangle& triangle) {
+    const LevelReach reach = reach_in_level(seen);
+    for_triangles_in(table, seen.r - reach.below - more, seen.r + reach.above + more, [&](const LevelTriangle& triangle) {
         TriangleFace face;
         if (!face_of_triangle(triangle, face)) return;
         const AxisTouch found = touch_of_triangle(seen, face, !table.is_mesh());
@@ -211,8 +212,9 @@ ShapeEntry cast_axis_on_level(const PlacedShape& capsule, const Vector& way, sca
     const LevelFrame frame(level, table);
     const PlacedShape seen = frame.seen(capsule);
     const Vector seen_way = frame.seen_direction(way), reached = seen_way * fraction_max, none = {}, more = Vector{1, 1, 1} * (cast.stop + cast.near);
-    const Vector low = seen.r - reach_below_in_level(seen) + min(reached, none) - more;
-    const Vector high = seen.r + reach_in_level(seen) + max(reached, none) + more;
+    const LevelReach reach = reach_in_level(seen);
+    const Vector low = seen.r - reach.below + min(reached, none) - more;
+    const Vector high = seen.r + reach.above + max(reached, none) + more;
     ShapeEntry first = {false, 1, {}, {}};
     for_triangles_in(table, low, high, [&](const LevelTriangle& triangle) {
         TriangleFace face;

@@ -24,20 +24,22 @@ struct LevelFrame {
 };
 
 /// How far a body reaches from its origin, m: up along the axes of the level, and below.
-inline Vector reach_in_level(const PlacedShape& body) {
-    const Vector x = {1, 0, 0}, y = {0, 1, 0}, z = {0, 0, 1};
-    return {dot(x, support_point(body, x) - body.r), dot(y, support_point(body, y) - body.r), dot(z, support_point(body, z) - body.r)};
-}
-inline Vector reach_below_in_level(const PlacedShape& body) {
-    const Vector x = {-1, 0, 0}, y = {0, -1, 0}, z = {0, 0, -1};
-    return {dot(x, support_point(body, x) - body.r), dot(y, support_point(body, y) - body.r), dot(z, support_point(body, z) - body.r)};
+struct LevelReach {
+    Vector above, below;
+};
+inline LevelReach reach_in_level(const PlacedShape& body) {
+    const auto along = [&body](const Vector& axis) { return dot(axis, support_point(body, axis) - body.r); };
+    const Vector above = {along({1, 0, 0}), along({0, 1, 0}), along({0, 0, 1})};
+    if (body.shape.kind != ShapeKind::hull) return {above, above};
+    return {above, {along({-1, 0, 0}), along({0, -1, 0}), along({0, 0, -1})}};
 }
 
 /// Gathers what a body touches of a level. body: in the level's frame.
 template <class Shapes>
 void gather_patches(const LevelTable& table, const PlacedShape& body, scalar margin, LevelPatches& patches) {
     const Vector more = {margin, margin, margin};
-    const Vector low = body.r - reach_below_in_level(body) - more, high = body.r + reach_in_level(body) + more;
+    const LevelReach reach = reach_in_level(body);
+    const Vector low = body.r - reach.below - more, high = body.r + reach.above + more;
     for_triangles_in(table, low, high, [&](const LevelTriangle& triangle) { patches.template add<Shapes>(triangle); });
 }
 

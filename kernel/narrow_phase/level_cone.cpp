@@ -59,6 +59,21 @@ TriangleTouch nearest_on_triangle(const TriangleFace& face, const Vector& c, sca
     return {c - face.n * height, TrianglePart::inside, 0};
 }
 
+bool is_over(const TriangleFace& face, const Vector& c, scalar flush) {
+    bool outside = false, near = false;
+    for (int i = 0; i < 3; ++i) {
+        const Vector from_corner = c - face.corners[i];
+        const scalar inside = dot(face.inward[i], from_corner);
+        if (inside >= 0) continue;
+        if (inside < -flush) return false;
+        const scalar t = dot(face.along[i], from_corner), beyond = t - dot(face.along[i], face.corners[next(i)] - face.corners[i]);
+        const scalar past = max(-t, beyond);
+        outside = true;
+        near = near || past <= 0 || inside * inside + past * past <= flush * flush;
+    }
+    return !outside || near;
+}
+
 TriangleTouch put_on_triangle(const TriangleFace& face, const Vector& p, const Vector& d, scalar tilt) {
     int corner = 0;
     for (int i = 1; i < 3; ++i)
@@ -78,7 +93,7 @@ TriangleTouch put_on_triangle(const TriangleFace& face, const Vector& p, const V
 
 bool hidden_by_triangle(const TriangleFace& face, const Vector& p, const Vector& d, scalar tilt, scalar flush) {
     if (abs(dot(face.n, p - face.corners[0])) > flush) return false;
-    if (nearest_on_triangle(face, p, flush).part != TrianglePart::inside) return false;
+    if (!is_over(face, p, flush)) return false;
     int edges = 0, first = 0, last = 0;
     for (int i = 0; i < 3; ++i) {
         const scalar inside = dot(face.inward[i], p - face.corners[i]);

@@ -35,6 +35,9 @@ struct TriangleTouch {
 /// Source: Ericson, "Real-Time Collision Detection", 2005, 5.1.5: the regions; here they are told by the edges.
 TriangleTouch nearest_on_triangle(const TriangleFace& face, const Vector& c, scalar flush);
 
+/// Whether c is above the inside of a triangle, or below it: what nearest_on_triangle calls inside.
+bool is_over(const TriangleFace& face, const Vector& c, scalar flush);
+
 /// Puts p on the edge or corner that the direction d, which is not that of the normal, belongs to.
 /// tilt: sine of the angle by which d may be wrong.
 TriangleTouch put_on_triangle(const TriangleFace& face, const Vector& p, const Vector& d, scalar tilt);

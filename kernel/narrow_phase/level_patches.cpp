@@ -5,8 +5,17 @@ namespace ingot { inline namespace INGOT_ABI {
 
 /// False for what is further above than the margin, and for what is behind. A field is solid, at any depth.
 bool LevelPatches::reaches(const TriangleFace& face) const {
-    const Vector lowest = support_point(on_.body, -face.n), highest = support_point(on_.body, face.n);
-    return dot(face.n, lowest - face.corners[0]) <= on_.margin && (is_solid() || dot(face.n, highest - face.corners[0]) >= 0);
+    if (!(dot(face.n, support_point(on_.body, -face.n) - face.corners[0]) <= on_.margin)) return false;
+    if (is_solid() || dot(face.n, on_.body.r - face.corners[0]) >= 0) return true;
+    return dot(face.n, support_point(on_.body, face.n) - face.corners[0]) >= 0;
+}
+
+/// The plane of the last triangle, but for roundings.
+bool LevelPatches::is_in_plane(const TriangleFace& face) const {
+    const Vector turned = face.n - plane_.shape.size, away = face.corners[0] - plane_.r;
+    const scalar grain = 2 * epsilon, size = abs(away.x) + abs(away.y) + abs(away.z);
+    if (abs(turned.x) > grain || abs(turned.y) > grain || abs(turned.z) > grain) return false;
+    return abs(dot(face.n, away)) <= grain * size;
 }
 
 /// What is no deeper than its least half extent may be pushed out through a face; deeper, it stands beside it, or behind a sheet.
@@ -40,7 +49,7 @@ bool LevelPatches::stands_inside(const TriangleFace& face, const Manifold& above
     for (int i = 1; i < above.count; ++i)  // bound: 4: Manifold::points_max
         if (above.points[i].separation < above.points[lowest].separation) lowest = i;
     return above.count > 0 && above.points[lowest].separation > -on_.flush &&
-           nearest_on_triangle(face, above.points[lowest].P, 0).part == TrianglePart::inside;
+           is_over(face, above.points[lowest].P, 0);
 }
 
 /// What is round and lies on its side touches along a line: of it what is above the face. True where there is some, and hardly in it.
@@ -177,7 +186,7 @@ bool LevelPatches::add_beside(const LevelTriangle& triangle, const TriangleFace&
     if (rise > 0 && length_sq(d - face.n * rise) <= limits::face_tilt * limits::face_tilt) {
         for (int i = 0; i < found.count && !lies(on_.body, face.n); ++i) {  // bound: 4: Manifold::points_max
             const ManifoldPoint& point = found.points[i];
-            if (nearest_on_triangle(face, point.P, on_.flush).part == TrianglePart::inside)
+            if (is_over(face, point.P, on_.flush))
                 add_above(triangle, face, point.P + d * (point.separation / 2));
         }
         return false;
@@ -199,7 +208,7 @@ bool LevelPatches::add_beside(const LevelTriangle& triangle, const TriangleFace&
 void LevelPatches::add_inside(const LevelTriangle& triangle, const TriangleFace& face, const Manifold& found) {
     for (int i = 0; i < found.count; ++i) {  // bound: 4: Manifold::points_max
         const ManifoldPoint& point = found.points[i];
-        if (nearest_on_triangle(face, point.P, on_.flush).part == TrianglePart::inside)
+        if (is_over(face, point.P, on_.flush))
             add_above(triangle, face, point.P + face.n * (point.separation / 2));
     }
 }

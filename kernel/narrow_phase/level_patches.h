@@ -43,9 +43,7 @@ public:
         if (!face_of_triangle(triangle, face)) return;
         if (on_.body.shape.kind == ShapeKind::sphere) return add_ball(triangle, face);
         if (!reaches(face)) return;
-        const PlacedShape plane = {HalfSpace{face.n, 0}, face.corners[0], identity_matrix<scalar>(), nullptr};
-        Manifold above;
-        (void)collide_pair<With<ShapeKind::half_space, Shapes>>(on_.body, plane, on_.margin, above, nullptr);
+        const Manifold& above = above_plane<Shapes>(face);
         bool stands = stands_inside(face, above);
         if (ends_below(triangle, face)) {
             stands = lies_across(triangle, face, above) || stands;
@@ -72,6 +70,17 @@ private:
         static constexpr bool has(ShapeKind kind) { return kind == added || Shapes::has(kind); }
     };
 
+    /// What the body has above the plane of a triangle, or in it: of triangles of one plane it is asked once.
+    template <class Shapes>
+    const Manifold& above_plane(const TriangleFace& face) {
+        if (!is_in_plane(face)) {
+            plane_ = {HalfSpace{face.n, 0}, face.corners[0], identity_matrix<scalar>(), nullptr};
+            above_ = {};
+            (void)collide_pair<With<ShapeKind::half_space, Shapes>>(on_.body, plane_, on_.margin, above_, nullptr);
+        }
+        return above_;
+    }
+    bool is_in_plane(const TriangleFace& face) const;
     void add_ball(const LevelTriangle& triangle, const TriangleFace& face);
     bool reaches(const TriangleFace& face) const;
     bool is_solid() const { return !level_.is_mesh(); }
@@ -93,6 +102,8 @@ private:
     BodyOnLevel on_;
     LevelPatch patches_[level_patches];
     int count_;
+    PlacedShape plane_ = {};  ///< of the last triangle but those in the same; none: no normal
+    Manifold above_;
 };
 
 } }  // namespace ingot

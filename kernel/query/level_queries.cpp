@@ -16,7 +16,8 @@ ShapeEntry cast_on_level(const PlacedShape& moving, const Vector& way, const Pla
     const PlacedShape seen = frame.seen(moving);
     const Vector seen_way = frame.seen_direction(way) * fraction_max, none = {};
     ShapeEntry first = {false, 1, {}, {}};
-    const Vector low = seen.r - reach_below_in_level(seen) + min(seen_way, none), high = seen.r + reach_in_level(seen) + max(seen_way, none);
+    const LevelReach reach = reach_in_level(seen);
+    const Vector low = seen.r - reach.below + min(seen_way, none), high = seen.r + reach.above + max(seen_way, none);
     for_triangles_in(table, low, high, [&](const LevelTriangle& triangle) {
         TriangleFace face;
         if (!face_of_triangle(triangle, face) || !(dot(face.n, seen_way) < 0)) return;
@@ -31,7 +32,8 @@ ShapeEntry cast_on_level(const PlacedShape& moving, const Vector& way, const Pla
 bool overlaps_level(const PlacedShape& shape, const PlacedShape& level, const LevelTable& table) {
     const PlacedShape seen = LevelFrame(level, table).seen(shape);
     bool overlaps = false;
-    for_triangles_in(table, seen.r - reach_below_in_level(seen), seen.r + reach_in_level(seen), [&](const LevelTriangle& triangle) {
+    const LevelReach reach = reach_in_level(seen);
+    for_triangles_in(table, seen.r - reach.below, seen.r + reach.above, [&](const LevelTriangle& triangle) {
         TriangleFace face;
         if (overlaps || !face_of_triangle(triangle, face)) return;
         const TriangleHull hull(face, least_half_extent(shape.shape, shape.hull));

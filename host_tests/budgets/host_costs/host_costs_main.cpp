@@ -5,13 +5,12 @@
 //
 // Instructions are counted from the first step that is measured on; the way there costs little.
 #include <ingot/ingot.h>
-#include <valgrind/callgrind.h>
 
-#include <cstdio>
-#include <cstdlib>
 #include <cstring>
 
+#include "counted.h"
 #include "figure_dynamics.h"
+#include "levels.h"
 #include "queries.h"
 #include "scenes/contact/stacks.h"
 
@@ -19,8 +18,10 @@ namespace {
 
 using ingot::scalar;
 using ingot::Vector;
+using host_costs::add;
+using host_costs::expect;
+using host_costs::measure;
 
-constexpr scalar h = scalar(1) / 60;
 const scalar mu = scalar(0.6);
 
 template <int bodies, int manifolds, bool falls_asleep>
@@ -34,42 +35,10 @@ struct Yard : ingot::Scene {
     using broad_phase = ingot::SortedTree;
 };
 
-void expect(bool good, const char* what) {
-    if (good) return;
-    std::fprintf(stderr, "host_costs: %s\n", what);
-    std::exit(1);
-}
-
-template <class S>
-ingot::BodyId add(ingot::World<S>& world, scenes::PlacedBody body) {
-    body.def.friction = body.mu;
-    const ingot::Result<ingot::BodyId> id = world.add(body.def);
-    expect(id.ok(), "a body was refused");
-    return id.value;
-}
 template <class S>
 void begin(ingot::World<S>& world) {
     expect(world.set_gravity({0, 0, -scenes::standard_gravity}) == ingot::Status::ok, "gravity was refused");
     (void)add(world, scenes::flat_ground(mu));
-}
-
-template <class S>
-__attribute__((noinline)) ingot::StepReport one_step(ingot::World<S>& world) {
-    return ingot::step(world, h);
-}
-
-template <class S>
-void measure(ingot::World<S>& world, int settling, int measured) {
-    for (int step_i = 0; step_i < settling; ++step_i) (void)one_step(world);
-    CALLGRIND_START_INSTRUMENTATION;
-    (void)one_step(world);
-    for (int step_i = 0; step_i < measured; ++step_i) {
-        CALLGRIND_TOGGLE_COLLECT;
-        const ingot::StepReport report = one_step(world);
-        CALLGRIND_TOGGLE_COLLECT;
-        CALLGRIND_DUMP_STATS;
-        expect(report.status == ingot::Status::ok && report.contacts_lost == 0, "the world is too small");
-    }
 }
 
 /// Cubes 2 m apart, put to sleep where they lie: aisles of a metre run between them.
@@ -137,5 +106,5 @@ int main(int count, char** arguments) {
     else if (is("wall_210_ball_far_away")) wall(true, true);
     else if (is("wall_210")) wall(true, false);
     else if (is("ball")) wall(false, true);
-    else expect(ask_queries(name) || ask_dynamics(name), "no such world");
+    else expect(ask_queries(name) || ask_dynamics(name) || stand_on_levels(name), "no such world");
 }
