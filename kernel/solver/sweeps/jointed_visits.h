@@ -2,10 +2,12 @@
 // Visits to manifolds whose bodies have joints: the bodies are brought up to date before, and what they got goes to their figures after.
 #pragma once
 
+#include "../../base/figure_limits.h"
 #include "../../constraint/block_bodies.h"
 #include "../../constraint/contact.h"
 #include "../../constraint/jointed_response.h"
 #include "../../figure/find_loops.h"
+#include "../../math/sqrt.h"
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpsabi"  // see lanes.h
@@ -33,6 +35,14 @@ template <class View>
 void excuse_jointed(View& solver) {
     for (int island_i = 0; island_i < solver.island_count; ++island_i)  // bound: max_bodies
         if (solver.jointed.doublings_of[island_i] != 0) solver.islands[island_i].at_bound = false;
+}
+
+/// Sweeps of islands with joints end sooner: at limits::jointed_settled_share of what gravity gives in a substep of h seconds.
+template <class View>
+void settle_jointed_sooner(View& solver, scalar h) {
+    const scalar speed = limits::jointed_settled_share * h * sqrt(length_sq(solver.jointed.figures.gravity));
+    for (int island_i = 0; island_i < solver.island_count; ++island_i)  // bound: max_bodies
+        if (solver.jointed.doublings_of[island_i] != 0) solver.islands[island_i].settled = max(solver.islands[island_i].settled, speed);
 }
 
 /// Figures with loops stand where is_on(island) is false of theirs: an island does not know how long others are swept. begins: so do the sweeps.

@@ -100,6 +100,7 @@ protected:
     /// Sweeps, and again where sweeps that did not settle give energy, and where bounces do: each time these are lower.
     void sweep_passively(const BodyView& bodies, scalar h) {
         plan_sweeps(view);
+        if constexpr (View::articulates) settle_jointed_sooner(view, h);
         ingot::solve_velocities(whole);
         stay_passive(bodies, h);
     }
