@@ -30,7 +30,45 @@ void move_cursor(const FigureRows<width>& rows, const OneLane<width>& at, const 
     }
 }
 
+/// Down to the first `count` rows of each group.
+template <class CountOf>
+void pass_to_rows(const FigureView& view, const CountOf& count_of) {
+    for_groups(view, [&](const auto& rows) {
+        pass_up(rows);
+        pass_down(rows, count_of(rows));
+        for (int lane_i = 0; lane_i < rows.lane_count; ++lane_i) rows.figure(lane_i).cursor = 0;  // bound: lanes
+    });
+}
+/// The rows of a figure up to the last body that some row of its loops is of.
+int looped_rows(const LoopView& loops, const LoopFigure& of, const Figure& figure) {
+    int count = 1;
+    if (of.row_count == 0) return count;
+    if (of.figure_count > 1) return figure.node_count;
+    for_loop_joints(loops, of, [&](const LoopJoint& loop) {
+        if (loop.kind == JointKind::gear) count = figure.node_count;
+        if (loop.kind == JointKind::gear || locks_nothing(loop)) return;
+        const int child = loop.child - figure.first_node, other = loop.other == no_node ? 0 : loop.other - figure.first_node;
+        count = count > child ? count : child + 1;
+        count = count > other ? count : other + 1;
+    });
+    return count;
+}
+
 }  // namespace
+
+void pass_to_roots(const FigureView& view, const NoLoops&) {
+    pass_to_rows(view, [](const auto&) { return 1; });
+}
+void pass_to_roots(const FigureView& view, const LoopView& loops) {
+    pass_to_rows(view, [&](const auto& rows) {
+        int count = 1;
+        for_looped(rows, loops, [&](const LoopFigure& of, int lane_i) {
+            const int of_lane = looped_rows(loops, of, rows.figure(lane_i));
+            count = count > of_lane ? count : of_lane;
+        });
+        return count;
+    });
+}
 
 void bring_cursor(const FigureView& view, const Spatial6Rows<1>* responses, Index node_i) {
     Figure& figure = view.figures[view.nodes[node_i].figure];

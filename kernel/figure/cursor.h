@@ -6,9 +6,14 @@
 // change of its twist. Bodies elsewhere are not up to date until the cursor comes.
 #pragma once
 
-#include "figure_view.h"
+#include "loop_view.h"
 
 namespace ingot { inline namespace INGOT_ABI {
+
+/// From the impulses on each body to the changes of the roots, where the cursors are then: they take the rest along. And to the changes of bodies that
+/// rows of loops ask for.
+void pass_to_roots(const FigureView& view, const NoLoops& loops);
+void pass_to_roots(const FigureView& view, const LoopView& loops);
 
 /// Brings a body up to date.
 void bring_cursor(const FigureView& view, const Spatial6Rows<1>* responses, Index node);

@@ -46,7 +46,7 @@ struct LoopJoint {
     uint8_t first_row, row_count;  ///< of the rows of its figure
     uint8_t row_end;     ///< of its own: from row_count on those of its free directions, whose j are given by limits and drives; see place_free_rows
     bool is_turn[rows_of_joint_max];     ///< the row is of a turn
-    Vector direction[rows_of_joint_max]; ///< world, unit
+    Vector direction[rows_of_joint_max]; ///< world, unit; of a servo of three rows, [3]: what their rates answer to an impulse of 1 along each
     LoopRow rows[rows_of_joint_max];
     scalar target[rows_of_joint_max];    ///< m/s, rad/s; m, rad of a push: by how much the child's speed should change against the other's
     scalar j[rows_of_joint_max];         ///< N s, N m s

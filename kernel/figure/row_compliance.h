@@ -35,16 +35,11 @@ inline ImpulseAlong impulse_along(const LoopedJoint& joint, const Vector& along)
     const scalar parts[3] = {along.x, along.y, along.z};
     LoopRow row{};
     for (int i = 0; i < loop.row_end - loop.row_count; ++i) {  // bound: 3
+        if (parts[i] == 0) continue;
         const LoopRow& of = loop.rows[loop.row_count + i];
         row = {row.on_child + of.on_child * parts[i], row.on_other + of.on_other * parts[i]};
     }
     return {row, loop.child, loop.other};
-}
-
-/// What of it is measured as well: of a servo that on the child alone.
-inline ImpulseAlong measured_along(const LoopedJoint& joint, const ImpulseAlong& impulse) {
-    if (!locks_nothing(joint.loop)) return impulse;
-    return {{impulse.row.on_child, {}}, impulse.child, no_node};
 }
 
 /// What the rows of a machine's loops feel of it: z is less by so much.
@@ -93,18 +88,27 @@ scalar compliance_of(const TreeJoint<width>& joint, const Rows& all, const Vecto
     else
         return K;
 }
-/// Of a servo: what its child answers to what is on both. 0: it would turn the other way, or its figure holds it.
-inline scalar compliance_of_servo(const LoopedJoint& joint, const LoopedRowView& all, const ImpulseAlong& impulse) {
+/// Of a servo: what its child answers to what is on both. 0: it would turn the other way, or its figure holds it. Of one of three rows it is kept
+/// what all three answer to it: see LoopJoint::direction.
+inline scalar compliance_of_servo(const LoopedJoint& joint, const LoopedRowView& all, const ImpulseAlong& impulse, const Vector& along) {
     const FigureView& view = joint.view();
+    LoopJoint& loop = joint.loop;
     const Spatial<scalar>& measured = impulse.row.on_child;
-    const scalar alone = at_node(view, impulse.child, [&](const auto& rows, const auto& at, int row_i) {
-        return dot(measured, read(at, rows.response(all.responses, row_i)) * measured);
+    Spatial<scalar> u = at_node(view, impulse.child, [&](const auto& rows, const auto& at, int row_i) {
+        return read(at, rows.response(all.responses, row_i)) * measured;
     });
-    scalar K = alone;
-    if (impulse.other != no_node) K += dot(measured, twist_across(view, all.responses, impulse.child, impulse.other, impulse.row.on_other));
-    const FeltByLoops felt = felt_by_loops(view, joint.loops, impulse), seen = felt_by_loops(view, joint.loops, measured_along(joint, impulse));
-    if (felt.of != nullptr)
-        for (int i = 0; i < felt.of->rank; ++i) K -= felt.parts[i] * seen.parts[i];  // bound: limits::loop_rows_max
+    const scalar alone = dot(measured, u);
+    if (impulse.other != no_node) u = u + twist_across(view, all.responses, impulse.child, impulse.other, impulse.row.on_other);
+    const FeltByLoops felt = felt_by_loops(view, joint.loops, impulse);
+    if (felt.of != nullptr) {
+        const Spatial<scalar>* const X = joint.loops.X_of(*felt.of, impulse.child - felt.of->first_node);
+        for (int i = 0; i < felt.of->rank; ++i) u = u - X[i] * felt.parts[i];  // bound: limits::loop_rows_max
+    }
+    const scalar parts[3] = {along.x, along.y, along.z};
+    if (loop.row_end == 3)
+        for (int i = 0; i < 3; ++i)
+            if (parts[i] == 1) loop.direction[i] = {dot(loop.rows[0].on_child, u), dot(loop.rows[1].on_child, u), dot(loop.rows[2].on_child, u)};
+    const scalar K = dot(measured, u);
     return K > limits::row_compliance * alone ? K : scalar(0);
 }
 
@@ -112,7 +116,7 @@ inline scalar compliance_of_servo(const LoopedJoint& joint, const LoopedRowView&
 inline scalar compliance_of(const LoopedJoint& joint, const LoopedRowView& all, const Vector& along) {
     const FigureView& view = joint.view();
     const ImpulseAlong impulse = impulse_along(joint, along);
-    if (locks_nothing(joint.loop)) return compliance_of_servo(joint, all, impulse);
+    if (locks_nothing(joint.loop)) return compliance_of_servo(joint, all, impulse, along);
     const auto own = [&](Index node_i, const Spatial<scalar>& f) {
         return at_node(view, node_i, [&](const auto& rows, const auto& at, int row_i) {
             return dot(f, read(at, rows.response(all.responses, row_i)) * f);

@@ -155,10 +155,10 @@ void pass_up(const FigureRows<width>& rows) {
     }
 }
 
-/// The whole way down.
+/// The way down, to the first `count` rows.
 template <unsigned width>
-void pass_down(const FigureRows<width>& rows) {
-    for (int row_i = 0; row_i < rows.count(); ++row_i) {  // bound: max_bodies
+void pass_down(const FigureRows<width>& rows, int count) {
+    for (int row_i = 0; row_i < count; ++row_i) {  // bound: max_bodies
         const FigureNode& node = rows.node(row_i);
         FigureRow<width>& row = rows[row_i];
         if (node.kind == JointKind::none) {
@@ -167,6 +167,11 @@ void pass_down(const FigureRows<width>& rows) {
         }
         write(rows.all, row.change, change_of_child(rows.all, row, node.kind, change_of_parent(rows, rows.all, row_i)));
     }
+}
+/// The whole way down.
+template <unsigned width>
+void pass_down(const FigureRows<width>& rows) {
+    pass_down(rows, rows.count());
 }
 
 } }  // namespace ingot

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "../base/figure_limits.h"
+#include "close_loops.h"
 #include "cursor.h"
 #include "cursor_moves.h"
 #include "joint_rows.h"
@@ -63,33 +64,58 @@ scalar visit(const TreeJoint<width>& joint, const Rows& all, JointRow& of) {
     return more * of.K;
 }
 
+/// An impulse on the body where the cursor comes.
+void give_to(const FigureView& view, const LoopedRowView& all, Index node_i, const Spatial<scalar>& f) {
+    bring_cursor(view, all.responses, node_i);
+    at_node(view, node_i, [&](const auto& rows, const auto& at, int row_i) {
+        write(at, rows[row_i].impulse, read(at, rows[row_i].impulse) + f);
+        write(at, rows[row_i].change, read(at, rows[row_i].change) + read(at, rows.response(all.responses, row_i)) * f);
+    });
+}
+Spatial<scalar> change_where(const FigureView& view, const LoopedRowView& all, Index node_i) {
+    bring_cursor(view, all.responses, node_i);
+    return at_node(view, node_i, [](const auto& rows, const auto& at, int row_i) { return read(at, rows[row_i].change); });
+}
+
 /// Both bodies of a joint that closes a loop, one after the other.
 scalar visit(const LoopedJoint& joint, const LoopedRowView& all, JointRow& of) {
     const FigureView& view = joint.view();
     const ImpulseAlong impulse = impulse_along(joint, of.along);
-    const auto change_at = [&](Index node_i, const Spatial<scalar>& f) {
-        bring_cursor(view, all.responses, node_i);
-        return at_node(view, node_i, [&](const auto& rows, const auto& at, int row_i) { return dot(f, read(at, rows[row_i].change)); });
-    };
-    const auto give = [&](Index node_i, const Spatial<scalar>& f) {
-        bring_cursor(view, all.responses, node_i);
-        at_node(view, node_i, [&](const auto& rows, const auto& at, int row_i) {
-            write(at, rows[row_i].impulse, read(at, rows[row_i].impulse) + f);
-            write(at, rows[row_i].change, read(at, rows[row_i].change) + read(at, rows.response(all.responses, row_i)) * f);
-        });
-    };
-    const ImpulseAlong measured = measured_along(joint, impulse);
     const FeltByLoops felt = felt_by_loops(view, joint.loops, impulse);
-    scalar change = lack_of_loops(joint.loops, measured.other == impulse.other ? felt : felt_by_loops(view, joint.loops, measured));
-    change += change_at(measured.child, measured.row.on_child);
-    if (measured.other != no_node) change += change_at(measured.other, measured.row.on_other);
+    scalar change = lack_of_loops(joint.loops, felt);
+    change += dot(impulse.row.on_child, change_where(view, all, impulse.child));
+    if (impulse.other != no_node) change += dot(impulse.row.on_other, change_where(view, all, impulse.other));
     const scalar more = give_row(of, change);
     if (more == 0) return 0;
     joint.add_drive(of.along * more);
     feel(joint.loops, felt, more);
-    if (impulse.other != no_node) give(impulse.other, impulse.row.on_other * more);
-    give(impulse.child, impulse.row.on_child * more);
+    if (impulse.other != no_node) give_to(view, all, impulse.other, impulse.row.on_other * more);
+    give_to(view, all, impulse.child, impulse.row.on_child * more);
     return more * of.K;
+}
+
+/// All rows of a servo, from the first on: each sees those before it. What is measured is the child alone; the cursor ends at the other body.
+void visit_servo(const LoopedJoint& joint, const LoopedRowView& all, JointRow* of) {
+    const FigureView& view = joint.view();
+    const LoopJoint& loop = joint.loop;
+    const Spatial<scalar> u = change_where(view, all, loop.child) + twist_of_loops(view, joint.loops, loop.child);
+    scalar rates[3] = {};
+    for (int i = 0; i < loop.row_end; ++i) rates[i] = dot(loop.rows[i].on_child, u);  // bound: 3
+    Vector rate = {rates[0], rates[1], rates[2]}, given{};
+    for (int i = 0; i < loop.row_end; ++i) {  // bound: 3
+        of[i].change = 0;
+        if (!(of[i].K > 0)) continue;
+        const scalar more = give_row(of[i], dot(of[i].along, rate));
+        of[i].change = more * of[i].K;
+        rate = rate + loop.direction[i] * more;  // of one that is at its largest torque the others are no rows
+        given = given + of[i].along * more;
+    }
+    if (given.x == 0 && given.y == 0 && given.z == 0) return;
+    joint.add_drive(given);
+    const ImpulseAlong impulse = impulse_along(joint, given);
+    feel(joint.loops, felt_by_loops(view, joint.loops, impulse), 1);
+    give_to(view, all, impulse.child, impulse.row.on_child);
+    if (impulse.other != no_node) give_to(view, all, impulse.other, impulse.row.on_other);
 }
 
 /// Rows of a machine follow each other.
@@ -104,9 +130,16 @@ Index machine_of(const FigureView& view, const LoopedRowView& all, const JointRo
 
 template <class Rows>
 scalar visit_joint_row(const FigureView& view, const Rows& all, JointRow& row) {
-    if (!(row.K > 0)) return 0;
     if constexpr (Rows::closes)
-        if (row.closes) return visit(LoopedJoint{view, *all.loops, all.loops->joints[row.node]}, all, row);
+        if (row.closes) {
+            const LoopedJoint joint = {view, *all.loops, all.loops->joints[row.node]};
+            if (locks_nothing(joint.loop)) {  // its rows follow each other, and are visited with the first
+                if (row.direction_i == 0) visit_servo(joint, all, &row);
+                return row.change;
+            }
+            return row.K > 0 ? visit(joint, all, row) : scalar(0);
+        }
+    if (!(row.K > 0)) return 0;
     const FigureNode& node = view.nodes[row.node];
     const Index parent = node.parent == no_node ? row.node : static_cast<Index>(view.figures[node.figure].first_node + node.parent);
     bring_cursor(view, all.responses, parent);

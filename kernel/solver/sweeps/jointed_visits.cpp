@@ -155,10 +155,17 @@ void end_jointed_sweeps(const SolverView& solver, const JointedBodies& jointed) 
 
 namespace {
 
-void pass_all_impulses(const FigureView& figures, const NoLoops&) { pass_impulses(figures); }
-void pass_all_impulses(const FigureView& figures, const LoopView& loops) {
+template <class Loops>
+void pass_up_and_down(const FigureView& figures, const Loops& loops, bool to_all) {
+    if (to_all)
+        pass_impulses(figures);
+    else
+        pass_to_roots(figures, loops);
+}
+void pass_all_impulses(const FigureView& figures, const NoLoops& loops, bool to_all) { pass_up_and_down(figures, loops, to_all); }
+void pass_all_impulses(const FigureView& figures, const LoopView& loops, bool to_all) {
     add_loop_impulses(figures, loops);
-    pass_impulses(figures);
+    pass_up_and_down(figures, loops, to_all);
     for_looped_figures(figures, loops, [&](const LoopFigure& of) {
         if (!of.stands) find_lacks(figures, loops, of, true);
     });
@@ -167,7 +174,7 @@ void pass_all_impulses(const FigureView& figures, const LoopView& loops) {
 }  // namespace
 
 template <class View>
-void pass_contact_impulses(const View& solver) {
+void pass_contact_impulses(const View& solver, bool to_all) {
     const JointedBodies& jointed = solver.jointed;
     if constexpr (decltype(solver.loops)::closes) keep_lacks(jointed.figures, solver.loops);
     begin_passing(jointed.figures);
@@ -194,7 +201,7 @@ void pass_contact_impulses(const View& solver) {
             give(block.body_B[lane_i], lane_of(given.F_B, lane_i), lane_of(given.T_B, lane_i));
         }
     }
-    pass_all_impulses(jointed.figures, solver.loops);
+    pass_all_impulses(jointed.figures, solver.loops, to_all);
 }
 
 template <class View>
@@ -202,7 +209,7 @@ void end_passing(const View& solver) {
     const JointedBodies& jointed = solver.jointed;
     if constexpr (decltype(solver.loops)::closes) {
         for_looped_figures(jointed.figures, solver.loops, [](LoopFigure& of) { of.stands = !of.in_solve; });
-        pass_contact_impulses(solver);
+        pass_contact_impulses(solver, true);
         close_all_loops(jointed.figures, solver.loops);
     } else {
         take_cursors_away(jointed.figures, jointed.responses);
@@ -219,7 +226,7 @@ INGOT_LOOPS(NoLoops);
 INGOT_LOOPS(LoopView);
 #undef INGOT_LOOPS
 #define INGOT_VIEW(View)                              \
-    template void pass_contact_impulses(const View&); \
+    template void pass_contact_impulses(const View&, bool); \
     template void end_passing(const View&)
 INGOT_VIEW(JointedView);
 INGOT_VIEW(JointedMaterialView);

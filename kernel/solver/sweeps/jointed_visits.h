@@ -26,9 +26,10 @@ INGOT_INLINE void begin_jointed_batch(View& solver) {
     solver.jointed.is_fresh = true;
 }
 
-/// The impulses of all contacts of the batch, as they stand, pass through the figures. Needs: begin_solve.
+/// The impulses of all contacts of the batch, as they stand, pass through the figures. to_all: all bodies know of them; else it is the cursors, at
+/// the roots, that take them along. Needs: begin_solve.
 template <class View>
-void pass_contact_impulses(const View& solver);
+void pass_contact_impulses(const View& solver, bool to_all = false);
 
 /// What sweeps at their bound may do wrong is known of islands without joints alone: those with some are not swept again.
 template <class View>

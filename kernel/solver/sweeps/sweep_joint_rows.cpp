@@ -23,7 +23,7 @@ template <class Rows>
 void sweep_joint_rows(const SolverView& solver, const JointedBodies& jointed, const Rows& rows, bool up) {
     for (int i = 0; i < rows.count; ++i) {  // bound: limits_of_joint max_joints
         JointRow& row = rows.list[up ? i : rows.count - 1 - i];
-        if (live_island(solver, jointed, rows, row) != nullptr) row.change = visit_joint_row(jointed.figures, rows, row);
+        if ((row.K > 0 || row.closes) && live_island(solver, jointed, rows, row) != nullptr) row.change = visit_joint_row(jointed.figures, rows, row);
     }
 }
 
@@ -31,8 +31,9 @@ template <class Rows>
 void measure_joint_rows(const SolverView& solver, const JointedBodies& jointed, const Rows& rows) {
     for (int i = 0; i < rows.count; ++i) {
         const JointRow& row = rows.list[i];
+        if (!(row.K > 0)) continue;
         Island* const island = live_island(solver, jointed, rows, row);
-        if (island == nullptr || !(row.K > 0)) continue;
+        if (island == nullptr) continue;
         island->size += row.change * row.change / row.K;
         const scalar unit = unit_of_travel(kind_of(jointed.figures, rows, row), row.direction_i, solver.unit);
         island->residual = max(island->residual, abs(row.change) * (solver.unit / unit));
@@ -43,12 +44,14 @@ template <class Rows>
 void extrapolate_joint_rows(const SolverView& solver, const JointedBodies& jointed, const Rows& rows) {
     for (int i = 0; i < rows.count; ++i) {
         JointRow& row = rows.list[i];
+        if (!(row.K > 0)) continue;
         const Island* const island = live_island(solver, jointed, rows, row);
         if (island == nullptr) continue;
         row.direction = island->beta * row.direction + (row.j - row.j_sweep);
-        row.j = row.j_sweep = row.j + island->beta * row.direction;
+        const scalar more = island->beta * row.direction;
+        row.j = row.j_sweep = row.j + more;
+        if (more != 0) at_joint(jointed.figures, rows, row, [&](const auto& joint) { joint.add_drive(row.along * more); });
     }
-    give_joint_rows(jointed.figures, rows);
 }
 
 template <class Rows>
