@@ -12,17 +12,17 @@
 namespace ingot { inline namespace INGOT_ABI {
 
 /// What a joint is off by, as the bias of a push. Returns the square of the largest, rad or units of length, of each lane.
-template <unsigned width, class T = typename AllLanes<width>::T>
-T set_push(const FigureRows<width>& rows, int row_i) {
-    const JointKind kind = rows.node(row_i).kind;
+template <unsigned width, class Kinds, class T = typename AllLanes<width>::T>
+T set_push(const FigureRows<width, Kinds>& rows, int row_i) {
+    const JointKind kind = rows.kind(row_i);
     const Spatial<T> back = twist_back(kind, sides_now(rows, rows.all, row_i, locks_turns(kind)));
     write(rows.all, rows[row_i].bias, back);
     return max(length_sq(back.v) * splat<T>(1 / (rows.view.unit * rows.view.unit)), length_sq(back.w));
 }
 
 /// The same of all joints of a group.
-template <unsigned width, class T = typename AllLanes<width>::T>
-T set_pushes(const FigureRows<width>& rows) {
+template <unsigned width, class Kinds, class T = typename AllLanes<width>::T>
+T set_pushes(const FigureRows<width, Kinds>& rows) {
     T most{};
     for (int row_i = 0; row_i < rows.count(); ++row_i) {  // bound: max_bodies
         write(rows.all, rows[row_i].bias, rows.no_twist());
@@ -31,15 +31,15 @@ T set_pushes(const FigureRows<width>& rows) {
     return most;
 }
 
-template <unsigned width>
-void turn_body(const FigureRows<width>& rows, FigureRow<width>& row, const Vec3<typename AllLanes<width>::T>& turn) {
+template <unsigned width, class Kinds>
+void turn_body(const FigureRows<width, Kinds>& rows, FigureRow<width>& row, const Vec3<typename AllLanes<width>::T>& turn) {
     auto A = read(rows.all, row.A);
     A = {A.c0 + chord(turn, A.c0), A.c1 + chord(turn, A.c1), A.c2 + chord(turn, A.c2)};
     write(rows.all, row.A, A + polar_correction(A));
 }
 
-template <unsigned width>
-void clear_impulses(const FigureRows<width>& rows) {
+template <unsigned width, class Kinds>
+void clear_impulses(const FigureRows<width, Kinds>& rows) {
     const Spatial<typename AllLanes<width>::T> none{};
     for (int row_i = 0; row_i < rows.count(); ++row_i) {  // bound: max_bodies
         write(rows.all, rows[row_i].impulse, none);
@@ -47,22 +47,22 @@ void clear_impulses(const FigureRows<width>& rows) {
     }
 }
 
-template <unsigned width>
-void take_cursor(const FigureRows<width>& rows) {
+template <unsigned width, class Kinds>
+void take_cursor(const FigureRows<width, Kinds>& rows) {
     for (int lane_i = 0; lane_i < rows.lane_count; ++lane_i) rows.figure(lane_i).cursor = no_node;  // bound: lanes
 }
 
 /// All impulses pass through the figures; the cursors are nowhere.
-template <unsigned width>
-void pass_from_none(const FigureRows<width>& rows) {
+template <unsigned width, class Kinds>
+void pass_from_none(const FigureRows<width, Kinds>& rows) {
     take_cursor(rows);
     pass_up(rows);
     pass_down(rows);
 }
 
 /// Displaces the lanes that are `off` by `change`.
-template <unsigned width, class M, class T = typename AllLanes<width>::T>
-void move_by_change(const FigureRows<width>& rows, M off) {
+template <unsigned width, class Kinds, class M, class T = typename AllLanes<width>::T>
+void move_by_change(const FigureRows<width, Kinds>& rows, M off) {
     for (int row_i = 0; row_i < rows.count(); ++row_i) {  // bound: max_bodies
         FigureRow<width>& row = rows[row_i];
         const Spatial<T> u = change_of_centre(rows.all, row), none{};

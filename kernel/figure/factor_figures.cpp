@@ -12,8 +12,8 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
-template <unsigned width, class T = typename AllLanes<width>::T>
-INGOT_INLINE void place_joint(const FigureRows<width>& rows, int row_i) {
+template <unsigned width, class Kinds, class T = typename AllLanes<width>::T>
+INGOT_INLINE void place_joint(const FigureRows<width, Kinds>& rows, int row_i) {
     FigureRow<width>& row = rows[row_i];
     const FigureNode& node = rows.node(row_i);
     const Mat3<T> A = read(rows.all, row.A);
@@ -30,8 +30,8 @@ INGOT_INLINE void place_joint(const FigureRows<width>& rows, int row_i) {
 }
 
 /// The inertia of a body about q.
-template <unsigned width, class T = typename AllLanes<width>::T>
-void begin_inertia(const FigureRows<width>& rows, FigureRow<width>& row) {
+template <unsigned width, class Kinds, class T = typename AllLanes<width>::T>
+void begin_inertia(const FigureRows<width, Kinds>& rows, FigureRow<width>& row) {
     const T M = rows.all.get(row.M), zero{};
     const Vec3<T> c = read(rows.all, row.c), mc = c * M;
     const T mcc = dot(c, mc);
@@ -40,19 +40,19 @@ void begin_inertia(const FigureRows<width>& rows, FigureRow<width>& row) {
     write(rows.all, row.inertia, Spatial6<T>{about_q, tilde(mc), {M, M, M, zero, zero, zero}});
 }
 
-template <unsigned width, class M>
-void mark_stiff(const FigureRows<width>& rows, const AllLanes<width>&, M is_stiff) {
+template <unsigned width, class Kinds, class M>
+void mark_stiff(const FigureRows<width, Kinds>& rows, const AllLanes<width>&, M is_stiff) {
     for (int lane_i = 0; lane_i < static_cast<int>(width); ++lane_i)  // bound: lanes
         if ((bits(is_stiff) >> lane_i & 1u) != 0) rows.figure(lane_i).resolved = false;
 }
-template <unsigned width>
-void mark_stiff(const FigureRows<width>& rows, const OneLane<width>& at, bool is_stiff) {
+template <unsigned width, class Kinds>
+void mark_stiff(const FigureRows<width, Kinds>& rows, const OneLane<width>& at, bool is_stiff) {
     if (is_stiff) rows.figure(at.lane_i).resolved = false;
 }
 
 /// Adds what tension does at an arm; j: what the joint gave to the body.
-template <unsigned width, class At, class T = typename At::T>
-void stiffen(const FigureRows<width>& rows, const At& at, FigureRow<width>& row, const Vec3<T>& j, const Vec3<T>& arm, scalar h) {
+template <unsigned width, class Kinds, class At, class T = typename At::T>
+void stiffen(const FigureRows<width, Kinds>& rows, const At& at, FigureRow<width>& row, const Vec3<T>& j, const Vec3<T>& arm, scalar h) {
     const Vec3<T> I = read(at, row.I_body);
     const T least = min(I.x, min(I.y, I.z)), tension = dot(j, arm) * splat<T>(h), zero{};
     const auto is_stiff = tension > least * splat<T>(limits::stiff_tension);
@@ -77,16 +77,16 @@ void stiffen_loops(const FigureView& view, const LoopView& loops, scalar h) {
 
 /// Joints without drives.
 struct NoDrives {
-    template <unsigned width, class T>
-    static T resisted(const FigureRows<width>&, int, int, T D) {
+    template <unsigned width, class Kinds, class T>
+    static T resisted(const FigureRows<width, Kinds>&, int, int, T D) {
         return D;
     }
 };
 struct Drives {
     const DrivenRowView& all;
 
-    template <unsigned width, class T>
-    T resisted(const FigureRows<width>& rows, int row_i, int direction_i, T D) const {
+    template <unsigned width, class Kinds, class T>
+    T resisted(const FigureRows<width, Kinds>& rows, int row_i, int direction_i, T D) const {
         scalar resist[width];
         for (int lane_i = 0; lane_i < static_cast<int>(width); ++lane_i) {  // bound: lanes
             const DriveMotion& motion = drive_motion(rows.node(row_i, lane_i), all, direction_i);
@@ -96,21 +96,22 @@ struct Drives {
     }
 };
 
-template <unsigned width, class Resist, class T = typename AllLanes<width>::T>
-INGOT_INLINE void factor_row(const FigureRows<width>& rows, int row_i, const Resist& drives) {
+template <unsigned width, class Kinds, class Resist, class T = typename AllLanes<width>::T>
+INGOT_INLINE void factor_row(const FigureRows<width, Kinds>& rows, int row_i, const Resist& drives) {
     FigureRow<width>& row = rows[row_i];
     const FigureNode& node = rows.node(row_i);
+    const JointKind kind = rows.kind(row_i);
     Spatial6<T> M = read(rows.all, row.inertia), left;
-    if (turns_freely(node.kind)) {
+    if (turns_freely(kind)) {
         M.A = inverse_of(M.A);
         const Mat3<T> B = M.B;
         M.B = {M.A * B.c0, M.A * B.c1, M.A * B.c2};
         M.C = M.C - Sym3<T>{dot(B.c0, M.B.c0), dot(B.c1, M.B.c1), dot(B.c2, M.B.c2), dot(B.c0, M.B.c1), dot(B.c0, M.B.c2), dot(B.c1, M.B.c2)};
         left = Spatial6<T>{Sym3<T>{}, Mat3<T>{}, M.C};
-        if (node.kind == JointKind::none) M.C = inverse_of(M.C);
+        if (kind == JointKind::none) M.C = inverse_of(M.C);
     } else {
         Spatial<T> s[3];
-        const int free = free_directions(rows.all, row, node.kind, s);
+        const int free = free_directions(rows.all, row, kind, s);
         for (int i = 0; i < free; ++i) {  // bound: 3
             const Spatial<T> pulled = M * s[i];
             const T inv_D = splat<T>(1) / drives.resisted(rows, row_i, i, dot(s[i], pulled));
@@ -126,8 +127,8 @@ INGOT_INLINE void factor_row(const FigureRows<width>& rows, int row_i, const Res
     write(rows.all, parent.inertia, read(rows.all, parent.inertia) + inertia_from(left, read(rows.all, row.d)));
 }
 
-template <unsigned width>
-INGOT_INLINE void begin_rows(const FigureRows<width>& rows, scalar h) {
+template <unsigned width, class Kinds>
+INGOT_INLINE void begin_rows(const FigureRows<width, Kinds>& rows, scalar h) {
     for (int row_i = 0; row_i < rows.count(); ++row_i) begin_inertia(rows, rows[row_i]);  // bound: max_bodies
     for (int row_i = 0; row_i < rows.count(); ++row_i) {
         const FigureNode& node = rows.node(row_i);
@@ -145,7 +146,7 @@ void factor_all(const FigureView& view, [[maybe_unused]] const Loops& loops, con
         for_groups(view, [&](const auto& rows) { begin_rows(rows, h); });
         stiffen_loops(view, loops, h);
     }
-    for_groups(view, [&](const auto& rows) {
+    for_groups<typename Loops::Kinds>(view, [&](const auto& rows) {
         if constexpr (!Loops::closes) begin_rows(rows, h);
         for (int row_i = rows.count() - 1; row_i >= 0; --row_i) factor_row(rows, row_i, drives);  // bound: max_bodies
     });
@@ -174,6 +175,7 @@ void factor_figures(const FigureView& view, const LoopedRowView& all, scalar h) 
 
 // The linker takes the one that the scene calls.
 template void factor_figures(const FigureView&, const NoLoops&, scalar);
+template void factor_figures(const FigureView&, const NoLoopsOfHinges&, scalar);
 template void factor_figures(const FigureView&, const LoopView&, scalar);
 
 } }  // namespace ingot

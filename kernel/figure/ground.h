@@ -37,14 +37,14 @@ inline Ground<scalar> ground_at(const FigureView& view, Index slot) {
 }
 
 /// Of one lane.
-template <unsigned width>
-Ground<scalar> ground_of(const FigureRows<width>& rows, const OneLane<width>& at) {
+template <unsigned width, class Kinds>
+Ground<scalar> ground_of(const FigureRows<width, Kinds>& rows, const OneLane<width>& at) {
     return ground_at(rows.view, rows.figure(at.lane_i).ground);
 }
 
 /// Of each lane.
-template <unsigned width, class T = typename AllLanes<width>::T>
-Ground<T> ground_of(const FigureRows<width>& rows, const AllLanes<width>&) {
+template <unsigned width, class Kinds, class T = typename AllLanes<width>::T>
+Ground<T> ground_of(const FigureRows<width, Kinds>& rows, const AllLanes<width>&) {
     if constexpr (width == 1) return ground_of(rows, OneLane<1>{0});
     scalar r[3][width], A[9][width], v[3][width], w[3][width];
     for (int lane_i = 0; lane_i < static_cast<int>(width); ++lane_i) {  // bound: lanes

@@ -72,8 +72,8 @@ INGOT_INLINE SideMotion<T> motion_of_row(const At& at, const FigureRow<At::width
     return {read(at, row.r), read(at, row.A), read(at, row.v), read(at, row.w), read(at, row.turn)};
 }
 /// Of the parent of a node. h: s, of the substep.
-template <unsigned width, class At, class T = typename At::T>
-INGOT_INLINE SideMotion<T> motion_of_parent(const FigureRows<width>& rows, const At& at, const FigureNode& node, scalar h) {
+template <unsigned width, class Kinds, class At, class T = typename At::T>
+INGOT_INLINE SideMotion<T> motion_of_parent(const FigureRows<width, Kinds>& rows, const At& at, const FigureNode& node, scalar h) {
     return node.parent == no_node ? motion_of_ground(ground_of(rows, at), h) : motion_of_row(at, rows[node.parent]);
 }
 
@@ -85,8 +85,8 @@ inline JointSides<scalar> sides_at(const SideMotion<scalar>& child, const JointF
 }
 
 /// The same of a row. with_sides: JointSides::side too.
-template <unsigned width, class At, class T = typename At::T>
-INGOT_INLINE JointSides<T> sides_now(const FigureRows<width>& rows, const At& at, int row_i, bool with_sides) {
+template <unsigned width, class Kinds, class At, class T = typename At::T>
+INGOT_INLINE JointSides<T> sides_now(const FigureRows<width, Kinds>& rows, const At& at, int row_i, bool with_sides) {
     const FigureRow<width>& row = rows[row_i];
     const FigureNode& node = rows.node(row_i);
     const SideMotion<T> parent = motion_of_parent(rows, at, node, 0);
@@ -96,7 +96,7 @@ INGOT_INLINE JointSides<T> sides_now(const FigureRows<width>& rows, const At& at
         return parent.A * rows.gathered(at, row_i, [&](const FigureNode& of) { return rows.frame_of_parent(of).*part; });
     };
     JointSides<T> sides = {(read(at, row.r) - parent.r) + (own(&JointFrame::anchor) - of_parent(&JointFrame::anchor)), {}, {}, {}, {}};
-    if (node.kind != JointKind::ball || with_sides) {
+    if (rows.kind(row_i) != JointKind::ball || with_sides) {
         sides.axis = own(&JointFrame::axis);
         sides.axis_of_parent = of_parent(&JointFrame::axis);
     }
@@ -109,8 +109,8 @@ INGOT_INLINE JointSides<T> sides_now(const FigureRows<width>& rows, const At& at
 
 /// Where they will be at the end of the substep of h seconds, if nothing acts any more. is_exact: turns to second order, else to first. Needs:
 /// place_joints, FigureRow::turn.
-template <unsigned width, class At, class M, class T = typename At::T>
-INGOT_INLINE JointSides<T> sides_ahead(const FigureRows<width>& rows, const At& at, int row_i, scalar h, M is_exact, bool with_sides) {
+template <unsigned width, class Kinds, class At, class M, class T = typename At::T>
+INGOT_INLINE JointSides<T> sides_ahead(const FigureRows<width, Kinds>& rows, const At& at, int row_i, scalar h, M is_exact, bool with_sides) {
     const FigureRow<width>& row = rows[row_i];
     const FigureNode& node = rows.node(row_i);
     const T h_lane = splat<T>(h);

@@ -12,8 +12,8 @@ namespace ingot { inline namespace INGOT_ABI {
 namespace {
 
 /// h j.s over the least moment of inertia: (omega h)^2 of the turning back by tension.
-template <unsigned width, class T = typename AllLanes<width>::T>
-T tension_of(const FigureRows<width>& rows, const FigureRow<width>& row, const Vec3<T>& j, const Vec3<T>& arm, scalar h) {
+template <unsigned width, class Kinds, class T = typename AllLanes<width>::T>
+T tension_of(const FigureRows<width, Kinds>& rows, const FigureRow<width>& row, const Vec3<T>& j, const Vec3<T>& arm, scalar h) {
     const Vec3<T> I = read(rows.all, row.I_body);
     return dot(j, arm) * splat<T>(h) / min(I.x, min(I.y, I.z));
 }
@@ -27,8 +27,8 @@ uint8_t doublings_for(scalar tension, scalar turn_sq) {
     return doublings;
 }
 
-template <unsigned width, class T = typename AllLanes<width>::T>
-void ask_of_rows(const FigureRows<width>& rows, scalar h, scalar scale) {
+template <unsigned width, class Kinds, class T = typename AllLanes<width>::T>
+void ask_of_rows(const FigureRows<width, Kinds>& rows, scalar h, scalar scale) {
     T most{}, most_turn{};
     for (int row_i = 0; row_i < rows.count(); ++row_i) {  // bound: max_bodies
         const FigureNode& node = rows.node(row_i);
@@ -102,8 +102,8 @@ bool is_in_range(const Vector& r, const Matrix& A, const Vector& v, const Vector
     return is_finite(r) && is_finite(A) && abs(v.x) <= most && abs(v.y) <= most && abs(v.z) <= most && is_within_runaway(w);
 }
 
-template <unsigned width>
-void keep_row(const FigureRows<width>& rows, int row_i, int lane_i, scalar scale) {
+template <unsigned width, class Kinds>
+void keep_row(const FigureRows<width, Kinds>& rows, int row_i, int lane_i, scalar scale) {
     const OneLane<width> at{lane_i};
     const BodyView& bodies = rows.view.bodies;
     const FigureRow<width>& row = rows[row_i];
@@ -138,6 +138,7 @@ void ask_for_doublings(const FigureView& view, const Loops& loops, scalar h, int
 
 // The linker takes the one that the scene calls.
 template void ask_for_doublings(const FigureView&, const NoLoops&, scalar, int);
+template void ask_for_doublings(const FigureView&, const NoLoopsOfHinges&, scalar, int);
 template void ask_for_doublings(const FigureView&, const LoopView&, scalar, int);
 
 void keep_figures(const FigureView& view, int doublings) {

@@ -93,10 +93,16 @@ struct LoopFigure {
 /// Of scenes that have none.
 struct NoLoops {
     static constexpr bool closes = false;
+    using Kinds = AnyKinds;
+};
+/// The same whose joints are hinges, all of them.
+struct NoLoopsOfHinges : NoLoops {
+    using Kinds = HingesAlone;
 };
 /// Without its capacities.
 struct LoopView {
     static constexpr bool closes = true;
+    using Kinds = AnyKinds;
 
     LoopJoint* joints;
     LoopFigure* figures;
@@ -138,8 +144,8 @@ INGOT_INLINE void for_loop_joints(const LoopView& loops, const LoopFigure& of, c
     for (Index loop_i = of.first_joint; loop_i != no_loop; loop_i = loops.joints[loop_i].next) each(loops.joints[loop_i]);  // bound: max_loops
 }
 /// Calls each(of, lane_i) where a figure of a group has loops.
-template <unsigned width, class Each>
-INGOT_INLINE void for_looped(const FigureRows<width>& rows, const LoopView& loops, const Each& each) {
+template <unsigned width, class Kinds, class Each>
+INGOT_INLINE void for_looped(const FigureRows<width, Kinds>& rows, const LoopView& loops, const Each& each) {
     for (int lane_i = 0; lane_i < rows.lane_count; ++lane_i) {  // bound: lanes
         const Index loops_i = loops.of_figure[rows.group.figure[lane_i]];
         if (loops_i != no_loop) each(loops.figures[loops_i], lane_i);

@@ -18,8 +18,8 @@ enum PushNote : int {
     noted_before = 1,   ///< the same before the last push
     noted_turn = 2,   ///< rad, squared: the largest turn of this push; -1: it is not pushed
 };
-template <unsigned width>
-scalar (&note_of(const FigureRows<width>& rows, PushNote note))[width] {
+template <unsigned width, class Kinds>
+scalar (&note_of(const FigureRows<width, Kinds>& rows, PushNote note))[width] {
     return rows[0].turn[note];
 }
 
@@ -30,14 +30,14 @@ inline scalar share_most(const FigureView& view, const LoopFigure& of, PushNote 
     return also;
 }
 
-template <unsigned width>
-auto lanes_off(const FigureRows<width>& rows) {
+template <unsigned width, class Kinds>
+auto lanes_off(const FigureRows<width, Kinds>& rows) {
     using T = typename AllLanes<width>::T;
     return rows.all.get(note_of(rows, noted_turn)) > splat<T>(scalar(-0.5));
 }
 
-template <unsigned width>
-void note_turns(const FigureRows<width>& rows) {
+template <unsigned width, class Kinds>
+void note_turns(const FigureRows<width, Kinds>& rows) {
     using T = typename AllLanes<width>::T;
     const auto off = lanes_off(rows);
     if (!any(off)) return;
@@ -48,8 +48,8 @@ void note_turns(const FigureRows<width>& rows) {
 
 /// Loops that are nearly straight ask for more than their rows, which are of first order, are good for: a push turns nothing by more than
 /// limits::push_turn.
-template <unsigned width>
-void end_push(const FigureRows<width>& rows) {
+template <unsigned width, class Kinds>
+void end_push(const FigureRows<width, Kinds>& rows) {
     using T = typename AllLanes<width>::T;
     const auto off = lanes_off(rows);
     if (!any(off)) return;

@@ -87,8 +87,8 @@ INGOT_INLINE Vec3<T> free_rates(const At& at, const FigureRow<At::width>& row, J
 }
 
 /// The twist of a child against its parent as they move, at the child's q. Needs: place_joints, FigureRow::w.
-template <unsigned width, class At, class T = typename At::T>
-INGOT_INLINE Spatial<T> twist_of_joint(const FigureRows<width>& rows, const At& at, int row_i) {
+template <unsigned width, class Kinds, class At, class T = typename At::T>
+INGOT_INLINE Spatial<T> twist_of_joint(const FigureRows<width, Kinds>& rows, const At& at, int row_i) {
     const FigureRow<width>& row = rows[row_i];
     const FigureNode& node = rows.node(row_i);
     const Vec3<T> w = read(at, row.w), c = read(at, row.c);
@@ -105,9 +105,9 @@ INGOT_INLINE Spatial<T> twist_of_joint(const FigureRows<width>& rows, const At& 
     return {w - w_parent, read(at, row.v) - cross(w, c) - v_parent};
 }
 /// The rates of its free directions.
-template <unsigned width, class At, class T = typename At::T>
-INGOT_INLINE Vec3<T> free_rates_now(const FigureRows<width>& rows, const At& at, int row_i) {
-    return free_rates(at, rows[row_i], rows.node(row_i).kind, twist_of_joint(rows, at, row_i));
+template <unsigned width, class Kinds, class At, class T = typename At::T>
+INGOT_INLINE Vec3<T> free_rates_now(const FigureRows<width, Kinds>& rows, const At& at, int row_i) {
+    return free_rates(at, rows[row_i], rows.kind(row_i), twist_of_joint(rows, at, row_i));
 }
 
 /// Of a slot of a joint's record: a record is of B against A, and the child may be either.

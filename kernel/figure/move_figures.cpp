@@ -21,8 +21,8 @@ template <unsigned width>
 using T_of_width = typename AllLanes<width>::T;
 
 /// omega of a row from its L, and the turn that it makes in h seconds if it is left alone: h omega + h^2/2 domega/dt.
-template <unsigned width, class T = typename AllLanes<width>::T>
-void predict_turn(const FigureRows<width>& rows, FigureRow<width>& row, scalar h) {
+template <unsigned width, class Kinds, class T = typename AllLanes<width>::T>
+void predict_turn(const FigureRows<width, Kinds>& rows, FigureRow<width>& row, scalar h) {
     const Mat3<T> A = read(rows.all, row.A);
     const Vec3<T> I = read(rows.all, row.I_body), L_body = transpose_times(A, read(rows.all, row.L));
     const Vec3<T> w_body = unscaled(I, L_body), rate = unscaled(I, cross(L_body, w_body));
@@ -30,16 +30,16 @@ void predict_turn(const FigureRows<width>& rows, FigureRow<width>& row, scalar h
     write(rows.all, row.turn, A * (w_body * splat<T>(h) + rate * splat<T>(h * h / 2)));
 }
 
-template <unsigned width, class M>
-INGOT_INLINE void set_bias(const FigureRows<width>& rows, int row_i, scalar h, M is_exact) {
-    const JointKind kind = rows.node(row_i).kind;
+template <unsigned width, class Kinds, class M>
+INGOT_INLINE void set_bias(const FigureRows<width, Kinds>& rows, int row_i, scalar h, M is_exact) {
+    const JointKind kind = rows.kind(row_i);
     const auto sides = sides_ahead(rows, rows.all, row_i, h, is_exact, locks_turns(kind));
     write(rows.all, rows[row_i].bias, twist_back(kind, sides) * splat<typename AllLanes<width>::T>(1 / h));
 }
 
 /// Lanes whose figures are resolved.
-template <unsigned width>
-auto resolved_lanes(const FigureRows<width>& rows) {
+template <unsigned width, class Kinds>
+auto resolved_lanes(const FigureRows<width, Kinds>& rows) {
     using T = typename AllLanes<width>::T;
     scalar flags[width];
     for (int lane_i = 0; lane_i < static_cast<int>(width); ++lane_i) flags[lane_i] = rows.figure(lane_i).resolved ? 1 : 0;  // bound: lanes
@@ -47,21 +47,21 @@ auto resolved_lanes(const FigureRows<width>& rows) {
 }
 
 /// What the joint gave to the body: what it took from the parent, with the sign turned. After the way down.
-template <unsigned width, class T = typename AllLanes<width>::T>
-void note_joint_impulse(const FigureRows<width>& rows, int row_i) {
+template <unsigned width, class Kinds, class T = typename AllLanes<width>::T>
+void note_joint_impulse(const FigureRows<width, Kinds>& rows, int row_i) {
     FigureRow<width>& row = rows[row_i];
     const FigureNode& node = rows.node(row_i);
     Spatial<T> f = read(rows.all, row.sent);
     if (node.parent != no_node) {
         const Spatial<T> u = change_of_parent(rows, rows.all, row_i);
         const Spatial6<T> M = read(rows.all, row.inertia);
-        f.v = f.v - (node.kind == JointKind::ball ? M.C * u.v : (M * u).v);
+        f.v = f.v - (rows.kind(row_i) == JointKind::ball ? M.C * u.v : (M * u).v);
     }
     write(rows.all, row.j, -f.v);
 }
 
-template <unsigned width, class T = typename AllLanes<width>::T>
-void end_rows(const FigureRows<width>& rows, scalar h) {
+template <unsigned width, class Kinds, class T = typename AllLanes<width>::T>
+void end_rows(const FigureRows<width, Kinds>& rows, scalar h) {
     T most{};
     for (int row_i = 0; row_i < rows.count(); ++row_i) {
         FigureRow<width>& row = rows[row_i];
@@ -78,8 +78,8 @@ void end_rows(const FigureRows<width>& rows, scalar h) {
     for (int lane_i = 0; lane_i < static_cast<int>(width); ++lane_i) rows.figure(lane_i).resolved = changes[lane_i] <= smooth * smooth;
 }
 
-template <unsigned width>
-void drift_rows(const FigureRows<width>& rows, scalar h) {
+template <unsigned width, class Kinds>
+void drift_rows(const FigureRows<width, Kinds>& rows, scalar h) {
     for (int row_i = 0; row_i < rows.count(); ++row_i) {
         FigureRow<width>& row = rows[row_i];
         predict_turn(rows, row, h);
@@ -94,8 +94,8 @@ template <class T>
 struct FigureEnergies {
     T before, after;
 };
-template <unsigned width, class T = typename AllLanes<width>::T>
-FigureEnergies<T> figure_energies_of(const FigureRows<width>& rows) {
+template <unsigned width, class Kinds, class T = typename AllLanes<width>::T>
+FigureEnergies<T> figure_energies_of(const FigureRows<width, Kinds>& rows) {
     FigureEnergies<T> sum{};
     for (int row_i = 0; row_i < rows.count(); ++row_i) {  // bound: max_bodies
         const FigureRow<width>& row = rows[row_i];
@@ -110,27 +110,27 @@ FigureEnergies<T> figure_energies_of(const FigureRows<width>& rows) {
     return sum;
 }
 
-template <unsigned width>
-T_of_width<width> mass_of(const FigureRows<width>& rows) {
+template <unsigned width, class Kinds>
+T_of_width<width> mass_of(const FigureRows<width, Kinds>& rows) {
     T_of_width<width> M{};
     for (int row_i = 0; row_i < rows.count(); ++row_i) M = M + rows.all.get(rows[row_i].M);  // bound: max_bodies
     return M;
 }
 
 /// What a figure would have with its targets, and what it may have.
-template <unsigned width, class T = T_of_width<width>>
-auto gaining_lanes(const FigureRows<width>& rows, const FigureEnergies<T>& energies, T M, scalar h, scalar gain = limits::target_gain) {
+template <unsigned width, class Kinds, class T = T_of_width<width>>
+auto gaining_lanes(const FigureRows<width, Kinds>& rows, const FigureEnergies<T>& energies, T M, scalar h, scalar gain = limits::target_gain) {
     const scalar gap_speed = limits::joint_gap * rows.view.unit / h;
     return energies.after > energies.before * splat<T>(gain) + M * splat<T>(gap_speed * gap_speed);
 }
 
 /// They are left as they move; where that is far, they get velocities that fit their joints as they are: on what does not, any impulse would work.
-template <unsigned width, class M, class T = T_of_width<width>>
-void leave_out_biases(const FigureRows<width>& rows, M gains, M is_far) {
+template <unsigned width, class Kinds, class M, class T = T_of_width<width>>
+void leave_out_biases(const FigureRows<width, Kinds>& rows, M gains, M is_far) {
     const Vec3<T> none{};
     for (int row_i = 0; row_i < rows.count(); ++row_i) {  // bound: max_bodies
         FigureRow<width>& row = rows[row_i];
-        const JointKind kind = rows.node(row_i).kind;
+        const JointKind kind = rows.kind(row_i);
         if (kind == JointKind::none) continue;
         const Spatial<T> bias = read(rows.all, row.bias);
         Spatial<T> off{};
@@ -140,8 +140,8 @@ void leave_out_biases(const FigureRows<width>& rows, M gains, M is_far) {
     }
 }
 
-template <unsigned width>
-void pass_alone(const FigureRows<width>& rows) {
+template <unsigned width, class Kinds>
+void pass_alone(const FigureRows<width, Kinds>& rows) {
     clear_impulses(rows);
     pass_up(rows);
     pass_down(rows);
@@ -149,8 +149,8 @@ void pass_alone(const FigureRows<width>& rows) {
 
 /// Lanes whose figures turn by more than limits::far_turn in the substep, or whose joints would be off by more than limits::far_off: arms go on
 /// chords, and targets of second order ask for what is no motion any more, whatever the substep before was like.
-template <unsigned width>
-auto far_lanes(const FigureRows<width>& rows, scalar h) {
+template <unsigned width, class Kinds>
+auto far_lanes(const FigureRows<width, Kinds>& rows, scalar h) {
     using T = T_of_width<width>;
     const T of_turn = splat<T>(1 / (limits::far_turn * limits::far_turn)), of_off = splat<T>(h * h / (limits::far_off * limits::far_off));
     T most{};
@@ -164,8 +164,8 @@ auto far_lanes(const FigureRows<width>& rows, scalar h) {
 /// Targets of what is not resolved may ask for what cannot be, where joints come near to where they lock: light bodies would get any speed. Where a
 /// figure would have more than limits::target_gain times its energy they are left out: velocities then fit the joints, which takes energy, and
 /// pushes take back the gaps.
-template <unsigned width, class M>
-void hold_back_targets(const FigureRows<width>& rows, scalar h, M is_exact) {
+template <unsigned width, class Kinds, class M>
+void hold_back_targets(const FigureRows<width, Kinds>& rows, scalar h, M is_exact) {
     const auto is_far = far_lanes(rows, h);
     const auto doubtful = either(opposite(is_exact), is_far);
     if (!any(doubtful)) return;
@@ -175,8 +175,8 @@ void hold_back_targets(const FigureRows<width>& rows, scalar h, M is_exact) {
 }
 
 /// Lanes whose targets are doubtful where some have loops: these are, as their rows may come near to saying the same.
-template <unsigned width>
-auto doubtful_lanes(const FigureRows<width>& rows, const LoopView& loops, scalar h) {
+template <unsigned width, class Kinds>
+auto doubtful_lanes(const FigureRows<width, Kinds>& rows, const LoopView& loops, scalar h) {
     using T = T_of_width<width>;
     scalar flags[width];
     for (int lane_i = 0; lane_i < rows.lane_count; ++lane_i) flags[lane_i] = rows.figure(lane_i).resolved ? 0 : 1;  // bound: lanes
@@ -185,8 +185,8 @@ auto doubtful_lanes(const FigureRows<width>& rows, const LoopView& loops, scalar
 }
 
 /// The energies of a figure, and its mass, stand in FigureRow::drive of its root until the solve begins: a machine gains or not as a whole.
-template <unsigned width>
-void note_energies(const FigureRows<width>& rows) {
+template <unsigned width, class Kinds>
+void note_energies(const FigureRows<width, Kinds>& rows) {
     const FigureEnergies<T_of_width<width>> energies = figure_energies_of(rows);
     write(rows.all, rows[0].drive, Vec3<T_of_width<width>>{energies.before, energies.after, mass_of(rows)});
 }
@@ -235,8 +235,8 @@ void hold_back_targets(const FigureView& view, const LoopView& loops, scalar h, 
     });
 }
 
-template <unsigned width>
-void aim_joints(const FigureRows<width>& rows, scalar h) {
+template <unsigned width, class Kinds>
+void aim_joints(const FigureRows<width, Kinds>& rows, scalar h) {
     const auto is_exact = resolved_lanes(rows);
     for (int row_i = 0; row_i < rows.count(); ++row_i) predict_turn(rows, rows[row_i], h);  // bound: max_bodies
     for (int row_i = 0; row_i < rows.count(); ++row_i)
@@ -245,8 +245,8 @@ void aim_joints(const FigureRows<width>& rows, scalar h) {
 
 /// Where joints hardly let bodies part, a push that parts them would throw the rest of the figure: it is shortened to limits::throw_speed and
 /// limits::push_turn, of all of the figure, so that joints hold as they did.
-template <unsigned width>
-void shorten_throws(const FigureRows<width>& rows, scalar h) {
+template <unsigned width, class Kinds>
+void shorten_throws(const FigureRows<width, Kinds>& rows, scalar h) {
     using T = typename AllLanes<width>::T;
     const scalar way = limits::throw_speed * rows.view.unit * h;
     const T of_way = splat<T>(1 / (way * way)), of_turn = splat<T>(1 / (limits::push_turn * limits::push_turn)), one = splat<T>(1);
@@ -263,13 +263,20 @@ void shorten_throws(const FigureRows<width>& rows, scalar h) {
 
 }  // namespace
 
-void begin_solve(const FigureView& view, const NoLoops&, scalar h) {
-    for_groups(view, [h](const auto& rows) {
+namespace {
+
+template <class Kinds>
+void begin_solve_of_trees(const FigureView& view, scalar h) {
+    for_groups<Kinds>(view, [h](const auto& rows) {
         aim_joints(rows, h);
         hold_back_targets(rows, h, resolved_lanes(rows));
         clear_impulses(rows);
     });
 }
+
+}  // namespace
+
+void begin_solve(const FigureView& view, const NoLoops&, scalar h) { begin_solve_of_trees<AnyKinds>(view, h); }
 
 namespace {
 
@@ -287,6 +294,7 @@ void begin_solve(const FigureView& view, const LoopView& loops, scalar h) {
     aim_machines(view, loops, h, loops.ties == nullptr ? limits::target_gain : limits::target_gain_of_machines);
 }
 void begin_flight_solve(const FigureView& view, const NoLoops& loops, scalar h, bool) { begin_solve(view, loops, h); }
+void begin_flight_solve(const FigureView& view, const NoLoopsOfHinges&, scalar h, bool) { begin_solve_of_trees<HingesAlone>(view, h); }
 void begin_flight_solve(const FigureView& view, const LoopView& loops, scalar h, bool driven) {
     aim_machines(view, loops, h, driven && loops.ties == nullptr ? limits::target_gain : limits::target_gain_of_machines);
 }
@@ -310,12 +318,15 @@ void add_impulse(const FigureView& view, Index node_i, const Vector& F, const Ve
     });
 }
 
+template <class Kinds>
 void pass_impulses(const FigureView& view) {
-    for_groups(view, [](const auto& rows) {
+    for_groups<Kinds>(view, [](const auto& rows) {
         pass_up(rows);
         pass_down(rows);
     });
 }
+template void pass_impulses<AnyKinds>(const FigureView&);
+template void pass_impulses<HingesAlone>(const FigureView&);
 
 void end_solve(const FigureView& view, scalar h) {
     for_groups(view, [h](const auto& rows) { end_rows(rows, h); });
@@ -347,6 +358,9 @@ void end_displacing(const FigureView& view, scalar h) {
 
 void push_figures(const FigureView& view, const NoLoops&, bool again) {
     for_groups(view, [again](const auto& rows) { push_group(rows, again); });
+}
+void push_figures(const FigureView& view, const NoLoopsOfHinges&, bool again) {
+    for_groups<HingesAlone>(view, [again](const auto& rows) { push_group(rows, again); });
 }
 void push_figures(const FigureView& view, const LoopView& loops, bool again) { push_machines(view, loops, again); }
 

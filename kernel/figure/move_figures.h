@@ -14,6 +14,7 @@ void begin_solve(const FigureView& view, const NoLoops& loops, scalar h);
 void begin_solve(const FigureView& view, const LoopView& loops, scalar h);
 /// The same of figures that touch nothing: what energy a machine has it has by itself, unless it may be driven, and its targets get less of it.
 void begin_flight_solve(const FigureView& view, const NoLoops& loops, scalar h, bool driven);
+void begin_flight_solve(const FigureView& view, const NoLoopsOfHinges& loops, scalar h, bool driven);
 void begin_flight_solve(const FigureView& view, const LoopView& loops, scalar h, bool driven);
 
 /// The same once more in a substep, of what gives way otherwise now: what the joints lack is as it was. No impulse is on any body, and no drive.
@@ -24,6 +25,7 @@ void begin_passing(const FigureView& view);
 /// An impulse F through the centre of mass and a moment T on one body.
 void add_impulse(const FigureView& view, Index node, const Vector& F, const Vector& T);
 /// From the impulses on each body to the change of every twist.
+template <class Kinds = AnyKinds>
 void pass_impulses(const FigureView& view);
 
 /// Velocities are those of the solve. h: s, of the substep.
@@ -36,6 +38,7 @@ void drift_figures(const FigureView& view, scalar h);
 /// Puts bodies where their joints want them, by displacements that no velocity sees. again: only those that are off by more than limits::joint_gap.
 /// Bound: limits::pushes_max.
 void push_figures(const FigureView& view, const NoLoops& loops, bool again);
+void push_figures(const FigureView& view, const NoLoopsOfHinges& loops, bool again);
 void push_figures(const FigureView& view, const LoopView& loops, bool again);
 
 /// Contacts displace figures in between, see cursor.h: from nothing to a displacement of every body.

@@ -11,8 +11,8 @@ namespace ingot { inline namespace INGOT_ABI {
 namespace {
 
 /// How far a figure's joints may be off without a push: those with loops less.
-template <unsigned width>
-auto allowed_of(const FigureRows<width>& rows, const LoopView& loops) {
+template <unsigned width, class Kinds>
+auto allowed_of(const FigureRows<width, Kinds>& rows, const LoopView& loops) {
     using T = typename AllLanes<width>::T;
     scalar allowed[width];
     rows.all.put(allowed, splat<T>(limits::joint_gap * limits::joint_gap));
@@ -24,8 +24,8 @@ auto allowed_of(const FigureRows<width>& rows, const LoopView& loops) {
 
 /// Trees of a group that is to be pushed answer to what their joints are off by. A figure that is good is left alone, so that what it does does not
 /// depend on who is beside it. Pushes of loops do not get better once they have got worse: they are ended.
-template <unsigned width>
-bool begin_push(const FigureRows<width>& rows, const LoopView& loops, bool again) {
+template <unsigned width, class Kinds>
+bool begin_push(const FigureRows<width, Kinds>& rows, const LoopView& loops, bool again) {
     using T = typename AllLanes<width>::T;
     const T most = rows.all.get(note_of(rows, noted_gap));
     const auto off = both(most > (again ? allowed_of(rows, loops) : splat<T>(scalar(-1))), most < rows.all.get(note_of(rows, noted_before)));
@@ -56,8 +56,8 @@ bool push_all(const FigureView& view, const LoopView& loops, bool again) {
 
 /// Joints that no push brings together ask for what cannot be, as a chain does whose ends are drawn apart. Its places are pushed back then, while its
 /// velocities would go on to gather what forces give: they are halved.
-template <unsigned width>
-void slow_what_cannot_be(const FigureRows<width>& rows) {
+template <unsigned width, class Kinds>
+void slow_what_cannot_be(const FigureRows<width, Kinds>& rows) {
     using T = typename AllLanes<width>::T;
     const auto is_apart = rows.all.get(note_of(rows, noted_gap)) > splat<T>(limits::parted_gap * limits::parted_gap);
     if (!any(is_apart)) return;
@@ -69,8 +69,8 @@ void slow_what_cannot_be(const FigureRows<width>& rows) {
 }
 
 /// No push has been before.
-template <unsigned width, class T = typename AllLanes<width>::T>
-void forget_pushes(const FigureRows<width>& rows) {
+template <unsigned width, class Kinds, class T = typename AllLanes<width>::T>
+void forget_pushes(const FigureRows<width, Kinds>& rows) {
     rows.all.put(note_of(rows, noted_before), splat<T>(scalar_max));
 }
 

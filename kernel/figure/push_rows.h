@@ -12,8 +12,8 @@ namespace ingot { inline namespace INGOT_ABI {
 
 /// One push of all rows. False where no joint is off by more than it may be, and nothing was done. A figure that is good is left alone, so that what
 /// it does does not depend on who is beside it.
-template <unsigned width, class T = typename AllLanes<width>::T>
-bool push_rows(const FigureRows<width>& rows, bool again) {
+template <unsigned width, class Kinds, class T = typename AllLanes<width>::T>
+bool push_rows(const FigureRows<width, Kinds>& rows, bool again) {
     const T most = set_pushes(rows);
     const auto off = most > splat<T>(again ? limits::joint_gap * limits::joint_gap : scalar(-1));
     if (!any(off)) return false;
@@ -24,8 +24,8 @@ bool push_rows(const FigureRows<width>& rows, bool again) {
     return true;
 }
 
-template <unsigned width>
-void push_group(const FigureRows<width>& rows, bool again) {
+template <unsigned width, class Kinds>
+void push_group(const FigureRows<width, Kinds>& rows, bool again) {
     for (int push_i = 0; push_i < limits::pushes_max && push_rows(rows, again || push_i > 0); ++push_i) {}  // bound: limits::pushes_max
 }
 

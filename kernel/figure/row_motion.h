@@ -17,8 +17,8 @@ INGOT_INLINE Vec3<T> momentum_of_spin(const At& at, const FigureRow<At::width>& 
 }
 
 /// rad/s, of every row from its L.
-template <unsigned width>
-void set_spins(const FigureRows<width>& rows) {
+template <unsigned width, class Kinds>
+void set_spins(const FigureRows<width, Kinds>& rows) {
     using T = typename AllLanes<width>::T;
     for (int row_i = 0; row_i < rows.count(); ++row_i) {  // bound: max_bodies
         FigureRow<width>& row = rows[row_i];

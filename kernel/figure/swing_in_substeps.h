@@ -23,8 +23,8 @@ namespace ingot { inline namespace INGOT_ABI {
 namespace {
 
 /// Forces of h seconds.
-template <unsigned width>
-void kick_rows(const FigureRows<width>& rows, scalar h) {
+template <unsigned width, class Kinds>
+void kick_rows(const FigureRows<width, Kinds>& rows, scalar h) {
     const BodyView& bodies = rows.view.bodies;
     const auto h_lane = splat<typename AllLanes<width>::T>(h);
     for (int row_i = 0; row_i < rows.count(); ++row_i) {  // bound: max_bodies
@@ -46,17 +46,19 @@ void kick_rows(const FigureRows<width>& rows, scalar h) {
 // `push` what is off its place after the drift, and `keep` what the joints remember. Figures are factored as each substep begins; those of a scene
 // with loops as the batch begins, and again after each drift: pushes meet them as they are then.
 
+/// Loops: NoLoops, or NoLoopsOfHinges.
+template <class Loops>
 struct NothingBeside {
     static constexpr bool closes = false;
     static constexpr bool is_driven() { return false; }
-    static constexpr NoLoops loops = {};
+    static constexpr Loops loops = {};
     static void begin(const FigureView&, scalar) {}
     static void factor(const FigureView& view, scalar h) {
         place_joints(view);
         factor_figures(view, loops, h);
     }
     static void list(const FigureView&, scalar) {}
-    static void solve(const FigureView& view, scalar) { pass_impulses(view); }
+    static void solve(const FigureView& view, scalar) { pass_impulses<typename Loops::Kinds>(view); }
     static void push(const FigureView&, scalar) {}
     static void keep(const FigureView&, int) {}
 };
@@ -275,7 +277,8 @@ void swing(FigureView& view, const Beside& beside, Reactions reactions, int subs
     }
 }
 
-NothingBeside beside_of(const FigureView&, const NoLoops&) { return {}; }
+NothingBeside<NoLoops> beside_of(const FigureView&, const NoLoops&) { return {}; }
+[[maybe_unused]] NothingBeside<NoLoopsOfHinges> beside_of(const FigureView&, const NoLoopsOfHinges&) { return {}; }
 LoopsBeside beside_of(const FigureView&, const LoopView& loops) { return {loops}; }
 RowsBeside<JointRowView> beside_of(const FigureView&, JointRowView& rows) { return {rows}; }
 RowsBeside<DrivenRowView> beside_of(const FigureView& view, DrivenRowView& rows) {

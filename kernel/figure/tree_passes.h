@@ -123,8 +123,8 @@ INGOT_INLINE Spatial<T> change_of_child(const At& at, const FigureRow<At::width>
 }
 
 /// The change of the parent's twist, at q of the row; none of the ground's.
-template <unsigned width, class At, class T = typename At::T>
-INGOT_INLINE Spatial<T> change_of_parent(const FigureRows<width>& rows, const At& at, int row_i) {
+template <unsigned width, class Kinds, class At, class T = typename At::T>
+INGOT_INLINE Spatial<T> change_of_parent(const FigureRows<width, Kinds>& rows, const At& at, int row_i) {
     const Index parent = rows.node(row_i).parent;
     return parent == no_node ? Spatial<T>{} : twist_at(read(at, rows[parent].change), read(at, rows[row_i].d));
 }
@@ -141,36 +141,37 @@ INGOT_INLINE Spatial<T> twist_of_floating(const At& at, const FigureRow<At::widt
 }
 
 /// The whole way up: `impulse` of each body comes in, that of it and what hangs on it goes out.
-template <unsigned width>
-void pass_up(const FigureRows<width>& rows) {
+template <unsigned width, class Kinds>
+void pass_up(const FigureRows<width, Kinds>& rows) {
     for (int row_i = rows.count() - 1; row_i >= 0; --row_i) {  // bound: max_bodies
-        const FigureNode& node = rows.node(row_i);
-        if (node.kind == JointKind::none) continue;
+        const JointKind kind = rows.kind(row_i);
+        if (kind == JointKind::none) continue;
         FigureRow<width>& row = rows[row_i];
-        const auto sent = impulse_to_send(rows.all, row, node.kind);
+        const auto sent = impulse_to_send(rows.all, row, kind);
         write(rows.all, row.sent, sent);
-        if (node.parent == no_node) continue;
-        FigureRow<width>& parent = rows[node.parent];
+        const Index parent_i = rows.node(row_i).parent;
+        if (parent_i == no_node) continue;
+        FigureRow<width>& parent = rows[parent_i];
         write(rows.all, parent.impulse, read(rows.all, parent.impulse) + impulse_from(sent, read(rows.all, row.d)));
     }
 }
 
 /// The way down, to the first `count` rows.
-template <unsigned width>
-void pass_down(const FigureRows<width>& rows, int count) {
+template <unsigned width, class Kinds>
+void pass_down(const FigureRows<width, Kinds>& rows, int count) {
     for (int row_i = 0; row_i < count; ++row_i) {  // bound: max_bodies
-        const FigureNode& node = rows.node(row_i);
+        const JointKind kind = rows.kind(row_i);
         FigureRow<width>& row = rows[row_i];
-        if (node.kind == JointKind::none) {
+        if (kind == JointKind::none) {
             write(rows.all, row.change, twist_of_floating(rows.all, row));
             continue;
         }
-        write(rows.all, row.change, change_of_child(rows.all, row, node.kind, change_of_parent(rows, rows.all, row_i)));
+        write(rows.all, row.change, change_of_child(rows.all, row, kind, change_of_parent(rows, rows.all, row_i)));
     }
 }
 /// The whole way down.
-template <unsigned width>
-void pass_down(const FigureRows<width>& rows) {
+template <unsigned width, class Kinds>
+void pass_down(const FigureRows<width, Kinds>& rows) {
     pass_down(rows, rows.count());
 }
 

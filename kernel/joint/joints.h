@@ -206,6 +206,8 @@ struct Joints {
     /// The scene names this kind.
     static constexpr bool has(JointKind kind) { return kind != JointKind::none && ((Kinds::kind == kind) || ...); }
     static constexpr bool has_ties = (is_tie(Kinds::kind) || ...);
+    /// It names hinges, and nothing else.
+    static constexpr bool are_hinges = ((Kinds::kind == JointKind::hinge) && ...);
     static constexpr bool has_servos = (is_servo(Kinds::kind) || ...);
     static constexpr bool has_limits = (is_same<Kinds, WithLimits> || ...);
     /// The most directions with limits of a joint.

@@ -141,6 +141,9 @@ struct JointedFlight {
             auto rows = now.storage.joint_row_view();
             if constexpr (has_loops<S>) rows.loops = &loops;
             swing_figures(figures, rows, now.storage.reactions(), S::effort.substeps);
+        } else if constexpr (!has_loops<S> && S::joints::are_hinges) {
+            NoLoopsOfHinges no_loops;
+            swing_figures(figures, no_loops, now.storage.reactions(), S::effort.substeps);
         } else {
             swing_figures(figures, loops, now.storage.reactions(), S::effort.substeps);
         }
