@@ -110,14 +110,26 @@ INGOT_INLINE void factor_row(const FigureRows<width, Kinds>& rows, int row_i, co
         left = Spatial6<T>{Sym3<T>{}, Mat3<T>{}, M.C};
         if (kind == JointKind::none) M.C = inverse_of(M.C);
     } else {
-        Spatial<T> s[3];
-        const int free = free_directions(rows.all, row, kind, s);
-        for (int i = 0; i < free; ++i) {  // bound: 3
-            const Spatial<T> pulled = M * s[i];
-            const T inv_D = splat<T>(1) / drives.resisted(rows, row_i, i, dot(s[i], pulled));
+        const auto eliminate = [&](int i, const Spatial<T>& pulled, T own) {
+            const T inv_D = splat<T>(1) / drives.resisted(rows, row_i, i, own);
             write(rows.all, row.pulled[i], pulled);
             rows.all.put(row.inv_D[i], inv_D);
             M = plus_square(M, pulled, -inv_D);
+        };
+        if (kind == JointKind::hinge) {
+            const Vec3<T> n = read(rows.all, row.axis), pulled = M.A * n;
+            eliminate(0, {pulled, transpose_times(M.B, n)}, dot(n, pulled));
+        } else if (kind == JointKind::driven_ball) {
+            eliminate(0, {{M.A.xx, M.A.xy, M.A.xz}, {M.B.c0.x, M.B.c1.x, M.B.c2.x}}, M.A.xx);
+            eliminate(1, {{M.A.xy, M.A.yy, M.A.yz}, {M.B.c0.y, M.B.c1.y, M.B.c2.y}}, M.A.yy);
+            eliminate(2, {{M.A.xz, M.A.yz, M.A.zz}, {M.B.c0.z, M.B.c1.z, M.B.c2.z}}, M.A.zz);
+        } else {
+            Spatial<T> s[3];
+            const int free = free_directions(rows.all, row, kind, s);
+            for (int i = 0; i < free; ++i) {  // bound: 3
+                const Spatial<T> pulled = M * s[i];
+                eliminate(i, pulled, dot(s[i], pulled));
+            }
         }
         left = M;
     }

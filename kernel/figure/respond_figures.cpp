@@ -22,6 +22,30 @@ Spatial6<T> response_of_ball(const At& at, const FigureRow<At::width>& row, cons
 /// The same of a joint with some free directions; Q: how its parent gives way, at q.
 template <class At, class T = typename At::T>
 Spatial6<T> response_of_axes(const At& at, const FigureRow<At::width>& row, JointKind kind, Spatial6<T> Q) {
+    const auto given_by = [&](int i, T& own) {
+        const T inv_D = at.get(row.inv_D[i]);
+        const Spatial<T> pulled = read(at, row.pulled[i]), given = Q * pulled * -inv_D;
+        own = inv_D - dot(pulled, given) * inv_D;
+        return given;
+    };
+    T own{};
+    if (kind == JointKind::hinge) {
+        const Vec3<T> n = read(at, row.axis);
+        const Spatial<T> given = given_by(0, own);
+        return {plus_square(plus_symmetric(Q.A, n, given.w), n, own), plus_outer(Q.B, n, given.v), Q.C};
+    }
+    if (kind == JointKind::driven_ball) {
+        const Spatial<T> z = given_by(2, own);
+        Q.A = {Q.A.xx, Q.A.yy, Q.A.zz + z.w.z + z.w.z + own, Q.A.xy, Q.A.xz + z.w.x, Q.A.yz + z.w.y};
+        Q.B = {{Q.B.c0.x, Q.B.c0.y, Q.B.c0.z + z.v.x}, {Q.B.c1.x, Q.B.c1.y, Q.B.c1.z + z.v.y}, {Q.B.c2.x, Q.B.c2.y, Q.B.c2.z + z.v.z}};
+        const Spatial<T> y = given_by(1, own);
+        Q.A = {Q.A.xx, Q.A.yy + y.w.y + y.w.y + own, Q.A.zz, Q.A.xy + y.w.x, Q.A.xz, Q.A.yz + y.w.z};
+        Q.B = {{Q.B.c0.x, Q.B.c0.y + y.v.x, Q.B.c0.z}, {Q.B.c1.x, Q.B.c1.y + y.v.y, Q.B.c1.z}, {Q.B.c2.x, Q.B.c2.y + y.v.z, Q.B.c2.z}};
+        const Spatial<T> x = given_by(0, own);
+        Q.A = {Q.A.xx + x.w.x + x.w.x + own, Q.A.yy, Q.A.zz, Q.A.xy + x.w.y, Q.A.xz + x.w.z, Q.A.yz};
+        Q.B = {{Q.B.c0.x + x.v.x, Q.B.c0.y, Q.B.c0.z}, {Q.B.c1.x + x.v.y, Q.B.c1.y, Q.B.c1.z}, {Q.B.c2.x + x.v.z, Q.B.c2.y, Q.B.c2.z}};
+        return Q;
+    }
     Spatial<T> s[3];
     const int free = free_directions(at, row, kind, s);
     for (int i = free - 1; i >= 0; --i) {  // bound: 3

@@ -81,10 +81,20 @@ INGOT_INLINE Spatial<T> locked_part(const At& at, const FigureRow<At::width>& ro
 /// True of bodies whose turns are eliminated at once: at a ball joint, and roots of what floats.
 inline bool turns_freely(JointKind kind) { return kind == JointKind::ball || kind == JointKind::none; }
 
+// The free directions of hinges and of driven ball joints are turns, the latter about the axes of the world: there is nothing along v, so less is
+// multiplied than for other kinds.
+
 /// What goes on to the parent of an impulse on a child, and of drives, both taken at q of the child.
 template <class At, class T = typename At::T>
 INGOT_INLINE Spatial<T> impulse_through(const At& at, const FigureRow<At::width>& row, JointKind kind, Spatial<T> P, const Vec3<T>& drive) {
     if (kind == JointKind::ball) return {-drive, P.v - transpose_times(read(at, row.inertia.B), P.w + drive)};
+    if (kind == JointKind::hinge)
+        return P - read(at, row.pulled[0]) * ((dot(read(at, row.axis), P.w) + drive.x) * at.get(row.inv_D[0]));
+    if (kind == JointKind::driven_ball) {
+        P = P - read(at, row.pulled[0]) * ((P.w.x + drive.x) * at.get(row.inv_D[0]));
+        P = P - read(at, row.pulled[1]) * ((P.w.y + drive.y) * at.get(row.inv_D[1]));
+        return P - read(at, row.pulled[2]) * ((P.w.z + drive.z) * at.get(row.inv_D[2]));
+    }
     const T along[3] = {drive.x, drive.y, drive.z};
     Spatial<T> s[3];
     const int free = free_directions(at, row, kind, s);
@@ -105,6 +115,22 @@ template <class At, class T = typename At::T>
 INGOT_INLINE Spatial<T> twist_through(const At& at, const FigureRow<At::width>& row, JointKind kind, Spatial<T> u, Spatial<T> P,
                                       const Vec3<T>& drive) {
     if (kind == JointKind::ball) return {read(at, row.inertia.A) * (P.w + drive) - read(at, row.inertia.B) * u.v, u.v};
+    if (kind == JointKind::hinge) {
+        const Vec3<T> n = read(at, row.axis);
+        const T t = (dot(n, P.w) + drive.x) * at.get(row.inv_D[0]);
+        return {u.w + n * (t - dot(read(at, row.pulled[0]), u) * at.get(row.inv_D[0])), u.v};
+    }
+    if (kind == JointKind::driven_ball) {
+        const Spatial<T> x = read(at, row.pulled[0]), y = read(at, row.pulled[1]), z = read(at, row.pulled[2]);
+        const T i_x = at.get(row.inv_D[0]), i_y = at.get(row.inv_D[1]), i_z = at.get(row.inv_D[2]);
+        const T t_x = (P.w.x + drive.x) * i_x;
+        P.w = P.w - x.w * t_x;
+        const T t_y = (P.w.y + drive.y) * i_y, t_z = ((P.w.z - y.w.z * t_y) + drive.z) * i_z;
+        u.w.z = u.w.z + (t_z - dot(z, u) * i_z);
+        u.w.y = u.w.y + (t_y - dot(y, u) * i_y);
+        u.w.x = u.w.x + (t_x - dot(x, u) * i_x);
+        return u;
+    }
     const T along[3] = {drive.x, drive.y, drive.z};
     Spatial<T> s[3];
     T t[3];
