@@ -19,12 +19,15 @@ void count_turns(JointMotion& motion, scalar angle, scalar way) {
     motion.turns += more;
 }
 
+/// What has no limits and no turns to count is not asked where it is.
+bool is_measured(JointKind kind, const JointRowView& all) { return limited_directions(kind) > 0 && (all.limits != nullptr || !is_ball(kind)); }
+
 /// Values of all lanes; angles of hinges beside h times their rates.
 template <unsigned width>
 void measure_row(const FigureRows<width>& rows, const JointRowView& all, int row_i, scalar h) {
     using T = typename AllLanes<width>::T;
     const JointKind kind = rows.node(row_i).kind;
-    if (limited_directions(kind) == 0) return;
+    if (!is_measured(kind, all)) return;
     const JointValues<T> now = measure(kind, sides_now(rows, rows.all, row_i, true));
     T way{};
     if (turns_round(kind) && h > 0) way = free_rates_now(rows, rows.all, row_i).x * splat<T>(h);
@@ -44,7 +47,7 @@ void measure_loops(const FigureView&, const JointRowView&, scalar) {}
 void measure_loops(const FigureView& view, const LoopedRowView& all, scalar h) {
     for_looped_figures(view, *all.loops, [&](const LoopFigure& of) {
         for_loop_joints(*all.loops, of, [&](LoopJoint& loop) {
-            if (limited_directions(loop.kind) == 0) return;
+            if (!is_measured(loop.kind, all)) return;
             const LoopedJoint joint{view, *all.loops, loop};
             const JointValues<scalar> now = measure(loop.kind, joint.sides());
             JointMotion& motion = all.motions[loop.joint];

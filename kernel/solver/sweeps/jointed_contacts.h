@@ -37,12 +37,12 @@ struct SeesJoints : Contacts {
         if (!Contacts::next_batch(step)) return false;
         if constexpr (Whole::has_joint_rows) begin_joint_motions(jointed.figures, rows());
         if constexpr (Whole::has_drives) {
-            if (closes)
-                factor_undriven(step.h / static_cast<scalar>(this->view.substeps));
-            else if (place_carriages(jointed.figures)) {
-                factor_figures(jointed.figures, this->view.loops, step.h / static_cast<scalar>(this->view.substeps));
-                respond_figures(jointed.figures, jointed.responses);
+            // Factored as Contacts has begun the batch.
+            if (place_wheels()) {
+                if constexpr (closes) place_loops(jointed.figures, this->view.loops);
+                factor_placed(step.h / static_cast<scalar>(this->view.substeps));
             }
+            if constexpr (closes) place_free_rows(jointed.figures, this->view.loops);
             begin_drives(jointed.figures, rows());
             jointed.is_fresh = false;
         }
@@ -157,7 +157,7 @@ private:
     /// Where joints are now.
     void place() {
         place_joints(jointed.figures);
-        if (!closes || rows().drives_of_joint > 0) place_carriages(jointed.figures);
+        (void)place_wheels();
         if constexpr (closes) {
             place_loops(jointed.figures, this->view.loops);
             place_free_rows(jointed.figures, this->view.loops);
@@ -166,6 +166,11 @@ private:
     /// Figures as they are now, with their loops; as pushes meet them.
     void factor_undriven(scalar h) {
         place();
+        factor_placed(h);
+    }
+    /// Wheels that are nearer to the root than what they carry. True: there are some.
+    bool place_wheels() { return (!closes || rows().drives_of_joint > 0) && place_carriages(jointed.figures); }
+    void factor_placed(scalar h) {
         factor_figures(jointed.figures, this->view.loops, h);
         respond_figures(jointed.figures, jointed.responses);
         if constexpr (closes) factor_loops(jointed.figures, this->view.loops);
