@@ -3,8 +3,11 @@
 #include <ingot.h>
 
 struct Yard : ingot::Scene {
-    static constexpr int max_bodies = 2, max_manifolds = 4;
-    static constexpr bool translates = true, sleeps = true;
+    static constexpr int max_bodies = 2, max_manifolds = 2;
+    static constexpr bool translates = true;
+    static constexpr bool bounces = false, recycles_manifolds = false, hides_internal_edges = false, holds_crowds = false;  // for less flash
+    using solver = ingot::SequentialImpulses;
+    using rotation = ingot::LieMidpoint;
     using shapes = ingot::Shapes<ingot::Box, ingot::HalfSpace>;
 };
 static ingot::World<Yard> world;  // all the memory there is: sizeof(world) bytes
