@@ -11,9 +11,15 @@ option(INGOT_WERROR "Turn the warnings of ingot's own targets into errors" OFF)
 
 # Adds options for compilers that understand GCC's, in C++ units only. The compiler is asked for by generator expression,
 # because PUBLIC options are exported, and an installed ingot may be used by another compiler than the one that built it.
+#
+# clang-cl is Clang too, and takes words of GCC's only as /clang:<word>; without it, it ignores -ffp-contract=off with a warning (clang 14).
 function(_ingot_add_gnu_options target scope)
+  set(options ${ARGN})
+  if(CMAKE_CXX_COMPILER_FRONTEND_VARIANT STREQUAL "MSVC")
+    list(TRANSFORM options PREPEND "/clang:")
+  endif()
   target_compile_options(${target} ${scope}
-    "$<$<COMPILE_LANG_AND_ID:CXX,GNU,Clang,AppleClang,ARMClang,IntelLLVM>:${ARGN}>")
+    "$<$<COMPILE_LANG_AND_ID:CXX,GNU,Clang,AppleClang,ARMClang,IntelLLVM>:${options}>")
 endfunction()
 
 # The floating-point contract: one golden hash for every target (host_tests/guide/determinism.md).
