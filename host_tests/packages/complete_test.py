@@ -72,7 +72,7 @@ class Packages(unittest.TestCase):
 
     def test_one_place_of_the_version(self):
         for file in (ROOT / "platform/packages").rglob("*"):
-            if file.is_file() and VERSION in file.read_text(encoding="utf-8"):
+            if file.is_file() and file.suffix != ".pyc" and VERSION in file.read_text(encoding="utf-8"):
                 self.fail(f"{file.relative_to(ROOT)} has the version written in it")
 
     def test_guide_says_how_far_each_is_tried(self):

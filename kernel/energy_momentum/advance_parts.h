@@ -63,7 +63,7 @@ struct Verdict {
 };
 /// Newton's method squares what is off, but for a factor, and the look before has shown the factor. A move that leaves no more than roundings by that
 /// is the last, and is not looked at. misfit, before: squares, of this look and the one before.
-Verdict verdict_on(scalar misfit, scalar before, int pass_i, int passes_max) {
+[[maybe_unused]] Verdict verdict_on(scalar misfit, scalar before, int pass_i, int passes_max) {
     constexpr scalar settled = limits::newton_settled * limits::newton_settled, close = limits::newton_close * limits::newton_close;
     if (misfit <= settled) return {false, false, false};
     if (!(misfit < scalar_max)) return {false, false, true};

@@ -15,7 +15,7 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
-bool has_bit(const uint16_t* of_tiles, Place at) { return (of_tiles[at.tile] >> at.lane & 1u) != 0; }
+[[maybe_unused]] bool has_bit(const uint16_t* of_tiles, Place at) { return (of_tiles[at.tile] >> at.lane & 1u) != 0; }
 
 /// A hash of the motion of a figure: FNV-1a, a word at a time. One world compares its own, so the order of bytes does not matter, and a fourth of the
 /// multiplications of state_hash do. A change of one word changes it; of other changes one in 2^32 is missed.

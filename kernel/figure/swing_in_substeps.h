@@ -277,15 +277,15 @@ void swing(FigureView& view, const Beside& beside, Reactions reactions, int subs
     }
 }
 
-NothingBeside<NoLoops> beside_of(const FigureView&, const NoLoops&) { return {}; }
+[[maybe_unused]] NothingBeside<NoLoops> beside_of(const FigureView&, const NoLoops&) { return {}; }
 [[maybe_unused]] NothingBeside<NoLoopsOfHinges> beside_of(const FigureView&, const NoLoopsOfHinges&) { return {}; }
-LoopsBeside beside_of(const FigureView&, const LoopView& loops) { return {loops}; }
-RowsBeside<JointRowView> beside_of(const FigureView&, JointRowView& rows) { return {rows}; }
-RowsBeside<DrivenRowView> beside_of(const FigureView& view, DrivenRowView& rows) {
+[[maybe_unused]] LoopsBeside beside_of(const FigureView&, const LoopView& loops) { return {loops}; }
+[[maybe_unused]] RowsBeside<JointRowView> beside_of(const FigureView&, JointRowView& rows) { return {rows}; }
+[[maybe_unused]] RowsBeside<DrivenRowView> beside_of(const FigureView& view, DrivenRowView& rows) {
     name_driven_kinds(view, rows);
     return {rows};
 }
-LoopedRowsBeside beside_of(const FigureView& view, LoopedRowView& rows) {
+[[maybe_unused]] LoopedRowsBeside beside_of(const FigureView& view, LoopedRowView& rows) {
     name_driven_kinds(view, rows);
     return {*rows.loops, rows};
 }
