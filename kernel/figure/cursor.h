@@ -10,8 +10,8 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// From the impulses on each body to the changes of the roots, where the cursors are then: they take the rest along. And to the changes of bodies that
-/// rows of loops ask for.
+/// From the impulses on each body to the changes of the roots, where the cursors are then: they take the rest along. And to the changes of bodies
+/// that rows of loops ask for.
 void pass_to_roots(const FigureView& view, const NoLoops& loops);
 void pass_to_roots(const FigureView& view, const LoopView& loops);
 
