@@ -38,12 +38,16 @@ void excuse_jointed(View& solver) {
         if (solver.jointed.doublings_of[island_i] != 0) solver.islands[island_i].at_bound = false;
 }
 
-/// Sweeps of islands with joints end sooner: at limits::jointed_settled_share of what gravity gives in a substep of h seconds.
+/// Sweeps of islands with joints that move end sooner: at limits::jointed_settled_share of what gravity gives in a substep of h seconds, or of what
+/// they have beyond that, if it is less. So what comes to rest, whose fastest body has no more than what gravity has just given, settles as others do.
 template <class View>
 void settle_jointed_sooner(View& solver, scalar h) {
-    const scalar speed = limits::jointed_settled_share * h * sqrt(length_sq(solver.jointed.figures.gravity));
-    for (int island_i = 0; island_i < solver.island_count; ++island_i)  // bound: max_bodies
-        if (solver.jointed.doublings_of[island_i] != 0) solver.islands[island_i].settled = max(solver.islands[island_i].settled, speed);
+    const scalar fall = h * sqrt(length_sq(solver.jointed.figures.gravity));
+    for (int island_i = 0; island_i < solver.island_count; ++island_i) {  // bound: max_bodies
+        Island& island = solver.islands[island_i];
+        if (solver.jointed.doublings_of[island_i] == 0) continue;
+        island.settled = max(island.settled, limits::jointed_settled_share * min(fall, sqrt(island.fastest_sq) - fall));
+    }
 }
 
 /// Figures with loops stand where is_on(island) is false of theirs: an island does not know how long others are swept. begins: so do the sweeps.
