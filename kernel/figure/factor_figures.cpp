@@ -41,7 +41,7 @@ void begin_inertia(const FigureRows<width, Kinds>& rows, FigureRow<width>& row) 
 }
 
 template <unsigned width, class Kinds, class M>
-void mark_stiff(const FigureRows<width, Kinds>& rows, const AllLanes<width>&, M is_stiff) {
+void mark_stiff(const FigureRows<width, Kinds>& rows, const AllLanes<width, Kinds>&, M is_stiff) {
     for (int lane_i = 0; lane_i < static_cast<int>(width); ++lane_i)  // bound: lanes
         if ((bits(is_stiff) >> lane_i & 1u) != 0) rows.figure(lane_i).resolved = false;
 }
@@ -166,8 +166,9 @@ void factor_all(const FigureView& view, [[maybe_unused]] const Loops& loops, con
 
 }  // namespace
 
+template <class Kinds>
 void place_joints(const FigureView& view) {
-    for_groups(view, [](const auto& rows) {
+    for_groups<Kinds>(view, [](const auto& rows) {
         for (int row_i = 0; row_i < rows.count(); ++row_i) place_joint(rows, row_i);  // bound: max_bodies
     });
 }
@@ -186,6 +187,8 @@ void factor_figures(const FigureView& view, const LoopedRowView& all, scalar h) 
 }
 
 // The linker takes the one that the scene calls.
+template void place_joints<AnyKinds>(const FigureView&);
+template void place_joints<HingesAlone>(const FigureView&);
 template void factor_figures(const FigureView&, const NoLoops&, scalar);
 template void factor_figures(const FigureView&, const NoLoopsOfHinges&, scalar);
 template void factor_figures(const FigureView&, const LoopView&, scalar);

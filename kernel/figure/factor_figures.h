@@ -7,6 +7,7 @@
 namespace ingot { inline namespace INGOT_ABI {
 
 /// Where the joints are now: levers and axes in the world.
+template <class Kinds = AnyKinds>
 void place_joints(const FigureView& view);
 
 /// The inertia of each body with all that hangs on it, from the leaves to the root, and what of it each joint leaves free: what the passes of

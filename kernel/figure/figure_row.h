@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../base/if.h"
+#include "../joint/joints.h"
 #include "spatial.h"
 
 #pragma GCC diagnostic push
@@ -10,10 +11,19 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
+/// Kinds of joints that a stage is compiled for: any, or for scenes that name hinges alone those, in a third less of code.
+struct AnyKinds {
+    static constexpr JointKind of(JointKind kind) { return kind; }
+};
+struct HingesAlone {
+    static constexpr JointKind of(JointKind kind) { return kind == JointKind::none ? JointKind::none : JointKind::hinge; }
+};
+
 /// Whole rows, `width` bodies at once.
-template <unsigned width_of_rows>
+template <unsigned width_of_rows, class KindsOfJoints = AnyKinds>
 struct AllLanes {
     static constexpr unsigned width = width_of_rows;
+    using Kinds = KindsOfJoints;
     using T = If<width == 1, scalar, lane>;
 
     INGOT_INLINE T get(const scalar (&from)[width]) const {
@@ -33,6 +43,7 @@ struct AllLanes {
 template <unsigned width_of_rows>
 struct OneLane {
     static constexpr unsigned width = width_of_rows;
+    using Kinds = AnyKinds;
     using T = scalar;
     int lane_i;
 

@@ -68,20 +68,12 @@ struct FigureView {
     scalar unit;          ///< m; of lengths and speeds in limits.h: Scene::length_unit
 };
 
-/// Kinds of joints that a stage is compiled for: any, or for scenes that name hinges alone those, in a third less of code.
-struct AnyKinds {
-    static constexpr JointKind of(JointKind kind) { return kind; }
-};
-struct HingesAlone {
-    static constexpr JointKind of(JointKind kind) { return kind == JointKind::none ? JointKind::none : JointKind::hinge; }
-};
-
 /// A group as its rows are worked on.
 template <unsigned width_of_rows, class Kinds = AnyKinds>
 struct FigureRows {
     static constexpr unsigned width = width_of_rows;
     using T = typename AllLanes<width>::T;
-    static constexpr AllLanes<width> all{};
+    static constexpr AllLanes<width, Kinds> all{};
     static constexpr int lane_count = static_cast<int>(width);
 
     const FigureView& view;
@@ -124,7 +116,7 @@ struct FigureRows {
         return of(node(row_i, at.lane_i));
     }
     template <class Of>
-    INGOT_INLINE Vec3<T> gathered(const AllLanes<width>&, int row_i, const Of& of) const {
+    INGOT_INLINE Vec3<T> gathered(const AllLanes<width, Kinds>&, int row_i, const Of& of) const {
         return gathered(row_i, of);
     }
     INGOT_INLINE Vec3<T> own_anchor(int row_i) const {

@@ -44,7 +44,7 @@ Ground<scalar> ground_of(const FigureRows<width, Kinds>& rows, const OneLane<wid
 
 /// Of each lane.
 template <unsigned width, class Kinds, class T = typename AllLanes<width>::T>
-Ground<T> ground_of(const FigureRows<width, Kinds>& rows, const AllLanes<width>&) {
+Ground<T> ground_of(const FigureRows<width, Kinds>& rows, const AllLanes<width, Kinds>&) {
     if constexpr (width == 1) return ground_of(rows, OneLane<1>{0});
     scalar r[3][width], A[9][width], v[3][width], w[3][width];
     for (int lane_i = 0; lane_i < static_cast<int>(width); ++lane_i) {  // bound: lanes

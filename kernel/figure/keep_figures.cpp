@@ -132,7 +132,7 @@ void keep_row(const FigureRows<width, Kinds>& rows, int row_i, int lane_i, scala
 template <class Loops>
 void ask_for_doublings(const FigureView& view, const Loops& loops, scalar h, int doublings) {
     const auto scale = static_cast<scalar>(1 << doublings);
-    for_groups(view, [&](const auto& rows) { ask_of_rows(rows, h, scale); });
+    for_groups<typename Loops::Kinds>(view, [&](const auto& rows) { ask_of_rows(rows, h, scale); });
     ask_of_loops(view, loops, h, doublings);
 }
 

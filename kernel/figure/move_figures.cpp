@@ -325,16 +325,25 @@ void pass_impulses(const FigureView& view) {
         pass_down(rows);
     });
 }
-template void pass_impulses<AnyKinds>(const FigureView&);
-template void pass_impulses<HingesAlone>(const FigureView&);
 
+template <class Kinds>
 void end_solve(const FigureView& view, scalar h) {
-    for_groups(view, [h](const auto& rows) { end_rows(rows, h); });
+    for_groups<Kinds>(view, [h](const auto& rows) { end_rows(rows, h); });
 }
 
+template <class Kinds>
 void drift_figures(const FigureView& view, scalar h) {
-    for_groups(view, [h](const auto& rows) { drift_rows(rows, h); });
+    for_groups<Kinds>(view, [h](const auto& rows) { drift_rows(rows, h); });
 }
+
+// The linker takes the one that the scene calls.
+#define INGOT_KINDS(Kinds)                                       \
+    template void pass_impulses<Kinds>(const FigureView&);       \
+    template void end_solve<Kinds>(const FigureView&, scalar);   \
+    template void drift_figures<Kinds>(const FigureView&, scalar)
+INGOT_KINDS(AnyKinds);
+INGOT_KINDS(HingesAlone);
+#undef INGOT_KINDS
 
 void begin_displacing(const FigureView& view) {
     for_groups(view, [](const auto& rows) {

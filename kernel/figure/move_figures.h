@@ -29,10 +29,12 @@ template <class Kinds = AnyKinds>
 void pass_impulses(const FigureView& view);
 
 /// Velocities are those of the solve. h: s, of the substep.
+template <class Kinds = AnyKinds>
 void end_solve(const FigureView& view, scalar h);
 
 /// Bodies go on by a substep of h seconds. acceleration: m/s^2, of what floats and moves smoothly, as a whole: such a figure goes by the mean of its
 /// velocities before and after the substep.
+template <class Kinds = AnyKinds>
 void drift_figures(const FigureView& view, scalar h);
 
 /// Puts bodies where their joints want them, by displacements that no velocity sees. again: only those that are off by more than limits::joint_gap.

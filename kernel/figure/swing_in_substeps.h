@@ -49,22 +49,24 @@ void kick_rows(const FigureRows<width, Kinds>& rows, scalar h) {
 /// Loops: NoLoops, or NoLoopsOfHinges.
 template <class Loops>
 struct NothingBeside {
+    using Kinds = typename Loops::Kinds;
     static constexpr bool closes = false;
     static constexpr bool is_driven() { return false; }
     static constexpr Loops loops = {};
     static void begin(const FigureView&, scalar) {}
     static void factor(const FigureView& view, scalar h) {
-        place_joints(view);
+        place_joints<Kinds>(view);
         factor_figures(view, loops, h);
     }
     static void list(const FigureView&, scalar) {}
-    static void solve(const FigureView& view, scalar) { pass_impulses<typename Loops::Kinds>(view); }
+    static void solve(const FigureView& view, scalar) { pass_impulses<Kinds>(view); }
     static void push(const FigureView&, scalar) {}
     static void keep(const FigureView&, int) {}
 };
 
 /// Some joints close loops.
 struct LoopsBeside {
+    using Kinds = AnyKinds;
     static constexpr bool closes = true;
     static constexpr bool is_driven() { return false; }
     const LoopView& loops;
@@ -91,6 +93,7 @@ struct LoopsBeside {
 /// Free directions may end, and may be driven. Rows: JointRowView, or DrivenRowView.
 template <class Rows>
 struct RowsBeside {
+    using Kinds = AnyKinds;
     static constexpr bool closes = false;
     static constexpr bool is_driven() { return Rows::has_drives; }
     static constexpr NoLoops loops = {};
@@ -166,6 +169,7 @@ void reopen_driven(const FigureView& view, const LoopedRowView& all) {
 
 /// Both: loops are closed, and their joints may end and be driven as others.
 struct LoopedRowsBeside {
+    using Kinds = AnyKinds;
     static constexpr bool closes = true;
     const LoopView& loops;
     LoopedRowView& all;
@@ -246,12 +250,12 @@ template <class Beside, class Reactions>
 void swing_substep(FigureView& view, const Beside& beside, Reactions reactions, scalar h) {
     if constexpr (!Beside::closes) beside.factor(view, h);
     beside.list(view, h);
-    for_groups(view, [&](const auto& rows) { kick_rows(rows, h); });
+    for_groups<typename Beside::Kinds>(view, [&](const auto& rows) { kick_rows(rows, h); });
     begin_flight_solve(view, beside.loops, h, beside.is_driven());
     beside.solve(view, h);
-    end_solve(view, h);
+    end_solve<typename Beside::Kinds>(view, h);
     note_reactions(view, beside.loops, reactions);
-    drift_figures(view, h);
+    drift_figures<typename Beside::Kinds>(view, h);
     view.elapsed += h;
     if constexpr (Beside::closes) beside.factor(view, h);
     push_figures(view, beside.loops, false);

@@ -26,6 +26,7 @@ namespace ingot { inline namespace INGOT_ABI {
 /// Free directions of a joint that is no ball, twists of the child against its parent. Returns how many.
 template <class At, class T = typename At::T>
 INGOT_INLINE int free_directions(const At& at, const FigureRow<At::width>& row, JointKind kind, Spatial<T> (&s)[3]) {
+    kind = At::Kinds::of(kind);
     const Vec3<T> none{};
     switch (kind) {
         case JointKind::hinge: s[0] = Spatial<T>{read(at, row.axis), none}; return 1;
@@ -53,6 +54,7 @@ INGOT_INLINE int free_directions(const At& at, const FigureRow<At::width>& row, 
 /// Of an impulse or a twist, without what is along free directions.
 template <class At, class T = typename At::T>
 INGOT_INLINE Spatial<T> locked_part(const At& at, const FigureRow<At::width>& row, JointKind kind, const Spatial<T>& f) {
+    kind = At::Kinds::of(kind);
     switch (kind) {
         case JointKind::ball:
         case JointKind::driven_ball: return {Vec3<T>{}, f.v};
@@ -87,6 +89,7 @@ inline bool turns_freely(JointKind kind) { return kind == JointKind::ball || kin
 /// What goes on to the parent of an impulse on a child, and of drives, both taken at q of the child.
 template <class At, class T = typename At::T>
 INGOT_INLINE Spatial<T> impulse_through(const At& at, const FigureRow<At::width>& row, JointKind kind, Spatial<T> P, const Vec3<T>& drive) {
+    kind = At::Kinds::of(kind);
     if (kind == JointKind::ball) return {-drive, P.v - transpose_times(read(at, row.inertia.B), P.w + drive)};
     if (kind == JointKind::hinge)
         return P - read(at, row.pulled[0]) * ((dot(read(at, row.axis), P.w) + drive.x) * at.get(row.inv_D[0]));
@@ -105,6 +108,7 @@ INGOT_INLINE Spatial<T> impulse_through(const At& at, const FigureRow<At::width>
 /// What a child sends to its parent.
 template <class At, class T = typename At::T>
 INGOT_INLINE Spatial<T> impulse_to_send(const At& at, const FigureRow<At::width>& row, JointKind kind) {
+    kind = At::Kinds::of(kind);
     const Spatial<T> through = impulse_through(at, row, kind, read(at, row.impulse), read(at, row.drive)), bias = read(at, row.bias);
     if (kind == JointKind::ball) return {through.w, through.v - read(at, row.inertia.C) * bias.v};
     return through - read(at, row.inertia) * bias;
@@ -114,6 +118,7 @@ INGOT_INLINE Spatial<T> impulse_to_send(const At& at, const FigureRow<At::width>
 template <class At, class T = typename At::T>
 INGOT_INLINE Spatial<T> twist_through(const At& at, const FigureRow<At::width>& row, JointKind kind, Spatial<T> u, Spatial<T> P,
                                       const Vec3<T>& drive) {
+    kind = At::Kinds::of(kind);
     if (kind == JointKind::ball) return {read(at, row.inertia.A) * (P.w + drive) - read(at, row.inertia.B) * u.v, u.v};
     if (kind == JointKind::hinge) {
         const Vec3<T> n = read(at, row.axis);
