@@ -50,8 +50,8 @@ inline constexpr int figure_retreats = 12;  ///< halvings of the time that it is
 /// what is deeper may be pushed out on the other side of what is thin.
 inline constexpr scalar depth_of_figure = scalar(0.5);
 
-/// Of what gravity gives in a substep: a sweep of an island with joints that moves, and corrects no speed by more, is the last of its substep. A clean
-/// step may leave so much, see unsettled_share; the next substep goes on from there.
+/// Of what gravity gives in a substep: a sweep of an island with joints that moves, and corrects no speed by more, is the last of its substep. A
+/// clean step may leave so much, see unsettled_share; the next substep goes on from there.
 inline constexpr scalar jointed_settled_share = scalar(1e-3);
 
 // Limits of joints. What is an angle is so many metres of a travel.

@@ -39,7 +39,7 @@ void excuse_jointed(View& solver) {
 }
 
 /// Sweeps of islands with joints that move end sooner: at limits::jointed_settled_share of what gravity gives in a substep of h seconds, or of what
-/// they have beyond that, if it is less. So what comes to rest, whose fastest body has no more than what gravity has just given, settles as others do.
+/// they have beyond that, if it is less. What comes to rest, whose fastest body has no more than what gravity has just given, settles as others do.
 template <class View>
 void settle_jointed_sooner(View& solver, scalar h) {
     const scalar fall = h * sqrt(length_sq(solver.jointed.figures.gravity));
