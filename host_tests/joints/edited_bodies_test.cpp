@@ -203,4 +203,51 @@ TEST(EditedBodies, wake_what_hangs_on_them) {
     EXPECT_EQ(world->joint_reaction(at).value.force.z, 0);
 }
 
+/// A sleeper is joined, by any joint or rope, to a platform that begins to move, however it is told to: it wakes, and hangs on it at any speed.
+TEST(EditedBodies, that_begin_to_move_take_sleepers_along) {
+    struct Pulled : Edited {
+        using joints = AllJointsWith<ingot::RodJoint, ingot::RopeJoint>;
+    };
+    const ingot::Joint ways[] = {ingot::BallJoint{}, ingot::HingeJoint{}, ingot::FixedJoint{}, ingot::RodJoint{}, ingot::RopeJoint{}};
+    for (const ingot::Joint& way : ways)
+        for (int told = 0; told < 4; ++told)
+            for (const double speed : {1e-3, 0.1, 2.0}) {
+                const auto world = std::make_unique<ingot::World<Pulled>>();
+                ASSERT_TRUE(add_ground(*world) && weigh(*world));
+                ingot::BodyDef def;
+                def.kinematic = told != 3;
+                def.immovable = told == 3;
+                def.state.r_CM = {0, 0, 2};
+                const ingot::BodyId puller = world->add(def).value;
+                def = {};
+                def.mass = mass_of(2);
+                def.shape = ingot::Box{{scalar(0.1), scalar(0.1), scalar(0.1)}};
+                def.state.r_CM = {0, 0, scalar(0.1)};
+                const ingot::BodyId box = world->add(def).value;
+                ingot::JointDef joint;
+                joint.body_A = puller;
+                joint.body_B = box;
+                joint.joint = way;
+                joint.P = {0, 0, 2};
+                joint.P_B = {0, 0, scalar(0.1)};
+                joint.axis = {0, 1, 0};
+                const ingot::JointId id = world->add_joint(joint).value;
+                for (int step_i = 0; step_i < 300; ++step_i) (void)ingot::step(*world, scalar(1) / 60);
+                ASSERT_TRUE(world->is_asleep(box));
+                const auto v = static_cast<scalar>(speed);
+                if (told == 3) ASSERT_EQ(world->set_kinematic(puller), Status::ok);
+                if (told == 0 || told == 3) ASSERT_EQ(world->set_velocity(puller, {0, 0, v}), Status::ok);
+                for (int step_i = 1; step_i <= 120; ++step_i) {
+                    ingot::BodyState state = world->state(puller).value;
+                    state.r_CM.z = 2 + v * static_cast<scalar>(step_i) / 60;
+                    if (told == 1) ASSERT_EQ(world->move_to(puller, state.r_CM, state.A), Status::ok);
+                    if (told == 2) ASSERT_EQ(world->set_state(puller, state), Status::ok);
+                    (void)ingot::step(*world, scalar(1) / 60);
+                    ASSERT_FALSE(world->is_asleep(box)) << told << ", " << speed;
+                }
+                EXPECT_NEAR(static_cast<double>(world->state(box).value.r_CM.z), 0.1 + 2 * speed, held + speed / 60) << told << ", " << speed;
+                EXPECT_LE(static_cast<double>(world->joint_gap(id).value), held + (told == 2 ? speed / 60 : 0)) << told << ", " << speed;
+            }
+}
+
 }  // namespace

@@ -89,7 +89,7 @@ void wake_in_the_way([[maybe_unused]] Step<S>& now) {
     }
 }
 
-/// What touches a body that moves by itself does not come to rest.
+/// What touches a body that moves by itself, or hangs on it, does not come to rest.
 template <class S>
 void keep_carried_awake([[maybe_unused]] Step<S>& now) {
     if constexpr (S::kinematic_bodies && S::sleeps) {
@@ -100,6 +100,7 @@ void keep_carried_awake([[maybe_unused]] Step<S>& now) {
             if (shows_kinematic_motion(now.bodies, pair.body_A)) now.storage.rest_time[pair.body_B] = -now.h;
             if (shows_kinematic_motion(now.bodies, pair.body_B)) now.storage.rest_time[pair.body_A] = -now.h;
         }
+        if constexpr (has_joints<S>) features::Figures::keep_hanging_awake(now.storage, now.h);
     }
 }
 

@@ -91,6 +91,8 @@ protected:
         if constexpr (S::sleeps)
             if (status == Status::ok)
                 wake_by(storage_, [&](const ManifoldView& manifolds) { wake_touching(storage_.bodies(), storage_.rest_view(), manifolds, slot); });
+        if constexpr (S::sleeps && has_joints<S>)
+            if (status == Status::ok && !is_dynamic(storage_.bodies(), slot)) features::Figures::wake_hanging(storage_, slot);
         return status;
     }
     /// The same of a call that sets a motion: what sums knew beyond the one before is gone.

@@ -217,6 +217,29 @@ struct Figures : Feature {
             }
         }
     }
+    /// What is joined to a body that cannot move, or moves as it is told.
+    template <class S>
+    static void wake_hanging(Storage<S>& storage, int slot) {
+        storage.joint_lists().for_ends(static_cast<Index>(slot), [&](int end) {
+            const Index other = storage.joint_lists().partner_of(end);
+            if (other == no_body || !is_dynamic(storage.bodies(), other)) return;
+            wake_by(storage, [&](const ManifoldView& manifolds) { wake_island(storage.bodies(), storage.rest_view(), manifolds, other); });
+        });
+    }
+    /// What hangs on a body that moves by itself does not come to rest.
+    template <class S>
+    static void keep_hanging_awake(Storage<S>& storage, scalar h) {
+        const BodyView bodies = storage.bodies();
+        for (int joint_i = 0; joint_i < storage.joint_slots_used; ++joint_i) {  // bound: max_joints
+            const JointRecord& joint = storage.joints[joint_i];
+            if (joint.kind == JointKind::none || joint.body_A == no_body || joint.body_B == no_body) continue;
+            if constexpr (has_ties<S>)
+                if (storage.joint_ties[joint_i].slack != 0) continue;
+            // The time at rest is -h, and 0 after the step has been added.
+            if (shows_kinematic_motion(bodies, joint.body_A)) storage.rest_time[joint.body_B] = -h;
+            if (shows_kinematic_motion(bodies, joint.body_B)) storage.rest_time[joint.body_A] = -h;
+        }
+    }
     /// A body takes its joints along.
     template <class S>
     static void before_removal(Storage<S>& storage, int slot) {
