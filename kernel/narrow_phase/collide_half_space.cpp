@@ -152,7 +152,7 @@ void collide_hull_half_space(const PlacedShape& A, const PlacedShape& B, scalar 
             if ((kept >> i & 1u) != 0) candidates[kept_count++] = candidates[i];
         count = kept_count;
     }
-    keep_points(candidates, count, frame, limits::flatness * A.hull->radius, before, manifold, margin);
+    keep_near_points(candidates, count, frame, limits::flatness * A.hull->radius, before, margin, manifold);
 }
 
 } }  // namespace ingot

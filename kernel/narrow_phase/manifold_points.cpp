@@ -38,21 +38,30 @@ scalar weight_of(const Candidate* candidates, const Choice& choice, const Candid
     return most > ca ? most : ca;
 }
 
+/// All candidates weigh what they span.
+struct AllAlike {
+    static scalar share_of(const Candidate&, const Candidate&) { return 1; }
+};
 /// 1 of what is as near as the deepest, and soon less: what touches at the end of the step, if at all, makes room for what touches before.
-scalar nearness_of(const Candidate& p, const Candidate& deepest, scalar margin) {
-    if (!(margin < limits::unbounded && margin > deepest.separation)) return 1;
-    const scalar share = (margin - p.separation) / (margin - deepest.separation), sq = share * share;
-    return sq * sq * (sq * sq);
-}
+struct NearOnesFirst {
+    scalar margin;
+
+    scalar share_of(const Candidate& p, const Candidate& deepest) const {
+        if (!(margin > deepest.separation)) return 1;
+        const scalar share = (margin - p.separation) / (margin - deepest.separation), sq = share * share;
+        return sq * sq * (sq * sq);
+    }
+};
 
 /// Adds the candidate of the largest weight above zero; what was chosen at this turn in the step before weighs more.
-bool add_heaviest(const Candidate* candidates, int count, const Before& before, scalar margin, Choice& choice) {
+template <class Order>
+bool add_heaviest(const Candidate* candidates, int count, const Before& before, const Order& order, Choice& choice) {
     const scalar preference = choice.count == 1 ? scalar(1.21) : scalar(1.1);
     int best = -1;
     scalar best_weight = 0;
     for (int i = 0; i < count; ++i) {
         if (choice.has(i)) continue;
-        scalar w = weight_of(candidates, choice, candidates[i]) * nearness_of(candidates[i], candidates[choice.chosen[0]], margin);
+        scalar w = weight_of(candidates, choice, candidates[i]) * order.share_of(candidates[i], candidates[choice.chosen[0]]);
         if (before.had(choice.count, candidates[i].feature)) w = w * preference;
         if (w > best_weight) {
             best = i;
@@ -64,7 +73,8 @@ bool add_heaviest(const Candidate* candidates, int count, const Before& before, 
     return true;
 }
 
-Choice spanning(const Candidate* candidates, int count, scalar tolerance, const Before& before, scalar margin) {
+template <class Order>
+Choice spanning(const Candidate* candidates, int count, scalar tolerance, const Before& before, const Order& order) {
     Choice choice{};
     scalar least = scalar_max;
     for (int i = 0; i < count; ++i) {
@@ -75,18 +85,17 @@ Choice spanning(const Candidate* candidates, int count, scalar tolerance, const 
         }
     }
     choice.count = 1;
-    while (choice.count < Manifold::points_max && add_heaviest(candidates, count, before, margin, choice)) {}  // bound: 4: Manifold::points_max
+    while (choice.count < Manifold::points_max && add_heaviest(candidates, count, before, order, choice)) {}  // bound: 4: Manifold::points_max
     return choice;
 }
 
-}  // namespace
-
-void keep_points(const Candidate* candidates, int count, const ContactFrame& frame, scalar tolerance, const Before& before, Manifold& manifold,
-                 scalar margin) {
+template <class Order>
+void keep_four(const Candidate* candidates, int count, const ContactFrame& frame, scalar tolerance, const Before& before, const Order& order,
+               Manifold& manifold) {
     Choice choice;
     choice.count = count;  // number by number: a table of them would be copied by a call
     for (int i = 0; i < Manifold::points_max; ++i) choice.chosen[i] = i;
-    if (count > Manifold::points_max) choice = spanning(candidates, count, tolerance, before, margin);
+    if (count > Manifold::points_max) choice = spanning(candidates, count, tolerance, before, order);
     manifold.n = frame.n;
     manifold.count = static_cast<int16_t>(choice.count);
     // bound: 4: Manifold::points_max
@@ -95,6 +104,16 @@ void keep_points(const Candidate* candidates, int count, const ContactFrame& fra
         const Vector P = frame.origin + (frame.e_x * p.x + frame.e_y * p.y + frame.n * p.z);
         manifold.points[i] = {P, p.separation, p.feature};
     }
+}
+
+}  // namespace
+
+void keep_points(const Candidate* candidates, int count, const ContactFrame& frame, scalar tolerance, const Before& before, Manifold& manifold) {
+    keep_four(candidates, count, frame, tolerance, before, AllAlike{}, manifold);
+}
+void keep_near_points(const Candidate* candidates, int count, const ContactFrame& frame, scalar tolerance, const Before& before, scalar margin,
+                      Manifold& manifold) {
+    keep_four(candidates, count, frame, tolerance, before, NearOnesFirst{margin}, manifold);
 }
 
 } }  // namespace ingot

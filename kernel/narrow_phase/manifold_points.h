@@ -69,10 +69,11 @@ INGOT_INLINE void one_point(const Vector& n, const Vector& P, scalar separation,
 ///
 /// What the step before chose at each turn is preferred: by `tolerance` (m) in depth, by a tenth in length and area, so that
 /// candidates that are alike but for rounding do not take turns.
-///
-/// margin: m, where candidates may be anywhere up to it, as corners of a hull that rocks: then near ones go before those that span more. With four
-/// that span, and none beside the one that it stands on, a hull sinks into the plane at each corner that it rolls over, and is lifted out again.
-void keep_points(const Candidate* candidates, int count, const ContactFrame& frame, scalar tolerance, const Before& before,
-                 Manifold& manifold, scalar margin = limits::unbounded);
+void keep_points(const Candidate* candidates, int count, const ContactFrame& frame, scalar tolerance, const Before& before, Manifold& manifold);
+
+/// The same where candidates may be anywhere up to the margin, m, as corners of a hull that rocks: near ones go before those that span more. With
+/// four that span, and none beside the one that it stands on, a hull sinks into the plane at each corner that it rolls over, and is lifted out again.
+void keep_near_points(const Candidate* candidates, int count, const ContactFrame& frame, scalar tolerance, const Before& before, scalar margin,
+                      Manifold& manifold);
 
 } }  // namespace ingot
