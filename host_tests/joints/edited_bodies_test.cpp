@@ -250,4 +250,34 @@ TEST(EditedBodies, that_begin_to_move_take_sleepers_along) {
             }
 }
 
+/// A figure that an animation moves, all of it or but a part, and lets go again: its snapshots load at any time, and go on to the same bits.
+TEST(EditedBodies, are_animated_and_saved) {
+    for (int run_i = 0; run_i < ingot_reference::draws(40); ++run_i) {
+        RandomInput random(static_cast<uint64_t>(run_i));
+        const auto world = std::make_unique<ingot::World<Edited>>(), copy = std::make_unique<ingot::World<Edited>>();
+        ASSERT_TRUE(add_ground(*world) && weigh(*world));
+        Built built;
+        add_figure(*world, random, {random.integer(2, 10), 0.1, 20, 1, false}, {0, 0, 3}, built);
+        ASSERT_TRUE(built.sound);
+        const auto h = static_cast<scalar>(1 / rates[random.integer(0, 4)]);
+        for (int round = 0; round < 6; ++round) {
+            const Vector v = to_vector(random.vector(0.5)), omega = to_vector(random.vector(1));
+            for (const ingot::BodyId id : built.bodies) {
+                const bool led = round % 3 == 0 || (round % 3 == 1 && random.integer(0, 1) == 1);
+                const Status status = led ? world->set_kinematic(id) : world->set_movable(id, mass_of(1));
+                ASSERT_TRUE(status == Status::ok || status == Status::no_room);
+                if (world->is_kinematic(id)) ASSERT_EQ(world->set_velocity(id, v, omega), Status::ok);
+            }
+            for (int step_i = 0; step_i < 10; ++step_i) (void)ingot::step(*world, h);
+            const std::vector<uint8_t> bytes = bytes_of(*world);
+            ASSERT_EQ(ingot::load_snapshot(*copy, bytes.data(), bytes.size()), Status::ok) << run_i << ", " << round;
+            for (int step_i = 0; step_i < 10; ++step_i) {
+                (void)ingot::step(*world, h);
+                (void)ingot::step(*copy, h);
+            }
+            ASSERT_EQ(world->state_hash(), copy->state_hash()) << run_i << ", " << round;
+        }
+    }
+}
+
 }  // namespace

@@ -35,7 +35,7 @@ struct TriangleTouch {
 /// Source: Ericson, "Real-Time Collision Detection", 2005, 5.1.5: the regions; here they are told by the edges.
 TriangleTouch nearest_on_triangle(const TriangleFace& face, const Vector& c, scalar flush);
 
-/// Whether c is above the inside of a triangle, or below it: what nearest_on_triangle calls inside.
+/// Whether c is above the inside of a triangle, or below it, at any height: what nearest_on_triangle calls inside. flush: m, beside it.
 bool is_over(const TriangleFace& face, const Vector& c, scalar flush);
 
 /// Puts p on the edge or corner that the direction d, which is not that of the normal, belongs to.

@@ -224,9 +224,11 @@ private:
     }
 
     /// Whether its joints can be held when it can move, or when it cannot any more. The change is made to see that, and taken back.
+    /// Cost: of a body with joints, a look at all joints.
     template <class Change>
     bool has_room_for_joints([[maybe_unused]] int slot, [[maybe_unused]] const Change& change) {
         if constexpr (has_joints<S>) {
+            if (storage_.joint_lists().first_end[slot] == 0) return true;
             RotationTile& rotation = storage_.bodies().rotation[place_of(slot).tile];
             TranslationTile& translation = storage_.bodies().translation[place_of(slot).tile];
             const RotationTile rotation_now = rotation;
@@ -242,13 +244,13 @@ private:
     }
     /// What they gave was another body's; what hangs on it wakes.
     void begin_joints([[maybe_unused]] int slot) {
-        if constexpr (has_joints<S>)
+        if constexpr (has_joints<S>) {
             storage_.joint_lists().for_ends(static_cast<Index>(slot), [&](int end) {
                 features::Figures::forget_impulses(storage_, end / 2);
                 features::Figures::forget_reaction(storage_, end / 2);
-                const Index other = storage_.joint_lists().partner_of(end);
-                if (other != no_body && is_dynamic(storage_.bodies(), other)) (void)touched(other, Status::ok);
             });
+            if constexpr (S::sleeps) features::Figures::wake_hanging(storage_, slot);
+        }
     }
     /// Nothing is known of its contacts any more, as if it left: what it touches wakes.
     void leave_contacts(int slot) {

@@ -241,7 +241,7 @@ protected:
         return {Status::ok, id.slot};
     }
 
-    JointKind kind_of(int joint_i) const { return features::Figures::kind_of(storage_, joint_i); }
+    JointKind kind_of(int joint_i) const { return features::kind_of_joint(storage_, joint_i); }
     /// Also as it was before it broke.
     If<has_joint_breaking<S>, JointRecord, const JointRecord&> record_of_slot(int joint_i) const {
         if constexpr (has_joint_breaking<S>) {

@@ -135,12 +135,8 @@ struct Figures : Feature {
         return some;
     }
     template <class S>
-    static JointKind kind_of(const Storage<S>& storage, int joint_i) {
-        return kind_of_joint(storage, joint_i);
-    }
-    template <class S>
     static void take_out(Storage<S>& storage, int joint_i) {
-        if (kind_of(storage, joint_i) == storage.joints[joint_i].kind) storage.joint_lists().unlink(joint_i);
+        if (kind_of_joint(storage, joint_i) == storage.joints[joint_i].kind) storage.joint_lists().unlink(joint_i);
         storage.joints[joint_i] = {};
         if constexpr (has_joint_reactions<S>) storage.joint_reactions[joint_i] = {};
         if constexpr (has_joint_breaking<S>) write_record(storage.joint_breaking[joint_i], {});
@@ -184,22 +180,29 @@ struct Figures : Feature {
         if constexpr (has_gears<S>)
             for (int gear_i = 0; gear_i < storage.joint_slots_used; ++gear_i) {  // bound: max_joints
                 const GearRecord& gear = storage.joint_gears[gear_i];
-                if (kind_of(storage, gear_i) == JointKind::gear && (gear.joint[0] == joint_i || gear.joint[1] == joint_i)) take_out(storage, gear_i);
+                const bool is_of_joint = gear.joint[0] == joint_i || gear.joint[1] == joint_i;
+                if (kind_of_joint(storage, gear_i) == JointKind::gear && is_of_joint) take_out(storage, gear_i);
             }
+    }
+    /// Calls each(body_A, body_B) for the joints that hold two bodies together as things are: not slack ropes, nor what hangs on the world.
+    template <class S, class Each>
+    static void over_links(const Storage<S>& storage, const Each& each) {
+        for (int joint_i = 0; joint_i < storage.joint_slots_used; ++joint_i) {  // bound: max_joints
+            const JointRecord& joint = storage.joints[joint_i];
+            if (joint.kind == JointKind::none || joint.body_A == no_body || joint.body_B == no_body) continue;
+            if constexpr (has_ties<S>)
+                if (storage.joint_ties[joint_i].slack != 0) continue;
+            each(joint.body_A, joint.body_B);
+        }
     }
     /// Bodies that are joined sleep and wake as one: those that have just come to rest too, whose islands are made once more, to last.
     template <class S>
     static void join_islands(Storage<S>& storage, bool all) {
         const BodyView bodies = storage.bodies();
         const RestView rest = storage.rest_view();
-        for (int joint_i = 0; joint_i < storage.joint_slots_used; ++joint_i) {  // bound: max_joints
-            const JointRecord& joint = storage.joints[joint_i];
-            if (joint.kind == JointKind::none || joint.body_A == no_body || joint.body_B == no_body) continue;
-            if (!is_dynamic(bodies, joint.body_A) || !is_dynamic(bodies, joint.body_B)) continue;
-            if constexpr (has_ties<S>)
-                if (storage.joint_ties[joint_i].slack != 0) continue;
-            if (all || rest.is_active(joint.body_A) || rest.is_active(joint.body_B)) join_bodies_of(rest, joint.body_A, joint.body_B);
-        }
+        over_links(storage, [&](Index A, Index B) {
+            if (is_dynamic(bodies, A) && is_dynamic(bodies, B) && (all || rest.is_active(A) || rest.is_active(B))) join_bodies_of(rest, A, B);
+        });
     }
     /// What sleeps wakes with what moves and has come to be joined to it: by a rope that was slack, or a gear that did nothing. After join_islands.
     template <class S>
@@ -207,14 +210,10 @@ struct Figures : Feature {
         if constexpr (has_ties<S>) {
             const BodyView bodies = storage.bodies();
             const RestView rest = storage.rest_view();
-            for (int joint_i = 0; joint_i < storage.joint_slots_used; ++joint_i) {  // bound: max_joints
-                const JointRecord& joint = storage.joints[joint_i];
-                if (joint.kind == JointKind::none || storage.joint_ties[joint_i].slack != 0) continue;
-                if (joint.body_A == no_body || joint.body_B == no_body) continue;
-                if (!is_dynamic(bodies, joint.body_A) || !is_dynamic(bodies, joint.body_B)) continue;
-                if (rest.is_awake(joint.body_A) == rest.is_awake(joint.body_B)) continue;
-                wake_island(bodies, rest, storage.manifold_view(), rest.is_awake(joint.body_A) ? joint.body_B : joint.body_A);
-            }
+            over_links(storage, [&](Index A, Index B) {
+                if (!is_dynamic(bodies, A) || !is_dynamic(bodies, B) || rest.is_awake(A) == rest.is_awake(B)) return;
+                wake_island(bodies, rest, storage.manifold_view(), rest.is_awake(A) ? B : A);
+            });
         }
     }
     /// What is joined to a body that cannot move, or moves as it is told.
@@ -230,22 +229,18 @@ struct Figures : Feature {
     template <class S>
     static void keep_hanging_awake(Storage<S>& storage, scalar h) {
         const BodyView bodies = storage.bodies();
-        for (int joint_i = 0; joint_i < storage.joint_slots_used; ++joint_i) {  // bound: max_joints
-            const JointRecord& joint = storage.joints[joint_i];
-            if (joint.kind == JointKind::none || joint.body_A == no_body || joint.body_B == no_body) continue;
-            if constexpr (has_ties<S>)
-                if (storage.joint_ties[joint_i].slack != 0) continue;
-            // The time at rest is -h, and 0 after the step has been added.
-            if (shows_kinematic_motion(bodies, joint.body_A)) storage.rest_time[joint.body_B] = -h;
-            if (shows_kinematic_motion(bodies, joint.body_B)) storage.rest_time[joint.body_A] = -h;
-        }
+        // The time at rest is -h, and 0 after the step has been added: to bodies that can move.
+        over_links(storage, [&](Index A, Index B) {
+            if (shows_kinematic_motion(bodies, A) && is_dynamic(bodies, B)) storage.rest_time[B] = -h;
+            if (shows_kinematic_motion(bodies, B) && is_dynamic(bodies, A)) storage.rest_time[A] = -h;
+        });
     }
     /// A body takes its joints along.
     template <class S>
     static void before_removal(Storage<S>& storage, int slot) {
         for (int joint_i = 0; joint_i < storage.joint_slots_used; ++joint_i) {  // bound: max_joints
             const JointRecord& joint = storage.joints[joint_i];
-            if (kind_of(storage, joint_i) == JointKind::none || (joint.body_A != slot && joint.body_B != slot)) continue;
+            if (kind_of_joint(storage, joint_i) == JointKind::none || (joint.body_A != slot && joint.body_B != slot)) continue;
             take_out_gears_of(storage, joint_i);
             take_out(storage, joint_i);
         }
