@@ -127,20 +127,42 @@ struct Feature {
     static void finish_load(Storage<S>&) {}
 };
 
+/// Some features in their order: a type, and nothing else.
+template <class... Some>
+struct Picked {};
+template <class... First, class... Then>
+constexpr Picked<First..., Then...> operator+(Picked<First...>, Picked<Then...>) {
+    return {};
+}
+template <bool is_picked, class F>
+struct PickedIf {
+    using List = Picked<F>;
+};
+template <class F>
+struct PickedIf<false, F> {
+    using List = Picked<>;
+};
+
 /// The features there are.
 template <class... All>
 struct FeatureList {
+    /// Those that the scene names. Picked once for a scene: a compiler that asked every feature in every fold would spend a tenth of its time on it.
+    template <class S>
+    using Named = decltype((Picked<>{} + ... + typename PickedIf<All::template named<S>, All>::List()));
+
     /// Calls visit(feature) for each.
     template <class Visit>
     static constexpr void over_all(const Visit& visit) {
-        (visit(All{}), ...);
+        over(Picked<All...>{}, visit);
     }
     /// For those that the scene names.
     template <class S, class Visit>
     static constexpr void over_named(const Visit& visit) {
-        over_all([&visit](auto feature) {
-            if constexpr (decltype(feature)::template named<S>) visit(feature);
-        });
+        over(Named<S>{}, visit);
+    }
+    template <class... Some, class Visit>
+    static constexpr void over(Picked<Some...>, const Visit& visit) {
+        (visit(Some{}), ...);
     }
     /// The memory of all, in the order of the list.
     template <class S>
