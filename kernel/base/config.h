@@ -89,6 +89,12 @@
 #else
 #define INGOT_RARE INGOT_INLINE
 #endif
+/// Helpers that are longer than their calls. With one lane, files that are compiled for size call them.
+#if INGOT_LANES == 1 && defined(__OPTIMIZE_SIZE__)
+#define INGOT_LONG_HELPER inline
+#else
+#define INGOT_LONG_HELPER INGOT_INLINE
+#endif
 /// Code that is long, and called in several places. With one lane it is there once.
 #if INGOT_LANES == 1 || defined(INGOT_CALLS_HELPERS)
 #define INGOT_SHARED INGOT_NOINLINE inline

@@ -14,7 +14,7 @@ INGOT_INLINE mask lanes_of(uint16_t lane_bits) { return is_all(lane_bits) ? spla
 
 INGOT_INLINE Vec3<lane> vector_of(const LaneQuad& from) { return {from.at[0], from.at[1], from.at[2]}; }
 
-INGOT_INLINE BodyPairLanes gather_bodies(const SolverView& solver, const ContactBlock& block, QuadOfBody linear, QuadOfBody angular) {
+INGOT_LONG_HELPER BodyPairLanes gather_bodies(const SolverView& solver, const ContactBlock& block, QuadOfBody linear, QuadOfBody angular) {
     const LaneQuad linear_A = gather(solver.bodies, block.body_A, linear), angular_A = gather(solver.bodies, block.body_A, angular);
     const LaneQuad linear_B = gather(solver.bodies, block.body_B, linear), angular_B = gather(solver.bodies, block.body_B, angular);
     return {vector_of(linear_A), vector_of(angular_A), vector_of(linear_B), vector_of(angular_B),
@@ -30,7 +30,7 @@ INGOT_INLINE void scatter_visited(const SolverView& solver, const Index* bodies,
     else
         scatter_some(solver.bodies, bodies, lane_bits, part, value);
 }
-INGOT_INLINE void scatter_bodies(const SolverView& solver, const ContactBlock& block, uint16_t lane_bits, const BodyPairLanes& pair,
+INGOT_LONG_HELPER void scatter_bodies(const SolverView& solver, const ContactBlock& block, uint16_t lane_bits, const BodyPairLanes& pair,
                                  QuadOfBody linear, QuadOfBody angular) {
     scatter_visited(solver, block.body_A, lane_bits, linear, quad_of(pair.linear_A, pair.last[0]));
     scatter_visited(solver, block.body_A, lane_bits, angular, quad_of(pair.angular_A, pair.last[1]));

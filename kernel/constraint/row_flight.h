@@ -14,7 +14,7 @@ struct BlockFlight {
     RowFlight<lane> row[block_rows];
 };
 
-INGOT_INLINE Vec3<lane> gather_history(const SolverView& solver, const Index* index, scalar (SolverBodyHistory::*part)[4]) {
+INGOT_LONG_HELPER Vec3<lane> gather_history(const SolverView& solver, const Index* index, scalar (SolverBodyHistory::*part)[4]) {
     scalar rows[3][lanes];
     for (int lane_i = 0; lane_i < lanes; ++lane_i)
         for (int axis = 0; axis < 3; ++axis) rows[axis][lane_i] = (solver.histories[index[lane_i]].*part)[axis];
@@ -22,13 +22,13 @@ INGOT_INLINE Vec3<lane> gather_history(const SolverView& solver, const Index* in
 }
 
 using QuadOfHistory = scalar (SolverBodyHistory::*)[4];
-INGOT_INLINE BodyPairLanes gather_histories(const SolverView& solver, const ContactBlock& block, QuadOfHistory linear, QuadOfHistory angular) {
+INGOT_LONG_HELPER BodyPairLanes gather_histories(const SolverView& solver, const ContactBlock& block, QuadOfHistory linear, QuadOfHistory angular) {
     return {gather_history(solver, block.body_A, linear), gather_history(solver, block.body_A, angular),
             gather_history(solver, block.body_B, linear), gather_history(solver, block.body_B, angular), {}};
 }
 
 /// Of the points of a block at the begin of a substep, where its bodies have this motion.
-INGOT_INLINE BlockFlight flight_of(const SolverView& solver, const ContactBlock& block, const BodyPairLanes& motion) {
+INGOT_LONG_HELPER BlockFlight flight_of(const SolverView& solver, const ContactBlock& block, const BodyPairLanes& motion) {
     const Vec3<lane> n = load(block.n);
     const BodyPairLanes displaced = gather_bodies(solver, block, &SolverBody::dp, &SolverBody::dth);
     const BodyPairLanes forces = gather_histories(solver, block, &SolverBodyHistory::a, &SolverBodyHistory::tau);
@@ -41,7 +41,7 @@ INGOT_INLINE BlockFlight flight_of(const SolverView& solver, const ContactBlock&
     return flight;
 }
 
-INGOT_INLINE BlockFlight flight_of(const SolverView& solver, const ContactBlock& block) {
+INGOT_LONG_HELPER BlockFlight flight_of(const SolverView& solver, const ContactBlock& block) {
     return flight_of(solver, block, gather_bodies(solver, block, &SolverBody::v_CM, &SolverBody::L));
 }
 
