@@ -80,9 +80,10 @@ struct SweptContacts {
         if constexpr (notes_impulses) ingot::note_impulses(view, notes);
     }
     void drift(const BodyView& bodies, scalar h) {
-        const bool turned = view.some_turn;
+        [[maybe_unused]] const bool turned = view.some_turn;
         drift_bodies(with_locks(view), bodies, h);
-        if (turned) separate_turned(view, bodies);
+        if constexpr (View::points_max > 1)
+            if (turned) separate_turned(view, bodies);
         --view.substeps_left;
     }
     void solve_positions(const ContactStep&, scalar h) { sweep_positions(of_points(view), view.visits, view.visit_count, h); }
