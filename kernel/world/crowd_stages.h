@@ -137,10 +137,9 @@ template <class S, class Fast>
         forget_refused(storage.pair_list());
     } else {
         const CrowdBodies crowd = {now.bodies, surfaces, now.h, S::max_shapes_of_body};
-        keep_urgent_manifolds<ShapesOf<S>, S::recycles_manifolds>(crowd, storage.shapes(), storage.bounds, storage.pair_list(),
-                                                                  storage.manifold_view(),
-                                                                  [&](const BodyPair& pair) { return rests(storage, pair); }, fast_pairs,
-                                                                  now.report.contacts_lost);
+        keep_urgent_manifolds<ShapesOf<S>, renews_manifolds<S>>(
+            crowd, storage.shapes(), storage.bounds, storage.pair_list(), storage.manifold_view(),
+            [&](const BodyPair& pair) { return rests(storage, pair); }, fast_pairs, now.report.contacts_lost);
         wake_refused(now, surfaces, fast_pairs);
         hold_all_refused(now, surfaces, fast_pairs, false);
     }

@@ -258,11 +258,19 @@ inline constexpr bool follows_fast_bodies = S::continuous;
 template <class S>
 inline constexpr bool has_materials = S::rolling_resistance || S::surface_velocities;
 
+/// Something moves that is no ball.
+template <class S>
+inline constexpr bool has_more_than_balls = S::shapes::has(ShapeKind::box) || S::shapes::has(ShapeKind::capsule) ||
+                                            S::shapes::has(ShapeKind::cylinder) || S::shapes::has(ShapeKind::hull);
+
+/// Manifolds may be moved along with their bodies: see worth_renewing.
+template <class S>
+inline constexpr bool renews_manifolds = S::recycles_manifolds && has_more_than_balls<S>;
+
 /// All that moves is balls, and nothing asks for more of the solver than sweeps: manifolds have one point. See BallView.
 template <class S>
 inline constexpr bool sweeps_balls_alone = stacks<S> && !S::solver::is_pointwise && !S::solver::is_direct && !has_materials<S> && !S::continuous &&
-                                           !S::shapes::has(ShapeKind::box) && !S::shapes::has(ShapeKind::capsule) &&
-                                           !S::shapes::has(ShapeKind::cylinder) && !S::shapes::has(ShapeKind::hull);
+                                           !has_more_than_balls<S>;
 
 template <class S>
 inline constexpr bool has_field = is_field<typename S::force_field>;

@@ -201,8 +201,8 @@ void find_manifolds([[maybe_unused]] Step<S>& now) {
         const SurfaceView surfaces = surfaces_of(now);
         const auto fast_pairs = find_fast_pairs(now);
         const BodyView shapes = storage.shapes();
-        const PairUpdate<ShapesOf<S>, S::recycles_manifolds, decltype(fast_pairs)> update = {shapes, surfaces,  storage.bounds,
-                                                                                            now.h,  manifolds, fast_pairs};
+        const PairUpdate<ShapesOf<S>, renews_manifolds<S>, decltype(fast_pairs)> update = {shapes, surfaces,  storage.bounds,
+                                                                                           now.h,  manifolds, fast_pairs};
         update_manifolds(now, update);
         if (now.report.contacts_lost != 0) choose_manifolds(now, surfaces, fast_pairs);
         if constexpr (hides_internal_edges<S>)
