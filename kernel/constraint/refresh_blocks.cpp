@@ -146,18 +146,6 @@ void set_along_tangents(const ContactBlock& block, mask turning, const Vec3<lane
     store(of[1], select(turning, dot(value, load(block.t_2)), load(of[1])));
 }
 
-/// Where all that moves is balls, no contact goes along with what rolls: see `rolls`.
-template <class View>
-inline constexpr bool some_may_move = View::points_max > 1;
-
-template <class View>
-INGOT_INLINE mask moving_lanes([[maybe_unused]] const ContactBlock& block) {
-    if constexpr (some_may_move<View>)
-        return mask_from_bits(block.moving);
-    else
-        return splat<lane>(1) < lane{};
-}
-
 /// What a block keeps while it is prepared again.
 struct KeptRows {
     lane cached_inverse[10], separation[block_rows], u[block_rows], s[block_rows];
@@ -175,12 +163,12 @@ struct KeptRows {
 template <class View>
 void refresh_block(const View& solver, const BodyView& bodies, int block_i, scalar h) {
     ContactBlock& block = solver.blocks[block_i];
-    const mask turning = mask_from_bits(block.turning), moving = moving_lanes<View>(block);
+    const mask turning = mask_from_bits(block.turning), moving = mask_from_bits(moves_contacts<View> ? block.moving : uint16_t{0});
     Collected in{};
     scalar ahead_of[lanes] = {};
     collect(solver, bodies, block, in);
     if constexpr (View::locks_axes) block.rows = block_rows;
-    if constexpr (some_may_move<View>)
+    if constexpr (moves_contacts<View>)
         for (int lane_i = 0; lane_i < lanes; ++lane_i)
             if ((block.moving >> lane_i & 1u) != 0) ahead_of[lane_i] = collect_moved(solver, bodies, block, lane_i, h, in);
     const KeptRows kept(block);

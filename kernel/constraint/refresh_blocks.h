@@ -19,6 +19,10 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
+/// Contacts go along with capsules and cylinders that turn far: not where all that moves is balls.
+template <class View>
+inline constexpr bool moves_contacts = View::points_max > 1;
+
 /// Before the bodies fly, of the first block_count blocks: which lanes have a body that turns far, how fast their points part by the rows as they
 /// are, and which bodies are about to be hit: turns_into_impact. h: s, of the substep.
 /// View: SolverView, or one with locks.
@@ -34,7 +38,7 @@ void refresh_blocks(const View& solver, const BodyView& bodies, scalar h);
 /// After the speeds that points may approach with have been set by their gaps: those of the shifts.
 void shift_targets(const SolverView& solver);
 
-/// After the second half of the flight: separations as they are.
+/// After the second half of the flight, where contacts move: separations as they are.
 void separate_turned(const SolverView& solver, const BodyView& bodies);
 
 } }  // namespace ingot

@@ -82,7 +82,7 @@ struct SweptContacts {
     void drift(const BodyView& bodies, scalar h) {
         [[maybe_unused]] const bool turned = view.some_turn;
         drift_bodies(with_locks(view), bodies, h);
-        if constexpr (View::points_max > 1)
+        if constexpr (moves_contacts<View>)
             if (turned) separate_turned(view, bodies);
         --view.substeps_left;
     }

@@ -5,6 +5,7 @@
 // feature. A new one is a struct here, a line in that list and a trait in scene.h. `gravity_shares.h` is a short example.
 #pragma once
 
+#include "../../base/if.h"
 #include "../body_def.h"
 #include "../scene.h"
 #include "../snapshot_bytes.h"
@@ -134,21 +135,13 @@ template <class... First, class... Then>
 constexpr Picked<First..., Then...> operator+(Picked<First...>, Picked<Then...>) {
     return {};
 }
-template <bool is_picked, class F>
-struct PickedIf {
-    using List = Picked<F>;
-};
-template <class F>
-struct PickedIf<false, F> {
-    using List = Picked<>;
-};
 
 /// The features there are.
 template <class... All>
 struct FeatureList {
-    /// Those that the scene names. Picked once for a scene: a compiler that asked every feature in every fold would spend a tenth of its time on it.
+    /// Those that the scene names. Picked once for a scene: a compiler that asked every feature in every fold would spend a fifth of its time on it.
     template <class S>
-    using Named = decltype((Picked<>{} + ... + typename PickedIf<All::template named<S>, All>::List()));
+    using Named = decltype((Picked<>{} + ... + If<All::template named<S>, Picked<All>, Picked<>>()));
 
     /// Calls visit(feature) for each.
     template <class Visit>
