@@ -720,6 +720,6 @@ private:
 template <class S>
 World<S> Friction<S>::kept_;
 template <class S>
-typename Friction<S>::State Friction<S>::kept_state_;
+typename Friction<S>::State Friction<S>::kept_state_ = {};
 
 } }  // namespace fuzz
