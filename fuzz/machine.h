@@ -258,22 +258,26 @@ protected:
         constexpr int substeps = (begun_again + limits::substeps) * (S::continuous ? limits::impacts_of_body_max * S::max_bodies + 1 : 1);
         const int contacts = report.contacts + (S::continuous ? limits::pair_manifolds_max : 0);  // those that meet in flight have their own
         const int waves_of_stacks = ingot::solves_pointwise<S> ? 0 : substeps * limits::impacts_of_contact * contacts;
-        const int waves_max = ingot::stacks<S> ? waves_of_stacks : limits::impact_waves_max;
+        // Without friction impacts come one after another within the step, each with its waves: follow_impacts in kernel/impulse/impacts_in_step.h.
+        constexpr int impacts_max = limits::impacts_in_step_max * S::max_contacts;
+        const int waves_max = ingot::stacks<S> ? waves_of_stacks : impacts_max * limits::impact_waves_max;
         demand(report.impact_waves <= waves_max, "waves are bounded");
         // Islands that give energy are swept again, and so are those with bounces that do.
         constexpr int rounds = 1 + limits::gaining_rounds + (S::bounces ? limits::bounce_rounds : 0);
         constexpr int in_a_substep = ingot::solves_pointwise<S> ? limits::sweeps_of_points : limits::sweeps_of_small * rounds;
-        const int sweeps_max = ingot::stacks<S> ? substeps * in_a_substep : limits::contact_sweeps_max * (limits::impact_waves_max + 1);
+        // Without friction each wave is solved, what is held until an impact, and what presses at the end.
+        const int solves_of_impacts = report.impact_waves + impacts_max + 1;
+        const int sweeps_max = ingot::stacks<S> ? substeps * in_a_substep : limits::contact_sweeps_max * solves_of_impacts;
         demand(report.sweeps <= sweeps_max, "sweeps are bounded");
         // An island has a body that moves, and is solved at most twice: calm, and again.
         const int flights = substeps / (begun_again + limits::substeps);
-        const int solves = ingot::stacks<S> ? (ingot::solves_pointwise<S> ? 1 : 2) * movable * flights : report.impact_waves + 1;
+        const int solves = ingot::stacks<S> ? (ingot::solves_pointwise<S> ? 1 : 2) * movable * flights : solves_of_impacts;
         demand(report.sweeps_unfinished <= solves, "at most every solve is unfinished");
         // With friction, a substep that leaves some contacts has had impacts_of_contact waves for each of them; fast bodies wait beside that.
         const int left_max = report.impact_waves / limits::impacts_of_contact + (S::continuous ? movable : 0);
-        const bool ran_out = ingot::stacks<S> ? report.impacts_deferred <= left_max : report.impact_waves == limits::impact_waves_max;
+        // Without friction a contact is left when its impact ran out of waves, at each of its impacts, and once when it has had all of those.
+        const bool ran_out = ingot::stacks<S> ? report.impacts_deferred <= left_max : report.impact_waves > 0;
         demand(report.impacts_deferred == 0 || ran_out, "impacts are left when waves run out");
-        demand(ingot::stacks<S> || report.impacts_deferred <= report.contacts, "at most every contact is left");
         demand(report.contacts <= S::max_contacts + S::max_manifolds, "contacts fit");
         demand(ingot::stacks<S> || report.contacts_lost == 0 || report.contacts == S::max_contacts, "contacts are lost when the array is full");
         demand(report.pairs_untested <= S::max_bodies * (S::max_bodies - 1) / 2 * S::max_shapes_of_body * S::max_shapes_of_body,

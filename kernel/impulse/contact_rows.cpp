@@ -181,8 +181,7 @@ SweepOutcome solve_active_contacts(const ContactView& contacts, const BodyView& 
     for (int contact_i = 0; contact_i < *contacts.count; ++contact_i) contacts.contacts[contact_i].j = 0;  // bound: max_contacts
     int sweeps = 0;
     for (int sweep_i = 0; sweep_i < limits::contact_sweeps_max && left.some(); ++sweep_i) {
-        // Rows that rounding keeps from the last digit are taken as they are.
-        const scalar slack = sweep_i < limits::contact_sweeps_max / 4 ? 1 : limits::contact_slack;
+        const scalar slack = slack_after(sweep_i);
         bool settled = true;
         // bound: max_contacts: end is after first: each pair has a contact
         for (int first = 0, end = 0; first < *contacts.count; first = end) {

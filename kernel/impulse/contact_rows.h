@@ -46,6 +46,11 @@ struct SweepOutcome {
     bool finished;
 };
 
+/// Of their tolerances, what rows may be off by after so many sweeps: those that rounding keeps from the last digit are taken as they are.
+INGOT_INLINE scalar slack_after(int sweeps) {
+    return sweeps < limits::contact_sweeps_max / 4 ? 1 : limits::contact_slack;
+}
+
 /// Finds j >= 0 for the active contacts together so that n.(v_AP - v_BP) >= target, with j = 0 where it is greater.
 ///
 /// Gauss-Seidel over pairs of bodies, begun at j = 0, until no row is off by more than its tolerance. The contacts of a pair are

@@ -11,9 +11,11 @@ namespace ingot { inline namespace INGOT_ABI {
 template <class Shapes>
 [[gnu::noinline, gnu::cold]] void look_again(const ImpactStep& step, const ContactView& contacts, int slot, scalar now, StepReport& report) {
     forget_times(contacts, slot, now, report);
+    const Index untested = report.pairs_untested;
     for (int other = next_touchable(step.bodies, step.surfaces, step.ways, slot, 0); other < step.surfaces.slot_count;
          other = next_touchable(step.bodies, step.surfaces, step.ways, slot, other + 1))  // bound: max_bodies
         if (other != slot) find_contact<Shapes>(step, contacts, slot < other ? slot : other, slot < other ? other : slot, now, true, report);
+    report.pairs_untested = untested;  // they have been counted as the step began
 }
 
 /// Calls each(slot) for the bodies of the impact that can move, once.
