@@ -12,7 +12,7 @@ set -u
 folder=$1
 runs=$2
 seconds=${3:-0}
-targets=${4:-numbers hull contacts drift world lanes snapshot friction rooms materials light fast joints}
+targets=${4:-numbers hull contacts drift world lanes snapshot friction rooms materials light fast joints drives}
 here=$(dirname "$0")
 found=0
 printf '%-12s %14s %12s %9s\n' target executions per_second findings
@@ -23,11 +23,12 @@ for target in $targets; do
         drift) len=120 ;;
         hull) len=500 ;;
         snapshot) len=1500 ;;
-        joints) len=400 ;;
+        joints|drives) len=400 ;;
         *) len=600 ;;
     esac
     corpus=$here/corpus_$target
     [ "$target" != fast ] || corpus=$here/corpus_rooms
+    [ "$target" != drives ] || corpus=$here/corpus_joints
     [ -d "$corpus" ] || corpus=$here/corpus
     mkdir -p "$folder/long/$target"
     log=$folder/long/$target.log
