@@ -59,6 +59,20 @@ uint8_t edges_of(const HeightTable& h, int column, int row, bool second) {
     return static_cast<uint8_t>(static_cast<int>(of[0]) | static_cast<int>(of[1]) << 2 | static_cast<int>(of[2]) << 4);
 }
 
+/// The triangle in the lattice, with what the level knows of it.
+LevelTriangle with_corners(const LevelTable& level, uint32_t number, const HeightTriangle& stored) {
+    const HeightTable& heights = level.heights;
+    LevelTriangle triangle{};
+    triangle.number = number;
+    for (int i = 0; i < 3; ++i)
+        triangle.corners[i] = {corner_along(level.origin.x, heights.spacing_x, stored.samples[i][0]),
+                               corner_along(level.origin.y, heights.spacing_y, stored.samples[i][1]),
+                               corner_along(level.origin.z, level.step, stored.heights[i])};
+    triangle.edges = edges_of(heights, stored.column, stored.row, number % 2 != 0);
+    triangle.material = cell_at(heights, stored.column, stored.row);
+    return triangle;
+}
+
 }  // namespace
 
 const uint16_t* extremes_of_block(const HeightTable& heights, int level, int x, int y) {
@@ -81,17 +95,11 @@ HeightTriangle height_triangle(const HeightTable& heights, uint32_t number) {
 
 LevelTriangle triangle_of_heights(const LevelTable& level, uint32_t number) {
     const HeightTable& heights = level.heights;
-    LevelTriangle triangle{};
-    triangle.number = number;
-    if (number / 2 >= static_cast<int64_t>(grid::cells_of(heights.columns)) * grid::cells_of(heights.rows)) return triangle;
-    const HeightTriangle stored = height_triangle(heights, number);
-    for (int i = 0; i < 3; ++i)
-        triangle.corners[i] = {corner_along(level.origin.x, heights.spacing_x, stored.samples[i][0]),
-                               corner_along(level.origin.y, heights.spacing_y, stored.samples[i][1]),
-                               corner_along(level.origin.z, level.step, stored.heights[i])};
-    triangle.edges = edges_of(heights, stored.column, stored.row, number % 2 != 0);
-    triangle.material = cell_at(heights, stored.column, stored.row);
-    return triangle;
+    if (number / 2 < static_cast<int64_t>(grid::cells_of(heights.columns)) * grid::cells_of(heights.rows))
+        return with_corners(level, number, height_triangle(heights, number));
+    LevelTriangle none{};
+    none.number = number;
+    return none;
 }
 
 bool cells_between(scalar low, scalar high, scalar origin, scalar spacing, int samples, int& first, int& last) {
@@ -141,7 +149,7 @@ bool next_triangle(const LevelTable& level, HeightWalk& walk, LevelTriangle& tri
             const auto number = static_cast<uint32_t>(2 * cell_number(heights, place.at[0], place.at[1]) + walk.half++);
             const HeightTriangle candidate = height_triangle(heights, number);
             if (candidate.heights[0] < walk.least && candidate.heights[1] < walk.least && candidate.heights[2] < walk.least) continue;
-            triangle = triangle_of_heights(level, number);
+            triangle = with_corners(level, number, candidate);
             return true;
         }
         if (!place.advance()) return false;
