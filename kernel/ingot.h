@@ -24,6 +24,7 @@
 #include "body/kinematics.h"
 #include "body/mass_properties.h"
 #include "body/user_frame.h"
+#include "level/byte_heights_of.h"
 #include "level/height_field_of.h"
 #include "level/mesh_of.h"
 #include "shape/hull_of_points.h"

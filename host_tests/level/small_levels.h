@@ -2,6 +2,7 @@
 // A roof and a hill, by the compiler; fixtures/ has the same for the tool.
 #pragma once
 
+#include <ingot/level/byte_heights_of.h>
 #include <ingot/level/height_field_of.h>
 #include <ingot/level/mesh_of.h>
 
@@ -18,6 +19,9 @@ inline constexpr uint16_t hill_samples[] = {0, 4, 8, 9, 4, 0, 4, 9};
 inline constexpr auto hill = ingot::height_field_of<4, 2>(hill_samples, 1, 1, ingot::scalar(1) / 64);
 static_assert(hill.ok() && hill.value.extremes[0] == 0 && hill.value.extremes[1] == 9);
 
-inline constexpr ingot::LevelTable small_levels[] = {roof.view(), hill.value.view()};
+inline constexpr auto byte_hill = ingot::byte_heights_of<4, 2>(hill_samples, 1, 1, ingot::scalar(1) / 64);
+static_assert(byte_hill.ok() && byte_hill.value.furthest == 0 && sizeof byte_hill.value.bytes == 8 && sizeof byte_hill.value.blocks == 4);
+
+inline constexpr ingot::LevelTable small_levels[] = {roof.view(), hill.value.view(), byte_hill.value.view()};
 
 }  // namespace level_test

@@ -28,7 +28,7 @@ constexpr LevelFace other_faces[] = {{4, 3, 2, 4}, {6, 2, 3, 0}, {2, 0, 4, 4}, {
 static constexpr auto other_built = ingot::mesh_of(other_corners, other_faces);
 static_assert(other_built.value.checksum == roof_built.value.checksum && other_built.value.doubled == 1);
 
-static_assert(ingot::levels_in(small_levels).count == 2 && small_levels[0].is_mesh() && !small_levels[1].is_mesh());
+static_assert(ingot::levels_in(small_levels).count == 3 && small_levels[0].is_mesh() && !small_levels[1].is_mesh());
 
 std::vector<uint8_t> bytes_of(const LevelTable& level) {
     std::vector<uint8_t> bytes;
@@ -56,6 +56,7 @@ TEST(LevelTables, of_the_compiler_are_those_of_the_host) {
     EXPECT_EQ(bytes_of(host.view), bytes_of(small_levels[0]));
     EXPECT_EQ(check_level(small_levels[0]), Status::ok);
     EXPECT_EQ(check_level(small_levels[1]), Status::ok);
+    EXPECT_EQ(check_level(small_levels[2]), Status::ok);
     // A roof: its ridge is convex; what it stands on is open.
     for (uint32_t i = 0; i < 6; ++i) {
         const LevelTriangle t = triangle_of(small_levels[0], i);
@@ -214,7 +215,17 @@ TEST(LevelTables, whose_frame_is_wrong_are_refused) {
     const level_tool::MeshData mesh = built(village(random, 3));
     const Field hills = field(random, 9, 9, false, 0, [](int column, int row) { return column * row; });
     EXPECT_EQ(ingot::check_level({}), Status::bad_shape);
-    for (const LevelTable* level : {&mesh.view, &hills.view}) {
+    Field in_bytes = field(random, 9, 9, false, 0, [](int column, int row) { return column * row; });
+    (void)level_tool::put_into_bytes(in_bytes, 9, 9);
+    finish_heights(in_bytes, 9, 9);
+    ASSERT_EQ(check_level(in_bytes.view), Status::ok);
+    LevelTable both = in_bytes.view, neither = in_bytes.view, no_blocks = in_bytes.view;
+    both.heights.heights = hills.view.heights.heights;
+    neither.heights.bytes = nullptr;
+    no_blocks.heights.blocks = nullptr;
+    for (const LevelTable& bad : {both, neither, no_blocks}) EXPECT_EQ(check_level(bad), Status::bad_shape);
+    const LevelTable* const levels[] = {&mesh.view, &hills.view, &in_bytes.view};
+    for (const LevelTable* level : levels) {
         for (int fault = 0; fault < 12; ++fault) {
             LevelTable bad = *level;
             switch (fault) {
@@ -226,7 +237,7 @@ TEST(LevelTables, whose_frame_is_wrong_are_refused) {
                 case 5: bad.low.x -= 1; break;
                 case 6: bad.high.z += 1; break;
                 case 7: ++bad.checksum; break;
-                case 8: bad.mesh.corners = nullptr, bad.heights.heights = nullptr; break;
+                case 8: bad.mesh.corners = nullptr, bad.heights.heights = nullptr, bad.heights.bytes = nullptr; break;
                 case 9: bad.mesh.node_count = 0, bad.heights.spacing_x = 0; break;
                 case 10: bad.mesh.triangle_count = static_cast<uint16_t>(bad.mesh.triangle_count / 2), bad.heights.rows = 1; break;
                 default: bad.mesh = mesh.view.mesh, bad.heights = hills.view.heights; break;
@@ -245,7 +256,61 @@ double bytes_a_triangle(const LevelTable& level) {
            mesh.triangle_count;
 }
 
-TEST(LevelTables, take_sixteen_bytes_a_triangle_and_two_a_sample) {
+/// Samples of a field as its table has them.
+std::vector<uint16_t> samples_in(const ingot::HeightTable& heights) {
+    std::vector<uint16_t> samples;
+    for (int row = 0; row < heights.rows; ++row)
+        for (int column = 0; column < heights.columns; ++column)
+            samples.push_back(static_cast<uint16_t>(ingot::grid::height_at(heights, column, row)));
+    return samples;
+}
+
+/// Fields of every relief, from flat to cliffs: a sample moves by half a step of its block at most (by one, where half of one would be beyond 65535),
+/// none where the block is no higher than 255 steps; and the field is the one of the samples as they are now, triangle by triangle.
+TEST(LevelTables, in_bytes_are_the_field_of_the_nearest_samples) {
+    Random random(45);
+    int moved_fields = 0;
+    for (int field_i = 0; field_i < (INGOT_TEST_BRIEF ? 60 : 400); ++field_i) {
+        const int columns = between(random, 2, 70), rows = between(random, 2, 50), top = 65535 >> between(random, 0, 16);
+        const auto relief = [&](int, int) { return between(random, field_i % 3 == 0 ? top - top / 2 : 0, top); };
+        const Field words = field(random, columns, rows, field_i % 2 != 0, field_i % 5, relief);
+        Field bytes = field(random, columns, rows, field_i % 2 != 0, 0, relief);
+        bytes.heights = words.heights, bytes.cells = words.cells;
+        const int furthest = level_tool::put_into_bytes(bytes, columns, rows);
+        finish_heights(bytes, columns, rows);
+        ASSERT_EQ(check_level(bytes.view), Status::ok);
+        const std::vector<uint16_t> now = samples_in(bytes.view.heights);
+        int most = 0;
+        for (size_t i = 0; i < now.size(); ++i) {
+            const size_t column = i % static_cast<size_t>(columns), row = i / static_cast<size_t>(columns);
+            const ingot::HeightBlock& block = bytes.blocks[row / 16 * static_cast<size_t>((columns + 15) / 16) + column / 16];
+            const int moved = std::abs(now[i] - words.heights[i]), step = 1 << block.shift;
+            EXPECT_LE(moved, words.heights[i] + step / 2 > 65535 ? step : step / 2);
+            if (top <= 255) EXPECT_EQ(block.shift, 0);
+            most = std::max(most, moved);
+        }
+        EXPECT_EQ(furthest, most);
+        moved_fields += most > 0 ? 1 : 0;
+
+        Field again = field(random, columns, rows, field_i % 2 != 0, 0, relief);
+        again.heights = now, again.cells = words.cells;
+        finish_heights(again, columns, rows);
+        EXPECT_EQ(again.extremes, bytes.extremes);
+        for (const uint32_t number : triangles_of(again.view)) {
+            const LevelTriangle a = triangle_of(again.view, number), b = triangle_of(bytes.view, number);
+            for (int i = 0; i < 3; ++i)
+                EXPECT_TRUE(a.corners[i].x == b.corners[i].x && a.corners[i].y == b.corners[i].y && a.corners[i].z == b.corners[i].z);
+            EXPECT_TRUE(a.edges == b.edges && a.material == b.material && a.number == b.number);
+        }
+        const Vector from{between(random, 0, 40) * scalar(0.5f), between(random, 0, 40) + scalar(17), 500}, way{3, -2, -900};
+        ingot::LevelHit hit_a{}, hit_b{};
+        EXPECT_EQ(cast_ray_on_level(again.view, from, way, hit_a), cast_ray_on_level(bytes.view, from, way, hit_b));
+        EXPECT_EQ(hit_a.fraction, hit_b.fraction);
+    }
+    EXPECT_GT(moved_fields, 10);
+}
+
+TEST(LevelTables, take_sixteen_bytes_a_triangle_and_two_or_one_a_sample) {
     Random random(36);
     const level_tool::MeshData hills = built(terrain(
         random, 97, 600, [](int x, int y) { return static_cast<int>(3000 + 1500 * std::sin(0.13 * x) + 1200 * std::cos(0.1 * y + 0.05 * x)); }));
@@ -255,6 +320,10 @@ TEST(LevelTables, take_sixteen_bytes_a_triangle_and_two_a_sample) {
     EXPECT_LE(bytes_a_triangle(houses.view), 16);
     const Field field_of_hills = field(random, 200, 200, false, 0, [](int column, int row) { return column * row; });
     EXPECT_LE(static_cast<double>(sizeof(uint16_t) * (field_of_hills.heights.size() + field_of_hills.extremes.size())) / (200 * 200), 2.1);
+    Field in_bytes = field(random, 200, 200, false, 0, [](int column, int row) { return column * row; });
+    (void)level_tool::put_into_bytes(in_bytes, 200, 200);
+    EXPECT_LE(static_cast<double>(in_bytes.bytes.size() + sizeof in_bytes.blocks[0] * in_bytes.blocks.size() +
+                                  sizeof in_bytes.extremes[0] * in_bytes.extremes.size()) / (200 * 200), 1.1);
     std::printf("%.2f and %.2f bytes a triangle\n", bytes_a_triangle(hills.view), bytes_a_triangle(houses.view));
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // ingot_level: what it makes of files, good, bad, empty, and large ones; and level_from_bytes of what it makes.
+#include <byte_hill.h>
 #include <gtest/gtest.h>
 #include <hill.h>
 #include <ingot/level/level_walk.h>
@@ -27,7 +28,8 @@ constexpr bool are_equal(const LevelTable& a, const LevelTable& b) {
     const auto same = [](const Vector& x, const Vector& y) { return x.x == y.x && x.y == y.y && x.z == y.z; };
     return a.checksum == b.checksum && checksum_of(a) == checksum_of(b) && same(a.low, b.low) && same(a.high, b.high) && same(a.origin, b.origin);
 }
-static_assert(are_equal(roof_of_tool[0], small_levels[0]) && are_equal(hill_of_tool[0], small_levels[1]));
+static_assert(are_equal(roof_of_tool[0], small_levels[0]) && are_equal(hill_of_tool[0], small_levels[1]) &&
+              are_equal(byte_hill_of_tool[0], small_levels[2]));
 
 std::string made(const std::string& name) { return std::string(LEVEL_SCRATCH) + "/" + name; }
 /// Of this test alone: others run beside it.
@@ -62,12 +64,14 @@ const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
 TEST(LevelTool, makes_of_files_what_the_compiler_makes_of_constants) {
     // That the headers are is asserted above.
-    Aligned roof_bytes(read(made("roof.bin"))), hill_bytes(read(made("hill.bin")));
-    const auto roof_level = roof_bytes.level(), hill_level = hill_bytes.level();
+    Aligned roof_bytes(read(made("roof.bin"))), hill_bytes(read(made("hill.bin"))), byte_hill_bytes(read(made("byte_hill.bin")));
+    const auto roof_level = roof_bytes.level(), hill_level = hill_bytes.level(), byte_hill_level = byte_hill_bytes.level();
     ASSERT_TRUE(roof_level.ok());
     ASSERT_TRUE(hill_level.ok());
     EXPECT_TRUE(are_equal(roof_level.value, small_levels[0]));
     EXPECT_TRUE(are_equal(hill_level.value, small_levels[1]));
+    ASSERT_TRUE(byte_hill_level.ok());
+    EXPECT_TRUE(are_equal(byte_hill_level.value, small_levels[2]));
     EXPECT_NE(read(made("roof.txt")).find("line 17: a triangle that has no area"), std::string::npos);
     ingot::LevelHit hit{};
     EXPECT_TRUE(cast_ray_on_level(roof_level.value, {2, 1, 5}, {0, 0, -10}, hit));
@@ -172,6 +176,12 @@ TEST(LevelTool, makes_fields_of_images_and_tables) {
     EXPECT_EQ(Aligned(level_of(run_on("wide.pgm", wide, {"--step", "1/64"}))).level().value.checksum, checksum);
     EXPECT_EQ(Aligned(level_of(run_on("range.pgm", "P2 4 2 9 0 4 8 9 4 0 4 9", {"--step", "1/64", "--range", "0", "9/64"}))).level().value.checksum,
               checksum);
+    // In bytes, and where those do not reach: steps of 8, so half of one.
+    Aligned bytes(level_of(run_on("bytes.pgm", "P2 4 2 9 0 4 8 9 4 0 4 9", {"--step", "1/64", "--bytes"})));
+    EXPECT_EQ(bytes.level().value.checksum, small_levels[2].checksum);
+    const ToolRun steep = run_on("steep.csv", "0 2000\n4 1000\n", {"--step", "1", "--bytes"});
+    EXPECT_TRUE(Aligned(level_of(steep)).level().ok());
+    EXPECT_NE(steep.messages.find("Heights moved by up to 4 m, to fit into bytes."), std::string::npos) << steep.messages;
     Aligned holes(level_of(run_on("holes.csv", "0;1;;4\r\n1;1;1;nan\r\n2;2;2;2\r\n", {"--spacing", "0.3", "2", "--other-diagonal"})));
     const auto level = holes.level();
     ASSERT_TRUE(level.ok());

@@ -93,6 +93,10 @@ TEST(LevelWalk, tells_all_triangles_of_a_field_that_a_box_meets_or_is_below_and_
     EXPECT_TRUE(told_in(nothing.view, nothing.view.low, nothing.view.high).empty());
     const Field cliffs = field(random, 30, 30, true, 0, [](int column, int row) { return (column + row) % 2 * 65535; });
     EXPECT_GT(expect_walk_equals_all(cliffs.view, random, 2000), 2000);
+    Field in_bytes = field(random, 33, 40, false, 5, [&](int, int) { return between(random, 0, 60000); });
+    (void)level_tool::put_into_bytes(in_bytes, 33, 40);
+    finish_heights(in_bytes, 33, 40);
+    EXPECT_GT(expect_walk_equals_all(in_bytes.view, random, 2000), 2000);
     const Field wall = field(random, 3000, 2, false, 0, [&](int, int) { return between(random, 0, 900); });
     EXPECT_GT(expect_walk_equals_all(wall.view, random, 200), 200);
 }

@@ -29,7 +29,7 @@ Refusal in_steps(const HeightGrid& grid, const HeightPlacing& placing, std::vect
 
 }  // namespace
 
-Refusal build_heights(const HeightGrid& grid, const HeightPlacing& placing, HeightData& data) {
+Refusal build_heights(const HeightGrid& grid, const HeightPlacing& placing, HeightData& data, int& moved_by) {
     std::vector<int64_t> steps;
     const Refusal refusal = in_steps(grid, placing, steps);
     if (!refusal.empty()) return refusal;
@@ -54,6 +54,7 @@ Refusal build_heights(const HeightGrid& grid, const HeightPlacing& placing, Heig
     data.view.heights.spacing_x = static_cast<ingot::scalar>(static_cast<float>(placing.spacing[0]));
     data.view.heights.spacing_y = static_cast<ingot::scalar>(static_cast<float>(placing.spacing[1]));
     data.view.heights.other_diagonal = placing.other_diagonal;
+    moved_by = placing.in_bytes ? put_into_bytes(data, grid.columns, grid.rows) : 0;
     finish_heights(data, grid.columns, grid.rows);
     return "";
 }

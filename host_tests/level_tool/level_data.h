@@ -2,6 +2,7 @@
 // Tables of a level in memory of the host, made by the code that the compiler runs for small ones.
 #pragma once
 
+#include <ingot/level/byte_heights_of.h>
 #include <ingot/level/mesh_of.h>
 
 #include <algorithm>
@@ -66,6 +67,8 @@ inline ingot::Status build_mesh(const std::vector<ingot::LatticePoint>& points, 
 struct HeightData {
     std::vector<uint16_t> heights, extremes;
     std::vector<uint8_t> cells;  ///< empty where there is no hole
+    std::vector<uint8_t> bytes;  ///< in the place of heights
+    std::vector<ingot::HeightBlock> blocks;
     ingot::LevelTable view;
 
     HeightData() = default;
@@ -77,17 +80,26 @@ struct HeightData {
 
 /// Fills what follows from heights, cells, origin, step and spacings.
 inline void finish_heights(HeightData& data, int columns, int rows) {
-    data.extremes.resize(static_cast<size_t>(ingot::grid::extremes_of(columns, rows)));
-    ingot::grid::fill_extremes(data.heights.data(), columns, rows, data.extremes.data());
     ingot::HeightTable& heights = data.view.heights;
-    heights.heights = data.heights.data();
-    heights.extremes = data.extremes.data();
+    heights.heights = data.bytes.empty() ? data.heights.data() : nullptr;
+    heights.bytes = data.bytes.empty() ? nullptr : data.bytes.data();
+    heights.blocks = data.bytes.empty() ? nullptr : data.blocks.data();
     heights.cells = data.cells.empty() ? nullptr : data.cells.data();
     heights.columns = static_cast<uint16_t>(columns);
     heights.rows = static_cast<uint16_t>(rows);
+    data.extremes.resize(static_cast<size_t>(ingot::grid::extremes_of(columns, rows)));
+    heights.extremes = data.extremes.data();
+    ingot::grid::fill_extremes(heights, data.extremes.data());
     data.view.low = ingot::grid::low_of(data.view);
     data.view.high = ingot::grid::high_of(data.view);
     data.view.checksum = checksum_of(data.view);
+}
+
+/// Puts the samples into bytes; finish_heights comes after it. Returns: as ingot::grid::fill_bytes.
+inline int put_into_bytes(HeightData& data, int columns, int rows) {
+    data.bytes.resize(data.heights.size());
+    data.blocks.resize(static_cast<size_t>(ingot::grid::byte_blocks_of(columns, rows)));
+    return ingot::grid::fill_bytes(data.heights.data(), columns, rows, data.bytes.data(), data.blocks.data());
 }
 
 }  // namespace level_tool

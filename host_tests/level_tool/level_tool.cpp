@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <sstream>
 
 #include "chunks.h"
 #include "heights.h"
@@ -37,6 +38,7 @@ Heights:
   --spacing X [Y]    m between samples (1)
   --range LOW HIGH   m, what black and white of an image are; without it a level of grey is a step
   --other-diagonal   cells are cut from (0, 1) to (1, 0)
+  --bytes            heights in bytes, half the size: where 16 by 16 of them are more than 255 steps high, they move to larger steps
 The first line is y = 0. In a .csv what is empty or nan is a hole.
 
 The same triangles make the same bytes, in whatever order they are named.
@@ -82,6 +84,8 @@ Refusal read_options(const std::vector<std::string>& words, Options& options) {
             options.placing.y_is_up = true;
         else if (word == "--other-diagonal")
             options.heights.other_diagonal = true;
+        else if (word == "--bytes")
+            options.heights.in_bytes = true;
         else if (word == "--step")
             is_right = numbers(&options.step, 1) && ingot::lattice::is_step(static_cast<ingot::scalar>(options.step));
         else if (word == "--scale")
@@ -196,10 +200,19 @@ Refusal make_meshes(const Options& options, const std::string& text, std::vector
 Refusal make_heights(const Options& options, const std::string& text, HeightData& data, std::vector<std::string>& remarks, std::ostream& messages) {
     HeightGrid grid;
     Refusal refusal = suffix_of(options.file) == ".pgm" ? read_pgm(text, grid) : read_csv(text, grid);
-    if (refusal.empty()) refusal = build_heights(grid, options.heights, data);
+    int moved_by = 0;
+    if (refusal.empty()) refusal = build_heights(grid, options.heights, data, moved_by);
     if (!refusal.empty()) return refusal;
-    const size_t bytes = sizeof(uint16_t) * (data.heights.size() + data.extremes.size()) + data.cells.size();
+    const size_t in_bytes = data.bytes.size() + sizeof(ingot::HeightBlock) * data.blocks.size();
+    const size_t samples = data.bytes.empty() ? sizeof(uint16_t) * data.heights.size() : in_bytes;
+    const size_t bytes = samples + sizeof(uint16_t) * data.extremes.size() + data.cells.size();
     remarks.push_back(std::to_string(grid.columns) + " by " + std::to_string(grid.rows) + " heights in " + std::to_string(bytes) + " bytes.");
+    if (moved_by > 0) {
+        std::ostringstream remark;
+        remark << "Heights moved by up to " << moved_by * options.heights.step << " m, to fit into bytes.";
+        messages << remark.str() << std::endl;
+        remarks.push_back(remark.str());
+    }
     messages << remarks.back() << std::endl;
     return "";
 }

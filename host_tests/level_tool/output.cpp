@@ -67,6 +67,9 @@ std::string text_of(const ingot::MeshNode& n) {
            std::to_string(n.first_triangle) + ", " + text_of(n.low) + ", " + text_of(n.high) + "}";
 }
 
+std::string text_of(const ingot::HeightBlock& b) { return "{" + std::to_string(b.base) + ", " + std::to_string(b.shift) + "}"; }
+
+size_t blocks_of(const ingot::HeightTable& h) { return static_cast<size_t>(ingot::grid::byte_blocks_of(h.columns, h.rows)); }
 size_t samples_of(const ingot::HeightTable& h) { return size_t{h.columns} * h.rows; }
 size_t cells_of(const ingot::HeightTable& h) { return size_t(h.columns - 1) * size_t(h.rows - 1); }
 
@@ -80,7 +83,12 @@ void write_tables(std::ostream& out, const std::string& name, const ingot::Level
         return;
     }
     const ingot::HeightTable& heights = level.heights;
-    write_array(out, "uint16_t", name + "_heights", heights.heights, samples_of(heights), number);
+    if (heights.bytes != nullptr) {
+        write_array(out, "uint8_t", name + "_bytes", heights.bytes, samples_of(heights), number);
+        write_array(out, "ingot::HeightBlock", name + "_blocks", heights.blocks, blocks_of(heights), text);
+    } else {
+        write_array(out, "uint16_t", name + "_heights", heights.heights, samples_of(heights), number);
+    }
     const auto extremes = static_cast<size_t>(ingot::grid::extremes_of(heights.columns, heights.rows));
     write_array(out, "uint16_t", name + "_extremes", heights.extremes, extremes, number);
     if (heights.cells != nullptr) write_array(out, "uint8_t", name + "_cells", heights.cells, cells_of(heights), number);
@@ -93,9 +101,12 @@ std::string table_of(const std::string& name, const ingot::LevelTable& level) {
                 std::to_string(level.mesh.triangle_count) + ", " + std::to_string(level.mesh.node_count) + "}, {},\n     ";
     } else {
         const ingot::HeightTable& h = level.heights;
-        text += "{}, {" + name + "_heights, " + (h.cells != nullptr ? name + "_cells" : "nullptr") + ", " + name + "_extremes, " +
+        const bool is_in_bytes = h.bytes != nullptr;
+        text += "{}, {" + (is_in_bytes ? "nullptr" : name + "_heights") + ", " +
+                (h.cells != nullptr ? name + "_cells" : "nullptr") + ", " + name + "_extremes, " +
                 std::to_string(h.columns) + ", " + std::to_string(h.rows) + ", " + digits(h.spacing_x) + ", " + digits(h.spacing_y) + ", " +
-                (h.other_diagonal ? "true" : "false") + "},\n     ";
+                (h.other_diagonal ? "true" : "false") +
+                (is_in_bytes ? ", " + name + "_bytes, " + name + "_blocks" : "") + "},\n     ";
     }
     std::string high = digits(level.high);
     if (!level.is_mesh()) {
@@ -181,9 +192,16 @@ std::string level_bytes(const ingot::LevelTable& level, bool big_endian) {
     if (level.is_mesh()) {
         add_mesh(body, level.mesh);
     } else {
-        for (size_t i = 0; i < samples_of(h); ++i) body.add(h.heights[i]);
+        const bool is_in_bytes = h.bytes != nullptr;
+        for (size_t i = 0; is_in_bytes && i < blocks_of(h); ++i) {
+            body.add(h.blocks[i].base);
+            body.add(h.blocks[i].shift);
+            body.add(h.blocks[i].unused);
+        }
+        for (size_t i = 0; !is_in_bytes && i < samples_of(h); ++i) body.add(h.heights[i]);
         for (int64_t i = 0; i < ingot::grid::extremes_of(h.columns, h.rows); ++i) body.add(h.extremes[i]);
         for (size_t i = 0; h.cells != nullptr && i < cells_of(h); ++i) body.add(h.cells[i]);
+        for (size_t i = 0; is_in_bytes && i < samples_of(h); ++i) body.add(h.bytes[i]);
     }
     for (const uint8_t letter : Header::name) bytes.add(letter);
     bytes.add(Header::order_of_machine);
@@ -196,7 +214,7 @@ std::string level_bytes(const ingot::LevelTable& level, bool big_endian) {
     bytes.add(static_cast<float>(h.spacing_y));
     for (const uint16_t count : {level.mesh.corner_count, level.mesh.triangle_count, level.mesh.node_count, h.columns, h.rows}) bytes.add(count);
     bytes.add(static_cast<uint8_t>(h.other_diagonal));
-    bytes.add(static_cast<uint8_t>(h.cells != nullptr));
+    bytes.add(static_cast<uint8_t>((h.cells != nullptr ? Header::has_cells : 0) | (h.bytes != nullptr ? Header::has_bytes : 0)));
     return bytes.text + body.text;
 }
 

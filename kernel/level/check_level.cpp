@@ -64,17 +64,31 @@ bool check_mesh(const LevelTable& level) {
     return check_nodes(mesh);
 }
 
+/// Samples in bytes, none above what 16 bits hold.
+bool check_bytes(const HeightTable& heights) {
+    const int64_t blocks = grid::byte_blocks_of(heights.columns, heights.rows);
+    for (int64_t i = 0; i < blocks; ++i)  // bound: the field
+        if (heights.blocks[i].shift > HeightBlock::shift_max) return false;
+    for (int row = 0; row < heights.rows; ++row)                 // bound: the field
+        for (int column = 0; column < heights.columns; ++column)  // bound: the field
+            if (grid::height_at(heights, column, row) > lattice::last) return false;
+    return true;
+}
+
 bool check_heights(const LevelTable& level) {
     const HeightTable& heights = level.heights;
-    if (heights.heights == nullptr || heights.extremes == nullptr || heights.columns < 2 || heights.rows < 2) return false;
+    const bool is_in_bytes = heights.bytes != nullptr;
+    if (is_in_bytes == (heights.heights != nullptr) || is_in_bytes != (heights.blocks != nullptr)) return false;
+    if (heights.extremes == nullptr || heights.columns < 2 || heights.rows < 2) return false;
     if (static_cast<int64_t>(grid::cells_of(heights.columns)) * grid::cells_of(heights.rows) >= grid::cells_max) return false;
     if (!grid::is_spacing(heights.spacing_x, level.origin.x) || !grid::is_spacing(heights.spacing_y, level.origin.y)) return false;
+    if (is_in_bytes && !check_bytes(heights)) return false;
     const int levels = grid::levels_of(heights.columns, heights.rows);
     for (int level_i = 1; level_i <= levels; ++level_i) {  // bound: grid::levels_max
         const int width = grid::blocks_of(grid::cells_of(heights.columns), level_i), length = grid::blocks_of(grid::cells_of(heights.rows), level_i);
         for (int y = 0; y < length; ++y)       // bound: the field
             for (int x = 0; x < width; ++x) {  // bound: the field
-                const grid::Extremes found = grid::extremes_of_block(heights.heights, heights.columns, heights.rows, heights.extremes, level_i, x, y);
+                const grid::Extremes found = grid::extremes_of_block(heights, heights.extremes, level_i, x, y);
                 const uint16_t* stored = extremes_of_block(heights, level_i, x, y);
                 if (found.least != stored[0] || found.most != stored[1]) return false;
             }

@@ -29,7 +29,14 @@ struct HeightFieldOf {
     /// What LevelTables and the calls of level_walk.h take: it points here, and to the samples.
     constexpr LevelTable view() const {
         LevelTable level{};
-        level.heights = {heights, cells, extremes, static_cast<uint16_t>(columns), static_cast<uint16_t>(rows), spacing_x, spacing_y, other_diagonal};
+        level.heights.heights = heights;
+        level.heights.cells = cells;
+        level.heights.extremes = extremes;
+        level.heights.columns = static_cast<uint16_t>(columns);
+        level.heights.rows = static_cast<uint16_t>(rows);
+        level.heights.spacing_x = spacing_x;
+        level.heights.spacing_y = spacing_y;
+        level.heights.other_diagonal = other_diagonal;
         level.origin = origin;
         level.step = step;
         level.low = grid::low_of(level);
@@ -46,30 +53,37 @@ struct HeightFieldOptions {
     Vector origin{};         ///< m, where the first sample is, of height 0; z a multiple of the step
 };
 
+/// Whether a field may stand so: Status::ok, or what height_field_of answers.
+constexpr Status check_placing(scalar spacing_x, scalar spacing_y, scalar step, const Vector& origin) {
+    if (!is_finite(origin) || !is_finite(spacing_x) || !is_finite(spacing_y) || !is_finite(step)) return Status::not_finite;
+    if (!lattice::is_step(step) || !lattice::is_origin(origin.z, step)) return Status::out_of_range;
+    return grid::is_spacing(spacing_x, origin.x) && grid::is_spacing(spacing_y, origin.y) ? Status::ok : Status::out_of_range;
+}
+
 /// The table of a field of heights. Samples, and cells, have static storage: the table points to them.
 ///
 /// Units:   m; heights in steps, a power of two.
 /// Errors:  not_finite, out_of_range (a step that is no power of two from 2^-20 to 2^20, a spacing beyond limits::size_min .. size_max, an origin
 ///          further away than 2^21 spacings or 2^23 steps, of double 2^50 and 2^52, or whose height is no multiple of the step).
-/// Cost:    none at run time where all of it is constant. A field takes 2.07 bytes a sample, and one more with materials or holes.
+/// Cost:    none at run time where all of it is constant. A field takes 2.07 bytes a sample, and one more with materials or holes; half of it by
+///          byte_heights_of.h.
 template <unsigned columns, unsigned rows, unsigned samples>
 constexpr Result<HeightFieldOf<columns, rows>> height_field_of(const uint16_t (&heights)[samples], scalar spacing_x, scalar spacing_y, scalar step,
                                                                const HeightFieldOptions& options = {}) {
     static_assert(columns >= 2 && columns <= 65535 && rows >= 2 && rows <= 65535, "a field of heights has 2 to 65535 columns and rows");
     static_assert(samples == columns * rows, "a field of heights has a height for each column of each row");
-    if (!is_finite(options.origin) || !is_finite(spacing_x) || !is_finite(spacing_y) || !is_finite(step)) return {Status::not_finite, {}};
-    if (!lattice::is_step(step) || !lattice::is_origin(options.origin.z, step)) return {Status::out_of_range, {}};
-    if (!grid::is_spacing(spacing_x, options.origin.x) || !grid::is_spacing(spacing_y, options.origin.y)) return {Status::out_of_range, {}};
     Result<HeightFieldOf<columns, rows>> result{};
+    result.status = check_placing(spacing_x, spacing_y, step, options.origin);
+    if (!result.ok()) return result;
     HeightFieldOf<columns, rows>& field = result.value;
     field.heights = heights;
     field.cells = options.cells;
-    grid::fill_extremes(heights, static_cast<int>(columns), static_cast<int>(rows), field.extremes);
     field.spacing_x = spacing_x;
     field.spacing_y = spacing_y;
     field.other_diagonal = options.other_diagonal;
     field.origin = options.origin;
     field.step = step;
+    grid::fill_extremes(field.view().heights, field.extremes);
     field.checksum = checksum_of(field.view());
     return result;
 }

@@ -33,6 +33,18 @@ constexpr int64_t blocks_before(int columns, int rows, int level) {
 /// Numbers in HeightTable::extremes.
 constexpr int64_t extremes_of(int columns, int rows) { return 2 * blocks_before(columns, rows, levels_of(columns, rows) + 1); }
 
+/// Blocks of bytes along an axis of so many samples.
+constexpr int byte_blocks_of(int samples) { return (samples + HeightBlock::side - 1) / HeightBlock::side; }
+constexpr int64_t byte_blocks_of(int columns, int rows) { return static_cast<int64_t>(byte_blocks_of(columns)) * byte_blocks_of(rows); }
+
+/// A sample, steps: 0 .. 65535 in a table that check_level has seen; in any other no more than 24 bits.
+constexpr int height_at(const HeightTable& heights, int column, int row) {
+    const int64_t sample = static_cast<int64_t>(row) * heights.columns + column;
+    if (heights.bytes == nullptr) return heights.heights[sample];
+    const int64_t block = static_cast<int64_t>(row / HeightBlock::side) * byte_blocks_of(heights.columns) + column / HeightBlock::side;
+    return heights.blocks[block].base + (heights.bytes[sample] << (heights.blocks[block].shift & 15));
+}
+
 /// Triangles have 32 bits for their number.
 constexpr int64_t cells_max = int64_t{1} << 31;
 
@@ -47,7 +59,8 @@ struct Extremes {
 };
 
 /// Of a block, from what is a level below: samples, or blocks.
-constexpr Extremes extremes_of_block(const uint16_t* heights, int columns, int rows, const uint16_t* extremes, int level, int x, int y) {
+constexpr Extremes extremes_of_block(const HeightTable& heights, const uint16_t* extremes, int level, int x, int y) {
+    const int columns = heights.columns, rows = heights.rows;
     const int width = blocks_of(cells_of(columns), level - 1), length = blocks_of(cells_of(rows), level - 1);
     const int64_t below = level == 1 ? 0 : 2 * blocks_before(columns, rows, level - 1);
     // Of samples both ends of the last cell are part of the block.
@@ -57,7 +70,7 @@ constexpr Extremes extremes_of_block(const uint16_t* heights, int columns, int r
     for (int j = 8 * y; j < end_y; ++j)        // bound: 9
         for (int i = 8 * x; i < end_x; ++i) {  // bound: 9
             if (level == 1) {
-                const uint16_t height = heights[static_cast<int64_t>(j) * columns + i];
+                const auto height = static_cast<uint16_t>(height_at(heights, i, j));
                 found.hold(height, height);
             } else {
                 const uint16_t* block = extremes + below + 2 * (static_cast<int64_t>(j) * width + i);
@@ -68,14 +81,15 @@ constexpr Extremes extremes_of_block(const uint16_t* heights, int columns, int r
 }
 
 /// Fills what HeightTable::extremes has to be.
-constexpr void fill_extremes(const uint16_t* heights, int columns, int rows, uint16_t* extremes) {
+constexpr void fill_extremes(const HeightTable& heights, uint16_t* extremes) {
+    const int columns = heights.columns, rows = heights.rows;
     int64_t to = 0;
     const int levels = levels_of(columns, rows);
     for (int level = 1; level <= levels; ++level) {  // bound: levels_max
         const int width = blocks_of(cells_of(columns), level), length = blocks_of(cells_of(rows), level);
         for (int y = 0; y < length; ++y)       // bound: the field
             for (int x = 0; x < width; ++x) {  // bound: the field
-                const Extremes found = extremes_of_block(heights, columns, rows, extremes, level, x, y);
+                const Extremes found = extremes_of_block(heights, extremes, level, x, y);
                 extremes[to++] = found.least;
                 extremes[to++] = found.most;
             }

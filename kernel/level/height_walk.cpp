@@ -7,7 +7,7 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
-int height_at(const HeightTable& heights, int column, int row) { return heights.heights[static_cast<int64_t>(row) * heights.columns + column]; }
+using grid::height_at;
 
 int64_t cell_number(const HeightTable& heights, int column, int row) { return static_cast<int64_t>(row) * grid::cells_of(heights.columns) + column; }
 

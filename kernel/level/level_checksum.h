@@ -47,6 +47,11 @@ struct LevelChecksum {
         byte(t.edges);
         byte(t.material);
     }
+    constexpr void block(const HeightBlock& b) {
+        pair(b.base);
+        byte(b.shift);
+        byte(b.unused);
+    }
     constexpr void node(const MeshNode& n) {
         point(n.origin);
         pair(n.shifts);
@@ -85,7 +90,13 @@ constexpr uint32_t checksum_of(const LevelTable& level) {
     const int64_t samples = static_cast<int64_t>(heights.columns) * heights.rows;
     const int64_t cells = heights.cells == nullptr ? 0 : static_cast<int64_t>(heights.columns - 1) * (heights.rows - 1);
     const int64_t extremes = grid::extremes_of(heights.columns, heights.rows);
-    for (int64_t i = 0; i < samples; ++i) sum.pair(heights.heights[i]);    // bound: the field
+    if (heights.bytes != nullptr) {
+        const int64_t blocks = grid::byte_blocks_of(heights.columns, heights.rows);
+        for (int64_t i = 0; i < samples; ++i) sum.byte(heights.bytes[i]);   // bound: the field
+        for (int64_t i = 0; i < blocks; ++i) sum.block(heights.blocks[i]);  // bound: the field
+    } else {
+        for (int64_t i = 0; i < samples; ++i) sum.pair(heights.heights[i]);  // bound: the field
+    }
     for (int64_t i = 0; i < cells; ++i) sum.byte(heights.cells[i]);        // bound: the field
     for (int64_t i = 0; i < extremes; ++i) sum.pair(heights.extremes[i]);  // bound: the field
     return sum.value;

@@ -37,7 +37,7 @@ Result<LevelTable> level_from_bytes(const void* bytes, size_t size) {
         if (header.magic[i] != LevelHeader::name[i]) return {Status::bad_shape, {}};
     if (header.order != LevelHeader::order_of_machine) return {Status::bad_shape, {}};
     if (header.version != LevelHeader::version_now) return {Status::other_version, {}};
-    if (header.size != size || header.other_diagonal > 1 || header.has_cells > 1) return {Status::bad_shape, {}};
+    if (header.size != size || header.other_diagonal > 1 || header.has > 3) return {Status::bad_shape, {}};
 
     LevelTable level{};
     level.origin = vector_of(header.origin);
@@ -62,9 +62,15 @@ Result<LevelTable> level_from_bytes(const void* bytes, size_t size) {
         level.heights.spacing_x = static_cast<scalar>(header.spacing[0]);
         level.heights.spacing_y = static_cast<scalar>(header.spacing[1]);
         level.heights.other_diagonal = header.other_diagonal != 0;
-        level.heights.heights = take_table<uint16_t>(at, left, static_cast<int64_t>(header.columns) * header.rows);
+        const int64_t samples = static_cast<int64_t>(header.columns) * header.rows;
+        const bool is_in_bytes = (header.has & LevelHeader::has_bytes) != 0;
+        if (is_in_bytes)
+            level.heights.blocks = take_table<HeightBlock>(at, left, grid::byte_blocks_of(header.columns, header.rows));
+        else
+            level.heights.heights = take_table<uint16_t>(at, left, samples);
         level.heights.extremes = take_table<uint16_t>(at, left, grid::extremes_of(header.columns, header.rows));
-        level.heights.cells = take_table<uint8_t>(at, left, header.has_cells != 0 ? cells : 0);
+        level.heights.cells = take_table<uint8_t>(at, left, (header.has & LevelHeader::has_cells) != 0 ? cells : 0);
+        level.heights.bytes = take_table<uint8_t>(at, left, is_in_bytes ? samples : 0);
     }
     if (left != 0) return {Status::bad_shape, {}};
     if (!level.is_mesh() && level.heights.extremes != nullptr) {

@@ -54,16 +54,27 @@ struct MeshTable {
     uint16_t corner_count{}, triangle_count{}, node_count{};
 };
 
+/// Of 16 by 16 samples of a HeightTable in bytes: a sample is base + (byte << shift), steps.
+struct HeightBlock {
+    static constexpr int side = 16;  ///< samples
+    static constexpr int shift_max = 9;
+    uint16_t base{};
+    uint8_t shift{};   ///< 0 .. shift_max
+    uint8_t unused{};  ///< 0
+};
+
 /// Heights over a grid in x and y; z is up. Samples row by row, x first. Solid below, at any depth.
 struct HeightTable {
     static constexpr uint8_t hole = 255;  ///< in cells: no ground
-    const uint16_t* heights{};      ///< steps of LevelTable::step in z; columns times rows of them
+    const uint16_t* heights{};      ///< steps of LevelTable::step in z; columns times rows of them; null where `bytes` has them
     const uint8_t* cells{};         ///< material of each cell, or hole; (columns - 1) (rows - 1) of them; null: all 0
     /// Least and greatest height of blocks of 8 by 8 cells, row by row, then of 8 by 8 of these, and so on, up to one block.
     const uint16_t* extremes{};
     uint16_t columns{}, rows{};     ///< samples, 2 .. 65535
     scalar spacing_x{}, spacing_y{};  ///< m, between samples
     bool other_diagonal{};          ///< cells are cut from (0, 1) to (1, 0), not from (0, 0) to (1, 1)
+    const uint8_t* bytes{};         ///< samples in bytes, columns times rows of them, or null
+    const HeightBlock* blocks{};    ///< what they are to be read by, row by row
 };
 
 /// One of the two; the other is empty. The level's frame is the user's: a level is placed as a body is.
