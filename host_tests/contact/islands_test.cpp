@@ -98,7 +98,7 @@ struct Yard {
         ingot::ManifoldRecord record{};
         record.mu = scalar(0.5);
         record.manifold.n = {0, 0, -1};
-        record.manifold.count = static_cast<int16_t>(points);
+        record.manifold.count = static_cast<int8_t>(points);
         for (int i = 0; i < points; ++i) {
             const scalar side = points == 1 ? 0 : scalar(0.4);
             record.manifold.points[i].P = {P.x + ((i & 1) != 0 ? side : -side), (i & 2) != 0 ? side : -side, P.z};

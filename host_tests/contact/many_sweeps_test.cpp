@@ -80,7 +80,7 @@ Twins random_pile(RandomInput& random, double mu_max) {
             record.mu = static_cast<scalar>(random.real(0, mu_max));
             const Eigen::Vector3d up = (Eigen::Vector3d::UnitZ() + random.vector(0.2)).normalized();
             record.manifold.n = ingot_reference::to_vector(-up);  // A is the lower slot
-            record.manifold.count = static_cast<int16_t>(random.integer(1, 4));
+            record.manifold.count = static_cast<int8_t>(random.integer(1, 4));
             const Eigen::Vector3d a = twins.problem.bodies[static_cast<std::size_t>(upper)].r_CM,
                                   b = twins.problem.bodies[static_cast<std::size_t>(lower)].r_CM;
             Eigen::Vector3d middle = lower == 0 ? Eigen::Vector3d(a - 0.5 * up) : Eigen::Vector3d((a + b) / 2);

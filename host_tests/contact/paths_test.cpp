@@ -488,7 +488,7 @@ TEST(PairContacts, press_on_each_other_where_a_point_carries) {
             for (unsigned carrying = 0; carrying < 16; ++carrying) {
                 contacts.count = 0;
                 ingot::Manifold manifold{};
-                manifold.count = static_cast<int16_t>(count);
+                manifold.count = static_cast<int8_t>(count);
                 for (int i = 0; i < 2; ++i) contacts.take(manifold, {{0}, {i}}, {0, 1, ingot::no_record}, lost);
                 contacts.take(manifold, {{0}, {2}}, {0, 2, ingot::no_record}, lost);
                 EXPECT_FALSE(contacts.carries(0, 1));

@@ -119,7 +119,7 @@ struct RandomIsland {
         const auto &A = problem.bodies[static_cast<std::size_t>(below)], &B = problem.bodies[static_cast<std::size_t>(above)];
         const Vector3d middle = (below == 0 ? B.r_CM - 0.5 * n : Vector3d((A.r_CM + B.r_CM) / 2)) + random.vector(0.1);
         const int shapes[4] = {1, 2, 4, 4};
-        record.manifold.count = static_cast<int16_t>(shapes[random.integer(0, 3)]);
+        record.manifold.count = static_cast<int8_t>(shapes[random.integer(0, 3)]);
         record.manifold.n = in_scalar(-n);  // from B, the one above, to A
         const double long_side = random.real(0.1, 0.5), short_side = random.real(0.1, 0.5);
         const double separation = random.integer(0, 4) == 0 ? random.real(0.002, 0.004) : -1e-4;

@@ -12,7 +12,7 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
-constexpr ManifoldRecord no_contact = {{{0, 0, 1}, 0, 0, {}}, 0, 0, {}, {}, {}, 0, 0, 0};
+constexpr ManifoldRecord no_contact = {{{0, 0, 1}, 0, 0, 0, {}}, 0, 0, {}, {}, {}, 0, 0, 0};
 
 /// What is on record of one lane's manifold. Impulses become `share` times as much: see shares_of_substep.
 struct KeptOfLane {

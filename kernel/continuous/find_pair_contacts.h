@@ -4,7 +4,7 @@
 
 #include "../body/kinematic_motion.h"
 #include "../math/sqrt.h"
-#include "../narrow_phase/find_manifolds.h"
+#include "../narrow_phase/find_level_manifolds.h"
 #include "../narrow_phase/inner_edges.h"
 #include "../narrow_phase/level_seams.h"
 #include "continuous_collision.h"
@@ -93,6 +93,7 @@ void find_level_contacts(const Collision& collision, PairRoom<Collision>& room, 
         Manifold found;
         found.halvings = halvings;
         touch.write(patch_i, no_manifold_before, found);
+        found.material = touch.material(patch_i);
         if (found.count != 0) room.contacts.take(found, {pair.A, {pair.B.number + patch_i}}, places, collision.report->contacts_lost);
     }
 }
@@ -262,6 +263,11 @@ void find_pair_contacts(const Collision& collision, PairRoom<Collision>& room, c
         const BodyPair& bodies = room.contacts.pairs[place];
         room.contacts.mix(place, collision.shapes.surfaces, collision.materials,
                           {placed_in(collision, room, bodies.body_A, of.A).A, placed_in(collision, room, bodies.body_B, of.B).A});
+        if constexpr (sees_levels<Collision>) {
+            const BodyPair shapes = {static_cast<Index>(of.A.number), static_cast<Index>(of.B.number), no_record};
+            if (is_with_level(collision.shapes.surfaces, shapes))
+                mix_level_material<typename Collision::SceneTraits::Shapes>(collision.shapes.surfaces, shapes, room.contacts.records[place]);
+        }
         room.contacts.notes[place] = note_of(room.two.bodies(), bodies, room.contacts.records[place].manifold);
     }
 }

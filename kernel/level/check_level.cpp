@@ -110,6 +110,8 @@ Status check_level(const LevelTable& level) {
     } else if (!check_heights(level)) {
         return Status::bad_shape;
     }
+    if (level.material_count < 0 || level.material_count > LevelMaterial::count_max) return Status::bad_shape;
+    if (level.material_count > 0 && level.materials == nullptr) return Status::bad_shape;
     return level.checksum == checksum_of(level) ? Status::ok : Status::bad_shape;
 }
 

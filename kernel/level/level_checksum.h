@@ -37,6 +37,12 @@ struct LevelChecksum {
             pair(digits & 65535);
         }
     }
+    constexpr void all_of(const LevelMaterial* materials, int count) {
+        for (int i = 0; i < count; ++i) {  // bound: LevelMaterial::count_max
+            number(materials[i].friction);
+            number(materials[i].restitution);
+        }
+    }
     constexpr void point(const LatticePoint& p) {
         pair(p.x);
         pair(p.y);
@@ -66,9 +72,7 @@ struct LevelChecksum {
     }
 };
 
-/// See LevelTable::checksum.
-constexpr uint32_t checksum_of(const LevelTable& level) {
-    LevelChecksum sum{};
+constexpr void sum_tables(const LevelTable& level, LevelChecksum& sum) {
     sum.number(level.origin.x);
     sum.number(level.origin.y);
     sum.number(level.origin.z);
@@ -83,7 +87,7 @@ constexpr uint32_t checksum_of(const LevelTable& level) {
     const HeightTable& heights = level.heights;
     sum.pair(heights.columns);
     sum.pair(heights.rows);
-    if (heights.columns == 0 || heights.rows == 0) return sum.value;
+    if (heights.columns == 0 || heights.rows == 0) return;
     sum.number(heights.spacing_x);
     sum.number(heights.spacing_y);
     sum.byte(heights.other_diagonal);
@@ -99,7 +103,34 @@ constexpr uint32_t checksum_of(const LevelTable& level) {
     }
     for (int64_t i = 0; i < cells; ++i) sum.byte(heights.cells[i]);        // bound: the field
     for (int64_t i = 0; i < extremes; ++i) sum.pair(heights.extremes[i]);  // bound: the field
+}
+
+/// See LevelTable::checksum.
+constexpr uint32_t checksum_of(const LevelTable& level) {
+    LevelChecksum sum{};
+    sum_tables(level, sum);
+    sum.all_of(level.materials, level.material_count);
     return sum.value;
+}
+
+/// A level whose materials are to touch as these are, by their number. They have static storage, as its tables: it points to them.
+///
+/// Valid:   count 0 .. LevelMaterial::count_max, of a level that has none yet; friction and restitution as in BodyDef; add_level looks.
+/// Cost:    no RAM; a body that stands on several materials has a contact with each, up to level_patches.
+constexpr LevelTable with_materials(const LevelTable& level, const LevelMaterial* materials, int count) {
+    LevelTable made = level;
+    made.materials = materials;
+    made.material_count = count;
+    LevelChecksum sum{level.checksum};
+    sum.all_of(materials, count);
+    made.checksum = sum.value;
+    return made;
+}
+/// The same, of an array.
+template <unsigned N>
+constexpr LevelTable with_materials(const LevelTable& level, const LevelMaterial (&materials)[N]) {
+    static_assert(N <= LevelMaterial::count_max, "a level has up to 256 materials");
+    return with_materials(level, materials, static_cast<int>(N));
 }
 
 }}  // namespace ingot::INGOT_ABI

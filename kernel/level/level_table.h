@@ -77,6 +77,13 @@ struct HeightTable {
     const HeightBlock* blocks{};    ///< what they are to be read by, row by row
 };
 
+/// What it is like to touch a material of a level: see BodyDef.
+struct LevelMaterial {
+    static constexpr int count_max = 256;
+    scalar friction = scalar(0.5);
+    scalar restitution = 0;
+};
+
 /// One of the two; the other is empty. The level's frame is the user's: a level is placed as a body is.
 struct LevelTable {
     MeshTable mesh{};        ///< where mesh.triangle_count > 0
@@ -85,9 +92,14 @@ struct LevelTable {
     scalar step{};    ///< m, of the lattice: a power of two
     Vector low{}, high{};  ///< m, in the level's frame: a box that holds all of it. Of heights, what lies on top
     uint32_t checksum{};   ///< of all tables: snapshots name the level by it
+    /// By LatticeTriangle::material, or HeightTable::cells: see with_materials. Those beyond, and all where there are none, are as LevelDef says.
+    const LevelMaterial* materials{};
+    int material_count{};  ///< 0 .. LevelMaterial::count_max
 
     /// m, of that box, in the level's frame.
     constexpr Vector middle() const { return (low + high) * scalar(0.5); }
+    /// Null: as LevelDef says.
+    constexpr const LevelMaterial* material(int number) const { return number < material_count ? materials + number : nullptr; }
     constexpr bool is_mesh() const { return mesh.triangle_count > 0; }
 };
 

@@ -64,6 +64,8 @@ public:
     int count() const { return patches_.count(); }
     /// The cosine between the normal of a patch, from the level to the body, and n, world.
     scalar along(int patch_i, const Vector& n) const { return dot(frame_.seen_direction(n), patches_.patch(patch_i).frame.n); }
+    uint8_t material(int patch_i) const { return patches_.patch(patch_i).material; }
+    bool has_materials() const { return table_.material_count > 0; }
     /// World; n from the level to the body.
     void write(int patch_i, const Manifold& before, Manifold& manifold) const {
         patches_.write(patch_i, before, manifold);

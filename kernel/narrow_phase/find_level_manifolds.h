@@ -16,6 +16,28 @@ INGOT_INLINE bool is_first_of_level(const SurfaceView& surfaces, const BodyPair&
     return patch_number(surfaces.surfaces[is_level(surfaces, pair.body_A) ? pair.body_A : pair.body_B].shape) == 0;
 }
 
+/// Friction and restitution of a pair with a level, of the material that it touches.
+template <class Shapes>
+void mix_level_material(const SurfaceView& surfaces, const BodyPair& pair, ManifoldRecord& record) {
+    const Surface &A = surfaces.surfaces[pair.body_A], &B = surfaces.surfaces[pair.body_B];
+    const bool level_is_A = A.shape.kind == ShapeKind::level;
+    const Surface &body = level_is_A ? B : A, &ground = level_is_A ? A : B;
+    const LevelMaterial* material = Shapes::level_of(ground.shape)->material(record.manifold.material);
+    const scalar e = material == nullptr ? ground.e : material->restitution, mu = material == nullptr ? ground.mu : material->friction;
+    record.e = max(body.e, e);
+    record.mu = sqrt(body.mu * mu);
+}
+
+/// After mix_materials_of: of contacts with levels.
+template <class Shapes>
+void mix_level_materials_of(const SurfaceView& surfaces, const ManifoldView& manifolds, int shape_slot) {
+    for (int pair_i = 0; pair_i < *manifolds.count; ++pair_i) {  // bound: max_manifolds
+        const BodyPair& pair = manifolds.pairs[pair_i];
+        if ((pair.body_A == shape_slot || pair.body_B == shape_slot) && is_with_level(surfaces, pair))
+            mix_level_material<Shapes>(surfaces, pair, manifolds.records[pair.record]);
+    }
+}
+
 /// What pairs with a level are found by.
 template <class Shapes, bool renews>
 struct LevelPairs {
@@ -94,22 +116,24 @@ private:
             touch.write(patch_of[i], has_record(pairs[i]) ? manifolds.records[pairs[i]->record].manifold : no_manifold_before, now);
             if (swapped) now.n = -now.n;
             keep(*pairs[i], now, margin);
+            if (touch.has_materials() && has_record(pairs[i])) keep_material(*pairs[i], touch.material(patch_of[i]));
         }
         return true;
     }
 
-    /// Which patch goes to which pair; -1: none. A pair that has a contact keeps the plane that it had, as near as there is one; others take what is
-    /// left.
+    /// Which patch goes to which pair; -1: none. A pair that has a contact keeps the plane that it had, as near as there is one, and its material;
+    /// others take what is left.
     void assign(BodyPair* const (&pairs)[level_patches], const LevelTouch<Shapes>& touch, scalar to_body, int (&patch_of)[level_patches]) const {
         bool taken[level_patches] = {};
         for (int i = 0; i < level_patches; ++i) {
             patch_of[i] = -1;
             if (!has_record(pairs[i])) continue;
-            const Vector n = manifolds.records[pairs[i]->record].manifold.n * to_body;
+            const Manifold& before = manifolds.records[pairs[i]->record].manifold;
+            const Vector n = before.n * to_body;
             scalar nearest = limits::same_plane_cos;
             for (int k = 0; k < touch.count(); ++k) {  // bound: level_patches
                 const scalar along = touch.along(k, n);
-                if (taken[k] || !(along > nearest)) continue;
+                if (taken[k] || !(along > nearest) || (touch.has_materials() && touch.material(k) != before.material)) continue;
                 nearest = along;
                 patch_of[i] = k;
             }
@@ -124,6 +148,11 @@ private:
         }
     }
 
+    void keep_material(const BodyPair& pair, uint8_t material) const {
+        ManifoldRecord& record = manifolds.records[pair.record];
+        record.manifold.material = material;
+        mix_level_material<Shapes>(surfaces, pair, record);
+    }
     void keep(BodyPair& pair, const Manifold& now, scalar margin) const {
         if (!has_record(&pair)) {
             pair.record = take_record(manifolds);

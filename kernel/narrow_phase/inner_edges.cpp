@@ -76,7 +76,7 @@ bool HiddenPoints::take_open(int face_i, Manifold& above, scalar& best, Manifold
     }
     if (kept == 0 || !(least > best)) return false;
     best = least;
-    above.count = static_cast<int16_t>(kept);
+    above.count = static_cast<int8_t>(kept);
     above.halvings = manifold.halvings;
     above.n = n * of_.to_body;
     keep_manifold(above, manifold);

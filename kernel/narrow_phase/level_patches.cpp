@@ -213,10 +213,12 @@ void LevelPatches::add_inside(const LevelTriangle& triangle, const TriangleFace&
     }
 }
 
-/// The patch whose plane it is in; a new one; or, where there is no room, the shallowest in exchange. Null: it is shallower than all.
+/// The patch whose plane it is in, and whose material it has; a new one; or, where there is no room, the shallowest in exchange. Null: it is
+/// shallower than all.
 LevelPatch* LevelPatches::patch_for(const Vector& n, const Vector& surface, scalar separation) {
     for (int i = 0; i < count_; ++i) {  // bound: level_patches
         const ContactFrame& frame = patches_[i].frame;
+        if (level_.material_count > 0 && patches_[i].material != material_) continue;
         const Vector aside = n - frame.n * dot(n, frame.n);
         const bool turned = !(dot(n, frame.n) > 0) || length_sq(aside) > limits::face_tilt * limits::face_tilt;
         if (!turned && abs(dot(frame.n, surface - frame.origin)) <= on_.flush) return patches_ + i;
@@ -232,6 +234,7 @@ LevelPatch* LevelPatches::patch_for(const Vector& n, const Vector& surface, scal
     }
     patches_[place].frame = frame_about(n, surface);
     patches_[place].count = 0;
+    patches_[place].material = material_;
     patches_[place].least = separation;
     return patches_ + place;
 }

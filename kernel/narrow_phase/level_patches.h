@@ -20,7 +20,8 @@ struct LevelPatch {
     ContactFrame frame;  ///< its origin is on the level
     Candidate points[room];
     int count;
-    scalar least;  ///< m, the separation of the deepest
+    scalar least;      ///< m, the separation of the deepest
+    uint8_t material;  ///< of its triangles, where the level has materials; else of the first
 };
 
 /// A body above a level, in the level's frame.
@@ -40,6 +41,7 @@ public:
     template <class Shapes>
     void add(const LevelTriangle& triangle) {
         TriangleFace face;
+        material_ = triangle.material;
         if (!face_of_triangle(triangle, face)) return;
         if (on_.body.shape.kind == ShapeKind::sphere) return add_ball(triangle, face);
         if (!reaches(face)) return;
@@ -102,6 +104,7 @@ private:
     BodyOnLevel on_;
     LevelPatch patches_[level_patches];
     int count_;
+    uint8_t material_ = 0;     ///< of the triangle at hand
     PlacedShape plane_ = {};  ///< of the last triangle but those in the same; none: no normal
     Manifold above_;
 };

@@ -17,7 +17,8 @@ struct ManifoldPoint {
 struct Manifold {
     static constexpr int points_max = 4;
     Vector n;           ///< unit, from B to A, world
-    int16_t count;      ///< 0 .. points_max; 0: further apart than the margin
+    int8_t count;       ///< 0 .. points_max; 0: further apart than the margin
+    uint8_t material;   ///< of what is touched of a level; of records with anything else 0, and elsewhere not read
     uint16_t halvings;  ///< of the lengths that its contact is measured by: see base/contact_lengths.h
     ManifoldPoint points[points_max];
 };

@@ -97,7 +97,7 @@ void keep_four(const Candidate* candidates, int count, const ContactFrame& frame
     for (int i = 0; i < Manifold::points_max; ++i) choice.chosen[i] = i;
     if (count > Manifold::points_max) choice = spanning(candidates, count, tolerance, before, order);
     manifold.n = frame.n;
-    manifold.count = static_cast<int16_t>(choice.count);
+    manifold.count = static_cast<int8_t>(choice.count);
     // bound: 4: Manifold::points_max
     for (int i = 0; i < choice.count; ++i) {
         const Candidate& p = candidates[choice.chosen[i]];

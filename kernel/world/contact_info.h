@@ -27,6 +27,7 @@ struct ContactInfo {
     scalar j{};               ///< N s, of all points: given to A along n, and to B against it
     Vector j_friction{};      ///< N s, given to A, and to B against it; at the middle of the points
     int shape_A{}, shape_B{};  ///< which of their shapes, where a body has several; else 0
+    int material{};           ///< of what is touched of a level, where the level has materials; else 0
     int point_count{};        ///< 1 .. 4; in scenes with max_contacts each point is a contact, and 0 unless the scene names reads_contacts
     ContactPoint points[Manifold::points_max]{};  ///< point_count of them
 };
@@ -93,6 +94,7 @@ struct ContactPlaces {
             tell_impact(storage.contacts[place], place, info);
         else
             tell_manifold(pair.record, info);
+        if constexpr (has_levels<S>) info.material = storage.records[pair.record].manifold.material;
         return info;
     }
 

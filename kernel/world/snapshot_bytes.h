@@ -237,9 +237,10 @@ struct SavedManifold {
     constexpr void numbers(Stream& each, uint32_t parts) {
         each("body_A", body_A);
         each("body_B", body_B);
-        uint16_t count = static_cast<uint16_t>(record.manifold.count);
-        each("points", count);
-        record.manifold.count = static_cast<int16_t>(count);
+        auto points = static_cast<uint16_t>(record.manifold.count | record.manifold.material << 8);
+        each("points", points);
+        record.manifold.count = static_cast<int8_t>(points & 255);
+        record.manifold.material = static_cast<uint8_t>(points >> 8);
         each("n", record.manifold.n);
         for (int point_i = 0; point_i < Manifold::points_max; ++point_i) {
             ManifoldPoint& point = record.manifold.points[point_i];

@@ -79,13 +79,13 @@ public:
     /// Puts a level of the scene into the world: ground that no force moves. The id is that of a body, whose r_CM is the middle of the box that holds
     /// the level, and whose A its axes. It takes level_patches slots of shapes, one behind the other: so many bodies of max_bodies where each has
     /// one shape.
-    /// Errors: bad_shape (a number that is none of the scene's), those of check_state, bad_restitution, bad_friction, not_finite; not_in_scene (a
-    ///         filter or a restitution where the scene names none); no_room.
+    /// Errors: bad_shape (a number that is none of the scene's), those of check_state, bad_restitution, bad_friction (of its own, or of a material),
+    ///         not_finite; not_in_scene (a filter or a restitution where the scene names none); no_room.
     Result<BodyId> add_level(const LevelDef& def) {
         static_assert(levels_only());
         if (def.number < 0 || def.number >= levels_of<S>.count) return {Status::bad_shape, {}};
         BodyDef body = body_of_level(levels_of<S>.levels[def.number], def);
-        const Status status = check_add(body);
+        const Status status = check_level_add(levels_of<S>.levels[def.number], body);
         if (status != Status::ok) return {status, {}};
         const int slot = free_slots_for_level();
         if (slot == max_bodies) return {Status::no_room, {}};
@@ -112,6 +112,18 @@ public:
     }
 
 private:
+    /// As it is, and with each of its materials.
+    Status check_level_add(const LevelTable& level, const BodyDef& def) const {
+        Status status = check_add(def);
+        if (level.material_count < 0 || level.material_count > LevelMaterial::count_max) return Status::bad_shape;
+        for (int i = 0; i < level.material_count && status == Status::ok; ++i) {  // bound: LevelMaterial::count_max
+            BodyDef of_material = def;
+            of_material.friction = level.materials[i].friction;
+            of_material.restitution = level.materials[i].restitution;
+            status = check_add(of_material);
+        }
+        return status;
+    }
     void free_slot_of(int slot) {
         features::All::over_named<S>([&](auto feature) { decltype(feature)::before_removal(storage_, slot); });
         ++storage_.generation[slot];

@@ -2,6 +2,7 @@
 // The part of World that changes what a body is: mass, kind, surfaces and shapes.
 #pragma once
 
+#include "../narrow_phase/find_level_manifolds.h"
 #include "world_touching.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -281,6 +282,7 @@ private:
             set(storage_.surfaces[one]);
             (void)touched(one / S::max_shapes_of_body, Status::ok);
             if constexpr (stacks<S>) mix_materials_of(storage_.surface_view(), storage_.manifold_view(), one);
+            if constexpr (has_levels<S>) mix_level_materials_of<ShapesOf<S>>(storage_.surface_view(), storage_.manifold_view(), one);
         });
     }
     bool is_of_level([[maybe_unused]] int shape_slot) const {
