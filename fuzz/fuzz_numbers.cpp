@@ -409,7 +409,8 @@ private:
         const Shape s = numbers.shape();
         const Status status = ingot::check_shape(s);
         demand(status != Status::ok || (finite_bits(s.size) && finite_bits(s.offset)), "a shape is finite");
-        if (status != Status::ok || s.kind == ShapeKind::none) return;
+        // A level has the size of its table, which is looked at by check_level.
+        if (status != Status::ok || s.kind == ShapeKind::none || s.kind == ShapeKind::level) return;
         const scalar radius = ingot::bounding_radius(s);
         demand(s.kind == ShapeKind::half_space ? radius == 0 : between(radius, limits::size_min, 2 * limits::size_max),
                "a bounding radius is as large as the shape");
