@@ -241,7 +241,8 @@ TEST(FastOnTriangles, move_alone_as_in_company_and_from_snapshots) {
             const Vector away = {static_cast<scalar>(9 * (i % 3) - 9), static_cast<scalar>(9 * (i / 3) - 9), scalar(1.5)};
             throw_at(random, ground.middle + away, any_rotation(random) * Vector{static_cast<scalar>(about(random, 0.1, 3)), 0, 0}, other);
             b = i == 4 ? company.add(one).value : b;
-            if (i != 4) ASSERT_TRUE(company.add(other).ok());
+            if (i == 4) continue;
+            ASSERT_TRUE(company.add(other).ok());
         }
         std::vector<std::uint8_t> bytes(ingot::snapshot_size<Fast>());
         for (int i = 0; i < 24; ++i) {
@@ -254,8 +255,9 @@ TEST(FastOnTriangles, move_alone_as_in_company_and_from_snapshots) {
             (void)ingot::step(company, scalar(1) / 60);
             const ingot::BodyState as = alone.state(a).value, is = company.state(b).value;
             ASSERT_EQ(std::memcmp(&as, &is, sizeof as), 0) << "draw " << draw << ", step " << i;
-            if (i >= 8) (void)ingot::step(loaded, scalar(1) / 60);
-            if (i >= 8) ASSERT_EQ(loaded.state_hash(), company.state_hash()) << "draw " << draw << ", step " << i;
+            if (i < 8) continue;
+            (void)ingot::step(loaded, scalar(1) / 60);
+            ASSERT_EQ(loaded.state_hash(), company.state_hash()) << "draw " << draw << ", step " << i;
         }
     }
 }

@@ -45,10 +45,10 @@ inline Matrix any_rotation(Random& random) {
     return ingot::nearest_rotation(turn * tilt * about_z(within(random, 0, 2 * pi)));
 }
 
-constexpr auto pebble = ingot::convex_hull<10>({{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0.7f, 0.7f, -0.5f}, {-0.7f, 0.7f, -0.5f},
+constexpr auto pebble_hull = ingot::convex_hull<10>({{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0.7f, 0.7f, -0.5f}, {-0.7f, 0.7f, -0.5f},
                                                 {0.7f, -0.7f, -0.5f}, {-0.7f, -0.7f, -0.5f}, {0.3f, 0, 0.6f}, {-0.3f, 0.1f, 0.6f}});
-static_assert(pebble.ok());
-constexpr auto pebble_mass = ingot::principal(ingot::solid_hull(1000, pebble.value.view()).value);
+static_assert(pebble_hull.ok());
+constexpr auto pebble_mass = ingot::principal(ingot::solid_hull(1000, pebble_hull.value.view()).value);
 constexpr auto pebble_of_body = ingot::convex_hull_of_body<10>(
     {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0.7f, 0.7f, -0.5f}, {-0.7f, 0.7f, -0.5f}, {0.7f, -0.7f, -0.5f}, {-0.7f, -0.7f, -0.5f},
      {0.3f, 0, 0.6f}, {-0.3f, 0.1f, 0.6f}},

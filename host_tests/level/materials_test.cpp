@@ -120,8 +120,12 @@ TEST(LevelMaterials, end_at_their_border) {
             }
             // Points are told where they were as the step began, and within flush of the border they are on both.
             const scalar way = static_cast<scalar>(speed) / static_cast<scalar>(rate) + scalar(0.01);
-            if (x < -half.x) EXPECT_TRUE(named[0] && !named[1]);
-            if (x > half.x + way) EXPECT_TRUE(named[1] && !named[0]);
+            if (x < -half.x) {
+                EXPECT_TRUE(named[0] && !named[1]);
+            }
+            if (x > half.x + way) {
+                EXPECT_TRUE(named[1] && !named[0]);
+            }
             if (!(named[0] && named[1])) continue;
             on_both = true;
             const double weight = 9.81 / rate * static_cast<double>(world.mass(id).value);
@@ -159,7 +163,9 @@ TEST(LevelMaterials, are_mixed_anew_after_edits_and_kept_in_snapshots) {
         go(world, 6);
         const double lost = before - static_cast<double>(world.state(id).value.v_CM.x);
         // Of the mean with the friction it had before it would lose a third less, or more.
-        if (side < 2) EXPECT_NEAR(lost, std::sqrt(of_body[1] * of_ground[side]) * 9.81 * 0.1, 0.02 * lost) << "draw " << draw;
+        if (side < 2) {
+            EXPECT_NEAR(lost, std::sqrt(of_body[1] * of_ground[side]) * 9.81 * 0.1, 0.02 * lost) << "draw " << draw;
+        }
 
         static World<Floors> kept;
         std::vector<std::uint8_t> bytes(ingot::snapshot_size<Floors>());

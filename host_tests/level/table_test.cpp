@@ -286,7 +286,9 @@ TEST(LevelTables, in_bytes_are_the_field_of_the_nearest_samples) {
             const ingot::HeightBlock& block = bytes.blocks[row / 16 * static_cast<size_t>((columns + 15) / 16) + column / 16];
             const int moved = std::abs(now[i] - words.heights[i]), step = 1 << block.shift;
             EXPECT_LE(moved, words.heights[i] + step / 2 > 65535 ? step : step / 2);
-            if (top <= 255) EXPECT_EQ(block.shift, 0);
+            if (top <= 255) {
+                EXPECT_EQ(block.shift, 0);
+            }
             most = std::max(most, moved);
         }
         EXPECT_EQ(furthest, most);
