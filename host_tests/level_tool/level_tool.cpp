@@ -207,13 +207,13 @@ Refusal make_heights(const Options& options, const std::string& text, HeightData
     const size_t samples = data.bytes.empty() ? sizeof(uint16_t) * data.heights.size() : in_bytes;
     const size_t bytes = samples + sizeof(uint16_t) * data.extremes.size() + data.cells.size();
     remarks.push_back(std::to_string(grid.columns) + " by " + std::to_string(grid.rows) + " heights in " + std::to_string(bytes) + " bytes.");
+    messages << remarks.back() << std::endl;
     if (moved_by > 0) {
         std::ostringstream remark;
         remark << "Heights moved by up to " << moved_by * options.heights.step << " m, to fit into bytes.";
         messages << remark.str() << std::endl;
         remarks.push_back(remark.str());
     }
-    messages << remarks.back() << std::endl;
     return "";
 }
 
