@@ -23,7 +23,7 @@ def main(out):
         if row["suite"] in ("rotation", "contact") and row["unit"] not in ("ns", "us", "bytes"):
             by_lanes.setdefault(tuple(row[column] for column in ("case", "method", "scalar", "h", "metric")), set()).add(row["value"])
     faults += [f"differs between lanes: {key}" for key, values in by_lanes.items() if len(values) > 1]
-    for suite in ("rotation", "driven", "drift", "throughput", "contact", "effort", "simbenchmark", "mcu"):
+    for suite in ("rotation", "driven", "drift", "throughput", "contact", "effort", "simbenchmark", "levels", "mcu"):
         if not any(row["suite"] == suite for row in rows):
             faults.append(f"no rows of {suite}")
     for row in rows:
@@ -64,6 +64,8 @@ def main(out):
     for case, scalar, bound in (("rolling_diagonal", "double", 5.7e-9), ("rolling_along_y", "double", 5.7e-9), ("bouncing", "float", 1.9e-2), ("bouncing", "double", 1.9e-2),
                                 ("666", "float", 1.35e-4), ("666", "double", 1.35e-4), ("elastic_666", "float", 8.4), ("elastic_666", "double", 8.4)):
         promise(f"SimBenchmark, {case}, {scalar}, 1 ms", value(f"simbenchmark_{case}", "default", scalar, 1000, "error", "simbenchmark"), bound)
+    for metric, bound in (("way_error", 1e-3), ("speed_error", 1e-3), ("hop", 1e-4), ("impulse_error", 1e-2)):
+        promise(f"levels, {metric}, the worst", max((float(row["value"]) for row in rows if row["suite"] == "levels" and row["metric"] == metric), default=math.nan), bound)
     promise("ball with e = 1, double, energy", value("bounce_e1", "default", "double", 60, "energy_error", "contact"), 1e-6)
     for method, order in ORDERS.items():
         measured = value("book", method, "double", None, "order")

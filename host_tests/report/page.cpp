@@ -128,6 +128,12 @@ std::vector<Section> all_sections(const Rows& rows) {
           "that pile up, without and with restitution."},
          {},
          {simbenchmark_table(rows)}},
+        {"levels",
+         "Levels",
+         {"Ground of triangles and of heights. Whatever a plane is cut into, a body goes over it as over one plane: tests demand 0.1 % of way and "
+          "velocity, 0.1 mm of height and 1 % of the impulses, of every shape, cut, speed and rate."},
+         {},
+         {seams_table(rows), ground_table(rows)}},
         {"mcu",
          "Microcontrollers",
          {"The same source as firmware on emulated cores. Instructions are executed ones, counted by the emulator: exact, but "

@@ -61,6 +61,8 @@ Table driven_table(const Rows& rows, const std::string& scalar);
 Table throughput_table(const Rows& rows);
 Table cores_table(const Rows& rows);
 Table simbenchmark_table(const Rows& rows);
+Table seams_table(const Rows& rows);   ///< levels: bodies over ground that is cut up
+Table ground_table(const Rows& rows);  ///< levels: bytes and times
 std::vector<Table> contact_tables(const Rows& rows);  ///< one for each kind of scene
 Table scenes_table(const Rows& rows);
 Table peers_table(const Rows& rows);

@@ -14,7 +14,8 @@ struct Settings {
 };
 
 inline const std::vector<std::string>& known_suites() {
-    static const std::vector<std::string> names = {"rotation", "driven", "drift", "throughput", "contact", "effort", "simbenchmark", "mcu", "peers"};
+    static const std::vector<std::string> names = {"rotation", "driven", "drift", "throughput", "contact", "effort", "simbenchmark", "levels",
+                                                   "mcu", "peers"};
     return names;
 }
 

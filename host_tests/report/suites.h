@@ -23,6 +23,8 @@ void run_contact(const Settings& settings, const std::vector<Variant>& variants,
 void run_effort(const Settings& settings, Rows& rows);
 /// SimBenchmark's tests: error and CPU time at steps from 1 to 10 ms.
 void run_simbenchmark(const Settings& settings, const std::vector<Variant>& variants, Rows& rows);
+/// Bodies over ground of triangles and of heights: beside a half space, and what it takes.
+void run_levels(const Settings& settings, Rows& rows);
 /// Instructions, flash and RAM on emulated cores, from the tables that the cross builds keep and check.
 void run_mcu(Rows& rows);
 /// Other engines in the same run; nothing in a build without any.
