@@ -76,14 +76,17 @@ TEST(EditedBodies, keep_their_joints) {
                 default: status = world->set_movable(id, mass_of(random.real(0.5, 5))); break;
             }
             ASSERT_TRUE(status == Status::ok || status == Status::no_room) << run_i << ", " << ingot::name(status);
-            if (status == Status::ok && world->is_kinematic(id))
+            if (status == Status::ok && world->is_kinematic(id)) {
                 ASSERT_EQ(world->set_velocity(id, to_vector(random.vector(0.3)), to_vector(random.vector(1))), Status::ok);
+            }
             for (int step_i = 0; step_i < static_cast<int>(rate / 10) + 2; ++step_i) ASSERT_EQ(ingot::step(*world, h).bodies_frozen, 0) << run_i;
             ASSERT_TRUE(live_all(*world, built)) << run_i;
         }
         // All go again, and what platforms have torn apart comes together.
         for (const ingot::BodyId id : built.bodies)
-            if (!world->is_movable(id)) ASSERT_EQ(world->set_movable(id, mass_of(1)), Status::ok) << run_i;
+            if (!world->is_movable(id)) {
+                ASSERT_EQ(world->set_movable(id, mass_of(1)), Status::ok) << run_i;
+            }
         ASSERT_EQ(bodies_that_move(*world, built), static_cast<int>(built.bodies.size()));
         for (int step_i = 0; step_i < static_cast<int>(2 * rate); ++step_i) ASSERT_EQ(ingot::step(*world, h).bodies_frozen, 0);
         EXPECT_LE(worst_gap(*world, built), held) << run_i << ", " << rate << " Hz";
@@ -235,13 +238,21 @@ TEST(EditedBodies, that_begin_to_move_take_sleepers_along) {
                 for (int step_i = 0; step_i < 300; ++step_i) (void)ingot::step(*world, scalar(1) / 60);
                 ASSERT_TRUE(world->is_asleep(box));
                 const auto v = static_cast<scalar>(speed);
-                if (told == 3) ASSERT_EQ(world->set_kinematic(puller), Status::ok);
-                if (told == 0 || told == 3) ASSERT_EQ(world->set_velocity(puller, {0, 0, v}), Status::ok);
+                if (told == 3) {
+                    ASSERT_EQ(world->set_kinematic(puller), Status::ok);
+                }
+                if (told == 0 || told == 3) {
+                    ASSERT_EQ(world->set_velocity(puller, {0, 0, v}), Status::ok);
+                }
                 for (int step_i = 1; step_i <= 120; ++step_i) {
                     ingot::BodyState state = world->state(puller).value;
                     state.r_CM.z = 2 + v * static_cast<scalar>(step_i) / 60;
-                    if (told == 1) ASSERT_EQ(world->move_to(puller, state.r_CM, state.A), Status::ok);
-                    if (told == 2) ASSERT_EQ(world->set_state(puller, state), Status::ok);
+                    if (told == 1) {
+                        ASSERT_EQ(world->move_to(puller, state.r_CM, state.A), Status::ok);
+                    }
+                    if (told == 2) {
+                        ASSERT_EQ(world->set_state(puller, state), Status::ok);
+                    }
                     (void)ingot::step(*world, scalar(1) / 60);
                     ASSERT_FALSE(world->is_asleep(box)) << told << ", " << speed;
                 }
@@ -266,7 +277,9 @@ TEST(EditedBodies, are_animated_and_saved) {
                 const bool led = round % 3 == 0 || (round % 3 == 1 && random.integer(0, 1) == 1);
                 const Status status = led ? world->set_kinematic(id) : world->set_movable(id, mass_of(1));
                 ASSERT_TRUE(status == Status::ok || status == Status::no_room);
-                if (world->is_kinematic(id)) ASSERT_EQ(world->set_velocity(id, v, omega), Status::ok);
+                if (world->is_kinematic(id)) {
+                    ASSERT_EQ(world->set_velocity(id, v, omega), Status::ok);
+                }
             }
             for (int step_i = 0; step_i < 10; ++step_i) (void)ingot::step(*world, h);
             const std::vector<uint8_t> bytes = bytes_of(*world);

@@ -20,7 +20,7 @@ struct FiguresOnPaths {
     FigureView* figures;
     const Loops* loops;
 
-    bool is_of_figure(int slot) const { return (figures->jointed[place_of(slot).tile] >> place_of(slot).lane & 1u) != 0; }
+    bool is_of_figure(int slot) const { return (figures->jointed[place_of(slot).tile] >> place_of(slot).lane & 1) != 0; }
     /// Of all figures that ties hold together the first.
     int machine_of(int figure_i) const {
         if constexpr (Loops::closes)
