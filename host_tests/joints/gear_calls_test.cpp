@@ -211,7 +211,9 @@ TEST(GearCalls, go_with_their_joints) {
         EXPECT_FALSE(world->is_alive(gear)) << what;
         EXPECT_EQ(world->joint_gap(gear).status, Status::stale_id) << what;
         for (int step_i = 0; step_i < 10; ++step_i) ASSERT_TRUE(ingot::step(*world, frame).clean());
-        if (what == 0) EXPECT_NEAR(static_cast<double>(world->joint_rate(at_B).value), static_cast<double>(rate), 1e-5);
+        if (what == 0) {
+            EXPECT_NEAR(static_cast<double>(world->joint_rate(at_B).value), static_cast<double>(rate), 1e-5);
+        }
         EXPECT_EQ(world->joint_count(), what == 0 ? 2 : 1) << what;
     }
 }

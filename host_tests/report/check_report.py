@@ -23,7 +23,7 @@ def main(out):
         if row["suite"] in ("rotation", "contact") and row["unit"] not in ("ns", "us", "bytes"):
             by_lanes.setdefault(tuple(row[column] for column in ("case", "method", "scalar", "h", "metric")), set()).add(row["value"])
     faults += [f"differs between lanes: {key}" for key, values in by_lanes.items() if len(values) > 1]
-    for suite in ("rotation", "driven", "drift", "throughput", "contact", "effort", "simbenchmark", "levels", "mcu"):
+    for suite in ("rotation", "driven", "drift", "throughput", "contact", "effort", "simbenchmark", "levels", "control", "mcu"):
         if not any(row["suite"] == suite for row in rows):
             faults.append(f"no rows of {suite}")
     for row in rows:

@@ -23,6 +23,7 @@ int main(int argc, char** argv) try {
     if (settings.wants("effort")) run_effort(settings, rows);
     if (settings.wants("simbenchmark")) run_simbenchmark(settings, all, rows);
     if (settings.wants("levels")) run_levels(settings, rows);
+    if (settings.wants("control")) run_control(settings, rows);
     if (settings.wants("peers")) run_peers(settings, all, rows);
     if (settings.wants("mcu")) run_mcu(rows);
 

@@ -134,6 +134,11 @@ std::vector<Section> all_sections(const Rows& rows) {
           "velocity, 0.1 mm of height and 1 % of the impulses, of every shape, cut, speed and rate."},
          {},
          {seams_table(rows), ground_table(rows)}},
+        {"control",
+         "Control",
+         {"Figures that are driven: servos aim at the end of the step, so gains have no limit that a rate would set."},
+         {},
+         {walkers_table(rows), arm_table(rows)}},
         {"mcu",
          "Microcontrollers",
          {"The same source as firmware on emulated cores. Instructions are executed ones, counted by the emulator: exact, but "

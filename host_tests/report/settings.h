@@ -15,7 +15,7 @@ struct Settings {
 
 inline const std::vector<std::string>& known_suites() {
     static const std::vector<std::string> names = {"rotation", "driven", "drift", "throughput", "contact", "effort", "simbenchmark", "levels",
-                                                   "mcu", "peers"};
+                                                   "control", "mcu", "peers"};
     return names;
 }
 

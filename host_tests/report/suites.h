@@ -25,6 +25,8 @@ void run_effort(const Settings& settings, Rows& rows);
 void run_simbenchmark(const Settings& settings, const std::vector<Variant>& variants, Rows& rows);
 /// Bodies over ground of triangles and of heights: beside a half space, and what it takes.
 void run_levels(const Settings& settings, Rows& rows);
+/// Walkers, and an arm that follows paths: how far they are off, and what a step takes.
+void run_control(const Settings& settings, Rows& rows);
 /// Instructions, flash and RAM on emulated cores, from the tables that the cross builds keep and check.
 void run_mcu(Rows& rows);
 /// Other engines in the same run; nothing in a build without any.

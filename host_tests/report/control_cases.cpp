@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+// Walkers and an arm in one build of the kernel. Compiled for float and for double, each in a namespace of its own.
+#include <ingot/ingot.h>
+#define scenes INGOT_JOIN(scenes_, INGOT_ABI, )
+
+#include "control_cases.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <memory>
+
+#include "reference/random_input.h"
+#include "scenes/driven_arm.h"
+#include "scenes/walker_in_space.h"
+
+namespace report {
+
+namespace {
+
+using ingot::scalar;
+using ingot::Status;
+using Found = std::vector<OfMachine>;
+
+struct InPlane {
+    using Scene = scenes::WalkingInPlane;
+    scenes::Walker walker;
+    scenes::Gait gait;
+    static constexpr const char* name = "walker in the plane";
+    bool add(ingot::World<Scene>& world) { return scenes::add_walker(world, {0, 0, 0}, scalar(0.8), walker) == Status::ok; }
+    ingot::BodyId body() const { return walker.trunk; }
+};
+struct InSpace {
+    using Scene = scenes::WalkingInSpace;
+    scenes::SpatialWalker walker;
+    scenes::SpatialGait gait;
+    static constexpr const char* name = "walker in space";
+    bool add(ingot::World<Scene>& world) { return scenes::add_walker(world, scalar(0.6), walker) == Status::ok; }
+    ingot::BodyId body() const { return walker.pelvis; }
+};
+
+/// A walker for so many seconds, or until it falls.
+template <class Machine>
+void walk(double seconds, int rate, Found& found) {
+    Machine machine;
+    const auto world = std::make_unique<ingot::World<typename Machine::Scene>>();
+    scenes::WalkState state;
+    bool sound = scenes::add_ground(*world) == Status::ok && machine.add(*world);
+    const scalar h = 1 / static_cast<scalar>(rate), begin = world->state(machine.body()).value.r_CM.z;
+    const int steps = static_cast<int>(seconds * rate + 0.5);
+    int walked = 0, unsettled = 0;
+    double ns = 0, gap = 0;
+    for (; sound && walked < steps && world->state(machine.body()).value.r_CM.z > scalar(0.7) * begin; ++walked) {
+        const auto from = std::chrono::steady_clock::now();
+        sound = scenes::walk(*world, machine.walker, machine.gait, state, h) == Status::ok;
+        unsettled += ingot::step(*world, h).clean() ? 0 : 1;
+        ns += std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - from).count();
+        for (int side = 0; side < 2; ++side)
+            for (const ingot::JointId id : {machine.walker.hip[side], machine.walker.knee[side], machine.walker.ankle[side]})
+                gap = std::max(gap, static_cast<double>(world->joint_gap(id).value));
+    }
+    const auto add = [&](const char* metric, double value, const char* unit) {
+        found.push_back({Machine::name, static_cast<double>(rate), metric, value, unit});
+    };
+    add("walked", walked / static_cast<double>(rate), "s");
+    add("distance", static_cast<double>(world->state(machine.body()).value.r_CM.x), "m");
+    add("unsettled", unsettled, "1");
+    add("gap", gap, "m");
+    add("us_per_step", ns / 1000 / std::max(1, walked), "us");
+}
+
+constexpr int joints = 6;
+
+/// Each joint of the arm swings; at 0 all are at rest where it is set up.
+struct Waves {
+    double size[joints], frequency[joints];  // rad, rad/s
+
+    explicit Waves(ingot_reference::RandomInput& random) {
+        for (int i = 0; i < joints; ++i) {
+            size[i] = random.real(-0.5, 0.5);
+            frequency[i] = 2 * 3.14159265358979323846 * random.real(0.3, 1);
+        }
+    }
+    /// size (1 - cos), and its derivatives.
+    void at(double t, scenes::PathPoint (&path)[joints]) const {
+        for (int i = 0; i < joints; ++i) {
+            const double w = frequency[i], s = std::sin(w * t), c = std::cos(w * t);
+            path[i] = {static_cast<scalar>(size[i] * (1 - c)), static_cast<scalar>(size[i] * w * s), static_cast<scalar>(size[i] * w * w * c)};
+        }
+    }
+};
+
+/// rad, of the worst joint in 3 s.
+template <class Control>
+double worst_off(const Waves& waves, int rate, const Control& control) {
+    const auto world = std::make_unique<ingot::World<scenes::DrivenArm>>();
+    scenes::ArmIds ids;
+    bool sound = scenes::set_up(*world, ids) == Status::ok;
+    const double h = 1.0 / rate;
+    double worst = 0;
+    for (int step_i = 0; sound && step_i < 3 * rate; ++step_i) {
+        scenes::PathPoint path[joints], ahead[joints];
+        waves.at(step_i * h, path);
+        waves.at((step_i + 1) * h, ahead);
+        sound = control(*world, ids, path, ahead, static_cast<scalar>(h)) == Status::ok;
+        (void)ingot::step(*world, static_cast<scalar>(h));
+        for (int i = 0; i < joints; ++i)
+            worst = std::max(worst, std::abs(static_cast<double>(world->joint_angle(ids.hinge[i]).value) - static_cast<double>(ahead[i].angle)));
+    }
+    return sound ? worst : std::nan("");
+}
+
+void follow(int paths, int rate, Found& found) {
+    ingot_reference::RandomInput random(1);
+    double by_torques = 0, by_servos = 0;
+    for (int path_i = 0; path_i < paths; ++path_i) {
+        const Waves waves(random);
+        scenes::ComputedTorque torques;
+        by_torques = std::max(by_torques, worst_off(waves, rate, [&](auto& world, const auto& ids, const auto& path, const auto&, scalar) {
+            return torques.follow(world, ids, path, 10);
+        }));
+        by_servos = std::max(by_servos, worst_off(waves, rate, [](auto& world, const auto& ids, const auto& path, const auto& ahead, scalar h) {
+            return scenes::follow_by_servos(world, ids, path, ahead, h);
+        }));
+    }
+    found.push_back({"arm of six hinges", static_cast<double>(rate), "off_by_torques", by_torques, "rad"});
+    found.push_back({"arm of six hinges", static_cast<double>(rate), "off_by_servos", by_servos, "rad"});
+}
+
+ControlFigures figures(double seconds, int paths) {
+    ControlFigures all;
+    all.scalar = sizeof(scalar) == 4 ? "float" : "double";
+    all.lanes = ingot::lanes;
+    for (const int rate : {30, 60, 120, 240}) walk<InPlane>(seconds, rate, all.of);
+    for (const int rate : {30, 60, 120}) walk<InSpace>(seconds, rate, all.of);
+    for (const int rate : {30, 60, 120, 240}) follow(paths, rate, all.of);
+    return all;
+}
+
+}  // namespace
+
+#if INGOT_DOUBLE
+ControlFigures control_figures_of_double(double seconds, int paths) { return figures(seconds, paths); }
+#else
+ControlFigures control_figures_of_float(double seconds, int paths) { return figures(seconds, paths); }
+#endif
+
+}  // namespace report
