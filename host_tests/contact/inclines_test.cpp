@@ -104,10 +104,11 @@ TEST(Incline, rolls_above_and_slides_below_the_threshold) {
         scene.run(OnEarth::h, 2);
         const double slip = (scene.v(1) + scene.omega(1).cross(-0.5 * to_eigen(c.slope.up()))).norm();
         figure("slip after 2 s, m/s", slip);
-        if (factor > 1)
+        if (factor > 1) {
             EXPECT_LE(slip, 1e-3);
-        else
+        } else {
             EXPECT_NEAR(slip, 9.8125 * (0.6 - 3.5 * 3 / 14 * 0.99 * 0.8) * 2, 0.005);
+        }
     }
 }
 
@@ -196,10 +197,11 @@ TEST(Incline, box_topples_beyond_its_diagonal) {
         scene.run(OnEarth::h, 10);
         const double tilt = to_eigen(slope.up()).dot(scene.A(1).col(2));
         figure("cosine of the tilt after 10 s", tilt);
-        if (factor < 1)
+        if (factor < 1) {
             EXPECT_GE(tilt, 1 - 1e-6);
-        else
+        } else {
             EXPECT_LE(tilt, 0.5);
+        }
     }
 }
 

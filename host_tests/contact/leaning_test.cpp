@@ -55,10 +55,11 @@ void expect_plank_knows_its_friction() {
         ASSERT_TRUE(scene.sound());
         scene.run(OnEarth::h, Plank::seconds);
         figure(factor > 1 ? "way with 1.02, m" : "way with 0.98, m", scene.moved(2).norm());
-        if (factor > 1)
+        if (factor > 1) {
             EXPECT_LE(scene.moved(2).norm(), 1e-3);
-        else
+        } else {
             EXPECT_GE(scene.moved(2).norm(), 0.1);
+        }
     }
 }
 TEST(LeaningPlank, at_45_degrees_knows_its_friction) { expect_plank_knows_its_friction<45>(); }

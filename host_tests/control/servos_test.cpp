@@ -210,10 +210,11 @@ TEST(Servos, keep_to_their_torque) {
         const ingot::JointId id = add_joint(*world, kind, A, built.bodies[static_cast<size_t>(b)], random.direction()).value;
         const double most = std::exp(random.real(std::log(0.1), std::log(30))), stiffness = std::exp(random.real(0, std::log(1e4)));
         const ingot::SpringDrive drive = {number(stiffness), number(stiffness * random.real(0, 0.1)), number(random.real(-2, 2)), 0, 0, number(most)};
-        if (is_ball)
+        if (is_ball) {
             ASSERT_EQ(world->set_ball_drive(id, drive, to_vector(random.direction() * 2)), Status::ok);
-        else
+        } else {
             ASSERT_EQ(world->set_joint_drive(id, drive), Status::ok);
+        }
         for (int step_i = 0; step_i < static_cast<int>(2 * rate); ++step_i) {
             const ingot::StepReport report = ingot::step(*world, number(1 / rate));
             ASSERT_EQ(report.status, Status::ok);

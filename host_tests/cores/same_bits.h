@@ -54,7 +54,9 @@ void expect_same_bits(uint64_t seed, int steps, scalar h) {
         if (step_i % 16 != 15) continue;
         const std::vector<uint8_t> bytes = saved(one->world);
         ASSERT_EQ(bytes, saved(many->world));
-        if (step_i == 47) ASSERT_EQ(ingot::load_snapshot(many->world, bytes.data(), bytes.size()), ingot::Status::ok);
+        if (step_i == 47) {
+            ASSERT_EQ(ingot::load_snapshot(many->world, bytes.data(), bytes.size()), ingot::Status::ok);
+        }
     }
 }
 

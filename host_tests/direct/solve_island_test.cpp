@@ -426,10 +426,11 @@ TEST(DirectIsland, that_is_solved_is_left_out_of_the_sweeps) {
         for (std::size_t manifold_i = 0; manifold_i < all.size(); ++manifold_i) {
             off += is_on(manifold_i) ? 0 : 1;
             ASSERT_EQ(all[manifold_i].size(), 1u);
-            if (is_on(manifold_i))
+            if (is_on(manifold_i)) {
                 EXPECT_EQ(left[manifold_i], all[manifold_i]) << case_i;
-            else
+            } else {
                 EXPECT_TRUE(left[manifold_i].empty()) << case_i;
+            }
         }
         cut += off > 0 && off < solver.manifold_count ? 1 : 0;
     }

@@ -125,10 +125,11 @@ TEST(ConstrainedEvents, limits_of_free_figures_keep_momentum) {
         EXPECT_LE(worst_excess(reference.rows(), reference.state()), 1e-12);
         EXPECT_LE((momentum(scene, reference.state()) - momentum(scene, start)).norm(), 1e-11);
         EXPECT_LE((angular_momentum(scene, reference.state()) - angular_momentum(scene, start)).norm(), 1e-10);
-        if (e == 1)
+        if (e == 1) {
             EXPECT_NEAR(reference.energy(), E, bar);
-        else
+        } else {
             EXPECT_LT(reference.energy(), 0.999 * E);
+        }
     }
 }
 

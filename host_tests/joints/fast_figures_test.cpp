@@ -345,10 +345,11 @@ TYPED_TEST(FastFigures, flail_against_a_thin_plate) {
             const double now = std::atan2(static_cast<double>(x.y), static_cast<double>(x.x));
             turned += std::remainder(now - last, 2 * pi);
             last = now;
-            if (spin > 0)
+            if (spin > 0) {
                 EXPECT_LE(turned, 0) << case_i << ", step " << step_i;
-            else
+            } else {
                 EXPECT_GE(turned, 0) << case_i << ", step " << step_i;
+            }
         }
     }
 }

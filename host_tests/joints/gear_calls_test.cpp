@@ -235,10 +235,11 @@ TEST(GearCalls, rings_turn_or_stand) {
         ASSERT_EQ(world->apply_angular_impulse(wheels[0], {0, 0, 1}), Status::ok);
         for (int step_i = 0; step_i < 240; ++step_i) ASSERT_TRUE(ingot::step(*world, frame).clean());
         const double rate = static_cast<double>(world->joint_rate(hinges[0]).value);
-        if (agree)
+        if (agree) {
             EXPECT_GT(rate, 0.1);
-        else
+        } else {
             EXPECT_NEAR(rate, 0, 1e-6);
+        }
     }
 }
 

@@ -228,9 +228,15 @@ TEST(Machines, a_second_hinge_is_as_good_as_the_first) {
                 const auto world = std::make_unique<WorkshopWorld>();
                 const Built built = add_scene(*world, scene);
                 ASSERT_TRUE(built.sound);
-                if (with == 1) ASSERT_EQ(world->set_joint_drive(built.joints.back(), ingot::SpringDrive{200, 10, scalar(0.3)}), Status::ok);
-                if (with == 2) ASSERT_EQ(world->set_joint_drive(built.joints.back(), ingot::MotorDrive{1, 12}), Status::ok);
-                if (with == 3) ASSERT_EQ(world->set_joint_drive(built.joints.back(), ingot::TunedDrive{2, scalar(0.3)}), Status::ok);
+                if (with == 1) {
+                    ASSERT_EQ(world->set_joint_drive(built.joints.back(), ingot::SpringDrive{200, 10, scalar(0.3)}), Status::ok);
+                }
+                if (with == 2) {
+                    ASSERT_EQ(world->set_joint_drive(built.joints.back(), ingot::MotorDrive{1, 12}), Status::ok);
+                }
+                if (with == 3) {
+                    ASSERT_EQ(world->set_joint_drive(built.joints.back(), ingot::TunedDrive{2, scalar(0.3)}), Status::ok);
+                }
                 for (int step_i = 0; step_i < static_cast<int>(rate); ++step_i)
                     ASSERT_TRUE(ingot::step(*world, static_cast<scalar>(1 / rate)).clean()) << rate << " Hz, " << hinges;
                 states[hinges - 1] = state_of(*world, built);

@@ -101,7 +101,9 @@ TEST(TieReactions, are_what_momenta_change_by) {
                 if (tie.A >= 0) got[static_cast<size_t>(tie.A)] -= F;
                 if (!tie.is_rope) continue;
                 const auto place = [&](int i) { return to_eigen(world->state(balls[static_cast<size_t>(i)]).value.r_CM); };
-                if (tie.A >= 0) EXPECT_LE(F.dot(place(tie.B) - place(tie.A)), 0.1 * F.norm() + 1e-6) << run_i;
+                if (tie.A >= 0) {
+                    EXPECT_LE(F.dot(place(tie.B) - place(tie.A)), 0.1 * F.norm() + 1e-6) << run_i;
+                }
             }
             for (size_t i = 0; i < balls.size(); ++i) {
                 const double M = static_cast<double>(world->mass(balls[i]).value);
