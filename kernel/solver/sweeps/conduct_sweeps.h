@@ -13,7 +13,7 @@ template <bool notes_impulses, bool bounces, class View>
 void solve_by_sweeps(View& view, const ContactStep& step, StepReport& report) {
     using Plain = PlainViewOf<View>;
     using Unread = typename WithoutReactions<Plain>::Type;
-    using Contacts = SweptContacts<Unread, notes_impulses, bounces>;
+    using Contacts = SweptContacts<Unread, notes_impulses, bounces, sees_kinematic<View>>;
     using Jointed = If<Plain::articulates, SeesJoints<Contacts, Unread>, Contacts>;
     using Swept = If<tells_reactions<Plain>, SeesReactions<Jointed, Plain>, Jointed>;
     If<sees_kinematic<View>, SeesKinematic<Swept, View>, Swept> contacts(view);

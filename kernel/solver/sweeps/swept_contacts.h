@@ -14,6 +14,7 @@
 #include "passive_bounces.h"
 #include "plan_islands.h"
 #include "predict_contacts.h"
+#include "pushed_figures.h"
 #include "sequence_impacts.h"
 #include "slip_reversals.h"
 #include "solve_velocities.h"
@@ -25,8 +26,8 @@
 namespace ingot { inline namespace INGOT_ABI {
 
 /// The sweeps as conduct_substeps asks for them. View: SolverView, or a MaterialView. Events, restitution, rolling resistance and belts are compiled
-/// in only where a scene names them. Whole: the same, or with rows of joints.
-template <class Whole, bool notes_impulses, bool bounces>
+/// in only where a scene names them. Whole: the same, or with rows of joints. is_pushed: by kinematic bodies.
+template <class Whole, bool notes_impulses, bool bounces, bool is_pushed = false>
 struct SweptContacts {
     using View = typename WithoutRows<Whole>::Type;
 
@@ -109,6 +110,7 @@ protected:
         if (some_reverse && take_back_reversals(view)) ingot::solve_velocities(whole);
         if constexpr (Whole::has_drives) excuse_driven(view, view.jointed, whole.joint_rows);
         if constexpr (View::articulates && !View::has_belts) hold_gaining_figures(whole, bodies, h);
+        if constexpr (View::articulates && !View::has_belts && is_pushed) hold_pushed_figures(whole, bodies, h);
         if constexpr (View::articulates) excuse_jointed(view);
         // Belts do give energy.
         if (!gives_energy(view))
