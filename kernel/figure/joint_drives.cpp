@@ -251,6 +251,36 @@ bool saturate_drives(const FigureView& view, const Rows& all) {
     return some;
 }
 
+namespace {
+
+/// By how much the solve as it stands changes the rate along a row.
+template <unsigned width>
+scalar change_along(const TreeJoint<width>& joint, const JointRow& row) {
+    const Spatial<scalar> u = read(joint.at, joint.row().change) - change_of_parent(joint.rows, joint.at, joint.row_i);
+    return dot(row.along, free_rates(joint.at, joint.row(), joint.node().kind, u));
+}
+scalar change_along(const LoopedJoint& joint, const JointRow& row) {
+    const ImpulseAlong impulse = impulse_along(joint, row.along);
+    const auto change_of = [&](Index node_i) {
+        return at_node(joint.view(), node_i, [](const auto& rows, const auto& at, int row_i) { return read(at, rows[row_i].change); });
+    };
+    const scalar change = dot(impulse.row.on_child, change_of(impulse.child));
+    return impulse.other == no_node ? change : change + dot(impulse.row.on_other, change_of(impulse.other));
+}
+
+}  // namespace
+
+template <class Rows>
+DriveInSolve drive_in_solve(const FigureView& view, const Rows& all, const JointRow& row) {
+    return at_joint(view, all, row, [&](const auto& joint) {
+        const bool is_row = joint.closes || drive_motion(joint.node(), all, row.direction_i).saturated;
+        scalar given[3] = {};
+        if (!is_row) given_in_solve(joint, all, &row, given);
+        const scalar alone = dot(row.along, joint.rates());
+        return DriveInSolve{is_row ? row.j : given[row.direction_i], alone + change_along(joint, row), alone};
+    });
+}
+
 template <class Rows>
 void note_drives(const FigureView& view, const Rows& all) {
     for (int i = 0; i < all.count; ++i) {
@@ -306,6 +336,7 @@ void keep_drives(const FigureView& view, const Rows& all, int doublings) {
     template void prepare_drives(const FigureView&, const Rows&, scalar);    \
     template void aim_drive(const FigureView&, const Rows&, JointRow&, scalar); \
     template bool saturate_drives(const FigureView&, const Rows&);           \
+    template DriveInSolve drive_in_solve(const FigureView&, const Rows&, const JointRow&); \
     template void note_drives(const FigureView&, const Rows&);               \
     template void keep_drives(const FigureView&, const Rows&, int)
 INGOT_ROWS(DrivenRowView);

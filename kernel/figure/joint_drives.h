@@ -36,6 +36,14 @@ void aim_drive(const FigureView& view, const Rows& all, JointRow& row, scalar h)
 template <class Rows>
 bool saturate_drives(const FigureView& view, const Rows& all);
 
+/// What a drive gives in the solve as it stands, N m s, and the rate of its joint then, and without the solve, rad/s, along its row. Needs: changes
+/// of all bodies.
+struct DriveInSolve {
+    scalar j, rate, rate_alone;
+};
+template <class Rows>
+DriveInSolve drive_in_solve(const FigureView& view, const Rows& all, const JointRow& row);
+
 /// What drives have given in the substep. Needs: pass_impulses.
 template <class Rows>
 void note_drives(const FigureView& view, const Rows& all);

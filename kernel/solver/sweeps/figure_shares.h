@@ -4,6 +4,7 @@
 
 #include "../../base/limits.h"
 #include "../../constraint/contact.h"
+#include "../../figure/joint_drives.h"
 #include "../../figure/joint_rows.h"
 #include "../../figure/moving_joint.h"
 #include "../../math/sqrt.h"
@@ -28,6 +29,42 @@ inline void take_share(const SolverView& solver, int body_i, scalar share, scala
     }
 }
 
+/// Of the joint of a row. Null: its body has gone bad.
+template <class View, class Rows>
+Island* island_of(const View& solver, const Rows& rows, const JointRow& row) {
+    const Index body_i = solver.local_of[solver.jointed.figures.nodes[node_of(rows, row)].slot];
+    return body_i == 0 ? nullptr : &solver.islands[solver.island_of[body_i]];
+}
+/// Calls each(row, island) for the rows of the joints of candidates.
+template <class View, class Rows, class Each>
+void for_candidate_rows(const View& solver, const Rows& rows, const Each& each) {
+    for (int i = 0; i < rows.count; ++i) {  // bound: rows_of_joint max_joints
+        Island* const island = island_of(solver, rows, rows.list[i]);
+        if (island != nullptr && is_candidate(*island)) each(rows.list[i], *island);
+    }
+}
+
+/// The share, after a half and a half of that, which is all again: drives, too, give what they gave.
+inline constexpr scalar all_again = 4;
+
+/// Drives that are rows answer what is left of the other impulses, as those that stand in factors do by themselves. Islands with some are swept.
+template <class View, class Rows>
+void settle_drives(const View& solver, const Rows& rows) {
+    bool some = false;
+    for (int sweep_i = 0; sweep_i == 0 || (some && sweep_i < limits::gaining_rounds); ++sweep_i)  // bound: limits::gaining_rounds
+        for_candidate_rows(solver, rows, [&](JointRow& row, Island& island) {
+            if (!row.is_drive || !(row.K > 0 || row.closes) || island.beta == all_again) return;
+            visit_joint_row(solver.jointed.figures, rows, row);
+            some = island.sweeps_on = true;
+        });
+    if (!some) return;
+    // From the impulses alone, and of these islands alone: see solve_velocities.
+    stand_unless(solver, false, [](const Island& island) { return island.sweeps_on; });
+    give_joint_rows(solver.jointed.figures, rows);
+    pass_contact_impulses(solver);
+    for (int island_i = 0; island_i < solver.island_count; ++island_i) solver.islands[island_i].sweeps_on = false;  // bound: max_bodies
+}
+
 /// Impulses of the candidates become their shares, and all bodies move as these let them.
 template <class Whole>
 void give_shares(Whole& whole, scalar h) {
@@ -44,18 +81,15 @@ void give_shares(Whole& whole, scalar h) {
     }
     const JointedBodies& jointed = solver.jointed;
     if constexpr (Whole::has_joint_rows) {
-        const auto& rows = whole.joint_rows;
-        for (int i = 0; i < rows.count; ++i) {  // bound: rows_of_joint max_joints
-            const Index body_i = solver.local_of[jointed.figures.nodes[node_of(rows, rows.list[i])].slot];
-            if (body_i != 0 && is_candidate(solver.islands[solver.island_of[body_i]])) {
-                JointRow& row = rows.list[i];
-                row.j = shared_part(row.j, solver.islands[solver.island_of[body_i]].beta);
-            }
-        }
-        give_joint_rows(jointed.figures, rows);
+        for_candidate_rows(solver, whole.joint_rows, [](JointRow& row, const Island& island) {
+            if (!row.is_drive) row.j = shared_part(row.j, island.beta);
+            if (row.is_drive && island.beta == all_again && (row.K > 0 || row.closes)) row.j = row.j_sweep;
+        });
+        give_joint_rows(jointed.figures, whole.joint_rows);
     }
     stand_unless(solver, true, is_candidate);
     pass_contact_impulses(solver);
+    if constexpr (Whole::has_drives) settle_drives(solver, whole.joint_rows);
     end_passing(solver);
     end_jointed_sweeps(solver, jointed);
     for_bodies(solver, [&](int body_i) {
@@ -70,8 +104,38 @@ inline scalar energy_of(const SolverView& solver, const BodyView& bodies, int bo
     return (length_sq(v) / solver.bodies[body_i].v_CM[3] + dot(L, lane_of(bodies.translation[at.tile].inv_I_world, at.lane) * L)) / 2;
 }
 
-/// J, of the candidates: in sums[i] of each.
-inline void add_energies(const SolverView& solver, const BodyView& bodies, int i) {
+/// The same if nothing met it in the substep.
+inline scalar energy_alone(const SolverView& solver, const BodyView& bodies, int body_i, scalar h) {
+    const SolverBodyHistory& history = solver.histories[body_i];
+    return energy_of(solver, bodies, body_i, three_of(history.v_begin) + three_of(history.a) * h,
+                     three_of(history.L_begin) + three_of(history.tau) * h);
+}
+
+/// Where Island::sums has the work of drives, beside energies.
+inline constexpr int work_at = 5;
+/// From where the work of drives is counted: from what they give with all impulses of contacts, or from nothing, without a solve.
+enum class WorkFrom { all, alone };
+/// J, of the drives of candidates, by the mean of both rates: what a drive gives is linear in its rate. In sums[work_at] of each.
+template <WorkFrom from, class View, class Rows>
+void add_work(const View& solver, const Rows& rows, int i) {
+    for (int island_i = 0; island_i < solver.island_count; ++island_i) solver.islands[island_i].sums[work_at] = 0;  // bound: max_bodies
+    for_candidate_rows(solver, rows, [&](JointRow& row, Island& island) {
+        if (!row.is_drive) return;
+        const DriveInSolve drive = drive_in_solve(solver.jointed.figures, rows, row);
+        // Conjugate gradients begin anew, if at all.
+        scalar &j_of_all = row.j_sweep, &rate_then = row.direction;
+        if (i == 0) {
+            j_of_all = drive.j;
+            rate_then = from == WorkFrom::all ? drive.rate : drive.rate_alone;
+        }
+        island.sums[work_at] += (drive.j - (from == WorkFrom::all ? j_of_all : scalar(0))) * (drive.rate + rate_then) / 2;
+    });
+}
+
+/// J, of the candidates: in sums[i] of each. Without the work of their drives: contacts and ends of joints give none by themselves.
+template <WorkFrom from, class Whole>
+void add_energies(Whole& whole, const BodyView& bodies, int i) {
+    auto& solver = without_rows(whole);
     for (int island_i = 0; island_i < solver.island_count; ++island_i) solver.islands[island_i].sums[i] = 0;  // bound: max_bodies
     for_bodies(solver, [&](int body_i) {
         Island& island = solver.islands[solver.island_of[body_i]];
@@ -79,6 +143,11 @@ inline void add_energies(const SolverView& solver, const BodyView& bodies, int i
         const SolverBody& body = solver.bodies[body_i];
         island.sums[i] += energy_of(solver, bodies, body_i, three_of(body.v_CM), three_of(body.L));
     });
+    if constexpr (Whole::has_drives) {
+        add_work<from>(solver, whole.joint_rows, i);
+        for (int island_i = 0; island_i < solver.island_count; ++island_i)  // bound: max_bodies
+            solver.islands[island_i].sums[i] -= solver.islands[island_i].sums[work_at];
+    }
 }
 
 /// What an island has with all of its impulses, a half and a fourth of them.
@@ -94,27 +163,27 @@ struct ThreeEnergies {
         if (!(all > without * (1 + limits::figure_gain_allowed)) || !(q > 0)) return 1;
         return d < 0 ? min(-d / (2 * q), scalar(1)) : scalar(0);
     }
-    /// The largest with which it has no more than that, J, or than it has without.
+    /// The largest with which it has no more than that, J; where it has with any, that with which it has least.
     scalar share_up_to(scalar most) const {
         if (!is_finite(all)) return 0;
-        const scalar d = D(), q = Q(), gain = max(most - (all - d - q), 0);
+        const scalar d = D(), q = Q(), gain = most - (all - d - q);
         if (!(d + q > gain) || !(q > 0)) return 1;
-        return min((sqrt(max(d * d + 4 * q * gain, 0)) - d) / (2 * q), scalar(1));
+        return max(min((sqrt(max(d * d + 4 * q * gain, 0)) - d) / (2 * q), scalar(1)), scalar(0));
     }
 };
 
 /// Finds what the candidates have with all of their impulses, a half and a fourth, and gives each the share that share_of(island, energies) says.
-template <class Whole, class ShareOf>
+template <WorkFrom from, class Whole, class ShareOf>
 void give_found_shares(Whole& whole, const BodyView& bodies, scalar h, const ShareOf& share_of) {
     auto& solver = without_rows(whole);
-    add_energies(solver, bodies, 0);
+    add_energies<from>(whole, bodies, 0);
     give_shares(whole, h);
-    add_energies(solver, bodies, 1);
+    add_energies<from>(whole, bodies, 1);
     give_shares(whole, h);
-    add_energies(solver, bodies, 2);
+    add_energies<from>(whole, bodies, 2);
     for (int island_i = 0; island_i < solver.island_count; ++island_i) {  // bound: max_bodies
         Island& island = solver.islands[island_i];
-        if (is_candidate(island)) island.beta = 4 * share_of(island, ThreeEnergies{island.sums[0], island.sums[1], island.sums[2]});
+        if (is_candidate(island)) island.beta = all_again * share_of(island, ThreeEnergies{island.sums[0], island.sums[1], island.sums[2]});
     }
     give_shares(whole, h);
 }

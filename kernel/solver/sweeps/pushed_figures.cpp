@@ -12,10 +12,7 @@ enum : int { pushed_at = 3, allowed = 4 };
 
 /// Whether some island with joints touches a kinematic body.
 bool note_pushes(const SolverView& solver, const JointedBodies& jointed) {
-    for (int island_i = 0; island_i < solver.island_count; ++island_i) {  // bound: max_bodies
-        solver.islands[island_i].beta = 1;
-        solver.islands[island_i].sums[pushed_at] = -1;
-    }
+    for (int island_i = 0; island_i < solver.island_count; ++island_i) solver.islands[island_i].sums[pushed_at] = -1;  // bound: max_bodies
     bool some = false;
     // bound: max_manifolds, rounded up to whole blocks
     for (int position = 0; position < solver.block_count * lanes; ++position) {
@@ -31,14 +28,6 @@ bool note_pushes(const SolverView& solver, const JointedBodies& jointed) {
     return some;
 }
 
-template <class Rows>
-void excuse_driven_from_pushes(const SolverView& solver, const JointedBodies& jointed, const Rows& rows) {
-    for (int i = 0; i < rows.count; ++i) {  // bound: rows_of_joint max_joints
-        const Index body_i = solver.local_of[jointed.figures.nodes[node_of(rows, rows.list[i])].slot];
-        if (rows.list[i].is_drive && body_i != 0) solver.islands[solver.island_of[body_i]].sums[pushed_at] = -1;
-    }
-}
-
 /// Those that have more than they may, by what their bodies would have alone, are candidates. What they may have is in sums[allowed].
 bool find_beyond_allowed(const SolverView& solver, const BodyView& bodies, scalar h) {
     for (int island_i = 0; island_i < solver.island_count; ++island_i)  // bound: max_bodies
@@ -47,16 +36,17 @@ bool find_beyond_allowed(const SolverView& solver, const BodyView& bodies, scala
         Island& island = solver.islands[solver.island_of[body_i]];
         if (island.sums[pushed_at] < 0) return;
         const SolverBody& body = solver.bodies[body_i];
-        const SolverBodyHistory& history = solver.histories[body_i];
         island.sums[0] += energy_of(solver, bodies, body_i, three_of(body.v_CM), three_of(body.L));
-        island.sums[1] += energy_of(solver, bodies, body_i, three_of(history.v_begin) + three_of(history.a) * h,
-                                    three_of(history.L_begin) + three_of(history.tau) * h);
+        island.sums[1] += energy_alone(solver, bodies, body_i, h);
         island.sums[allowed] += limits::pushed_lever_sq / 2 * island.sums[pushed_at] / body.v_CM[3];
     });
     bool some = false;
     for (int island_i = 0; island_i < solver.island_count; ++island_i) {  // bound: max_bodies
         Island& island = solver.islands[island_i];
-        if (island.sums[pushed_at] < 0 || island.sums[0] <= max(island.sums[1], island.sums[allowed])) continue;
+        island.beta = 1;
+        if (island.sums[pushed_at] < 0) continue;
+        island.sums[allowed] = max(island.sums[1], island.sums[allowed]);
+        if (island.sums[0] <= island.sums[allowed]) continue;
         island.beta = scalar(0.5);
         some = true;
     }
@@ -69,10 +59,11 @@ template <class Whole>
 void hold_pushed_figures(Whole& whole, const BodyView& bodies, scalar h) {
     auto& solver = without_rows(whole);
     if (!note_pushes(solver, solver.jointed)) return;
-    if constexpr (Whole::has_drives) excuse_driven_from_pushes(solver, solver.jointed, whole.joint_rows);
-    if (!find_beyond_allowed(solver, bodies, h)) return;
-    give_found_shares(whole, bodies, h,
-                      [](const Island& island, const ThreeEnergies& energies) { return energies.share_up_to(island.sums[allowed]); });
+    // The second takes back what roundings of the first leave, where impulses had grown to millions of times what they should be.
+    for (int round = 0; round < 2 && find_beyond_allowed(solver, bodies, h); ++round)
+        give_found_shares<WorkFrom::alone>(whole, bodies, h, [](const Island& island, const ThreeEnergies& energies) {
+            return energies.share_up_to(island.sums[allowed]);
+        });
 }
 
 // The linker takes the one that the scene calls.

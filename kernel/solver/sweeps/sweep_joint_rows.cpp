@@ -55,14 +55,6 @@ void extrapolate_joint_rows(const SolverView& solver, const JointedBodies& joint
 }
 
 template <class Rows>
-void excuse_driven(const SolverView& solver, const JointedBodies& jointed, const Rows& rows) {
-    for (int i = 0; i < rows.count; ++i) {  // bound: rows_of_joint max_joints
-        const Index body_i = solver.local_of[jointed.figures.nodes[node_of(rows, rows.list[i])].slot];
-        if (rows.list[i].is_drive && body_i != 0) solver.islands[solver.island_of[body_i]].at_bound = false;
-    }
-}
-
-template <class Rows>
 bool are_joint_rows_live(const SolverView& solver, const JointedBodies& jointed, const Rows& rows) {
     bool live = false;
     for (int i = 0; i < rows.count; ++i) live = live || live_island(solver, jointed, rows, rows.list[i]) != nullptr;
@@ -74,7 +66,6 @@ bool are_joint_rows_live(const SolverView& solver, const JointedBodies& jointed,
     template void sweep_joint_rows(const SolverView&, const JointedBodies&, const Rows&, bool);       \
     template void measure_joint_rows(const SolverView&, const JointedBodies&, const Rows&);           \
     template void extrapolate_joint_rows(const SolverView&, const JointedBodies&, const Rows&);       \
-    template void excuse_driven(const SolverView&, const JointedBodies&, const Rows&);                \
     template bool are_joint_rows_live(const SolverView&, const JointedBodies&, const Rows&)
 INGOT_ROWS(JointRowView);
 INGOT_ROWS(DrivenRowView);

@@ -15,9 +15,6 @@ void measure_joint_rows(const SolverView& solver, const JointedBodies& jointed, 
 /// Impulses go on along the conjugate direction of their islands, as those of contacts do.
 template <class Rows>
 void extrapolate_joint_rows(const SolverView& solver, const JointedBodies& jointed, const Rows& rows);
-/// Islands with drives may gain energy: it is these that give it.
-template <class Rows>
-void excuse_driven(const SolverView& solver, const JointedBodies& jointed, const Rows& rows);
 /// Whether an island that is not settled has rows.
 template <class Rows>
 bool are_joint_rows_live(const SolverView& solver, const JointedBodies& jointed, const Rows& rows);

@@ -108,7 +108,6 @@ protected:
     }
     void stay_passive(const BodyView& bodies, scalar h) {
         if (some_reverse && take_back_reversals(view)) ingot::solve_velocities(whole);
-        if constexpr (Whole::has_drives) excuse_driven(view, view.jointed, whole.joint_rows);
         if constexpr (View::articulates && !View::has_belts) hold_gaining_figures(whole, bodies, h);
         if constexpr (View::articulates && !View::has_belts && is_pushed) hold_pushed_figures(whole, bodies, h);
         if constexpr (View::articulates) excuse_jointed(view);
