@@ -194,9 +194,8 @@ inline constexpr int level_passes_max = 32;                                ///< 
 inline constexpr scalar gaining_residual = scalar(1e-4), gaining_speed = scalar(0.25);
 inline constexpr scalar gain_allowed = scalar(1e-6);
 inline constexpr scalar figure_gain_allowed = scalar(1e-4);  ///< the same of islands with joints, found from the energies of three shares
-/// What kinematic bodies push, and joints hold, gets the energy of all of its mass at four times their speed, squared here, at most: what is pushed
-/// near its joint has long levers, and none where joint and contact are in line, however fast it would have to be.
-inline constexpr scalar pushed_lever_sq = 16;
+/// sqrt(1/24): what a push gives a body that stood in line between it and its joint, v / h sqrt(M tr I) times as much. See pushed_figures.h.
+inline constexpr scalar pushed_rod = scalar(0.20412415);
 inline constexpr int gaining_rounds = 8;
 /// An island whose heaviest body has so many times the mass of its lightest, and whose sweeps end at their bound with a residual of this share of the
 /// speed that its heavy bodies would have without contacts, is being crushed: its impulses are dropped. Heavy: the heaviest is no more than

@@ -7,8 +7,18 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
-/// Places in Island::sums, beside three energies. pushed_at: m^2/s^2, of the fastest kinematic body that pushes the island; -1: none does.
+/// Places in Island::sums, beside three energies. pushed_at: m/s, of the fastest kinematic body that pushes the island; -1: none does.
 enum : int { pushed_at = 3, allowed = 4 };
+
+/// J, that a push at v can give a body in a step of h seconds: see pushed_figures.h.
+scalar given_by_push(const SolverView& solver, const JointedBodies& jointed, int body_i, scalar v, scalar h) {
+    const scalar M = 1 / solver.bodies[body_i].v_CM[3], thrown = 2 * M * v * v;
+    if (!jointed.has_joints(static_cast<Index>(body_i))) return thrown;
+    const Vector I = at_node(jointed.figures, jointed.node_of[body_i], [](const auto& rows, const auto& at, int row_i) {
+        return read(at, rows[row_i].I_body);
+    });
+    return thrown + limits::pushed_rod * v / h * sqrt(M * (I.x + I.y + I.z));
+}
 
 /// Whether some island with joints touches a kinematic body.
 bool note_pushes(const SolverView& solver, const JointedBodies& jointed) {
@@ -22,14 +32,14 @@ bool note_pushes(const SolverView& solver, const JointedBodies& jointed) {
         const Index kinematic = block.body_A[lane_i] > last ? block.body_A[lane_i] : block.body_B[lane_i];
         Island& island = solver.islands[block.island[lane_i]];
         if (kinematic <= last || !island.in_batch || jointed.doublings_of[block.island[lane_i]] == 0) continue;
-        island.sums[pushed_at] = max(island.sums[pushed_at], length_sq(three_of(solver.bodies[kinematic].v_CM)));
+        island.sums[pushed_at] = max(island.sums[pushed_at], sqrt(length_sq(three_of(solver.bodies[kinematic].v_CM))));
         some = true;
     }
     return some;
 }
 
 /// Those that have more than they may, by what their bodies would have alone, are candidates. What they may have is in sums[allowed].
-bool find_beyond_allowed(const SolverView& solver, const BodyView& bodies, scalar h) {
+bool find_beyond_allowed(const SolverView& solver, const JointedBodies& jointed, const BodyView& bodies, scalar h) {
     for (int island_i = 0; island_i < solver.island_count; ++island_i)  // bound: max_bodies
         solver.islands[island_i].sums[0] = solver.islands[island_i].sums[1] = solver.islands[island_i].sums[allowed] = 0;
     for_bodies(solver, [&](int body_i) {
@@ -38,7 +48,7 @@ bool find_beyond_allowed(const SolverView& solver, const BodyView& bodies, scala
         const SolverBody& body = solver.bodies[body_i];
         island.sums[0] += energy_of(solver, bodies, body_i, three_of(body.v_CM), three_of(body.L));
         island.sums[1] += energy_alone(solver, bodies, body_i, h);
-        island.sums[allowed] += limits::pushed_lever_sq / 2 * island.sums[pushed_at] / body.v_CM[3];
+        island.sums[allowed] += given_by_push(solver, jointed, body_i, island.sums[pushed_at], jointed.figures.h);
     });
     bool some = false;
     for (int island_i = 0; island_i < solver.island_count; ++island_i) {  // bound: max_bodies
@@ -60,7 +70,7 @@ void hold_pushed_figures(Whole& whole, const BodyView& bodies, scalar h) {
     auto& solver = without_rows(whole);
     if (!note_pushes(solver, solver.jointed)) return;
     // The second takes back what roundings of the first leave, where impulses had grown to millions of times what they should be.
-    for (int round = 0; round < 2 && find_beyond_allowed(solver, bodies, h); ++round)
+    for (int round = 0; round < 2 && find_beyond_allowed(solver, solver.jointed, bodies, h); ++round)
         give_found_shares<WorkFrom::alone>(whole, bodies, h, [](const Island& island, const ThreeEnergies& energies) {
             return energies.share_up_to(island.sums[allowed]);
         });
