@@ -93,7 +93,8 @@ void aim_row(const Joint& joint, const Rows& all, JointRow& row, scalar h) {
     if (ends.lower > -unlimited) row.lower = rate_to_end(value - ends.lower, ahead - ends.lower, row.rate, leave, slack, h);
     row.lower = min(row.lower, row.upper);
     row.rests = leave == 0 && (value - ends.lower <= slack || ends.upper - value <= slack);
-    row.j = row.j_sweep = row.rests ? motion.j[row.direction_i] : 0;
+    const scalar j = motion.j[row.direction_i], room = j > 0 ? value - ends.lower : ends.upper - value;
+    row.j = row.j_sweep = row.rests || (leave == 0 && room <= row.K * abs(j) * h) ? j : 0;
     row.direction = 0;
     if (!(row.K > 0)) row.K = row.j = row.j_sweep = 0;
 }
@@ -107,11 +108,19 @@ scalar speed_after(scalar e, scalar v, scalar a, scalar room, scalar h) {
     return after > gain && after > 0 ? after : 0;
 }
 
+/// What a row that does not rest carries: its impulse without what has stopped the joint. Where sweeps end before they have settled it stays a little
+/// off its end, and would else carry its load from nothing in each substep, which they would not settle either.
+scalar load_of(const JointRow& of) {
+    if (!(of.K > 0)) return 0;
+    const scalar side = of.j > 0 ? scalar(1) : scalar(-1), load = abs(of.j) - max(-side * of.rate_begin, 0) / of.K;
+    return load > 0 ? side * load : scalar(0);
+}
+
 void note_row(const FigureNode& node, const JointRowView& all, const JointRow& of, scalar h) {
     JointMotion& motion = all.motions[node.joint];
     const LimitRecord& limit = all.limits[node.joint];
     const bool leaves = motion.leave[of.direction_i] != 0;  // what throws it back is no end that it meets
-    motion.j[of.direction_i] = of.rests ? of.j : 0;
+    motion.j[of.direction_i] = of.rests ? of.j : leaves ? scalar(0) : load_of(of);
     motion.leave[of.direction_i] = 0;
     const scalar e = limit.limits.restitution;
     if (of.rests || leaves || of.j == 0 || !(e > 0)) return;
