@@ -304,7 +304,7 @@ TEST(LevelTables, in_bytes_are_the_field_of_the_nearest_samples) {
                 EXPECT_TRUE(a.corners[i].x == b.corners[i].x && a.corners[i].y == b.corners[i].y && a.corners[i].z == b.corners[i].z);
             EXPECT_TRUE(a.edges == b.edges && a.material == b.material && a.number == b.number);
         }
-        const Vector from{between(random, 0, 40) * scalar(0.5f), between(random, 0, 40) + scalar(17), 500}, way{3, -2, -900};
+        const Vector from{static_cast<scalar>(between(random, 0, 80)) / 2, static_cast<scalar>(between(random, 17, 57)), 500}, way{3, -2, -900};
         ingot::LevelHit hit_a{}, hit_b{};
         EXPECT_EQ(cast_ray_on_level(again.view, from, way, hit_a), cast_ray_on_level(bytes.view, from, way, hit_b));
         EXPECT_EQ(hit_a.fraction, hit_b.fraction);
