@@ -72,6 +72,24 @@ TEST(LevelTables, of_the_compiler_are_those_of_the_host) {
     }
 }
 
+/// Whatever a field has beside its heights.
+TEST(LevelTables, of_heights_by_the_compiler_are_those_of_the_tool) {
+    constexpr unsigned columns = 7, rows = 5;
+    Random random(30);
+    for (int round = 0; round < 16; ++round) {
+        const Field made = field(random, columns, rows, round % 2 != 0, round % 4 / 2 * 5, [&](int, int) { return between(random, 0, 65535); });
+        const LevelTable& tool = made.view;
+        uint16_t samples[columns * rows];
+        std::copy(made.heights.begin(), made.heights.end(), samples);
+        const ingot::HeightFieldOptions beside = {tool.heights.cells, tool.heights.other_diagonal, tool.origin};
+        const auto host = ingot::height_field_of<columns, rows>(samples, tool.heights.spacing_x, tool.heights.spacing_y, tool.step, beside);
+        ASSERT_EQ(host.status, Status::ok);
+        EXPECT_EQ(host.value.view().checksum, tool.checksum);
+        EXPECT_EQ(host.value.view().heights.other_diagonal, tool.heights.other_diagonal);
+        EXPECT_EQ(check_level(host.value.view()), Status::ok);
+    }
+}
+
 void shuffle(Soup& soup, Random& random) {
     std::vector<int> order(soup.points.size());
     std::iota(order.begin(), order.end(), 0);
@@ -208,6 +226,20 @@ TEST(LevelTables, are_refused_where_they_would_be_none) {
     EXPECT_EQ(field(1, scalar(0.3), {}), Status::out_of_range);
     EXPECT_EQ(field(1, 1, {0, 0, scalar(0.5)}), Status::out_of_range);
     EXPECT_EQ(field(1, 1, {INGOT_DOUBLE ? scalar(1e16) : scalar(1e8), 0, 0}), Status::out_of_range);
+}
+
+/// Of the tool, too, which comes by the door of its own.
+TEST(LevelTables, of_faces_that_name_no_corner_are_refused) {
+    Random random(39);
+    for (int round = 0; round < 64; ++round) {
+        Soup soup = village(random, 2);
+        const int count = static_cast<int>(soup.points.size());
+        LevelFace& face = soup.faces[random() % soup.faces.size()];
+        int* const corners[] = {&face.a, &face.b, &face.c};
+        *corners[round % 3] = round % 2 == 0 ? -between(random, 1, 9) : count + between(random, 0, 9);
+        level_tool::MeshData refused;
+        EXPECT_EQ(level_tool::build_mesh(soup.points, soup.faces, {0, 0, 0}, scalar(1) / 1024, refused), Status::out_of_range);
+    }
 }
 
 TEST(LevelTables, whose_frame_is_wrong_are_refused) {
