@@ -88,6 +88,8 @@ class Syntax:
 def collect(node, syntax, parent=None, fixed=False):
     """Mutants of a node whose places are known; fixed: the compiler computes it."""
     kind = node.get("kind", "")
+    if kind in ("CXXMethodDecl", "CXXConstructorDecl") and (node.get("isImplicit") or node.get("explicitlyDefaulted")):
+        return  # what the compiler writes has the place of the name
     inner = [child for child in node.get("inner", []) if child]
     fixed = fixed or kind in ("ConstantExpr", "StaticAssertDecl", "EnumConstantDecl") or bool(node.get("constexpr") and kind == "VarDecl")
     span = node.get("span")
