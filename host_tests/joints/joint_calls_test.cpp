@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Calls about joints: what is refused changes no bit.
 #include <gtest/gtest.h>
+#include <ingot/joint/check_joint.h>
 
 #include <cstring>
 #include <limits>
@@ -236,6 +237,35 @@ TEST(JointCalls, what_cannot_move_holds) {
     const double of_A = ingot_reference::to_eigen(world.state(setting.A).value.r_CM - ingot::Vector{0, 1, 0}).norm();
     EXPECT_NEAR(of_B, 1, 5e-5);
     EXPECT_NEAR(of_A, 1, 5e-5);
+}
+
+/// What a snapshot says that a joint is made of: both sides have two unit vectors at right angles, and a place.
+TEST(JointCalls, frames_of_records_are_square_and_of_unit_length) {
+    RandomInput random(24);
+    for (int run_i = 0; run_i < 200; ++run_i) {
+        ingot::JointRecord joint{};
+        joint.kind = ingot::JointKind::hinge;
+        joint.body_A = ingot::no_body;
+        ingot::JointFrame* const frames[2] = {&joint.frame_A, &joint.frame_B};
+        for (ingot::JointFrame* frame : frames) {
+            const Eigen::Matrix3d A = random.rotation();
+            *frame = {ingot_reference::to_vector(random.vector(9)), ingot_reference::to_vector(A.col(0)), ingot_reference::to_vector(A.col(1))};
+        }
+        ASSERT_TRUE(ingot::is_valid(joint, 1)) << run_i;
+        ingot::JointFrame& bad = *frames[random.integer(0, 1)];
+        const auto factor = static_cast<scalar>(random.integer(0, 1) == 0 ? random.real(0.01, 0.999) : random.real(1.001, 100));
+        switch (run_i % 4) {
+            case 0: bad.axis = bad.axis * factor; break;
+            case 1: bad.side = bad.side * factor; break;
+            case 2: {
+                const auto lean = static_cast<scalar>((random.integer(0, 1) == 0 ? 1 : -1) * random.real(0.001, 0.9));
+                bad.side = bad.axis * lean + bad.side * ingot::sqrt(1 - lean * lean);
+                break;
+            }
+            default: bad.anchor.y = 4 * ingot::limits::position_max; break;
+        }
+        EXPECT_FALSE(ingot::is_valid(joint, 1)) << run_i;
+    }
 }
 
 }  // namespace
