@@ -273,6 +273,27 @@ TEST(Targets, wake_what_they_draw) {
     EXPECT_LT(world->state(body).value.v_CM.z, scalar(-3));
 }
 
+/// However slowly a target moves, far below what counts as rest, what it draws stays awake, and what others draw sleeps.
+TEST(Targets, that_move_slowly_let_nobody_sleep) {
+    RandomInput random(25);
+    const auto world = std::make_unique<FloorWorld>();
+    ASSERT_TRUE(weigh(*world));
+    std::vector<ingot::BodyId> bodies;
+    for (int i = 0; i < 6; ++i) {
+        bodies.push_back(add_box(*world, 2, {scalar(0.3), scalar(0.2), scalar(0.1)}, {static_cast<scalar>(2 * i), 0, 2}));
+        const ingot::JointId id = draw(*world, bodies.back(), tuned(5, 1));
+        const Vector slow = to_vector(random.direction() * std::ldexp(static_cast<double>(ingot::limits::sleep_speed), -random.integer(2, 9)));
+        const Vector place = world->state(bodies.back()).value.r_CM;
+        const ingot::Matrix level = ingot::identity_matrix<scalar>();
+        const Status status = i % 3 == 0   ? world->set_target(id, place, slow)
+                              : i % 3 == 1 ? world->set_target(id, place, level, {}, slow)
+                                           : world->set_target(id, place);
+        ASSERT_EQ(status, Status::ok);
+    }
+    for (int i = 0; i < 300; ++i) (void)ingot::step(*world, scalar(1) / 60);
+    for (size_t i = 0; i < bodies.size(); ++i) EXPECT_EQ(world->is_asleep(bodies[i]), i % 3 == 2) << i;
+}
+
 std::vector<uint8_t> saved(const FloorWorld& world) {
     std::vector<uint8_t> bytes(ingot::snapshot_size<Floor>());
     bytes.resize(ingot::save_snapshot(world, bytes.data(), bytes.size()).value);
