@@ -166,4 +166,50 @@ TEST(FlightOfAShot, through_more_sensors_than_have_room_tells_of_the_first) {
     expect_first_are_told<ingot::QueryTree>();
 }
 
+struct Salvo : ingot::Scene {
+    static constexpr int max_bodies = 9, max_manifolds = 16, max_events = 32;
+    static constexpr bool translates = true, continuous = true;
+    using shapes = ingot::Shapes<ingot::Sphere, ingot::Box>;
+};
+
+/// Of many that hit within one step, and are gone again at its end, each is told with what it had.
+TEST(FlightOfASalvo, is_told_shot_by_shot) {
+    static ingot::World<Salvo> world;
+    for (int run_i = 0; run_i < 8; ++run_i) {
+        world = {};
+        BodyDef def;
+        def.immovable = true;
+        def.restitution = scalar(0.5);
+        def.shape = ingot::Box{{-face, 2, 2}};
+        if (run_i % 2 == 0) ASSERT_TRUE(world.add(def).ok());
+        double speed_of[Salvo::max_bodies] = {}, y_of[Salvo::max_bodies] = {};
+        for (int i = 0; i < 8; ++i) {
+            const int turn = (3 * i + run_i) % 8;
+            const auto speed = static_cast<scalar>(60 + 15 * turn), y = scalar(0.25) * static_cast<scalar>(i) - 1;
+            BodyDef flying;
+            flying.shape = ingot::Sphere{radius};
+            flying.restitution = scalar(0.5);
+            flying.mass = ingot::principal(ingot::solid_sphere(1000, radius)).value;
+            flying.state.r_CM = {face - radius - scalar(0.1) * static_cast<scalar>(turn + 1) / 2 - speed * h, y, 0};
+            flying.state.v_CM = {speed, 0, 0};
+            const int slot = world.add(flying).value.slot;
+            speed_of[slot] = static_cast<double>(speed);
+            y_of[slot] = static_cast<double>(y);
+        }
+        if (run_i % 2 != 0) ASSERT_TRUE(world.add(def).ok());
+        for (int step_i = 0; step_i < 2; ++step_i) {
+            ASSERT_EQ(ingot::step(world, h).events_lost, 0);
+            int hits = 0;
+            for (const Event& event : world.events()) {
+                if (event.kind != EventKind::hit) continue;
+                ++hits;
+                const int shot = speed_of[event.A.slot] != 0 ? event.A.slot : event.B.slot;
+                EXPECT_NEAR(static_cast<double>(event.speed), speed_of[shot], 64 * eps * speed_of[shot]) << run_i << ", slot " << shot;
+                EXPECT_NEAR(static_cast<double>(event.P.y), y_of[shot], 8 * eps) << run_i << ", slot " << shot;
+            }
+            EXPECT_EQ(hits, step_i == 0 ? 0 : 8) << run_i;
+        }
+    }
+}
+
 }  // namespace
