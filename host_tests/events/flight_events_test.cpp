@@ -181,7 +181,9 @@ TEST(FlightOfASalvo, is_told_shot_by_shot) {
         def.immovable = true;
         def.restitution = scalar(0.5);
         def.shape = ingot::Box{{-face, 2, 2}};
-        if (run_i % 2 == 0) ASSERT_TRUE(world.add(def).ok());
+        if (run_i % 2 == 0) {
+            ASSERT_TRUE(world.add(def).ok());
+        }
         double speed_of[Salvo::max_bodies] = {}, y_of[Salvo::max_bodies] = {};
         for (int i = 0; i < 8; ++i) {
             const int turn = (3 * i + run_i) % 8;
@@ -196,7 +198,9 @@ TEST(FlightOfASalvo, is_told_shot_by_shot) {
             speed_of[slot] = static_cast<double>(speed);
             y_of[slot] = static_cast<double>(y);
         }
-        if (run_i % 2 != 0) ASSERT_TRUE(world.add(def).ok());
+        if (run_i % 2 != 0) {
+            ASSERT_TRUE(world.add(def).ok());
+        }
         for (int step_i = 0; step_i < 2; ++step_i) {
             ASSERT_EQ(ingot::step(world, h).events_lost, 0);
             int hits = 0;

@@ -85,9 +85,10 @@ TEST(JointLimits, give_back_what_restitution_says) {
         }
 }
 
-/// What falls along a rail onto its stop comes up to e^2 of the height that it fell from, each time: along a line a substep is exact, so nothing of the
-/// energy is lost but where it meets the stop, whenever in a substep that is. What is seen of the highest is lower by the parabola in half a step, and
-/// each of four substeps rounds the speed, by half an ulp of it. (Of low ones a substep may begin within the slack of the stop, where things rest.)
+/// What falls along a rail onto its stop comes up to e^2 of the height that it fell from, each time: along a line a substep is exact, so nothing of
+/// the energy is lost but where it meets the stop, whenever in a substep that is. What is seen of the highest is lower by the parabola in half a
+/// step, and each of four substeps rounds the speed, by half an ulp of it. (Of low ones a substep may begin within the slack of the stop, where
+/// things rest.)
 TEST(JointLimits, send_back_to_the_height_that_restitution_says) {
     RandomInput random(22);
     for (int run_i = 0; run_i < ingot_reference::draws(96); ++run_i) {

@@ -47,8 +47,8 @@ ingot::BodyId add_capsule(World& world, Hung& hung, double M, double radius, dou
     return hung.bodies.back();
 }
 
-/// A post that hangs on the world, an arm across it, and a plate below that comes up: the post is between the plate and its own joint. Where there are
-/// drives, both joints have brakes, which give no energy.
+/// A post that hangs on the world, an arm across it, and a plate below that comes up: the post is between the plate and its own joint. Where there
+/// are drives, both joints have brakes, which give no energy.
 template <class Scene>
 Hung add_hung(ingot::World<Scene>& world, RandomInput& random, scalar x, double size) {
     Hung hung;
@@ -112,8 +112,8 @@ struct PressedFigures : testing::Test {};
 using Scenes = testing::Types<Pressed, Braked, Looped>;
 TYPED_TEST_SUITE(PressedFigures, Scenes);
 
-/// Kinetic energy stays below what the plate can give and what the figure can fall, from no higher than twice its length, in any step: turning as well.
-/// The contradiction is told.
+/// Kinetic energy stays below what the plate can give and what the figure can fall, from no higher than twice its length, in any step: turning as
+/// well. The contradiction is told.
 TYPED_TEST(PressedFigures, stay_within_what_presses_them) {
     for (int run_i = 0; run_i < ingot_reference::draws(24); ++run_i) {
         RandomInput random(static_cast<uint64_t>(run_i));

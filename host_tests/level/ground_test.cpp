@@ -143,8 +143,8 @@ TEST(OnTriangles, sheets_have_two_sides) {
     }
 }
 
-/// A capsule across a ridge: with its side on a plane that leans on the ridge alone, it is nearest to it where the two cross, by as much as it is above
-/// that plane. (Of planes that are all but a face, the face may be what is told.)
+/// A capsule across a ridge: with its side on a plane that leans on the ridge alone, it is nearest to it where the two cross, by as much as it is
+/// above that plane. (Of planes that are all but a face, the face may be what is told.)
 TEST(OnTriangles, capsules_lie_on_the_ridge_that_they_cross) {
     Random random(610);
     for (int draw = 0; draw < 200; ++draw) {

@@ -99,7 +99,8 @@ TEST(DefaultRotation, order_6_shows_in_float_too) {
 template <class Rotation>
 class HighOrder : public ::testing::Test {};
 using HighOrders = ::testing::Types<ingot::Rk4Polar, ingot::SymmetricTopSplitting<6>, ingot::DiscreteMoserVeselov<4>, ingot::DiscreteMoserVeselov<6>,
-                                    ingot::DiscreteMoserVeselov<8>, ingot::DiscreteMoserVeselov<10>, ingot::ExactElliptic>;
+                                    ingot::DiscreteMoserVeselov<8>, ingot::DiscreteMoserVeselov<10>,
+                                ingot::ExactElliptic>;
 TYPED_TEST_SUITE(HighOrder, HighOrders);
 
 /// In float too, as far as it shows: what order 4 leaves out of a step is below (|omega| h)^5 / 120, with |omega| h = 0.06 below a rounding of A.
@@ -172,9 +173,10 @@ TEST(DefaultRotation, constant_torque_about_a_principal_axis_is_exact) {
 
 template <class Rotation>
 class KickAhead : public ::testing::Test {};
-using Kicked = ::testing::Types<ingot::LieMidpoint, ingot::Rk4Polar, ingot::SymmetricTop, ingot::SymmetricTopSplitting<2>, ingot::SymmetricTopSplitting<6>,
-                                ingot::DiscreteMoserVeselov<2>, ingot::DiscreteMoserVeselov<4>, ingot::DiscreteMoserVeselov<6>,
-                                ingot::DiscreteMoserVeselov<8>, ingot::DiscreteMoserVeselov<10>, ingot::ExactElliptic>;
+using Kicked = ::testing::Types<ingot::LieMidpoint, ingot::Rk4Polar, ingot::SymmetricTop, ingot::SymmetricTopSplitting<2>,
+                                ingot::SymmetricTopSplitting<6>, ingot::DiscreteMoserVeselov<2>, ingot::DiscreteMoserVeselov<4>,
+                                ingot::DiscreteMoserVeselov<6>, ingot::DiscreteMoserVeselov<8>, ingot::DiscreteMoserVeselov<10>,
+                                ingot::ExactElliptic>;
 TYPED_TEST_SUITE(KickAhead, Kicked);
 
 /// A turn goes by the L of before the kick, whatever has kicked: as that of a body that has it, to the bit; and keeps its own.
