@@ -29,7 +29,7 @@ KERNEL = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "kernel"
 INCLUDE_OWN = re.compile(r'\s*#\s*include\s+"([^"]+)"')
 INCLUDE_SYSTEM = re.compile(r"\s*#\s*include\s+<([^>]+)>")
 # What users include beside ingot.h.
-LEVEL_HEADERS = ("level/byte_heights_of.h", "level/height_field_of.h", "level/level_from_bytes.h", "level/level_walk.h", "level/mesh_of.h")
+LEVEL_HEADERS = ("level/byte_heights_of.h", "level/height_field_of.h", "level/level_from_bytes.h", "level/level_materials.h", "level/level_walk.h", "level/mesh_of.h")
 LICENSE_LINE = "// SPDX-License-Identifier: MIT"
 HOUSE = os.path.normpath(os.path.join(KERNEL, ".."))
 

@@ -411,6 +411,9 @@ constexpr auto level_of_two = mesh_of(corners_of_level, faces_of_level);
 CALL(mesh_of)(const Corners& corners, const Faces& faces, scalar step) { return mesh_of(corners, faces, step); }
 CALL(trimmed)() { return trimmed<level_of_two>(); }
 CALL(height_field_of)(const Heights& heights, scalar spacing, scalar step) { return height_field_of<3, 2>(heights, spacing, spacing, step); }
+CALL(byte_heights_of)(const Heights& heights, scalar spacing, scalar step) { return byte_heights_of<3, 2>(heights, spacing, spacing, step); }
+CALL(with_materials)(const LevelTable& level, const LevelMaterial* materials, int count) { return with_materials(level, materials, count); }
+CALL(with_materials_of_array)(const LevelTable& level, const LevelMaterial (&materials)[2]) { return with_materials(level, materials); }
 struct Levelled : Scene {
     static constexpr int max_bodies = 9, max_manifolds = 24;
     static constexpr bool translates = true;

@@ -53,12 +53,16 @@ struct HeightFieldOptions {
     Vector origin{};         ///< m, where the first sample is, of height 0; z a multiple of the step
 };
 
+namespace grid {
+
 /// Whether a field may stand so: Status::ok, or what height_field_of answers.
 constexpr Status check_placing(scalar spacing_x, scalar spacing_y, scalar step, const Vector& origin) {
     if (!is_finite(origin) || !is_finite(spacing_x) || !is_finite(spacing_y) || !is_finite(step)) return Status::not_finite;
     if (!lattice::is_step(step) || !lattice::is_origin(origin.z, step)) return Status::out_of_range;
-    return grid::is_spacing(spacing_x, origin.x) && grid::is_spacing(spacing_y, origin.y) ? Status::ok : Status::out_of_range;
+    return is_spacing(spacing_x, origin.x) && is_spacing(spacing_y, origin.y) ? Status::ok : Status::out_of_range;
 }
+
+}  // namespace grid
 
 /// The table of a field of heights. Samples, and cells, have static storage: the table points to them.
 ///
@@ -73,7 +77,7 @@ constexpr Result<HeightFieldOf<columns, rows>> height_field_of(const uint16_t (&
     static_assert(columns >= 2 && columns <= 65535 && rows >= 2 && rows <= 65535, "a field of heights has 2 to 65535 columns and rows");
     static_assert(samples == columns * rows, "a field of heights has a height for each column of each row");
     Result<HeightFieldOf<columns, rows>> result{};
-    result.status = check_placing(spacing_x, spacing_y, step, options.origin);
+    result.status = grid::check_placing(spacing_x, spacing_y, step, options.origin);
     if (!result.ok()) return result;
     HeightFieldOf<columns, rows>& field = result.value;
     field.heights = heights;
