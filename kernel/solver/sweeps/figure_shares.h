@@ -117,18 +117,22 @@ inline constexpr int work_at = 5;
 enum class WorkFrom { all, alone };
 /// J, of the drives of candidates, by the mean of both rates: what a drive gives is linear in its rate. In sums[work_at] of each.
 template <WorkFrom from, class View, class Rows>
-void add_work(const View& solver, const Rows& rows, int i) {
+void add_work(const View& solver, const Rows& rows, [[maybe_unused]] int i) {
     for (int island_i = 0; island_i < solver.island_count; ++island_i) solver.islands[island_i].sums[work_at] = 0;  // bound: max_bodies
     for_candidate_rows(solver, rows, [&](JointRow& row, Island& island) {
         if (!row.is_drive) return;
         const DriveInSolve drive = drive_in_solve(solver.jointed.figures, rows, row);
-        // Conjugate gradients begin anew, if at all.
-        scalar &j_of_all = row.j_sweep, &rate_then = row.direction;
-        if (i == 0) {
-            j_of_all = drive.j;
-            rate_then = from == WorkFrom::all ? drive.rate : drive.rate_alone;
+        if constexpr (from == WorkFrom::alone) {
+            island.sums[work_at] += drive.j * (drive.rate + drive.rate_alone) / 2;
+        } else {
+            // Conjugate gradients begin anew, if at all.
+            scalar &j_of_all = row.j_sweep, &rate_of_all = row.direction;
+            if (i == 0) {
+                j_of_all = drive.j;
+                rate_of_all = drive.rate;
+            }
+            island.sums[work_at] += (drive.j - j_of_all) * (drive.rate + rate_of_all) / 2;
         }
-        island.sums[work_at] += (drive.j - (from == WorkFrom::all ? j_of_all : scalar(0))) * (drive.rate + rate_then) / 2;
     });
 }
 

@@ -10,8 +10,8 @@ namespace {
 /// Places in Island::sums.
 enum : int { gained_at = 0, driven_at = 1 };
 
-/// Islands with drives may gain in sweeps that settle, too. Those are candidates that have more than their bodies would have alone by the energy of
-/// all of their mass at limits::gaining_speed. True: there are some.
+/// Islands with drives may gain in sweeps that settle, too. Those are candidates that have more than their bodies would have alone and what their
+/// drives give, by the energy of all of their mass at limits::gaining_speed: so who speeds up by an engine is none. True: there are some.
 template <class View, class Rows>
 bool add_driven(const View& solver, const Rows& rows, const BodyView& bodies, scalar h) {
     for (int island_i = 0; island_i < solver.island_count; ++island_i)  // bound: max_bodies
@@ -35,9 +35,19 @@ bool add_driven(const View& solver, const Rows& rows, const BodyView& bodies, sc
     some = false;
     for (int island_i = 0; island_i < solver.island_count; ++island_i) {  // bound: max_bodies
         Island& island = solver.islands[island_i];
-        if (!(island.sums[gained_at] > 0)) continue;
+        island.sums[driven_at] = island.sums[gained_at] > 0 && !is_candidate(island) ? scalar(1) : scalar(0);
+        if (island.sums[driven_at] == 0) continue;
         island.beta = scalar(0.5);
         some = true;
+    }
+    if (!some) return false;
+    add_work<WorkFrom::alone>(solver, rows, 0);
+    some = false;
+    for (int island_i = 0; island_i < solver.island_count; ++island_i) {  // bound: max_bodies
+        Island& island = solver.islands[island_i];
+        if (island.sums[driven_at] == 0) continue;
+        if (!(island.sums[gained_at] > island.sums[work_at])) island.beta = 1;
+        some = some || is_candidate(island);
     }
     return some;
 }
