@@ -208,6 +208,11 @@ TEST(LevelMaterials, that_are_none_are_refused) {
     level = with_materials(ground.view, good);
     level.materials = nullptr;
     EXPECT_EQ(check_level(level), Status::bad_shape);
+    for (const int count : {-1, 2, LevelMaterial::count_max + 1}) {
+        Floors::levels[0] = ground.view;
+        Floors::levels[0].material_count = count;
+        EXPECT_EQ(empty_world<Floors>().add_level({}).status, Status::bad_shape) << count;
+    }
     level = with_materials(ground.view, bad);
     level.checksum ^= 1;
     EXPECT_EQ(check_level(level), Status::bad_shape);

@@ -116,6 +116,7 @@ private:
     Status check_level_add(const LevelTable& level, const BodyDef& def) const {
         Status status = check_add(def);
         if (level.material_count < 0 || level.material_count > LevelMaterial::count_max) return Status::bad_shape;
+        if (level.material_count > 0 && level.materials == nullptr) return Status::bad_shape;
         for (int i = 0; i < level.material_count && status == Status::ok; ++i) {  // bound: LevelMaterial::count_max
             BodyDef of_material = def;
             of_material.friction = level.materials[i].friction;
