@@ -259,7 +259,7 @@ protected:
         const int contacts = report.contacts + (S::continuous ? limits::pair_manifolds_max : 0);  // those that meet in flight have their own
         const int waves_of_stacks = ingot::solves_pointwise<S> ? 0 : substeps * limits::impacts_of_contact * contacts;
         // Without friction impacts come one after another within the step, each with its waves: follow_impacts in kernel/impulse/impacts_in_step.h.
-        constexpr int impacts_max = limits::impacts_in_step_max * S::max_contacts;
+        const int impacts_max = limits::impacts_in_step_max * report.contacts;
         const int waves_max = ingot::stacks<S> ? waves_of_stacks : impacts_max * limits::impact_waves_max;
         demand(report.impact_waves <= waves_max, "waves are bounded");
         // Islands that give energy are swept again, and so are those with bounces that do.
@@ -275,9 +275,11 @@ protected:
         demand(report.sweeps_unfinished <= solves, "at most every solve is unfinished");
         // With friction, a substep that leaves some contacts has had impacts_of_contact waves for each of them; fast bodies wait beside that.
         const int left_max = report.impact_waves / limits::impacts_of_contact + (S::continuous ? movable : 0);
-        // Without friction a contact is left when its impact ran out of waves, at each of its impacts, and once when it has had all of those.
         const bool ran_out = ingot::stacks<S> ? report.impacts_deferred <= left_max : report.impact_waves > 0;
         demand(report.impacts_deferred == 0 || ran_out, "impacts are left when waves run out");
+        // Without friction a contact is left where it would bounce, and where it approaches, as the waves of an impact run out; and three times when
+        // its own impacts do.
+        demand(ingot::stacks<S> || report.impacts_deferred <= report.contacts * (2 * impacts_max + 3), "at most every contact is left at each impact");
         demand(report.contacts <= S::max_contacts + S::max_manifolds, "contacts fit");
         demand(ingot::stacks<S> || report.contacts_lost == 0 || report.contacts == S::max_contacts, "contacts are lost when the array is full");
         demand(report.pairs_untested <= S::max_bodies * (S::max_bodies - 1) / 2 * S::max_shapes_of_body * S::max_shapes_of_body,

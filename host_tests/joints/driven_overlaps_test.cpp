@@ -95,7 +95,7 @@ TYPED_TEST_SUITE(DrivenOverlaps, Scenes);
 /// Brakes take energy alone: however parts overlap, however stiff it all is, a figure that was at rest never has more than all of its mass has at
 /// limits::gaining_speed, which no look at energies sees. It moves as if it were alone, to the bit.
 TYPED_TEST(DrivenOverlaps, get_no_energy_from_brakes) {
-    for (int run_i = 10; run_i < 10 + ingot_reference::draws(80); ++run_i) {
+    for (int run_i = 0; run_i < ingot_reference::draws(80); ++run_i) {
         RandomInput random(static_cast<uint64_t>(run_i)), again(static_cast<uint64_t>(run_i)), others(static_cast<uint64_t>(1000 + run_i));
         const auto world = std::make_unique<ingot::World<TypeParam>>(), company = std::make_unique<ingot::World<TypeParam>>();
         const double size = random.real(0.05, 0.5), rate = rates[random.integer(0, 4)];

@@ -99,8 +99,7 @@ TEST(DefaultRotation, order_6_shows_in_float_too) {
 template <class Rotation>
 class HighOrder : public ::testing::Test {};
 using HighOrders = ::testing::Types<ingot::Rk4Polar, ingot::SymmetricTopSplitting<6>, ingot::DiscreteMoserVeselov<4>, ingot::DiscreteMoserVeselov<6>,
-                                    ingot::DiscreteMoserVeselov<8>, ingot::DiscreteMoserVeselov<10>,
-                                ingot::ExactElliptic>;
+                                    ingot::DiscreteMoserVeselov<8>, ingot::DiscreteMoserVeselov<10>, ingot::ExactElliptic>;
 TYPED_TEST_SUITE(HighOrder, HighOrders);
 
 /// In float too, as far as it shows: what order 4 leaves out of a step is below (|omega| h)^5 / 120, with |omega| h = 0.06 below a rounding of A.

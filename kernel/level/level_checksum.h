@@ -72,6 +72,7 @@ struct LevelChecksum {
     }
 };
 
+/// All but materials.
 constexpr void sum_tables(const LevelTable& level, LevelChecksum& sum) {
     sum.number(level.origin.x);
     sum.number(level.origin.y);

@@ -15,7 +15,7 @@ struct LevelHeader {
     static constexpr uint8_t name[8] = {'i', 'n', 'g', 'o', 't', 'l', 'e', 'v'};  ///< magic
     static constexpr uint16_t order_of_machine = 0x0102;                          ///< as the machine that has the tables writes it
     static constexpr uint16_t version_now = 1;                                    ///< of the tables
-    static constexpr uint8_t has_cells = 1, has_bytes = 2;
+    static constexpr uint8_t has_cells = 1, has_bytes = 2;                        ///< in `has`
     uint8_t magic[8]{};                                                           ///< name
     uint16_t order{}, version{};                                                  ///< order_of_machine, version_now
     uint32_t size{};                                                              ///< bytes in all

@@ -23,9 +23,11 @@ void mix_level_material(const SurfaceView& surfaces, const BodyPair& pair, Manif
     const bool level_is_A = A.shape.kind == ShapeKind::level;
     const Surface &body = level_is_A ? B : A, &ground = level_is_A ? A : B;
     const LevelMaterial* material = Shapes::level_of(ground.shape)->material(record.manifold.material);
-    const scalar e = material == nullptr ? ground.e : material->restitution, mu = material == nullptr ? ground.mu : material->friction;
-    record.e = max(body.e, e);
-    record.mu = sqrt(body.mu * mu);
+    struct {
+        scalar e, mu;
+    } touched = {ground.e, ground.mu};
+    if (material != nullptr) touched = {material->restitution, material->friction};
+    mix_materials(body, touched, record);
 }
 
 /// After mix_materials_of: of contacts with levels.

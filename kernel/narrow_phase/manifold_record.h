@@ -56,11 +56,14 @@ void give_back(const ManifoldView& manifolds, Index& record);
 /// A body leaves its slot: nothing is kept of its contacts, and whoever takes the slot next is searched for anew.
 void invalidate_contacts(const ManifoldView& manifolds, const PairList& found, BoundsTile* bounds, int slot);
 
-/// Restitution of a pair is the greater of the two; friction their geometric mean.
-INGOT_INLINE void mix_materials(const SurfaceView& surfaces, const BodyPair& pair, ManifoldRecord& record) {
-    const Surface &A = surfaces.surfaces[pair.body_A], &B = surfaces.surfaces[pair.body_B];
+/// Restitution of a pair is the greater of the two; friction their geometric mean. A, B: what has an e and a mu.
+template <class Of_A, class Of_B>
+INGOT_INLINE void mix_materials(const Of_A& A, const Of_B& B, ManifoldRecord& record) {
     record.e = A.e > B.e ? A.e : B.e;
     record.mu = sqrt(A.mu * B.mu);
+}
+INGOT_INLINE void mix_materials(const SurfaceView& surfaces, const BodyPair& pair, ManifoldRecord& record) {
+    mix_materials(surfaces.surfaces[pair.body_A], surfaces.surfaces[pair.body_B], record);
 }
 
 /// Contacts that are held, of a shape whose surface has changed, take it as it is now.

@@ -237,6 +237,7 @@ struct SavedManifold {
     constexpr void numbers(Stream& each, uint32_t parts) {
         each("body_A", body_A);
         each("body_B", body_B);
+        // How many, and above them the material of a level.
         auto points = static_cast<uint16_t>(record.manifold.count | record.manifold.material << 8);
         each("points", points);
         record.manifold.count = static_cast<int8_t>(points & 255);
