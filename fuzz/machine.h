@@ -279,7 +279,7 @@ protected:
         demand(report.impacts_deferred == 0 || ran_out, "impacts are left when waves run out");
         // Without friction a contact is left where it would bounce, and where it approaches, as the waves of an impact run out; and three times when
         // its own impacts do.
-        demand(ingot::stacks<S> || report.impacts_deferred <= report.contacts * (2 * impacts_max + 3), "at most every contact is left at each impact");
+        demand(ingot::stacks<S> || report.impacts_deferred <= report.contacts * (2 * impacts_max + 3), "contacts are left at their impacts");
         demand(report.contacts <= S::max_contacts + S::max_manifolds, "contacts fit");
         demand(ingot::stacks<S> || report.contacts_lost == 0 || report.contacts == S::max_contacts, "contacts are lost when the array is full");
         demand(report.pairs_untested <= S::max_bodies * (S::max_bodies - 1) / 2 * S::max_shapes_of_body * S::max_shapes_of_body,

@@ -2,76 +2,18 @@
 // The arm of six hinges follows paths drawn at random.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <memory>
 
 #include "reference/draws.h"
-#include "reference/random_input.h"
-#include "scenes/driven_arm.h"
+#include "scenes/arm_paths.h"
 
 namespace {
 
-using ingot::scalar;
-using ingot::Status;
 using ingot_reference::draws;
 using ingot_reference::RandomInput;
-
-constexpr double pi = 3.14159265358979323846;
-
-/// Each joint swings; at 0 all are at rest where the arm is set up.
-struct Waves {
-    double size[6], frequency[6];  // rad, rad/s
-
-    explicit Waves(RandomInput& random) {
-        for (int i = 0; i < 6; ++i) {
-            size[i] = random.real(-0.5, 0.5);
-            frequency[i] = 2 * pi * random.real(0.3, 1);
-        }
-    }
-    /// size (1 - cos), and its derivatives.
-    void at(double t, scenes::PathPoint (&path)[6]) const {
-        for (int i = 0; i < 6; ++i) {
-            const double w = frequency[i], s = std::sin(w * t), c = std::cos(w * t);
-            path[i] = {static_cast<scalar>(size[i] * (1 - c)), static_cast<scalar>(size[i] * w * s), static_cast<scalar>(size[i] * w * w * c)};
-        }
-    }
-};
-
-/// rad, of the worst joint in 3 s.
-template <class Control>
-double worst_off(const Waves& waves, double rate, const Control& control) {
-    const auto world = std::make_unique<ingot::World<scenes::DrivenArm>>();
-    scenes::ArmIds ids;
-    EXPECT_EQ(scenes::set_up(*world, ids), Status::ok);
-    const double h = 1 / rate;
-    double worst = 0;
-    for (int step_i = 0; step_i < static_cast<int>(3 * rate); ++step_i) {
-        EXPECT_EQ(control(*world, ids, step_i * h, h), Status::ok);
-        (void)ingot::step(*world, static_cast<scalar>(h));
-        scenes::PathPoint path[6];
-        waves.at((step_i + 1) * h, path);
-        for (int i = 0; i < 6; ++i)
-            worst = std::max(worst, std::abs(static_cast<double>(world->joint_angle(ids.hinge[i]).value) - static_cast<double>(path[i].angle)));
-    }
-    return worst;
-}
-double off_by_torques(const Waves& waves, double rate) {
-    scenes::ComputedTorque torques;
-    return worst_off(waves, rate, [&](auto& world, const auto& ids, double t, double) {
-        scenes::PathPoint path[6];
-        waves.at(t, path);
-        return torques.follow(world, ids, path, 10);
-    });
-}
-double off_by_servos(const Waves& waves, double rate) {
-    return worst_off(waves, rate, [&](auto& world, const auto& ids, double t, double h) {
-        scenes::PathPoint path[6], ahead[6];
-        waves.at(t, path);
-        waves.at(t + h, ahead);
-        return scenes::follow_by_servos(world, ids, path, ahead, static_cast<scalar>(h));
-    });
-}
+using scenes::off_by_servos;
+using scenes::off_by_torques;
+using scenes::Waves;
 
 }  // namespace
 

@@ -4,6 +4,7 @@
 
 #include <ingot/ingot.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -254,6 +255,43 @@ BodyId add_level(World<S>& world, const LevelTable& table, scalar friction = sca
     def.r = r;
     return world.add_level(def).value;
 }
+
+/// How a body went: beside where it began, m, and what contacts gave along z, N s.
+struct Went {
+    Vector by{}, v{};
+    double hop = 0, sink = 0, impulse = 0;
+    int lost = 0;
+};
+
+/// One that goes for so many steps. (No further than the ground.)
+template <class S>
+Went go(World<S>& world, const BodyDef& def, int rate, int steps) {
+    const BodyId id = world.add(def).value;
+    Went went;
+    for (int i = 0; i < steps; ++i) {
+        const ingot::StepReport report = ingot::step(world, 1 / static_cast<scalar>(rate));
+        const double height = static_cast<double>(world.state(id).value.r_CM.z - def.state.r_CM.z);
+        went.hop = std::max(went.hop, height);
+        went.sink = std::max(went.sink, -height);
+        went.lost += report.contacts_lost;
+        for (const ingot::ContactInfo& contact : world.contacts()) went.impulse += static_cast<double>(contact.j * std::abs(contact.n.z));
+    }
+    went.by = world.state(id).value.r_CM - def.state.r_CM;
+    went.v = world.state(id).value.v_CM;
+    return went;
+}
+
+/// The same over a half space, of the friction that bodies have.
+inline Went go_on_slab(scalar height, const BodyDef& def, int rate, int steps) {
+    auto& world = empty_world<Slab>();
+    BodyDef slab;
+    slab.immovable = true;
+    slab.friction = scalar(0.3);
+    slab.shape = ingot::HalfSpace{{0, 0, 1}, height};
+    (void)world.add(slab);
+    return go(world, def, rate, steps);
+}
+inline double length(const Vector& v) { return std::sqrt(static_cast<double>(length_sq(v))); }
 
 // The same twice as large and twice as fast: in worlds of length_unit 2 it goes the same way.
 inline LevelTable twice(LevelTable level) {

@@ -9,34 +9,8 @@ namespace {
 
 using namespace level_test;
 
-struct Went {
-    Vector by{}, v{};
-    double hop = 0, sink = 0, impulse = 0;
-    int lost = 0;
-};
-
-/// One that goes for as long, and no further than the ground.
-template <class S>
-Went go(World<S>& world, const BodyDef& def, int rate, int steps) {
-    const BodyId id = world.add(def).value;
-    Went went;
-    for (int i = 0; i < steps; ++i) {
-        const ingot::StepReport report = ingot::step(world, 1 / static_cast<scalar>(rate));
-        const double height = static_cast<double>(world.state(id).value.r_CM.z - def.state.r_CM.z);
-        went.hop = std::max(went.hop, height);
-        went.sink = std::max(went.sink, -height);
-        went.lost += report.contacts_lost;
-        for (const ingot::ContactInfo& contact : world.contacts()) went.impulse += static_cast<double>(contact.j * std::abs(contact.n.z));
-    }
-    went.by = world.state(id).value.r_CM - def.state.r_CM;
-    went.v = world.state(id).value.v_CM;
-    return went;
-}
-
 /// m, of heights there.
 double rounding_of(const BodyDef& def) { return 4 * static_cast<double>(ingot::epsilon * std::abs(def.state.r_CM.z)); }
-
-double length(const Vector& v) { return std::sqrt(static_cast<double>(length_sq(v))); }
 
 void goes_as_on_a_slab(int draw) {
     Random random(static_cast<uint64_t>(9000 + draw));
@@ -50,13 +24,7 @@ void goes_as_on_a_slab(int draw) {
     def.state.r_CM = def.state.r_CM + ground.middle;
     const int steps = static_cast<int>(std::min(2.0, ground.reach / speed) * rate);
 
-    auto& on_slab = empty_world<Slab>();
-    BodyDef slab;
-    slab.immovable = true;
-    slab.friction = scalar(0.3);
-    slab.shape = ingot::HalfSpace{{0, 0, 1}, ground.middle.z};
-    ASSERT_TRUE(on_slab.add(slab).ok());
-    const Went as = go(on_slab, def, rate, steps);
+    const Went as = go_on_slab(ground.middle.z, def, rate, steps);
     auto& on_level = empty_world<OnLevel>();
     add_level(on_level, ground.view);
     const Went went = go(on_level, def, rate, steps);
@@ -91,13 +59,7 @@ void crosses_a_seam(int draw) {
     const Vector seam = {0, static_cast<scalar>(common / 2), 8.0f / 256};
     def.state.r_CM = def.state.r_CM + seam - def.state.v_CM * static_cast<scalar>(back / speed);
 
-    auto& on_slab = empty_world<Slab>();
-    BodyDef slab;
-    slab.immovable = true;
-    slab.friction = scalar(0.3);
-    slab.shape = ingot::HalfSpace{{0, 0, 1}, seam.z};
-    ASSERT_TRUE(on_slab.add(slab).ok());
-    const Went as = go(on_slab, def, rate, static_cast<int>(seconds * rate));
+    const Went as = go_on_slab(seam.z, def, rate, static_cast<int>(seconds * rate));
     auto& on_level = empty_world<OnLevel>();
     add_level(on_level, ground.view);
     OnLevel::levels[1] = other.view;

@@ -7,11 +7,9 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <memory>
 
-#include "reference/random_input.h"
-#include "scenes/driven_arm.h"
+#include "scenes/arm_paths.h"
 #include "scenes/walker_in_space.h"
 
 namespace report {
@@ -69,59 +67,13 @@ void walk(double seconds, int rate, Found& found) {
     add("us_per_step", ns / 1000 / std::max(1, walked), "us");
 }
 
-constexpr int joints = 6;
-
-/// Each joint of the arm swings; at 0 all are at rest where it is set up.
-struct Waves {
-    double size[joints], frequency[joints];  // rad, rad/s
-
-    explicit Waves(ingot_reference::RandomInput& random) {
-        for (int i = 0; i < joints; ++i) {
-            size[i] = random.real(-0.5, 0.5);
-            frequency[i] = 2 * 3.14159265358979323846 * random.real(0.3, 1);
-        }
-    }
-    /// size (1 - cos), and its derivatives.
-    void at(double t, scenes::PathPoint (&path)[joints]) const {
-        for (int i = 0; i < joints; ++i) {
-            const double w = frequency[i], s = std::sin(w * t), c = std::cos(w * t);
-            path[i] = {static_cast<scalar>(size[i] * (1 - c)), static_cast<scalar>(size[i] * w * s), static_cast<scalar>(size[i] * w * w * c)};
-        }
-    }
-};
-
-/// rad, of the worst joint in 3 s.
-template <class Control>
-double worst_off(const Waves& waves, int rate, const Control& control) {
-    const auto world = std::make_unique<ingot::World<scenes::DrivenArm>>();
-    scenes::ArmIds ids;
-    bool sound = scenes::set_up(*world, ids) == Status::ok;
-    const double h = 1.0 / rate;
-    double worst = 0;
-    for (int step_i = 0; sound && step_i < 3 * rate; ++step_i) {
-        scenes::PathPoint path[joints], ahead[joints];
-        waves.at(step_i * h, path);
-        waves.at((step_i + 1) * h, ahead);
-        sound = control(*world, ids, path, ahead, static_cast<scalar>(h)) == Status::ok;
-        (void)ingot::step(*world, static_cast<scalar>(h));
-        for (int i = 0; i < joints; ++i)
-            worst = std::max(worst, std::abs(static_cast<double>(world->joint_angle(ids.hinge[i]).value) - static_cast<double>(ahead[i].angle)));
-    }
-    return sound ? worst : std::nan("");
-}
-
 void follow(int paths, int rate, Found& found) {
     ingot_reference::RandomInput random(1);
     double by_torques = 0, by_servos = 0;
     for (int path_i = 0; path_i < paths; ++path_i) {
-        const Waves waves(random);
-        scenes::ComputedTorque torques;
-        by_torques = std::max(by_torques, worst_off(waves, rate, [&](auto& world, const auto& ids, const auto& path, const auto&, scalar) {
-            return torques.follow(world, ids, path, 10);
-        }));
-        by_servos = std::max(by_servos, worst_off(waves, rate, [](auto& world, const auto& ids, const auto& path, const auto& ahead, scalar h) {
-            return scenes::follow_by_servos(world, ids, path, ahead, h);
-        }));
+        const scenes::Waves waves(random);
+        by_torques = std::max(by_torques, scenes::off_by_torques(waves, rate));
+        by_servos = std::max(by_servos, scenes::off_by_servos(waves, rate));
     }
     found.push_back({"arm of six hinges", static_cast<double>(rate), "off_by_torques", by_torques, "rad"});
     found.push_back({"arm of six hinges", static_cast<double>(rate), "off_by_servos", by_servos, "rad"});

@@ -21,30 +21,6 @@ using namespace level_test;
 constexpr const char* ground_names[seams_count] = {"grid", "fan", "slivers", "flush boxes", "field"};
 constexpr const char* body_names[goers_count] = {"ball", "box", "wheel", "roller", "coin", "pebble"};
 
-struct Went {
-    Vector by{}, v{};
-    double high = 0, low = 0, impulse = 0;
-};
-
-/// One that goes for as long, and no further than the ground.
-template <class S>
-Went go(World<S>& world, const BodyDef& def, int rate, int steps) {
-    const BodyId id = world.add(def).value;
-    Went went;
-    for (int i = 0; i < steps; ++i) {
-        (void)ingot::step(world, 1 / static_cast<scalar>(rate));
-        const double height = static_cast<double>(world.state(id).value.r_CM.z - def.state.r_CM.z);
-        went.high = std::max(went.high, height);
-        went.low = std::min(went.low, height);
-        for (const ingot::ContactInfo& contact : world.contacts()) went.impulse += static_cast<double>(contact.j * std::abs(contact.n.z));
-    }
-    went.by = world.state(id).value.r_CM - def.state.r_CM;
-    went.v = world.state(id).value.v_CM;
-    return went;
-}
-
-double length(const Vector& v) { return std::sqrt(static_cast<double>(length_sq(v))); }
-
 /// One draw, 1 to 20 m/s fast; the worst stay in `worst`.
 void go_over(Random& random, Seams seams, Goer kind, int rate, OverGround& worst) {
     const Ground ground = plane_of(random, seams);
@@ -52,19 +28,13 @@ void go_over(Random& random, Seams seams, Goer kind, int rate, OverGround& worst
     BodyDef def = goer(random, kind, static_cast<scalar>(size), speed);
     def.state.r_CM = def.state.r_CM + ground.middle;
     const int steps = static_cast<int>(std::min(2.0, ground.reach / speed) * rate);
-    auto& on_slab = empty_world<Slab>();
-    BodyDef slab;
-    slab.immovable = true;
-    slab.friction = scalar(0.3);
-    slab.shape = ingot::HalfSpace{{0, 0, 1}, ground.middle.z};
-    (void)on_slab.add(slab);
-    const Went as = go(on_slab, def, rate, steps);
+    const Went as = go_on_slab(ground.middle.z, def, rate, steps);
     auto& on_level = empty_world<OnLevel>();
     (void)add_level(on_level, ground.view);
     const Went went = go(on_level, def, rate, steps);
     worst.way = std::max(worst.way, std::abs(length(went.by) / length(as.by) - 1));
     worst.speed = std::max(worst.speed, length(went.v - as.v) / speed);
-    worst.hop = std::max({worst.hop, std::abs(went.high - as.high), std::abs(went.low - as.low)});
+    worst.hop = std::max({worst.hop, std::abs(went.hop - as.hop), std::abs(went.sink - as.sink)});
     worst.impulse = std::max(worst.impulse, std::abs(went.impulse / as.impulse - 1));
 }
 
