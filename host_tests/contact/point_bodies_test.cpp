@@ -5,7 +5,11 @@
 #include <ingot/solver/sequential/move_point_bodies.h>
 #include <ingot/solver/sequential/sweep_points.h>
 
+#include <algorithm>
 #include <limits>
+#include <map>
+#include <set>
+#include <vector>
 
 #include "reference/kernel_types.h"
 #include "reference/random_input.h"
@@ -32,7 +36,7 @@ struct Touching {
     ingot::BodyPair pair = {0, ingot::lanes + 1, 0};
     ingot::ManifoldRecord record{};
     ingot::PointContact contact{};
-    ingot::Index member = 0, body_slots[2] = {};
+    ingot::Index member = 0, body_slots[2 * ingot::lanes + 2] = {};
     ingot::PointView view{};
     int lowest = 0;  ///< slot of the lowest body of the first island
 
@@ -54,7 +58,7 @@ struct Touching {
     void take_in() {
         ingot::take_in_bodies(view, tiles.view(), gravity, h);
         ingot::join_bodies(view);
-        lowest = ingot::next_island(view, -1);
+        lowest = ingot::next_island(view) ? view.body_slots[0] : view.slot_count;
     }
     bool is_bad(int i) { return (tiles.rotation(slots[i]).bad >> (slots[i] % ingot::lanes) & 1u) != 0; }
 };
@@ -148,6 +152,68 @@ TEST(PointBodies, that_cannot_move_are_left_alone) {
         EXPECT_LE((to_eigen(two.body(movable).velocity.linear) - v - n / 2).norm(), 4 * eps);
         EXPECT_EQ(two.body(1 - movable).inv_M, 0);
     }
+}
+
+/// Bodies and pairs drawn at random, a part of the bodies immovable, islands mingled in the order of slots.
+struct Mingled {
+    std::vector<PointBody> bodies;
+    std::vector<ingot::BodyPair> pairs;
+    std::vector<ingot::Index> members, body_slots;
+    ingot::PointView view{};
+
+    explicit Mingled(RandomInput& random) : bodies(static_cast<std::size_t>(random.integer(2, 40))) {
+        const int last = static_cast<int>(bodies.size()) - 1;
+        for (std::size_t slot = 0; slot < bodies.size(); ++slot)
+            bodies[slot].root = random.integer(0, 3) == 0 ? ingot::no_root : static_cast<ingot::Index>(slot);
+        for (int A = 0; A < last; ++A)
+            for (int B = A + 1; B <= last; ++B)
+                if (random.integer(0, last) == 0) pairs.push_back({static_cast<ingot::Index>(A), static_cast<ingot::Index>(B), 0});
+        members.resize(pairs.size() + 1);
+        body_slots.resize(bodies.size());
+        view.pairs = pairs.data(), view.manifold_count = static_cast<int>(pairs.size()), view.bodies = bodies.data();
+        view.slot_count = static_cast<int>(bodies.size()), view.members = members.data(), view.body_slots = body_slots.data();
+    }
+    bool moves(int slot) const { return bodies[static_cast<std::size_t>(slot)].root != ingot::no_root; }
+    /// The lowest body that each hangs together with, found by looking at all pairs again and again.
+    std::vector<int> lowest() const {
+        std::vector<int> of(bodies.size());
+        for (std::size_t slot = 0; slot < of.size(); ++slot) of[slot] = static_cast<int>(slot);
+        for (std::size_t pass_i = 0; pass_i < of.size(); ++pass_i)
+            for (const ingot::BodyPair& pair : pairs)
+                if (moves(pair.body_A) && moves(pair.body_B)) of[pair.body_A] = of[pair.body_B] = std::min(of[pair.body_A], of[pair.body_B]);
+        return of;
+    }
+};
+
+/// Island after island by their lowest bodies, each with its manifolds in the order of pairs and each of its bodies once.
+TEST(PointBodies, are_listed_island_by_island) {
+    RandomInput random(2027);
+    int islands = 0;
+    for (int draw_i = 0; draw_i < 500; ++draw_i) {
+        Mingled crowd(random);
+        std::map<int, std::vector<int>> manifolds_of;
+        std::map<int, std::set<int>> bodies_of;
+        const std::vector<int> lowest = crowd.lowest();
+        for (std::size_t i = 0; i < crowd.pairs.size(); ++i)
+            for (const int slot : {crowd.pairs[i].body_A, crowd.pairs[i].body_B}) {
+                if (!crowd.moves(slot)) continue;
+                const int root = lowest[static_cast<std::size_t>(slot)];
+                if (manifolds_of[root].empty() || manifolds_of[root].back() != static_cast<int>(i)) manifolds_of[root].push_back(static_cast<int>(i));
+                bodies_of[root].insert(slot);
+            }
+        ingot::join_bodies(crowd.view);
+        for (const auto& [root, manifolds] : manifolds_of) {
+            ASSERT_TRUE(ingot::next_island(crowd.view));
+            EXPECT_EQ(std::vector<int>(crowd.view.members, crowd.view.members + crowd.view.member_count), manifolds) << "draw " << draw_i;
+            const std::set<int> bodies(crowd.view.body_slots, crowd.view.body_slots + crowd.view.body_count);
+            EXPECT_EQ(bodies, bodies_of[root]);
+            EXPECT_EQ(static_cast<int>(bodies.size()), crowd.view.body_count) << "each once";
+            for (const int slot : bodies) EXPECT_FALSE(crowd.bodies[static_cast<std::size_t>(slot)].hit);
+            ++islands;
+        }
+        EXPECT_FALSE(ingot::next_island(crowd.view));
+    }
+    EXPECT_GT(islands, 1000);
 }
 
 }  // namespace

@@ -95,7 +95,55 @@ bool is_of_an_island(const PointView& solver, int slot) { return solver.bodies[s
 
 }  // namespace
 
-void join_bodies(const PointView& solver) {
+namespace {
+
+/// The root of a manifold's island; no_root: it joins no bodies that take part.
+Index island_of(const PointView& solver, int manifold_i) {
+    const BodyPair& pair = solver.pairs[manifold_i];
+    const Index A = solver.bodies[pair.body_A].root;
+    return A != no_root ? A : solver.bodies[pair.body_B].root;
+}
+
+/// Sorts the manifolds by the roots of their islands, by counting, in the lists of bodies, which are empty as yet; within an island they stay in the
+/// order of pairs.
+void sort_members(const PointView& solver) {
+    Index* const next_of = solver.body_slots;
+    const auto count_all = [&solver](const auto& each) {
+        Index sum = 0;
+        for (int slot = 0; slot < solver.slot_count; ++slot)  // bound: max_bodies
+            if (solver.bodies[slot].root == slot) each(slot, sum);
+    };
+    count_all([&](int root, Index&) { next_of[root] = 0; });
+    for (int i = 0; i < solver.members_left; ++i) ++next_of[island_of(solver, solver.members[i])];  // bound: max_manifolds
+    count_all([&](int root, Index& sum) {
+        const Index count = next_of[root];
+        next_of[root] = sum;
+        sum = static_cast<Index>(sum + count);
+    });
+    for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i) {
+        const Index root = island_of(solver, manifold_i);
+        if (root != no_root) solver.members[next_of[root]++] = static_cast<Index>(manifold_i);
+    }
+}
+
+/// Lists the manifolds island after island. Where islands do not mingle, pairs are in this order as they come.
+void list_members(PointView& solver) {
+    bool sorted = true;
+    Index last = 0;
+    solver.members_left = solver.member_count = 0;
+    for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i) {
+        const Index root = island_of(solver, manifold_i);
+        if (root == no_root) continue;
+        solver.members[solver.members_left++] = static_cast<Index>(manifold_i);
+        sorted = sorted && root >= last;
+        last = root;
+    }
+    if (!sorted) sort_members(solver);
+}
+
+}  // namespace
+
+void join_bodies(PointView& solver) {
     for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i) {
         const BodyPair& pair = solver.pairs[manifold_i];
         if (!is_of_an_island(solver, pair.body_A) || !is_of_an_island(solver, pair.body_B)) continue;
@@ -104,20 +152,29 @@ void join_bodies(const PointView& solver) {
     }
     for (int slot = 0; slot < solver.slot_count; ++slot)
         if (is_of_an_island(solver, slot)) solver.bodies[slot].root = static_cast<Index>(root_of(solver, slot));
+    list_members(solver);
 }
 
-int next_island(PointView& solver, int slot) {
-    ++slot;
-    while (slot < solver.slot_count && solver.bodies[slot].root != slot) ++slot;  // bound: max_bodies: ++slot
+bool next_island(PointView& solver) {
+    solver.members += solver.member_count;
+    solver.members_left -= solver.member_count;
     solver.member_count = solver.body_count = 0;
-    const auto has = [&](int of) { return solver.bodies[of].root == slot; };
-    for (int of = slot; of < solver.slot_count; ++of)
-        if (has(of)) solver.body_slots[solver.body_count++] = static_cast<Index>(of);
-    for (int manifold_i = 0; manifold_i < solver.manifold_count; ++manifold_i) {
-        const BodyPair& pair = solver.pairs[manifold_i];
-        if (has(pair.body_A) || has(pair.body_B)) solver.members[solver.member_count++] = static_cast<Index>(manifold_i);
+    if (solver.members_left == 0) return false;
+    const Index root = island_of(solver, solver.members[0]);
+    const auto list = [&](Index slot) {
+        PointBody& body = solver.bodies[slot];
+        if (body.root == no_root || body.hit) return;
+        body.hit = true;  // it is listed
+        solver.body_slots[solver.body_count++] = slot;
+    };
+    // bound: max_manifolds
+    for (; solver.member_count < solver.members_left && island_of(solver, solver.members[solver.member_count]) == root; ++solver.member_count) {
+        const BodyPair& pair = solver.pairs[solver.members[solver.member_count]];
+        list(pair.body_A);
+        list(pair.body_B);
     }
-    return slot;
+    for (int i = 0; i < solver.body_count; ++i) solver.bodies[solver.body_slots[i]].hit = false;  // bound: max_bodies
+    return true;
 }
 
 scalar kick_bodies(const PointView& solver, scalar h) { return begin_substep(solver, false, h); }

@@ -11,12 +11,13 @@ namespace ingot { inline namespace INGOT_ABI {
 /// marked bad. For the others it then cannot move: its motion must not reach those that touch it.
 void take_in_bodies(PointView& solver, const BodyView& bodies, const Vector& gravity, scalar h);
 
-/// Finds the islands: bodies that touch, directly or through others that can move.
-void join_bodies(const PointView& solver);
+/// Finds the islands: bodies that touch, directly or through others that can move; and sorts the manifolds by them.
+/// Cost: three looks at all manifolds and bodies.
+void join_bodies(PointView& solver);
 
-/// Lists the bodies and manifolds of the next island after the body of a slot: the calls that follow are for these alone.
-/// Returns: the slot of its lowest body; slot_count after the last. Cost: a look at all manifolds and bodies.
-int next_island(PointView& solver, int slot);
+/// Lists the bodies and manifolds of the next island, in the order of their lowest bodies: the calls that follow are for these alone.
+/// Returns: false after the last. Cost: a look at its manifolds.
+bool next_island(PointView& solver);
 
 /// The kick of a substep of h seconds by forces. Returns the speed of the fastest body, m/s, up to limits::rounding_speed_max.
 scalar kick_bodies(const PointView& solver, scalar h);

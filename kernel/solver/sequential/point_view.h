@@ -64,10 +64,10 @@ struct PointView {
     scalar unit = 1;          ///< m; of lengths and speeds in limits.h: see base/contact_lengths.h
     PointBody* bodies;        ///< by body slot
     PointContact* contacts;   ///< by place in pairs
-    Index* members;        ///< manifolds of the island at hand, in the order of pairs
+    Index* members;        ///< manifolds of the island at hand, in the order of pairs, and behind them those of the islands to come
     Index* body_slots;     ///< of its bodies
     int slot_count;           ///< bodies looked at
-    int member_count, body_count;
+    int member_count, body_count, members_left;  ///< of the island; members_left: of it and those to come
     int sweeps_of_step = no_budget;  ///< that each island may have
     Effort effort = {};
 };

@@ -39,7 +39,7 @@ template <>
 struct VisitOf<PointView> : PointVisit {};
 
 template <class View>
-VisitOf<View> visit_of(const View& solver, int manifold_i) {
+INGOT_INLINE VisitOf<View> visit_of(const View& solver, int manifold_i) {
     const BodyPair& pair = solver.pairs[manifold_i];
     PointBody &A = solver.bodies[pair.body_A], &B = solver.bodies[pair.body_B];
     if constexpr (View::rolls || View::has_belts || View::bounces || sees_kinematic<View>)

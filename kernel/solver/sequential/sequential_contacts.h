@@ -71,11 +71,9 @@ struct SequentialContacts {
     void begin(const ContactStep& step, StepReport&) {
         take_in_bodies(view, step.bodies, step.gravity, step.h);
         join_bodies(view);
-        slot_ = -1;
     }
     bool next_batch(const ContactStep& step) {
-        slot_ = next_island(view, slot_);
-        if (slot_ >= view.slot_count) return false;
+        if (!next_island(view)) return false;
         begins_steady_ = spares_substeps(view.effort) && begins_steady(view);
         substeps_ = begins_steady_ ? limits::steady_substeps : view.effort.substeps;
         begin_contacts(view, static_cast<scalar>(view.effort.substeps / substeps_), step.h / static_cast<scalar>(substeps_));
@@ -133,7 +131,7 @@ protected:
 
 private:
     View& view;
-    int slot_ = -1, substeps_ = 0, substeps_left_ = 0;
+    int substeps_ = 0, substeps_left_ = 0;
     bool given_again_ = false, begins_steady_ = false, some_reverse_ = false, steady_ = true, is_first_ = true;
     scalar rounding_ = 0;
     SweptPoints swept_ = {};

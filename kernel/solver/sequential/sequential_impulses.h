@@ -50,7 +50,7 @@ struct SequentialImpulses {
         Index members[static_cast<unsigned>(max_manifolds)] = {}, body_slots[static_cast<unsigned>(max_bodies)] = {};
 
         PointView solver_of(const BodyPair* pairs, ManifoldRecord* records, int manifold_count) {
-            return {pairs, records, manifold_count, 1, point_bodies, point_contacts, members, body_slots, 0, 0, 0};
+            return {pairs, records, manifold_count, 1, point_bodies, point_contacts, members, body_slots, 0, 0, 0, 0};
         }
         template <bool notes_impulses, bool, class View>
         void solve_contacts(View& solver, const ContactStep& step, StepReport& report) {
