@@ -13,8 +13,8 @@ struct Effort {
     /// Of a step, in each of which contacts are solved and bodies displaced: 2, 4, 8 or 16. Normals, levers and overlaps are right to first order in
     /// the length of one. An island in which nothing accelerates has limits::steady_substeps.
     int substeps = limits::substeps;
-    /// Over the contacts of an island, in each substep: 1 .. 16. One of up to limits::small_island manifolds, SequentialImpulses and HybridIslands
-    /// sweep, or solve, until they have settled, whatever it says.
+    /// Over the contacts of an island, in each substep: 1 .. 16. One of up to limits::small_island manifolds, a wall that stands (at most
+    /// limits::sweeps_of_stack times), SequentialImpulses and HybridIslands sweep, or solve, until they have settled, whatever it says.
     int sweeps = limits::sweeps;
 
     static constexpr int substeps_max = 16, sweeps_max = 16;  ///< the most there may be

@@ -171,11 +171,15 @@ inline constexpr int substeps = 4;  ///< of a step, unless the scene says other:
 inline constexpr int sweeps = 3;    ///< over all contacts in a substep, unless the scene says other
 /// Manifolds: an island with no more of them is small.
 inline constexpr int small_island = 64;
+/// An island with more contacts of three or four points than this to one of fewer is a stack, and while as large a part of its bodies stands it is
+/// solved as a small one is. Random boxes in a tray have one such to two or three of fewer points, walls no others.
+inline constexpr int stack_faces = 3;
+inline constexpr int sweeps_of_stack = 16;                      ///< of a substep, at most
 inline constexpr int sweeps_of_small = 64;                      ///< of a substep, at most
 inline constexpr scalar settled_speed_of_small = scalar(2e-7);  ///< m/s; settled_speed of a small island
 /// m/s; a sweep that corrects no speed by more than this is the last of its substep. Contacts at rest then cost one sweep. The error that it
-/// leaves adds up to less than 0.1 mm in a minute. It stands for an acceleration in a quarter of a step: other substeps have other limits, in
-/// proportion.
+/// leaves in heaps adds up to less than 0.1 mm in a minute. It stands for an acceleration in a quarter of a step: other substeps have other
+/// limits, in proportion.
 inline constexpr scalar settled_speed = scalar(1.5e-6);
 /// m/s; speeds round, so the limit of a sweep is raised by 4 epsilon of the fastest body's speed. Bodies faster than this count as no faster:
 /// in float 4 epsilon of it are half of sleep_speed, and bodies at rest elsewhere in the same island must stay at rest.

@@ -40,6 +40,8 @@ struct Island {
     static constexpr int sum_count = 8;
 
     Index manifold_count, new_count, steady_count;  ///< manifolds; those younger than four steps; those that were steady
+    Index face_count;     ///< manifolds of three points or four
+    Index body_count, moving_count;  ///< where there is a large stack: bodies; those that are faster than their forces make them in a substep
     Index central_count;  ///< manifolds whose normals go through both centres of mass
     Index level_count;    ///< the longest way to the ground, in contacts
     Index member_begin, member_count;  ///< of its manifolds in SolverView::members

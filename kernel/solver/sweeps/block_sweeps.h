@@ -10,7 +10,7 @@ namespace ingot { inline namespace INGOT_ABI {
 /// Solves all contacts of a step by sweeps over their blocks. View: SolverView, or a MaterialView.
 ///
 /// Bound: of an island, steady_substeps * sweeps_of_small and then substeps * sweeps_of_small visits a manifold where few touch; else
-///        4 * substeps * sweeps of its Effort. All that again gaining_rounds times at most
+///        substeps times the larger of 4 * sweeps of its Effort and sweeps_of_stack. All that again gaining_rounds times at most
 ///        where sweeps that did not settle give energy, and bounce_rounds times where bounces do. Where impacts cause impacts, impacts_of_contact
 ///        of them a contact and substep.
 template <bool notes_impulses, bool bounces, class View>

@@ -46,15 +46,45 @@ void count_manifolds(const SolverView& solver) {
         const ManifoldRecord& record = solver.records[solver.pairs[manifold_i].record];
         const Index level = solver.level[manifold_i];
         ++island.manifold_count;
+        if (record.manifold.count > 2) ++island.face_count;
         if (age_of(record) < new_until(solver.effort)) ++island.new_count;
         if (was_steady(record)) ++island.steady_count;
         if (level >= island.level_count) island.level_count = static_cast<Index>(level + 1);
     }
 }
 
+bool is_large(const Island& island) { return island.manifold_count > limits::small_island; }
+
+/// Whether faces lie on faces in it. A few sweeps a substep let a wall lean further with each, until it falls: of what leans over N levels a sweep
+/// takes back a part of the order of 1 / N^3, and gravity adds to it. A heap touches at edges and corners as often, and has no such motion.
+bool is_stack(const Island& island) { return limits::stack_faces * island.manifold_count < (limits::stack_faces + 1) * island.face_count; }
+
+bool was_steady(const Island& island) { return island.steady_count == island.manifold_count; }
+
+/// Counts the bodies of large stacks, and those that are faster than their forces make them in a substep of h seconds.
+void count_moving(const SolverView& solver, scalar h) {
+    bool some = false;
+    for (int island_i = 0; island_i < solver.island_count; ++island_i) {  // bound: max_bodies
+        const Island& island = solver.islands[island_i];
+        some = some || (is_large(island) && is_stack(island));
+    }
+    for (int body_i = 1; some && body_i < solver.body_count; ++body_i) {  // bound: max_bodies + 1
+        const SolverBody& body = solver.bodies[body_i];
+        Island& island = solver.islands[solver.island_of[body_i]];
+        const scalar falls = body.dp[3] * h;
+        ++island.body_count;
+        if (length_sq(three_of(body.v_CM)) > falls * falls) ++island.moving_count;
+    }
+}
+
+/// Whether it stands, and may lean: most of it hardly moves, or all of it moves evenly. What falls or was hit is a heap.
+bool stands(const Island& island) {
+    return is_stack(island) && (was_steady(island) || limits::stack_faces * island.moving_count <= island.body_count - island.moving_count);
+}
+
 SweepPlan plan_of(const Island& island, const Effort& effort) {
-    const bool steady = island.steady_count == island.manifold_count && spares_substeps(effort);
-    if (island.manifold_count > limits::small_island) return steady ? SweepPlan::large_steady : SweepPlan::large;
+    const bool steady = was_steady(island) && spares_substeps(effort);
+    if (is_large(island) && !stands(island)) return steady ? SweepPlan::large_steady : SweepPlan::large;
     return steady && island.level_count <= limits::steady_levels ? SweepPlan::small_steady : SweepPlan::small;
 }
 
@@ -69,7 +99,9 @@ void plan_spinning(const SolverView& solver, const BodyView& bodies, scalar h) {
         const Vector turn = lane_of(bodies.translation[at.tile].inv_I_world, at.lane) * L * h;
         if (!turns_inertia(lane_of(bodies.rotation[at.tile].inv_I_ratio, at.lane), turn)) continue;  // a ball, say
         const scalar turned_sq = length_sq(turn);
-        SweepPlan& plan = solver.islands[solver.island_of[body_i]].plan;
+        Island& island = solver.islands[solver.island_of[body_i]];
+        if (is_large(island)) continue;
+        SweepPlan& plan = island.plan;
         if (plan == SweepPlan::small && turned_sq > turn_sq) plan = SweepPlan::small_twice;
         if (plan == SweepPlan::small_twice && turned_sq > 4 * turn_sq) plan = SweepPlan::small_four_times;
     }
@@ -87,7 +119,7 @@ int sweeps_max_of(const Island& island, const Effort& effort) {
             if (island.manifold_count == 0) return limits::limit_sweeps_max;
             if (!island.begins_again && 4 * island.new_count > island.manifold_count) return sweeps_of_new(effort);
             return is_heap_of_balls ? sweeps_of_balls(effort) : effort.sweeps;
-        default: return limits::sweeps_of_small;
+        default: return is_large(island) ? limits::sweeps_of_stack : limits::sweeps_of_small;
     }
 }
 
@@ -140,6 +172,7 @@ template <class Joints>
 void plan_islands(SolverView& solver, Joints& jointed, const BodyView& bodies, scalar h) {
     join_bodies(solver, jointed);
     count_manifolds(solver);
+    count_moving(solver, h / static_cast<scalar>(solver.effort.substeps));
     for (int island_i = 0; island_i < solver.island_count; ++island_i) {  // bound: max_bodies
         Island& island = solver.islands[island_i];
         island.plan = plan_of(island, solver.effort);
@@ -224,7 +257,7 @@ namespace {
 scalar finished_speed_of(const SolverView& solver, const Island& island, scalar fall_speed) {
     const scalar least = max(limits::unsettled_speed * solver.unit, island.settled);
     if (!island.at_bound) return least;
-    return max(least, is_large(island.plan) ? fall_speed : limits::unsettled_share * fall_speed);
+    return max(least, is_large(island) || is_large(island.plan) ? fall_speed : limits::unsettled_share * fall_speed);
 }
 
 SweepPlan plan_of_joints(const Island&, int, const NoJointedBodies&) { return SweepPlan::solved; }
