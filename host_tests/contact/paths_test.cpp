@@ -459,7 +459,7 @@ TEST(PairSubWorld, refuse_a_state_that_is_no_number) {
         const ingot::FlightState before = ingot::flight_state(tiles.view(), slot);
         ingot::FlightState next = {to_vector(random.vector(1)), to_vector(random.vector(1)), to_vector(random.vector(1)),
                                    to_matrix(random.rotation())};
-        (bad == 0 ? next.r_CM.y : bad == 1 ? next.v_CM.z : bad == 2 ? next.L.x : next.A.c1.z) = bad < 4 ? nan : scalar(0.25);
+        (bad == 0 ? next.r_CM.y : bad == 1 ? next.v_CM.z : bad == 3 ? next.A.c1.z : next.L.x) = bad < 4 ? nan : scalar(0.25);
         ingot::BodyView view = tiles.view();
         if (bad == 3) view.compensation = nullptr;
         ingot::put_state(view, slot, next);

@@ -3,6 +3,7 @@
 
 #include "../base/limits.h"
 #include "../body/auxiliary.h"
+#include "../body/check_body.h"
 #include "../body/freeze_bad_bodies.h"
 #include "../math/sqrt.h"
 
@@ -27,7 +28,8 @@ void put_state(const BodyView& bodies, int slot, const FlightState& motion) {
     set_lane(translation.r_CM, at.lane, motion.r_CM);
     set_lane(translation.v_CM, at.lane, motion.v_CM);
     set_lane(rotation.L, at.lane, motion.L);
-    set_lane(rotation.A, at.lane, motion.A);
+    // Who is put again and again, as he waits in each step, or turns in parts, has no flight of his own that would make A a rotation.
+    set_lane(rotation.A, at.lane, nearest_rotation(motion.A));
     rotation.kicked = static_cast<uint16_t>(rotation.kicked | bit);
     if (bodies.compensation != nullptr) set_lane(bodies.compensation[at.tile].A_low, at.lane, Matrix{});
 }
