@@ -143,61 +143,6 @@ TEST(OnTriangles, sheets_have_two_sides) {
     }
 }
 
-/// A capsule across a ridge: with its side on a plane that leans on the ridge alone, it is nearest to it where the two cross, by as much as it is
-/// above that plane. (Of planes that are all but a face, the face may be what is told.)
-TEST(OnTriangles, capsules_lie_on_the_ridge_that_they_cross) {
-    Random random(610);
-    for (int draw = 0; draw < 200; ++draw) {
-        const auto point = [&random](int x, int y, int low, int high) {
-            const int aside[] = {between(random, -200, 200), between(random, -200, 200)};
-            return lattice_point(x + aside[0], y + aside[1], between(random, low, high));
-        };
-        Soup soup;
-        for (const int x : {500, 1600}) soup.points.push_back(point(x, 1024, 950, 1050));
-        for (const int y : {300, 1800}) soup.points.push_back(point(1024, y, 100, 700));
-        soup.faces = {{0, 2, 1}, {0, 1, 3}};
-        Ground ground;
-        take_mesh(soup, 1.0 / 256, ground);
-        auto& world = empty_world<OnLevel>();
-        const BodyId level = add_level(world, ground.view);
-        (void)world.set_gravity({});
-        const auto corner = [&soup](size_t i) {
-            return Vector{static_cast<scalar>(soup.points[i].x), static_cast<scalar>(soup.points[i].y), static_cast<scalar>(soup.points[i].z)} *
-                   (scalar(1) / 256);
-        };
-        const auto unit = [](const Vector& v) { return v * (1 / ingot::sqrt(length_sq(v))); };
-        const auto of = [&random](double low, double high) { return static_cast<scalar>(within(random, low, high)); };
-        const Vector A = corner(0), along = corner(1) - A, e = unit(along);
-        const Vector n[2] = {unit(cross(corner(2) - A, along)), unit(cross(along, corner(3) - A))};
-        const scalar part = of(0.35, 0.65), radius = of(0.05, 0.2), half = of(0.1, 0.5), gap = radius * of(-0.3, 0.01);
-        const Vector d = unit(n[0] * part + n[1] * (1 - part)), Q = A + along * of(0.3, 0.7);
-        const double angle = within(random, 0.4, pi - 0.4);
-        const Vector u = unit(e * static_cast<scalar>(std::cos(angle)) + cross(d, e) * static_cast<scalar>(std::sin(angle)));
-        BodyDef def = goer(random, Goer::roller, scalar(0.1), 0);
-        def.shape = ingot::Capsule{radius, half};
-        def.state = {};
-        def.state.A = ingot::nearest_rotation(Matrix{d, cross(u, d), u});
-        def.state.r_CM = Q + d * (radius + gap) + u * (half * of(-0.6, 0.6));
-        const BodyId id = world.add(def).value;
-        (void)ingot::step(world, scalar(1) / 240);
-        // Where it overlaps, it may be as deep in a face, elsewhere.
-        scalar separation = 1, away_sq = 1;
-        Vector normal{};
-        for (const auto& contact : world.contacts_of(id))
-            for (int i = 0; i < contact.point_count; ++i) {
-                const scalar off_sq = length_sq(contact.points[i].P - (Q + d * (gap / 2)));
-                if (!(off_sq < away_sq)) continue;
-                away_sq = off_sq;
-                separation = contact.points[i].separation;
-                normal = contact.A == level ? -contact.n : contact.n;
-            }
-        const double rounding = 64 * 8 * static_cast<double>(ingot::epsilon);  // of places within 8 m
-        EXPECT_NEAR(static_cast<double>(separation), static_cast<double>(gap), rounding) << draw;
-        EXPECT_LE(static_cast<double>(away_sq), rounding * rounding) << draw;
-        EXPECT_LE(static_cast<double>(length_sq(normal - d) * (radius * radius)), 4 * rounding * rounding) << draw;
-    }
-}
-
 TEST(LevelsOfAWorld, ids_rooms_and_edits) {
     Random random(3);
     const Ground ground = plane_of(random, Seams::grid);

@@ -91,19 +91,24 @@ TriangleTouch put_on_triangle(const TriangleFace& face, const Vector& p, const V
     return nearest_on_edge(face, edge, p);
 }
 
-bool hidden_by_triangle(const TriangleFace& face, const Vector& p, const Vector& d, scalar tilt, scalar flush) {
+bool hidden_by_triangle(const LevelTriangle& triangle, const TriangleFace& face, const Vector& p, const Vector& d, scalar tilt, scalar flush) {
     if (abs(dot(face.n, p - face.corners[0])) > flush) return false;
     if (!is_over(face, p, flush)) return false;
     int edges = 0, first = 0, last = 0;
+    bool on_ridge = false, on_others = false;
     for (int i = 0; i < 3; ++i) {
         const scalar inside = dot(face.inward[i], p - face.corners[i]);
         if (inside > flush) continue;
         if (edges++ == 0) first = i;
         last = i;
+        const EdgeKind kind = triangle.edge(i);
+        on_ridge = on_ridge || kind == EdgeKind::convex;
+        on_others = on_others || kind == EdgeKind::border || kind == EdgeKind::concave;
     }
     const scalar rise = dot(d, face.n);
     const bool along_normal = length_sq(d - face.n * rise) <= tilt * tilt;
-    if (rise < -tilt) return true;
+    // What is below this face may be before the other one, where a ridge is sharper than a right angle.
+    if (rise < -tilt && !(on_ridge && !on_others)) return true;
     if (edges == 0) return !along_normal;
     if (edges == 1) return dot(d, face.inward[first]) > tilt;
     if (edges == 3) return false;  // all of it is within the tolerance: it has no directions
@@ -142,7 +147,7 @@ bool hidden_by_level(const LevelTable& level, const Vector& p, const Vector& d, 
     const Vector reach = {flush, flush, flush};
     for_triangles_in(level, p - reach, p + reach, [&](const LevelTriangle& triangle) {
         TriangleFace face;
-        if (hidden || !face_of_triangle(triangle, face) || !hidden_by_triangle(face, p, d, tilt, flush)) return;
+        if (hidden || !face_of_triangle(triangle, face) || !hidden_by_triangle(triangle, face, p, d, tilt, flush)) return;
         const bool from_behind = sheets == Sheets::hide_nothing && dot(d, face.n) < -tilt;
         hidden = !from_behind || !has_back(level, face);
     });

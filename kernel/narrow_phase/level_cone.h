@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Normal cones of levels: which directions a contact with a triangle may have, among its neighbours.
 //
-// The law is that of normal_cone.h. A triangle is a sheet with one outside: at a point inside it only its normal is real, at an edge what leads
-// neither into it nor behind it. Whoever shares the point says the same of his own: so a ridge leaves the directions between its two normals, a
-// valley and a seam in a plane none but those of the faces, and it is no matter how triangles meet, or of which level they are.
+// The law is that of normal_cone.h. A triangle is a sheet with one outside: at a point inside it only its normal is real, at a rim what leads
+// neither into it nor behind it, and at a ridge what does not lead into it, as the other face says what is behind. Whoever shares the point says the
+// same of his own: so a ridge leaves the directions between its two normals, however sharp it is, a valley and a seam in a plane none but those of
+// the faces, and it is no matter how triangles meet, or of which level they are.
 #pragma once
 
 #include "../level/level_walk.h"
@@ -46,7 +47,7 @@ TriangleTouch put_on_triangle(const TriangleFace& face, const Vector& p, const V
 bool has_back(const LevelTable& level, const TriangleFace& face);
 
 /// True where the triangle reaches p (within `flush`, m) and d is not in its normal cone there.
-bool hidden_by_triangle(const TriangleFace& face, const Vector& p, const Vector& d, scalar tilt, scalar flush);
+bool hidden_by_triangle(const LevelTriangle& triangle, const TriangleFace& face, const Vector& p, const Vector& d, scalar tilt, scalar flush);
 
 /// Whether sheets without thickness, triangles that are there from both sides, hide what is behind them. What overlaps by little has them before it;
 /// to what is deep in the ground they are walls between solids.
