@@ -19,6 +19,13 @@ struct Collected {
 /// solve, and the lane is left as if it had no points.
 void collect(const SolverView& solver, const BodyView& bodies, ContactBlock& block, Collected& in);
 
+/// The same of bodies without joints. Two balls that come from apart are seen where they meet within the step, as they fly, or are nearest to each
+/// other: with the normal and the levers of that moment. So an impulse that acts then goes through both centres, and friction acts on both where they
+/// touch, which changes no angular momentum: with those of the begin of the step, a glancing blow at 10 m/s and 60 Hz was off by a tenth. Along that
+/// normal the plane of the row touches no more than the ball: those that pass each other do not feel it.
+/// Cost: three comparisons a manifold; of balls that are apart 20 flops, and where they fly towards each other 80 and two square roots more.
+void collect_free(const SolverView& solver, const BodyView& bodies, ContactBlock& block, Collected& in);
+
 /// What the rows of a block are made of.
 template <class Contacts, class View>
 INGOT_INLINE Contacts vectors_of(const View& solver, const ContactBlock& block, const Collected& in) {

@@ -74,6 +74,8 @@ struct Normals {
     static void remember(const View& solver, int block_i, int lane_i, int record_i, scalar part) {
         const auto& block = solver.blocks[block_i];
         auto& record = solver.records[record_i];
+        // Of balls that met: what is read of the contact is along the normal that they had then. Contacts that move along keep that of the begin.
+        if (record.manifold.count == 1 && (block.moving >> lane_i & 1u) == 0) record.manifold.n = lane_of(block.n, lane_i);
         for (int row = 0; row < record.manifold.count; ++row) {  // bound: 4: Manifold::points_max
             const bool bounced = block.row[row].landing[lane_i] < limits::unbounded;  // an impact is over: it is not given again
             record.j[row] = bounced ? scalar(0) : block.row[row].j[lane_i] * part;

@@ -32,10 +32,13 @@ void count_central(const SolverView& solver, const ContactBlock& block, mask cen
 }
 
 /// What the rows of a block are made of, from the tiles of its bodies as they are now.
-template <class Contacts, class View>
+template <class Contacts, bool have_joints, class View>
 Contacts collected(const View& solver, const BodyView& bodies, ContactBlock& block) {
     Collected in{};
-    collect(solver, bodies, block, in);
+    if constexpr (have_joints)
+        collect(solver, bodies, block, in);
+    else
+        collect_free(solver, bodies, block, in);
     if constexpr (View::locks_axes) block.rows = block_rows;
     return vectors_of<Contacts>(solver, block, in);
 }
@@ -52,13 +55,13 @@ void with_contacts(const View& solver, const BodyView& bodies, int block_i, cons
     if constexpr (View::articulates)
         if (is_jointed(solver.jointed, block_i)) {
             prepare_responses(solver, bodies, block_i);
-            auto contacts = collected<JointedLaneContacts>(solver, bodies, solver.blocks[block_i]);
+            auto contacts = collected<JointedLaneContacts, true>(solver, bodies, solver.blocks[block_i]);
             contacts.response.block = &solver.jointed.blocks[block_i - solver.jointed.first_block];
             const mask held = contacts.response.held_fast(contacts.P[0], contacts.n);
             for (int row = 0; row < solver.blocks[block_i].rows; ++row) contacts.used[row] = select(held, lane{}, contacts.used[row]);  // bound: 4
             return prepare(contacts);
         }
-    auto contacts = collected<LaneContactsOfView<View>>(solver, bodies, solver.blocks[block_i]);
+    auto contacts = collected<LaneContactsOfView<View>, false>(solver, bodies, solver.blocks[block_i]);
     see_locks(solver, solver.blocks[block_i], contacts);
     prepare(contacts);
 }
@@ -132,6 +135,39 @@ void refresh_block_in_solve(const View& solver, const BodyView& bodies, int bloc
     block.friction.turns_round = turns_round;
 }
 
+bool is_ball(const SolverView& solver, int shape_slot) {
+    const ShapeSlot of = {shape_slot};
+    return solver.shapes.surface(of).shape.kind == ShapeKind::sphere && solver.shapes.place(of) == nullptr;
+}
+
+/// When two balls meet, or come as near as they get, s; no later than `latest`. x, v: m, m/s, from B to A, which closes in.
+scalar time_of_nearest(const Vector& x, const Vector& v, scalar separation, scalar reach, scalar latest) {
+    const scalar per_v_sq = 1 / length_sq(v), nearest = -dot(x, v) * per_v_sq;
+    const scalar apart = separation * (separation + 2 * reach) * per_v_sq, before_sq = nearest * nearest - apart;
+    return min(before_sq > 0 ? apart / (nearest + sqrt(before_sq)) : nearest, latest);
+}
+
+/// Of balls that fly towards each other the normal and the levers become those of when they are nearest in the step: not where they come nearer by so
+/// little in it that they touch all through it, as far as contacts can tell.
+INGOT_RARE void see_balls_meet(const SolverView& solver, const BodyView& bodies, const BodyPair& pair, const BodyPair& shapes, int lane_i, scalar gap,
+                               Collected& in) {
+    if (!is_ball(solver, shapes.body_A) || !is_ball(solver, shapes.body_B)) return;
+    const Place A = place_of(pair.body_A), B = place_of(pair.body_B);
+    const Vector r_A = lane_of(bodies.translation[A.tile].r_CM, A.lane), r_B = lane_of(bodies.translation[B.tile].r_CM, B.lane);
+    const Vector v_A = lane_of(bodies.translation[A.tile].v_CM, A.lane), v_B = lane_of(bodies.translation[B.tile].v_CM, B.lane);
+    const Vector x = r_A - r_B, v = v_A - v_B;
+    const scalar radius_A = solver.shapes.surface({shapes.body_A}).shape.size.x, radius_B = solver.shapes.surface({shapes.body_B}).shape.size.x;
+    const scalar reach = radius_A + radius_B;
+    if (!(-dot(x, v) * solver.step_h > gap * reach)) return;
+    const scalar t = time_of_nearest(x, v, in.separation[0][lane_i], reach, solver.step_h);
+    const Vector at_A = r_A + v_A * t, at_B = r_B + v_B * t, away = at_A - at_B, n = away * (1 / sqrt(length_sq(away)));
+    set_lane(in.n, lane_i, n);
+    in.separation[0][lane_i] = dot(n, x) - reach;
+    set_lane(in.A.r_CM, lane_i, at_A);
+    set_lane(in.B.r_CM, lane_i, at_B);
+    set_lane(in.P[0], lane_i, (at_A - n * radius_A + (at_B + n * radius_B)) * scalar(0.5));
+}
+
 }  // namespace
 
 void collect(const SolverView& solver, const BodyView& bodies, ContactBlock& block, Collected& in) {
@@ -157,6 +193,18 @@ void collect(const SolverView& solver, const BodyView& bodies, ContactBlock& blo
             in.separation[row][lane_i] = record.manifold.points[row].separation;
             set_lane(in.P[row], lane_i, record.manifold.points[row].P);
         }
+    }
+}
+
+void collect_free(const SolverView& solver, const BodyView& bodies, ContactBlock& block, Collected& in) {
+    collect(solver, bodies, block, in);
+    if (solver.shape_pairs == nullptr) return;
+    for (int lane_i = 0; lane_i < lanes; ++lane_i) {
+        const Index manifold_i = block.manifold[lane_i];
+        const bool is_apart = in.used[0][lane_i] > 0 && !(in.used[1][lane_i] > 0) && in.separation[0][lane_i] > 0;
+        if (is_apart && in.A.inv_M[lane_i] > 0 && in.B.inv_M[lane_i] > 0)
+            see_balls_meet(solver, bodies, solver.pairs[manifold_i], solver.shape_pairs[manifold_i], lane_i,
+                           limits::touching_gap * scale_of(solver.unit, block.halvings[lane_i]), in);
     }
 }
 

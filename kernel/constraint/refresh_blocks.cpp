@@ -166,7 +166,7 @@ void refresh_block(const View& solver, const BodyView& bodies, int block_i, scal
     const mask turning = mask_from_bits(block.turning), moving = mask_from_bits(moves_contacts<View> ? block.moving : uint16_t{0});
     Collected in{};
     scalar ahead_of[lanes] = {};
-    collect(solver, bodies, block, in);
+    collect_free(solver, bodies, block, in);
     if constexpr (View::locks_axes) block.rows = block_rows;
     if constexpr (moves_contacts<View>)
         for (int lane_i = 0; lane_i < lanes; ++lane_i)

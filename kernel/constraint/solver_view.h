@@ -83,6 +83,7 @@ struct SolverView {
     int manifold_count;
     BodyShapes shapes = {};
     const BodyPair* shape_pairs = nullptr;  ///< as pairs, by the slots of shapes
+    scalar step_h = 0;         ///< s, of the step
     scalar unit = 1;           ///< m; of lengths and speeds in limits.h: see base/contact_lengths.h
     Effort effort = {};
     int sweeps_of_step = no_budget;  ///< that each island may have

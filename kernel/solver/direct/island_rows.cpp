@@ -81,7 +81,9 @@ void load_manifold(const View& solver, Direct& direct, ManifoldOf<Direct>& manif
     const int lane_i = manifold.position % lanes, block_i = manifold.position / lanes;
     const ContactBlock& block = solver.blocks[block_i];
     const ManifoldRecord& record = solver.records[solver.pairs[block.manifold[lane_i]].record];
-    const bool is_area = record.manifold.count > 1, moved = (block.moving >> lane_i & 1u) != 0;
+    // Rows that are of another moment than the record: of what turns far, and of balls that meet.
+    const Vector turned = Vector{block.n[0][lane_i], block.n[1][lane_i], block.n[2][lane_i]} - record.manifold.n;
+    const bool is_area = record.manifold.count > 1, moved = (block.moving >> lane_i & 1u) != 0 || length_sq(turned) > 0;
     manifold.mu = static_cast<wide_scalar>(block.mu[lane_i]);
     manifold.radius = is_area ? static_cast<wide_scalar>(block.torsion.radius[lane_i]) : 0;  // of one point: rounding
     manifold.points = static_cast<uint8_t>(is_area ? block_rows : 1);                        // whatever it shares its block with

@@ -34,6 +34,7 @@ struct SweptContacts {
     explicit SweptContacts(Whole& of) : whole(of), view(of) {}
 
     void begin(const ContactStep& step, StepReport&) {
+        view.step_h = step.h;
         take_in_bodies(view, step.bodies, step.gravity, step.h);
         auto&& jointed = jointed_of(view);
         take_in_figures(view, jointed, step.bodies, step.gravity, step.h);
