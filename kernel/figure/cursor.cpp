@@ -2,6 +2,7 @@
 #include "cursor.h"
 
 #include "cursor_moves.h"
+#include "reached_bodies.h"
 #include "row_motion.h"
 
 #pragma GCC diagnostic push
@@ -32,9 +33,9 @@ void move_cursor(const FigureRows<width>& rows, const OneLane<width>& at, const 
 
 /// Down to the first `count` rows of each group.
 template <class CountOf>
-void pass_to_rows(const FigureView& view, const CountOf& count_of) {
+void pass_to_rows(const FigureView& view, bool again, const CountOf& count_of) {
     for_groups(view, [&](const auto& rows) {
-        pass_up(rows);
+        pass_up(rows, [&](int row_i) { return again && !is_reached(rows, row_i); });
         pass_down(rows, count_of(rows));
         for (int lane_i = 0; lane_i < rows.lane_count; ++lane_i) rows.figure(lane_i).cursor = 0;  // bound: lanes
     });
@@ -56,11 +57,11 @@ int looped_rows(const LoopView& loops, const LoopFigure& of, const Figure& figur
 
 }  // namespace
 
-void pass_to_roots(const FigureView& view, const NoLoops&) {
-    pass_to_rows(view, [](const auto&) { return 1; });
+void pass_to_roots(const FigureView& view, const NoLoops&, bool again) {
+    pass_to_rows(view, again, [](const auto&) { return 1; });
 }
-void pass_to_roots(const FigureView& view, const LoopView& loops) {
-    pass_to_rows(view, [&](const auto& rows) {
+void pass_to_roots(const FigureView& view, const LoopView& loops, bool again) {
+    pass_to_rows(view, again, [&](const auto& rows) {
         int count = 1;
         for_looped(rows, loops, [&](const LoopFigure& of, int lane_i) {
             const int of_lane = looped_rows(loops, of, rows.figure(lane_i));

@@ -11,9 +11,9 @@
 namespace ingot { inline namespace INGOT_ABI {
 
 /// From the impulses on each body to the changes of the roots, where the cursors are then: they take the rest along. And to the changes of bodies
-/// that rows of loops ask for.
-void pass_to_roots(const FigureView& view, const NoLoops& loops);
-void pass_to_roots(const FigureView& view, const LoopView& loops);
+/// that rows of loops ask for. again: bodies that nothing reaches hand on what they did before in this solve.
+void pass_to_roots(const FigureView& view, const NoLoops& loops, bool again);
+void pass_to_roots(const FigureView& view, const LoopView& loops, bool again);
 
 /// Brings a body up to date.
 void bring_cursor(const FigureView& view, const Spatial6Rows<1>* responses, Index node);

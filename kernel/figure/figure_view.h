@@ -17,7 +17,7 @@ struct FigureNode {
     Index joint;     ///< to its parent; no_joint: the root of what is tied to nothing
     Index parent;    ///< node of the same figure, counted from its first; no_node: the root
     Index figure;
-    Index towards;   ///< on the way of a cursor: the next node down
+    Index towards;   ///< on the way of a cursor: the next node down; no_node: none comes here, see reached_bodies.h
     JointKind kind;  ///< of its joint; none: it has none
     bool is_A;       ///< the body is A of its joint
 };

@@ -30,6 +30,9 @@ Vector unit_along(int direction_i) {
 }
 scalar along(const Vector& v, int direction_i) { return direction_i == 0 ? v.x : direction_i == 1 ? v.y : v.z; }
 
+/// True of drives whose gains are those of what they move: see set_gains.
+bool asks_for_inertia(const JointDrive& drive) { return drive.kind == DriveKind::tuned || drive.kind == DriveKind::motor; }
+
 void set_gains(const JointDrive& drive, DriveMotion& motion, scalar h) {
     motion.resist = motion.spring = 0;
     if (drive.kind == DriveKind::spring) {
@@ -129,6 +132,7 @@ void begin_drives(const FigureView& view, const Rows& all) {
         const int count = drives_in(node.kind, all);
         scalar K[3] = {}, sum = 0;
         for (int i = 0; i < count; ++i) {  // bound: 3
+            if (!asks_for_inertia(drive_of(node, all, i))) continue;
             K[i] = is_wheel(node.kind) && i == 1 ? compliance_of_carried(joint, all) : compliance_of(joint, all, unit_along(i));
             sum += K[i] / 3;
         }
@@ -158,18 +162,21 @@ void aim_drive(const FigureView& view, const Rows& all, JointRow& row, scalar h)
     at_joint(view, all, row, [&](const auto& joint) {
         const FigureNode& node = joint.node();
         DriveMotion& motion = drive_motion(node, all, row.direction_i);
-        const auto pull_of = [&](const DriveError& error) {
-            return h * error.feedforward - motion.spring * error.angle - motion.resist * error.rate;
+        const auto pull_of = [&](const DriveError& error, const DriveMotion& of) {
+            return h * error.feedforward - of.spring * error.angle - of.resist * error.rate;
         };
         Vector pulls{};
         row.along = unit_along(row.direction_i);
-        if (is_ball(node.kind)) {
-            DriveError errors[3];
-            ball_errors(joint, all, errors);
-            pulls = {pull_of(errors[0]), pull_of(errors[1]), pull_of(errors[2])};
-            motion.pull = along(pulls, row.direction_i);
+        if (is_ball(node.kind)) {  // its rows follow each other, and the first finds what all three pull
+            DriveMotion* const three = &drive_motion(node, all, 0);
+            if (row.direction_i == 0) {
+                DriveError errors[3];
+                ball_errors(joint, all, errors);
+                for (int i = 0; i < 3; ++i) three[i].pull = pull_of(errors[i], three[i]);
+            }
+            pulls = {three[0].pull, three[1].pull, three[2].pull};
         } else {
-            motion.pull = pull_of(error_of(joint, all, row.direction_i));
+            motion.pull = pull_of(error_of(joint, all, row.direction_i), motion);
         }
         const bool is_one = !is_ball(node.kind), is_row = motion.saturated || joint.closes;
         row.K = row.gamma = row.lower = row.upper = row.direction = 0;
@@ -240,6 +247,7 @@ bool saturate_drives(const FigureView& view, const Rows& all) {
             const FigureNode& node = joint.node();
             DriveMotion& motion = drive_motion(node, all, row.direction_i);
             if (motion.saturated || (joint.closes && !is_ball(node.kind))) return;
+            if (is_ball(node.kind) && row.direction_i > 0) return;  // the first has asked for all three
             scalar given[3] = {};
             given_in_solve(joint, all, &row, given);
             if (!is_loosened && !is_beyond(node.kind, given, row.direction_i, row.most)) return;
@@ -289,15 +297,19 @@ void note_drives(const FigureView& view, const Rows& all) {
         at_joint(view, all, row, [&](const auto& joint) {
             const FigureNode& node = joint.node();
             DriveMotion& motion = drive_motion(node, all, row.direction_i);
-            scalar given[3] = {};
-            given_in_solve(joint, all, &row, given);
-            if (is_ball(node.kind) && motion.saturated) {
-                if (row.direction_i != 0) return;
+            const bool ball = is_ball(node.kind);
+            if (ball && row.direction_i > 0) return;  // the first is for all three
+            if (ball && motion.saturated) {
                 for (int k = 0; k < 3; ++k) drive_motion(node, all, k).sum += along(row.along, k) * row.j;
                 return;
             }
-            motion.j = motion.saturated ? row.j : given[row.direction_i];
-            motion.sum += motion.j;
+            scalar given[3] = {};
+            if (ball || !motion.saturated) given_in_solve(joint, all, &row, given);
+            for (int k = ball ? 0 : row.direction_i; k <= (ball ? 2 : int{row.direction_i}); ++k) {  // bound: 3
+                DriveMotion& of = drive_motion(node, all, k);
+                of.j = of.saturated ? row.j : given[k];
+                of.sum += of.j;
+            }
         });
     }
 }

@@ -31,9 +31,10 @@ template <class Rows>
 void note_joint_rows(const FigureView& view, const Rows& all, scalar h);
 
 /// One visit. Returns by how much the rate was changed, rad/s or m/s. The figure's cursor is at the parent then, or at the root; at the child of a
-/// joint that closes a loop.
+/// joint that closes a loop. is_last: before anything of its machine is visited again all impulses pass through it anew, so nobody asks what bodies
+/// have got of this one, and none is told.
 template <class Rows>
-scalar visit_joint_row(const FigureView& view, const Rows& all, JointRow& row);
+scalar visit_joint_row(const FigureView& view, const Rows& all, JointRow& row, bool is_last = false);
 
 /// Sweeps over the rows of each figure until none changes a rate by more than `settled`, or as often as limits::limit_sweeps_max. Of figures that
 /// touch nothing. Needs: changes of all bodies; afterwards they are those of the cursor.

@@ -2,6 +2,7 @@
 #include "respond_figures.h"
 
 #include "close_loops.h"
+#include "reached_bodies.h"
 #include "tree_passes.h"
 
 #pragma GCC diagnostic push
@@ -63,6 +64,7 @@ void respond_rows(const FigureRows<width>& rows, Spatial6Rows<1>* responses) {
     for (int row_i = 0; row_i < rows.count(); ++row_i) {  // bound: max_bodies
         const FigureRow<width>& row = rows[row_i];
         const FigureNode& node = rows.node(row_i);
+        if (!is_reached(rows, row_i)) continue;
         Spatial6<T> Q{};
         if (node.kind == JointKind::none) Q.C = read(rows.all, row.inertia.C);
         if (node.parent != no_node) Q = compliance_at(read(rows.all, rows.response(responses, node.parent)), read(rows.all, row.d));

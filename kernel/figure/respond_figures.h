@@ -6,7 +6,7 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// The twist of each body, at q, that a unit impulse on it gives: from the root to the leaves. Needs: factor_figures.
+/// The twist of each body that is reached, at q, that a unit impulse on it gives: from the root to the leaves. Needs: factor_figures.
 void respond_figures(const FigureView& view, Spatial6Rows<1>* responses);
 
 /// The same at the centre of mass of one; with the loops of its figure closed. Loops: LoopView, or NoLoops.

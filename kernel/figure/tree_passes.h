@@ -171,20 +171,26 @@ INGOT_INLINE Spatial<T> twist_of_floating(const At& at, const FigureRow<At::widt
     return u;
 }
 
-/// The whole way up: `impulse` of each body comes in, that of it and what hangs on it goes out.
-template <unsigned width, class Kinds>
-void pass_up(const FigureRows<width, Kinds>& rows) {
+/// The whole way up: `impulse` of each body comes in, that of it and what hangs on it goes out. Rows of which
+/// knows(row_i) is true hand on what they did the last time.
+template <unsigned width, class Kinds, class Knows>
+void pass_up(const FigureRows<width, Kinds>& rows, const Knows& knows) {
     for (int row_i = rows.count() - 1; row_i >= 0; --row_i) {  // bound: max_bodies
         const JointKind kind = rows.kind(row_i);
         if (kind == JointKind::none) continue;
         FigureRow<width>& row = rows[row_i];
-        const auto sent = impulse_to_send(rows.all, row, kind);
-        write(rows.all, row.sent, sent);
+        if (!knows(row_i)) write(rows.all, row.sent, impulse_to_send(rows.all, row, kind));
+        const auto sent = read(rows.all, row.sent);
         const Index parent_i = rows.node(row_i).parent;
         if (parent_i == no_node) continue;
         FigureRow<width>& parent = rows[parent_i];
         write(rows.all, parent.impulse, read(rows.all, parent.impulse) + impulse_from(sent, read(rows.all, row.d)));
     }
+}
+
+template <unsigned width, class Kinds>
+void pass_up(const FigureRows<width, Kinds>& rows) {
+    pass_up(rows, [](int) { return false; });
 }
 
 /// The way down, to the first `count` rows.

@@ -41,7 +41,7 @@ void feel(const LoopView& loops, const FeltByLoops& felt, scalar j) {
 }
 
 template <unsigned width, class Rows>
-scalar visit(const TreeJoint<width>& joint, const Rows& all, JointRow& of) {
+scalar visit(const TreeJoint<width>& joint, const Rows& all, JointRow& of, bool is_last) {
     const auto& [rows, at, row_i] = joint;
     FigureRow<width>& row = joint.row();
     const FigureNode& node = joint.node();
@@ -57,6 +57,7 @@ scalar visit(const TreeJoint<width>& joint, const Rows& all, JointRow& of) {
     if (more == 0) return 0;
     if constexpr (Rows::closes) feel(*all.loops, felt, more);
     joint.add_drive(of.along * more);
+    if (is_last) return more * of.K;
     if (node.parent != no_node)
         climb(rows, at, all.responses, row_i);
     else
@@ -78,7 +79,7 @@ Spatial<scalar> change_where(const FigureView& view, const LoopedRowView& all, I
 }
 
 /// Both bodies of a joint that closes a loop, one after the other.
-scalar visit(const LoopedJoint& joint, const LoopedRowView& all, JointRow& of) {
+scalar visit(const LoopedJoint& joint, const LoopedRowView& all, JointRow& of, bool is_last) {
     const FigureView& view = joint.view();
     const ImpulseAlong impulse = impulse_along(joint, of.along);
     const FeltByLoops felt = felt_by_loops(view, joint.loops, impulse);
@@ -89,13 +90,14 @@ scalar visit(const LoopedJoint& joint, const LoopedRowView& all, JointRow& of) {
     if (more == 0) return 0;
     joint.add_drive(of.along * more);
     feel(joint.loops, felt, more);
+    if (is_last) return more * of.K;
     if (impulse.other != no_node) give_to(view, all, impulse.other, impulse.row.on_other * more);
     give_to(view, all, impulse.child, impulse.row.on_child * more);
     return more * of.K;
 }
 
 /// All rows of a servo, from the first on: each sees those before it. What is measured is the child alone; the cursor ends at the other body.
-void visit_servo(const LoopedJoint& joint, const LoopedRowView& all, JointRow* of) {
+void visit_servo(const LoopedJoint& joint, const LoopedRowView& all, JointRow* of, bool is_last) {
     const FigureView& view = joint.view();
     const LoopJoint& loop = joint.loop;
     const Spatial<scalar> u = change_where(view, all, loop.child) + twist_of_loops(view, joint.loops, loop.child);
@@ -114,6 +116,7 @@ void visit_servo(const LoopedJoint& joint, const LoopedRowView& all, JointRow* o
     joint.add_drive(given);
     const ImpulseAlong impulse = impulse_along(joint, given);
     feel(joint.loops, felt_by_loops(view, joint.loops, impulse), 1);
+    if (is_last) return;
     give_to(view, all, impulse.child, impulse.row.on_child);
     if (impulse.other != no_node) give_to(view, all, impulse.other, impulse.row.on_other);
 }
@@ -129,22 +132,22 @@ Index machine_of(const FigureView& view, const LoopedRowView& all, const JointRo
 }  // namespace
 
 template <class Rows>
-scalar visit_joint_row(const FigureView& view, const Rows& all, JointRow& row) {
+scalar visit_joint_row(const FigureView& view, const Rows& all, JointRow& row, bool is_last) {
     if constexpr (Rows::closes)
         if (row.closes) {
             const LoopedJoint joint = {view, *all.loops, all.loops->joints[row.node]};
             if (locks_nothing(joint.loop)) {  // its rows follow each other, and are visited with the first
-                if (row.direction_i == 0) visit_servo(joint, all, &row);
+                if (row.direction_i == 0) visit_servo(joint, all, &row, is_last);
                 return row.change;
             }
-            return row.K > 0 ? visit(joint, all, row) : scalar(0);
+            return row.K > 0 ? visit(joint, all, row, is_last) : scalar(0);
         }
     if (!(row.K > 0)) return 0;
     const FigureNode& node = view.nodes[row.node];
     const Index parent = node.parent == no_node ? row.node : static_cast<Index>(view.figures[node.figure].first_node + node.parent);
     bring_cursor(view, all.responses, parent);
     return at_node(view, row.node, [&](const auto& rows, const auto& at, int row_i) {
-        return visit(tree_joint(rows, at, row_i), all, row);
+        return visit(tree_joint(rows, at, row_i), all, row, is_last);
     });
 }
 
@@ -169,7 +172,7 @@ void settle_joint_rows(const FigureView& view, const Rows& all, scalar settled) 
 
 // The linker takes the one that the scene calls.
 #define INGOT_ROWS(Rows)                                                            \
-    template scalar visit_joint_row(const FigureView&, const Rows&, JointRow&);     \
+    template scalar visit_joint_row(const FigureView&, const Rows&, JointRow&, bool); \
     template void settle_joint_rows(const FigureView&, const Rows&, scalar)
 INGOT_ROWS(JointRowView);
 INGOT_ROWS(DrivenRowView);

@@ -73,6 +73,8 @@ void extrapolate(const View& solver) {
     for_bodies(solver, [&](int body_i) {
         if (solver.island_of[body_i] != island_before) island = &solver.islands[island_before = solver.island_of[body_i]];
         if (!island->sweeps_on) return;
+        if constexpr (View::articulates)
+            if (solver.jointed.has_joints(static_cast<Index>(body_i))) return;  // its figure tells it, before each visit
         SolverBody& body = solver.bodies[body_i];
         SolverBodyHistory& history = solver.histories[body_i];
         go_on(body.v_CM, history.v_sweep, history.P_v, island->beta);

@@ -35,6 +35,8 @@ struct SeesJoints : Contacts {
     bool next_batch(const ContactStep& step) {
         jointed.figures.h = step.h;
         if (!Contacts::next_batch(step)) return false;
+        reach_contacts(this->view);
+        if constexpr (Whole::has_joint_rows) reach_rows(jointed.figures, rows());
         if constexpr (Whole::has_joint_rows) begin_joint_motions(jointed.figures, rows());
         if constexpr (Whole::has_drives) {
             // Factored as Contacts has begun the batch.

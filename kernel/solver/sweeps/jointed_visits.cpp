@@ -156,16 +156,16 @@ void end_jointed_sweeps(const SolverView& solver, const JointedBodies& jointed) 
 namespace {
 
 template <class Loops>
-void pass_up_and_down(const FigureView& figures, const Loops& loops, bool to_all) {
-    if (to_all)
+void pass_up_and_down(const FigureView& figures, const Loops& loops, Passes passes) {
+    if (passes == Passes::to_all)
         pass_impulses(figures);
     else
-        pass_to_roots(figures, loops);
+        pass_to_roots(figures, loops, passes == Passes::again);
 }
-void pass_all_impulses(const FigureView& figures, const NoLoops& loops, bool to_all) { pass_up_and_down(figures, loops, to_all); }
-void pass_all_impulses(const FigureView& figures, const LoopView& loops, bool to_all) {
+void pass_all_impulses(const FigureView& figures, const NoLoops& loops, Passes passes) { pass_up_and_down(figures, loops, passes); }
+void pass_all_impulses(const FigureView& figures, const LoopView& loops, Passes passes) {
     add_loop_impulses(figures, loops);
-    pass_up_and_down(figures, loops, to_all);
+    pass_up_and_down(figures, loops, passes);
     for_looped_figures(figures, loops, [&](const LoopFigure& of) {
         if (!of.stands) find_lacks(figures, loops, of, true);
     });
@@ -174,7 +174,7 @@ void pass_all_impulses(const FigureView& figures, const LoopView& loops, bool to
 }  // namespace
 
 template <class View>
-void pass_contact_impulses(const View& solver, bool to_all) {
+void pass_contact_impulses(const View& solver, Passes passes) {
     const JointedBodies& jointed = solver.jointed;
     if constexpr (decltype(solver.loops)::closes) keep_lacks(jointed.figures, solver.loops);
     begin_passing(jointed.figures);
@@ -201,7 +201,7 @@ void pass_contact_impulses(const View& solver, bool to_all) {
             give(block.body_B[lane_i], lane_of(given.F_B, lane_i), lane_of(given.T_B, lane_i));
         }
     }
-    pass_all_impulses(jointed.figures, solver.loops, to_all);
+    pass_all_impulses(jointed.figures, solver.loops, passes);
 }
 
 template <class View>
@@ -209,7 +209,7 @@ void end_passing(const View& solver) {
     const JointedBodies& jointed = solver.jointed;
     if constexpr (decltype(solver.loops)::closes) {
         for_looped_figures(jointed.figures, solver.loops, [](LoopFigure& of) { of.stands = !of.in_solve; });
-        pass_contact_impulses(solver, true);
+        pass_contact_impulses(solver, Passes::to_all);
         close_all_loops(jointed.figures, solver.loops);
     } else {
         take_cursors_away(jointed.figures, jointed.responses);
@@ -226,7 +226,7 @@ INGOT_LOOPS(NoLoops);
 INGOT_LOOPS(LoopView);
 #undef INGOT_LOOPS
 #define INGOT_VIEW(View)                              \
-    template void pass_contact_impulses(const View&, bool); \
+    template void pass_contact_impulses(const View&, Passes); \
     template void end_passing(const View&)
 INGOT_VIEW(JointedView);
 INGOT_VIEW(JointedMaterialView);

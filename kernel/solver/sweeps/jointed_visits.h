@@ -7,6 +7,7 @@
 #include "../../constraint/contact.h"
 #include "../../constraint/jointed_response.h"
 #include "../../figure/find_loops.h"
+#include "../../figure/reached_bodies.h"
 #include "../../math/sqrt.h"
 
 #pragma GCC diagnostic push
@@ -22,14 +23,34 @@ template <class View>
 INGOT_INLINE void begin_jointed_batch(View& solver) {
     [[maybe_unused]] const scalar h = solver.jointed.figures.h / static_cast<scalar>(solver.substeps);
     if constexpr (decltype(solver.loops)::closes) load_loops(solver.jointed.figures, solver.loops, h);
+    reach_all(solver.jointed.figures, 0);  // it is known once there are blocks
     factor_jointed(solver, solver.jointed, solver.loops);
     solver.jointed.is_fresh = true;
 }
 
-/// The impulses of all contacts of the batch, as they stand, pass through the figures. to_all: all bodies know of them; else it is the cursors, at
-/// the roots, that take them along. Needs: begin_solve.
+/// Who knows of impulses that pass through the figures: the cursors, at the roots, which take them along; or all bodies. again: after a sweep, where
+/// bodies that nothing reaches have nothing new to hand on.
+enum class Passes : uint8_t { to_roots, again, to_all };
+/// The impulses of all contacts of the batch, as they stand, pass through the figures. Needs: begin_solve.
 template <class View>
-void pass_contact_impulses(const View& solver, bool to_all = false);
+void pass_contact_impulses(const View& solver, Passes passes = Passes::to_roots);
+
+/// Which bodies contacts and loops reach in the batch: see reached_bodies.h.
+template <class View>
+INGOT_INLINE void reach_contacts(const View& solver) {
+    const JointedBodies& jointed = solver.jointed;
+    reach_all(jointed.figures, not_reached);
+    reach_loops(jointed.figures, solver.loops);
+    for (int block_i = jointed.first_block; block_i < solver.block_count; ++block_i) {  // bound: max_manifolds
+        const ContactBlock& block = solver.blocks[block_i];
+        for (int lane_i = 0; lane_i < lanes; ++lane_i) {
+            if (block.manifold[lane_i] == no_manifold) continue;
+            const Index both_bodies[] = {block.body_A[lane_i], block.body_B[lane_i]};
+            for (const Index body_i : both_bodies)
+                if (body_i != 0 && jointed.has_joints(body_i)) reach(jointed.figures, jointed.node_of[body_i]);
+        }
+    }
+}
 
 /// What sweeps at their bound may do wrong is known of islands without joints alone: those with some are not swept again.
 template <class View>

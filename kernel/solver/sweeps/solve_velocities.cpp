@@ -120,14 +120,14 @@ void solve_velocities(Whole& whole) {
         if constexpr (View::articulates) {
             stand_unless(solver, false, is_swept);
             // The first sweep has no direction to go on along; with loops, sweeps gather roundings, which this takes out.
-            if (decltype(solver.loops)::closes || sweep_i > 1) pass_contact_impulses(solver);
+            if (decltype(solver.loops)::closes || sweep_i > 1) pass_contact_impulses(solver, Passes::again);
         }
     }
     if constexpr (View::articulates) {
         for (int island_i = 0; island_i < solver.island_count; ++island_i) solver.islands[island_i].sweeps_on = false;  // some had nothing to sweep
         // From the impulses alone: an island does not know how long others have gone on.
         if constexpr (Whole::has_joint_rows) give_joint_rows(solver.jointed.figures, whole.joint_rows);
-        if constexpr (!decltype(solver.loops)::closes) pass_contact_impulses(solver);
+        if constexpr (!decltype(solver.loops)::closes) pass_contact_impulses(solver, Passes::again);
         end_passing(solver);
         end_jointed_sweeps(solver, solver.jointed);
     }

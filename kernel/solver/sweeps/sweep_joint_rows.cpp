@@ -17,14 +17,31 @@ Island* live_island(const SolverView& solver, const JointedBodies& jointed, cons
     return island.in_batch && island.sweeps_on ? &island : nullptr;
 }
 
+/// A row of a servo that is visited with its first: see visit_joint_row.
+bool is_beside(const JointRowView&, const JointRow&) { return false; }
+bool is_beside(const LoopedRowView& rows, const JointRow& row) {
+    return row.closes && row.direction_i > 0 && locks_nothing(rows.loops->joints[row.node]);
+}
+
 }  // namespace
 
 template <class Rows>
 void sweep_joint_rows(const SolverView& solver, const JointedBodies& jointed, const Rows& rows, bool up) {
+    JointRow* due = nullptr;
+    const Island* island_due = nullptr;
+    const auto visit_due = [&](bool is_last) {
+        if (due != nullptr) due->change = visit_joint_row(jointed.figures, rows, *due, Rows::closes && is_last);
+    };
     for (int i = 0; i < rows.count; ++i) {  // bound: limits_of_joint max_joints
         JointRow& row = rows.list[up ? i : rows.count - 1 - i];
-        if ((row.K > 0 || row.closes) && live_island(solver, jointed, rows, row) != nullptr) row.change = visit_joint_row(jointed.figures, rows, row);
+        if (!(row.K > 0 || row.closes) || is_beside(rows, row)) continue;
+        const Island* const island = live_island(solver, jointed, rows, row);
+        if (island == nullptr) continue;
+        visit_due(island != island_due);
+        due = &row;
+        island_due = island;
     }
+    visit_due(true);
 }
 
 template <class Rows>
