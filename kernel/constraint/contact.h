@@ -64,7 +64,8 @@ struct ContactConstraint {
     using Twists = If<(View::points_max > 1), Torsion, Compose<>>;
     using Rolls = If<View::rolls, Rolling, Compose<>>;
     using Solved = Compose<Normals, Twists, Rolls, Rubs>;
-    using Given = Compose<Normals, Rubs, Twists, Rolls>;
+    using BesideNormals = Compose<Rubs, Twists, Rolls>;
+    using Given = Compose<Normals, BesideNormals>;
 };
 inline constexpr int friction_row = 4, torsion_row = Torsion::number, rolling_row = Rolling::number;
 static_assert(friction_row == Friction<StillSurfaces>::number && friction_row == block_rows);

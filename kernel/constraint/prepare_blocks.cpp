@@ -87,9 +87,9 @@ void prepare_block(const View& solver, int block_i, Contacts& contacts) {
 }
 
 /// Prepares a block again. It keeps its separations, from which drift_kinematic_bodies has taken what a kinematic body has turned by, and what the
-/// substep asks for: its targets, and where it lands. Bodies that stand for kinematic ones are seen as before.
+/// substep asks for: its targets, and where it lands. Bodies that stand for kinematic ones are seen as before. for_pushes: its normals alone.
 template <class View>
-void refresh_block(const View& solver, const BodyView& bodies, int block_i) {
+void refresh_block(const View& solver, const BodyView& bodies, int block_i, bool for_pushes = false) {
     ContactBlock& block = solver.blocks[block_i];
     lane separation[block_rows], target[block_rows], landing[block_rows];
     for (int row = 0; row < block_rows; ++row) {
@@ -97,7 +97,10 @@ void refresh_block(const View& solver, const BodyView& bodies, int block_i) {
         target[row] = load(block.row[row].target);
         landing[row] = load(block.row[row].landing);
     }
-    with_contacts(solver, bodies, block_i, [&](auto& contacts) { ContactConstraint<View>::Given::prepare(solver, block_i, contacts); });
+    with_contacts(solver, bodies, block_i, [&](auto& contacts) {
+        Normals::prepare(solver, block_i, contacts);
+        if (!for_pushes) ContactConstraint<View>::BesideNormals::prepare(solver, block_i, contacts);
+    });
     for (int row = 0; row < block_rows; ++row) {
         store(block.row[row].separation, separation[row]);
         store(block.row[row].target, target[row]);
@@ -218,8 +221,8 @@ void prepare_blocks(const View& solver, const BodyView& bodies) {
 }
 
 template <class View>
-void refresh_jointed_blocks(const View& solver, const BodyView& bodies) {
-    for (int block_i = solver.jointed.first_block; block_i < solver.block_count; ++block_i) refresh_block(solver, bodies, block_i);
+void refresh_jointed_blocks(const View& solver, const BodyView& bodies, bool for_pushes) {
+    for (int block_i = solver.jointed.first_block; block_i < solver.block_count; ++block_i) refresh_block(solver, bodies, block_i, for_pushes);
 }
 
 template <class View>
@@ -250,13 +253,13 @@ template void prepare_blocks(const JointedView&, const BodyView&);
 template void prepare_blocks(const LoopedView&, const BodyView&);
 template void prepare_blocks(const JointedMaterialView&, const BodyView&);
 template void prepare_blocks(const LoopedMaterialView&, const BodyView&);
-template void refresh_jointed_blocks(const JointedView&, const BodyView&);
+template void refresh_jointed_blocks(const JointedView&, const BodyView&, bool);
 template void refresh_in_solve(const JointedView&, const BodyView&);
-template void refresh_jointed_blocks(const LoopedView&, const BodyView&);
+template void refresh_jointed_blocks(const LoopedView&, const BodyView&, bool);
 template void refresh_in_solve(const LoopedView&, const BodyView&);
-template void refresh_jointed_blocks(const JointedMaterialView&, const BodyView&);
+template void refresh_jointed_blocks(const JointedMaterialView&, const BodyView&, bool);
 template void refresh_in_solve(const JointedMaterialView&, const BodyView&);
-template void refresh_jointed_blocks(const LoopedMaterialView&, const BodyView&);
+template void refresh_jointed_blocks(const LoopedMaterialView&, const BodyView&, bool);
 template void refresh_in_solve(const LoopedMaterialView&, const BodyView&);
 template void remember_impulses(const JointedView&);
 template void remember_impulses(const LoopedView&);

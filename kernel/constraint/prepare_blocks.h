@@ -12,9 +12,9 @@ template <class View>
 void prepare_blocks(const View& solver, const BodyView& bodies);
 
 /// In a substep after the first, of contacts of bodies with joints: what bodies answer, whose figures have moved. Levers stay those of the begin of
-/// the step, and so do impulses. View: a JointedView.
+/// the step, and so do impulses. for_pushes: normals alone, before figures are pushed; the next substep begins with all. View: a JointedView.
 template <class View>
-void refresh_jointed_blocks(const View& solver, const BodyView& bodies);
+void refresh_jointed_blocks(const View& solver, const BodyView& bodies, bool for_pushes);
 /// The same before islands of the batch are solved again in a substep, while others, that have left the batch, stand.
 template <class View>
 void refresh_in_solve(const View& solver, const BodyView& bodies);

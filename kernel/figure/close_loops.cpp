@@ -181,6 +181,13 @@ void keep_lacks(const FigureView& view, const LoopView& loops) {
 
 namespace {
 
+/// A servo that is not driven, say: what it adds is zero.
+bool gives_nothing(const LoopJoint& loop) {
+    for (int row = 0; row < loop.row_end; ++row)  // bound: rows_of_joint_max
+        if (loop.j[row] != 0) return false;
+    return true;
+}
+
 /// Of the rows of each joint from first(loop) on.
 template <class First>
 void add_impulses(const FigureView& view, const LoopView& loops, const First& first) {
@@ -191,6 +198,7 @@ void add_impulses(const FigureView& view, const LoopView& loops, const First& fi
                 for_bodies_of(loops, loop, 0, [&](Index node_i, const Spatial<scalar>& f) { add_to_impulse(view, node_i, f * loop.j[0]); });
                 return;
             }
+            if (gives_nothing(loop)) return;
             Spatial<scalar> on_child{}, on_other{};
             for (int row = first(loop); row < loop.row_end; ++row) {  // bound: rows_of_joint_max
                 on_child = on_child + loop.rows[row].on_child * loop.j[row];

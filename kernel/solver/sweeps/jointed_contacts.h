@@ -64,7 +64,7 @@ struct SeesJoints : Contacts {
         }
         Contacts::refresh(bodies, h);
         // Free bodies that turn far have the inertia of the middle of the substep in the first one, too: refresh_in_solve finds that.
-        if (Whole::has_drives || !is_first || this->view.some_turn) refresh_jointed_blocks(this->view, bodies);
+        if (Whole::has_drives || !is_first || this->view.some_turn) refresh_jointed_blocks(this->view, bodies, false);
         jointed.is_fresh = false;
         if constexpr (Whole::has_joint_rows) list_joint_rows(jointed.figures, rows(), h);
     }
@@ -99,11 +99,12 @@ struct SeesJoints : Contacts {
                 factor_undriven(h);
             else
                 factor_jointed(this->view, jointed, this->view.loops);
-            refresh_jointed_blocks(this->view, bodies);
+            refresh_jointed_blocks(this->view, bodies, true);
         }
         push_figures(jointed.figures, this->view.loops, false);
         if constexpr (closes) write_velocities(this->view, jointed);  // pushes may have slowed them
-        if constexpr (Whole::has_joint_rows) measure_joints(jointed.figures, rows(), h);
+        if constexpr (Whole::has_joint_rows)
+            if (is_limited()) measure_joints(jointed.figures, rows(), h);
         write_displacements(this->view, jointed, bodies);
     }
     void solve_positions(const ContactStep& step, scalar h) {
@@ -114,7 +115,7 @@ struct SeesJoints : Contacts {
         if constexpr (closes) close_all_loops(jointed.figures, this->view.loops);
         end_displacing(jointed.figures, h);
         push_figures(jointed.figures, this->view.loops, true);
-        if constexpr (Whole::has_joint_rows) push_joint_rows(jointed.figures, rows(), h, 0);
+        if constexpr (Whole::has_joint_rows) push_joint_rows(jointed.figures, rows(), h, is_limited() ? scalar(0) : h);
         write_displacements(this->view, jointed, step.bodies);
     }
     void end_batch(const ContactStep& step, StepReport& report) {
@@ -136,6 +137,8 @@ private:
     JointedBodies& jointed;
 
     auto& rows() { return this->whole.joint_rows; }
+    /// Where nothing has limits, nobody asks between drift and pushes where joints are: they are measured once, after both.
+    bool is_limited() { return rows().limits != nullptr; }
 
     /// All islands of the batch are in it.
     void open_batch() {
