@@ -163,14 +163,16 @@ TEST(Walking, is_the_same_in_company) {
     EXPECT_GT(of_second.steps, 10);
 }
 
-/// In space nothing but servos holds it up, of ball joints and of the world: it walks, straight on, and at 60 Hz within the torque of a strong man.
+/// In space nothing but servos holds it up, of ball joints and of the world: it walks, straight on, and within the torque of a man.
 TEST(Walking, in_space_needs_no_more_than_servos) {
     struct Case {
         double rate, most;
     };
-    const Case cases[] = {{60, 0}, {60, 150}, {60, 200}, {30, 0}, {120, 0}, {240, 0}};
+    std::vector<Case> cases = {{240, 0}};
+    for (const double rate : {30.0, 60.0, 120.0})
+        for (const double most : {0.0, 100.0, 150.0, 200.0}) cases.push_back({rate, most});
     for (const Case& of : cases) {
-        if (INGOT_TEST_BRIEF && (of.rate != 60 || of.most == 200)) continue;
+        if (INGOT_TEST_BRIEF && (of.rate != 60 || of.most > 100)) continue;
         const auto world = std::make_unique<ingot::World<scenes::WalkingInSpace>>();
         scenes::SpatialWalker walker;
         scenes::SpatialGait gait;

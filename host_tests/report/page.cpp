@@ -138,7 +138,7 @@ std::vector<Section> all_sections(const Rows& rows) {
          "Control",
          {"Figures that are driven: servos aim at the end of the step, so gains have no limit that a rate would set."},
          {},
-         {walkers_table(rows), arm_table(rows)}},
+         {walkers_table(rows), servos_table(rows), arm_table(rows)}},
         {"mcu",
          "Microcontrollers",
          {"The same source as firmware on emulated cores. Instructions are executed ones, counted by the emulator: exact, but "

@@ -64,6 +64,7 @@ Table simbenchmark_table(const Rows& rows);
 Table seams_table(const Rows& rows);   ///< levels: bodies over ground that is cut up
 Table ground_table(const Rows& rows);  ///< levels: bytes and times
 Table walkers_table(const Rows& rows);
+Table servos_table(const Rows& rows);  ///< control: what a servo does with a step of its target
 Table arm_table(const Rows& rows);  ///< control: by computed torques, and by servos
 std::vector<Table> contact_tables(const Rows& rows);  ///< one for each kind of scene
 Table scenes_table(const Rows& rows);

@@ -79,7 +79,7 @@ struct SpatialGait {
     ingot::scalar max_torque = ingot::unlimited;  ///< N m, of each
     ingot::scalar lift_time = ingot::scalar(0.3), least_time = ingot::scalar(0.02);                                   ///< s
     ingot::scalar lift_hip = ingot::scalar(0.4), reach_hip = ingot::scalar(-0.1), outwards = ingot::scalar(0.05);     ///< rad, of the swing leg
-    ingot::scalar per_distance = ingot::scalar(0.5), per_speed = ingot::scalar(0.2);                                  ///< both forwards and sideways
+    ingot::scalar per_distance = ingot::scalar(0.5), per_speed = ingot::scalar(0.22);                                 ///< both forwards and sideways
     ingot::scalar lift_knee = ingot::scalar(-1.1), reach_knee = ingot::scalar(-0.05);                                 ///< of the swing leg
     ingot::scalar stance_knee_lift = ingot::scalar(-0.05), stance_knee_reach = ingot::scalar(-0.1), toes = ingot::scalar(0.1);
 };

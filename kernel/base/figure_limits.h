@@ -95,6 +95,9 @@ inline constexpr scalar tuned_turn_max = scalar(1.5707963267948966);  ///< rad, 
 /// The damping of a motor, in its inertia a substep: in each it takes off all but so much of what its rate is off by. In float the load that it feels
 /// has lost as many digits.
 inline constexpr scalar motor_gain = INGOT_DOUBLE ? scalar(1e6) : scalar(1e4);
+/// Of the largest torque of a ball joint's drive: what it is found to, in so many passes of Newton's method at most.
+inline constexpr scalar torque_settled = scalar(1e-3);
+inline constexpr int torque_passes = 8;
 inline constexpr int drive_rounds = 4;                   ///< solves in a substep, for drives that turn out to be at their torque
 
 } } }  // namespace ingot::limits

@@ -157,6 +157,33 @@ void prepare_drives(const FigureView& view, const Rows& all, scalar h) {
     });
 }
 
+namespace {
+
+/// True of a ball joint whose drive is three rows that are solved as one, where it is at its largest torque: of one that closes a loop it is a row
+/// along the torque that is asked for.
+template <unsigned width>
+bool is_of_three(const TreeJoint<width>&) {
+    return true;
+}
+bool is_of_three(const LoopedJoint& joint) { return locks_nothing(joint.loop); }
+
+template <unsigned width, class Rows>
+Vector answer_of(const TreeJoint<width>& joint, const Rows& all, int direction_i) {
+    return answer_of_ball(joint, all, direction_i);
+}
+template <class Rows>
+Vector answer_of(const LoopedJoint&, const Rows&, int) {
+    return {};  // it is asked for a row at a time
+}
+void set_answer(JointRow& row, const Vector& answer) {
+    const scalar parts[3] = {answer.x, answer.y, answer.z};
+    row.K = max(parts[row.direction_i], 0);
+    row.rate_begin = parts[(row.direction_i + 1) % 3];
+    row.rate = parts[(row.direction_i + 2) % 3];
+}
+
+}  // namespace
+
 template <class Rows>
 void aim_drive(const FigureView& view, const Rows& all, JointRow& row, scalar h) {
     at_joint(view, all, row, [&](const auto& joint) {
@@ -185,14 +212,20 @@ void aim_drive(const FigureView& view, const Rows& all, JointRow& row, scalar h)
         if (!is_row) return;
         row.j = row.j_sweep = max(-row.most, min(row.most, motion.pull));
         scalar pull = motion.pull;
-        if (!is_one && motion.saturated) {
+        if (!is_one && motion.saturated && is_of_three(joint)) {
+            const scalar asked = sqrt(length_sq(pulls));
+            row.j = row.j_sweep = asked > row.most ? pull * (row.most / asked) : pull;
+        } else if (!is_one && motion.saturated) {
             // Along the torque that is asked for, as far as it may go; the other two rows are none.
             pull = row.direction_i == 0 ? sqrt(length_sq(pulls)) : 0;
             row.along = pull > 0 ? pulls * (1 / pull) : row.along;
             row.j = row.j_sweep = min(row.most, pull);
         }
-        if (!(motion.resist > 0) || (!is_one && motion.saturated && row.direction_i > 0)) return;
-        row.K = compliance_of(joint, all, row.along);
+        if (!(motion.resist > 0) || (!is_one && motion.saturated && !is_of_three(joint) && row.direction_i > 0)) return;
+        if (!joint.closes && !is_one)
+            set_answer(row, answer_of(joint, all, row.direction_i));
+        else
+            row.K = compliance_of(joint, all, row.along);
         row.gamma = 1 / motion.resist;
         row.lower = row.upper = pull * row.gamma;
     });
@@ -299,7 +332,7 @@ void note_drives(const FigureView& view, const Rows& all) {
             DriveMotion& motion = drive_motion(node, all, row.direction_i);
             const bool ball = is_ball(node.kind);
             if (ball && row.direction_i > 0) return;  // the first is for all three
-            if (ball && motion.saturated) {
+            if (ball && motion.saturated && !is_of_three(joint)) {
                 for (int k = 0; k < 3; ++k) drive_motion(node, all, k).sum += along(row.along, k) * row.j;
                 return;
             }
@@ -307,7 +340,7 @@ void note_drives(const FigureView& view, const Rows& all) {
             if (ball || !motion.saturated) given_in_solve(joint, all, &row, given);
             for (int k = ball ? 0 : row.direction_i; k <= (ball ? 2 : int{row.direction_i}); ++k) {  // bound: 3
                 DriveMotion& of = drive_motion(node, all, k);
-                of.j = of.saturated ? row.j : given[k];
+                of.j = of.saturated ? (&row)[ball ? k : 0].j : given[k];
                 of.sum += of.j;
             }
         });

@@ -38,8 +38,10 @@ struct JointRow {
     bool gave_way;        ///< the last saturate_drives has found it beyond its largest torque
     bool stands;          ///< other islands are solved again, and its own is not
     Vector along;         ///< the drive of an impulse of 1 along the row: see FigureRow::drive
-    scalar rate_begin;    ///< rad/s, m/s; before the forces of the substep
-    scalar rate;          ///< after them
+    /// rad/s, m/s; before the forces of the substep. Of the three rows of a ball joint's drive that is at its largest torque: what an impulse of 1 on
+    /// this one changes of the rate of the next
+    scalar rate_begin;
+    scalar rate;          ///< after them; and of the one after the next
     scalar lower, upper;  ///< by which the solve may change it
     scalar K;             ///< change of the rate by an impulse of 1; 0: it is not visited
     scalar gamma;         ///< of a drive: by how much the bounds of the change give way to an impulse of 1

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Bodies of figures that something reaches in a solve: contacts, rows of joints, loops; and all from there to the roots. Of the others each hands on to
-// its parent the same in every sweep, and nobody asks how it answers an impulse: they are worked out once, or not at all. It changes no bit.
+// Bodies of figures that something reaches in a solve: contacts, rows of joints, loops; and all from there to the roots. Of the others each hands on
+// to its parent the same in every sweep, and nobody asks how it answers an impulse: they are worked out once, or not at all. It changes no bit.
 #pragma once
 
 #include "gear_rows.h"

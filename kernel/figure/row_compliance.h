@@ -88,6 +88,34 @@ scalar compliance_of(const TreeJoint<width>& joint, const Rows& all, const Vecto
     else
         return K;
 }
+/// The same of the three rates of a ball joint, by an impulse of 1 along the i-th axis of the world. Zeros: loops hold it, but for rounding.
+template <unsigned width, class Rows>
+Vector answer_of_ball(const TreeJoint<width>& joint, const Rows& all, int axis_i) {
+    const auto& at = joint.at;
+    const FigureRow<width>& row = joint.row();
+    const FigureNode& node = joint.node();
+    const Spatial<scalar> none{};
+    const Vector axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    Spatial<scalar> of_parent{};
+    if (node.parent != no_node) {
+        const Vector d = read(at, row.d);
+        const Spatial<scalar> sent = impulse_from(impulse_through(at, row, node.kind, none, axes[axis_i]), d);
+        of_parent = twist_at(read(at, joint.rows.response(all.responses, node.parent)) * sent, d);
+    }
+    const Vector answer = free_rates(at, row, node.kind, twist_through(at, row, node.kind, of_parent, none, axes[axis_i]) - of_parent);
+    if constexpr (!Rows::closes) {
+        return answer;
+    } else {
+        const FeltByLoops felt = felt_by_loops(joint.view(), *all.loops, impulse_along(joint, axes[axis_i]));
+        if (felt.of == nullptr) return answer;
+        scalar left[3] = {answer.x, answer.y, answer.z};
+        for (int k = 0; k < 3; ++k) {  // bound: 3
+            const FeltByLoops of_other = felt_by_loops(joint.view(), *all.loops, impulse_along(joint, axes[k]));
+            for (int i = 0; i < felt.of->rank; ++i) left[k] -= felt.parts[i] * of_other.parts[i];  // bound: limits::loop_rows_max
+        }
+        return left[axis_i] > limits::row_compliance * dot(axes[axis_i], answer) ? Vector{left[0], left[1], left[2]} : Vector{};
+    }
+}
 /// Of a servo: what its child answers to what is on both. 0: it would turn the other way, or its figure holds it. Of one of three rows it is kept
 /// what all three answer to it: see LoopJoint::direction.
 inline scalar compliance_of_servo(const LoopedJoint& joint, const LoopedRowView& all, const ImpulseAlong& impulse, const Vector& along) {

@@ -5,6 +5,7 @@
 #include "cursor_moves.h"
 #include "joint_rows.h"
 #include "row_compliance.h"
+#include "torque_of_ball.h"
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpsabi"  // see lanes.h
@@ -78,6 +79,47 @@ Spatial<scalar> change_where(const FigureView& view, const LoopedRowView& all, I
     return at_node(view, node_i, [](const auto& rows, const auto& at, int row_i) { return read(at, rows[row_i].change); });
 }
 
+/// Gives three rows of a drive that is at its largest torque what they should have, where their rates have changed so far by `change`. Returns by how
+/// much that is more. of: the first.
+Vector give_three(JointRow* of, const AnswerOfThree& K, const Vector& change) {
+    const Vector j = {of[0].j, of[1].j, of[2].j}, target = {of[0].upper, of[1].upper, of[2].upper};
+    const Vector others = change - (K.of[0] * j.x + K.of[1] * j.y + K.of[2] * j.z);
+    const Vector more = impulse_of_three(K, of[0].gamma, target - others, of[0].most) - j;
+    const scalar parts[3] = {more.x, more.y, more.z};
+    for (int i = 0; i < 3; ++i) {  // bound: 3
+        of[i].j += parts[i];
+        of[i].change = parts[i] * of[i].K;
+    }
+    return more;
+}
+AnswerOfThree answer_of_rows(const JointRow* of) {
+    return {{{of[0].K, of[0].rate_begin, of[0].rate}, {of[1].rate, of[1].K, of[1].rate_begin}, {of[2].rate_begin, of[2].rate, of[2].K}}};
+}
+
+/// A ball joint's drive at its largest torque: all three rows, from the first on.
+template <unsigned width, class Rows>
+void visit_three(const TreeJoint<width>& joint, const Rows& all, JointRow* of, bool is_last) {
+    const auto& [rows, at, row_i] = joint;
+    FigureRow<width>& row = joint.row();
+    const FigureNode& node = joint.node();
+    const Spatial<scalar> of_parent = change_of_parent(rows, at, row_i);
+    Vector change = free_rates(at, row, node.kind, change_of_child(at, row, node.kind, of_parent) - of_parent);
+    if constexpr (Rows::closes) {
+        const Vector axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+        for (const Vector& axis : axes)
+            change = change + axis * lack_of_loops(*all.loops, felt_by_loops(joint.view(), *all.loops, impulse_along(joint, axis)));
+    }
+    const Vector more = give_three(of, answer_of_rows(of), change);
+    if (more.x == 0 && more.y == 0 && more.z == 0) return;
+    if constexpr (Rows::closes) feel(*all.loops, felt_by_loops(joint.view(), *all.loops, impulse_along(joint, more)), 1);
+    joint.add_drive(more);
+    if (is_last) return;
+    if (node.parent != no_node)
+        climb(rows, at, all.responses, row_i);
+    else
+        write(at, row.change, change_of_child(at, row, node.kind, of_parent));
+}
+
 /// Both bodies of a joint that closes a loop, one after the other.
 scalar visit(const LoopedJoint& joint, const LoopedRowView& all, JointRow& of, bool is_last) {
     const FigureView& view = joint.view();
@@ -104,12 +146,14 @@ void visit_servo(const LoopedJoint& joint, const LoopedRowView& all, JointRow* o
     scalar rates[3] = {};
     for (int i = 0; i < loop.row_end; ++i) rates[i] = dot(loop.rows[i].on_child, u);  // bound: 3
     Vector rate = {rates[0], rates[1], rates[2]}, given{};
-    for (int i = 0; i < loop.row_end; ++i) {  // bound: 3
+    const bool is_at_most = loop.row_end == 3 && drive_motion(joint.node(), all, 0).saturated && of[0].K > 0 && of[1].K > 0 && of[2].K > 0;
+    if (is_at_most) given = give_three(of, {{loop.direction[0], loop.direction[1], loop.direction[2]}}, rate);
+    for (int i = 0; i < loop.row_end && !is_at_most; ++i) {  // bound: 3
         of[i].change = 0;
         if (!(of[i].K > 0)) continue;
         const scalar more = give_row(of[i], dot(of[i].along, rate));
         of[i].change = more * of[i].K;
-        rate = rate + loop.direction[i] * more;  // of one that is at its largest torque the others are no rows
+        rate = rate + loop.direction[i] * more;
         given = given + of[i].along * more;
     }
     if (given.x == 0 && given.y == 0 && given.z == 0) return;
@@ -144,9 +188,16 @@ scalar visit_joint_row(const FigureView& view, const Rows& all, JointRow& row, b
         }
     if (!(row.K > 0)) return 0;
     const FigureNode& node = view.nodes[row.node];
+    const bool is_of_three = row.is_drive && is_ball(node.kind);
+    if (is_of_three && row.direction_i > 0) return row.change;  // visited with the first
     const Index parent = node.parent == no_node ? row.node : static_cast<Index>(view.figures[node.figure].first_node + node.parent);
     bring_cursor(view, all.responses, parent);
     return at_node(view, row.node, [&](const auto& rows, const auto& at, int row_i) {
+        if constexpr (Rows::has_drives)
+            if (is_of_three) {
+                visit_three(tree_joint(rows, at, row_i), all, &row, is_last);
+                return row.change;
+            }
         return visit(tree_joint(rows, at, row_i), all, row, is_last);
     });
 }

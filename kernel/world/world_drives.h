@@ -38,8 +38,8 @@ public:
     }
     /// Drives a ball joint towards a turn of B against A, as a vector in the axes of A, rad; 0: as they were joined, with the axis in the middle of
     /// its cone; of a ball servo read the world for A. target_rate, rad/s, and feedforward, N m: in the same axes. Stiffness, damping, kind and
-    /// max_torque are those of `drive`; its target, target_rate and feedforward are not looked at. What is tuned is so for the mean inertia of the
-    /// three turns.
+    /// max_torque are those of `drive`; its target, target_rate and feedforward are not looked at. max_torque is of all three turns together: what is
+    /// cut keeps the direction that the law asks for. What is tuned is so for the mean inertia of the three turns.
     /// Errors: those of ids and of check_drive, not_in_scene (another kind), out_of_range (a target of more than limits::joint_swing_max).
     Status set_ball_drive(JointId id, const JointDrive& drive, const Vector& target = {}, const Vector& target_rate = {},
                           const Vector& feedforward = {}) {
