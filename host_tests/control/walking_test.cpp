@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-#include "scenes/walker_in_space.h"
+#include "scenes/controlled.h"
 
 namespace {
 
@@ -204,6 +204,26 @@ TEST(Walking, in_space_needs_no_more_than_servos) {
             EXPECT_LE(torque, of.most * (1 + 64 * static_cast<double>(ingot::epsilon)));
         }
     }
+}
+
+/// With a cap on the visits of a step it walks as well, and what the cap cuts short says so: of the first step, in which both feet land at once.
+TEST(Walking, keeps_to_its_budget) {
+    const auto world = std::make_unique<ingot::World<scenes::PlanarWalk::Scene>>();
+    scenes::PlanarWalk controlled;
+    ASSERT_EQ(controlled.begin(*world), Status::ok);
+    const int steps = INGOT_TEST_BRIEF ? 600 : 3600;
+    int told = 0;
+    for (int step_i = 0; step_i < steps; ++step_i) {
+        ASSERT_EQ(controlled.steer(*world), Status::ok);
+        const ingot::StepReport report = ingot::step(*world, scenes::sixtieth);
+        ASSERT_EQ(report.bodies_frozen, 0);
+        if (step_i == 0) {
+            EXPECT_GT(report.sweeps_unfinished, 0);
+        }
+        told += report.clean() ? 0 : 1;
+    }
+    EXPECT_TRUE(controlled.is_well(*world));
+    EXPECT_LE(told, steps / 100);
 }
 
 /// Gains that are none are refused before anything has moved, and the walker is as it was.

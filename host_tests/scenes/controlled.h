@@ -15,8 +15,11 @@ namespace scenes {
 
 inline constexpr ingot::scalar sixtieth = ingot::scalar(1) / 60;  ///< s
 
+/// With a cap on what a step costs, to which the first one comes, in which both feet land: it says that it has not settled.
 struct PlanarWalk {
-    using Scene = WalkingInPlane;
+    struct Scene : WalkingInPlane {
+        static constexpr int work_budget = 84;
+    };
     static constexpr const char* name = "walker";
     static constexpr int golden_steps = 300;
     Walker walker{};

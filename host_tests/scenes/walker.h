@@ -14,7 +14,7 @@ namespace scenes {
 struct WalkingInPlane : ingot::Scene {
     static constexpr int max_bodies = 8, max_joints = 11, max_loops = 5, max_manifolds = 8, max_pairs = 16;
     static constexpr bool translates = true;
-    static constexpr ingot::Effort effort = {4, 12};  // few contacts, and servos that are to be right with them
+    static constexpr ingot::Effort effort = {4, 16};  // few contacts, and servos that are to be right with them
     using shapes = ingot::Shapes<ingot::Box, ingot::HalfSpace>;
     using joints = ingot::Joints<ingot::HingeJoint, ingot::ParallelJoint, ingot::ServoJoint, ingot::WithDrives>;
 };
