@@ -15,7 +15,7 @@ namespace scenes {
 
 inline constexpr ingot::scalar sixtieth = ingot::scalar(1) / 60;  ///< s
 
-/// With a cap on what a step costs, to which the first one comes, in which both feet land: it says that it has not settled.
+/// With a cap on what a step costs, to which the first one comes, in which both feet land.
 struct PlanarWalk {
     struct Scene : WalkingInPlane {
         static constexpr int work_budget = 84;
