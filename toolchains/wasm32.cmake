@@ -19,7 +19,8 @@ set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
 if(INGOT_WASM_SIMD)
   set(CMAKE_CXX_FLAGS_INIT -msimd128)
 endif()
-set(CMAKE_EXE_LINKER_FLAGS_INIT -nostdlib)
+# -O0 is of the link alone: with any other level clang has a wasm-opt that it finds change the module, and one without bulk memory refuses it.
+set(CMAKE_EXE_LINKER_FLAGS_INIT "-nostdlib -O0")
 set(CMAKE_EXECUTABLE_SUFFIX_CXX .wasm)
 
 set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)

@@ -6,13 +6,13 @@ const INPUT = {grab: 0, move: 1, release: 2, shoot: 3, steer: 4};
 const COLORS = ['awake', 'asleep', 'immovable', 'kinematic', 'frozen', 'sensor', 'axis_x', 'axis_y', 'axis_z', 'centre', 'bounds', 'L', 'omega',
                 'contact', 'impulse', 'friction', 'joint', 'joint_axis', 'island'];
 const KINDS = [
-  'Sweeps', 'Sweeps or a direct solve, island by island', 'Sweeps; joints with limits and motors', 'Moser–Veselov: ingot’s own',
+  'Sweeps', 'Sweeps or a direct solve, island by island', 'Sweeps; joints with limits and motors, levels', 'Moser–Veselov: ingot’s own',
   'Moser–Veselov, order 4', 'Runge–Kutta 4', 'Midpoint on the group', 'Euler, as the article printed it', 'Less effort: 2 substeps, 3 sweeps each',
   'More effort: 8 substeps, 6 sweeps each'
 ];
 /// Of one body that only turns.
 const turns = kind => kind >= 3 && kind <= 7;
-const SHAPE_FLOATS = 20, LINE_FLOATS = 7, POINT_FLOATS = 4;
+const SHAPE_FLOATS = 20, LINE_FLOATS = 7, POINT_FLOATS = 4, TRIANGLE_FLOATS = 10;
 
 class Engine {
   /// bytes: the module.
@@ -62,6 +62,8 @@ class Engine {
             line_count: counts[1], lines: this.floats(this.calls.lines(), counts[1] * LINE_FLOATS),
             point_count: counts[2], points: this.floats(this.calls.points(), counts[2] * POINT_FLOATS)};
   }
+  /// Triangles of the levels of a stage, TRIANGLE_FLOATS each.
+  level(stage) { const count = this.calls.level(stage); return this.floats(this.calls.triangles(), count * TRIANGLE_FLOATS); }
 
   /// A stage as it is now: those of its pages that are not zero. A world of a few bodies in a type for hundreds is nearly all zero.
   save(stage) {

@@ -44,18 +44,21 @@ layout(location=0) in vec3 p; layout(location=1) in vec3 n; layout(location=2) i
 layout(location=3) in vec4 size; layout(location=4) in vec3 r;
 layout(location=5) in vec3 c0; layout(location=6) in vec3 c1; layout(location=7) in vec3 c2;
 layout(location=8) in vec4 color;
-uniform mat4 view; out vec3 world, normal, body, face; out vec4 paint; flat out vec3 extent;
+uniform mat4 view; out vec3 world, normal, body, face; out vec4 paint; flat out vec3 extent; flat out float ice;
 void main() {
   vec3 b = p * size.xyz + vec3(0, 0, end * size.w); mat3 A = mat3(c0, c1, c2);
-  world = r + A * b; normal = A * (n / (size.xyz / max(size.x, max(size.y, size.z)))); body = b; face = n; paint = color; extent = size.xyz;
+  world = r + A * b; normal = A * (n / (size.xyz / max(size.x, max(size.y, size.z)))); body = b; face = n; paint = color; extent = size.xyz; ice = end;
   gl_Position = view * vec4(world, 1.0);
 }`;
 const SOLID_FS = `#version 300 es
-precision highp float; in vec3 world, normal, body, face; in vec4 paint; flat in vec3 extent; out vec4 color; uniform float contrast;
+precision highp float; in vec3 world, normal, body, face; in vec4 paint; flat in vec3 extent; flat in float ice; out vec4 color; uniform float contrast;
 ${SHADOW_GLSL}
 void main() {
   vec3 n = normalize(normal), base = paint.rgb;
-  if (paint.a > 1.5) {  // round: every other eighth is darker, so that a turn is seen
+  if (paint.a > 2.5) {  // a level: a net of metres, and its second material is ice
+    vec2 w = fwidth(world.xy), d = abs(fract(world.xy - 0.5) - 0.5) / max(w, vec2(1e-6));
+    base = mix(base, vec3(0.72, 0.84, 0.92), 0.75 * ice) * (0.9 + 0.1 * min(min(d.x, d.y), 1.0));
+  } else if (paint.a > 1.5) {  // round: every other eighth is darker, so that a turn is seen
     float s = body.x * body.y * body.z; base *= 1.0 - 0.16 * smoothstep(-0.02, 0.02, s / (extent.x * extent.y * extent.z));
   } else {  // boxes: a fine edge
     vec3 d = (extent - abs(body)) / max(fwidth(body), vec3(1e-6)); d += abs(face) * 1e3;
@@ -129,7 +132,17 @@ function mesh_of_cylinder(around) {
   return new Float32Array(out);
 }
 
-const KIND = {sphere: 1, capsule: 2, box: 3, cylinder: 4, half_space: 6};
+/// Of triangles of levels; their materials stand where other shapes have their ends.
+function mesh_of_level(triangles) {
+  const out = [];
+  for (let at = 0; at < triangles.length; at += TRIANGLE_FLOATS) {
+    const [a, b, c] = [0, 3, 6].map(i => Array.from(triangles.subarray(at + i, at + i + 3))), n = unit(cross(minus(b, a), minus(c, a)));
+    for (const p of [a, b, c]) out.push(...p, ...n, triangles[at + 9]);
+  }
+  return new Float32Array(out);
+}
+
+const KIND = {sphere: 1, capsule: 2, box: 3, cylinder: 4, half_space: 6, level: 7};
 
 class Renderer {
   constructor(canvas) {
@@ -144,6 +157,7 @@ class Renderer {
     this.meshes =
         {[KIND.box]: this.mesh(mesh_of_box()), [KIND.sphere]: this.mesh(mesh_of_ball(24, 16)), [KIND.cylinder]: this.mesh(mesh_of_cylinder(28))};
     this.meshes[KIND.capsule] = this.mesh(mesh_of_ball(24, 16));
+    this.meshes[KIND.level] = this.mesh(new Float32Array(0));
     this.quad = this.array([[0, 2, 0]], new Float32Array([0, 0, 1, 0, 1, 1, 0, 0, 1, 1, 0, 1]), 2);
     this.square = this.array([[0, 2, 0]], new Float32Array([-1, -1, 1, -1, 1, 1, -1, -1, 1, 1, -1, 1]), 2);
     gl.bindVertexArray(this.quad.vao);
@@ -197,6 +211,12 @@ class Renderer {
     const mesh = this.array([[0, 3, 0], [1, 3, 3], [2, 1, 6]], data, 7);
     mesh.instances = this.instanced([[3, 4], [4, 3], [5, 3], [6, 3], [7, 3], [8, 4]]);
     return mesh;
+  }
+  set_level(triangles) {
+    const gl = this.gl, data = mesh_of_level(triangles), mesh = this.meshes[KIND.level];
+    gl.bindBuffer(gl.ARRAY_BUFFER, mesh.buffer);
+    gl.bufferData(gl.ARRAY_BUFFER, data, gl.DYNAMIC_DRAW);
+    mesh.count = data.length / 7;
   }
   make_shadow(size) {
     const gl = this.gl;

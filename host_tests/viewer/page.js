@@ -103,12 +103,13 @@ class Page {
     this.runs.length = 1;
     const [x, y, z, distance, yaw, pitch] = this.scene.camera;
     this.camera = {at: [x, y, z], distance, yaw, pitch};
-    this.followed = this.scene.id === 'car' ? 1 : null;
+    this.followed = ['car', 'biped'].includes(this.scene.id) ? 1 : null;
     this.begin();
+    this.renderer.set_level(this.engine.level(0));
     const spins = ['flip', 'spin'].includes(this.scene.id);
     for (const name of ['L', 'ω']) spins ? this.shown.add(name) : this.shown.delete(name);
     this.scene.id === 'flip' ? this.shown.add('Axes') : this.shown.delete('Axes');
-    this.scene.id === 'pendulums' ? this.shown.add('Joints') : this.shown.delete('Joints');
+    ['pendulums', 'gears'].includes(this.scene.id) ? this.shown.add('Joints') : this.shown.delete('Joints');
     this.scene.id === 'heavy' ? this.shown.delete('Sleep') : this.shown.add('Sleep');
     for (const box of document.querySelectorAll('[data-show]')) box.checked = this.shown.has(box.dataset.show);
     $('title').textContent = this.scene.title;
@@ -156,8 +157,8 @@ class Page {
     $('text').hidden = $('both').checked = this.runs.length > 1;
     this.runs.forEach((run, i) => { $('halves').children[i].textContent = `${run.rate} steps a second · ${KINDS[run.kind]}`; });
     $('error').hidden = !this.exact && this.runs.length === 1;
-    const target = this.run.kind === 0, spring = !target && !turns(this.run.kind);
-    $('mouse').textContent = target ? 'The mouse is a joint of the kernel, a target, that pulls at 4 Hz.'
+    const target = this.run.kind === 2, spring = !target && !turns(this.run.kind);
+    $('mouse').textContent = target ? 'The mouse is a joint of the kernel, a target, that pulls at 8 Hz.'
       : spring ? 'In this world the mouse is a spring, critically damped, at 4 Hz: it knows no targets.' : '';
   }
   rate_of(value) {
@@ -348,10 +349,15 @@ class Page {
       does();
     }
     if (does && event.key === ' ') event.preventDefault();  // no click on the button that has the focus
-    if (!event.key.startsWith('Arrow') || this.scene.id !== 'car') return;
+    if (!event.key.startsWith('Arrow') || !['car', 'gears', 'stroll'].includes(this.scene.id)) return;
     event.preventDefault();
     down ? this.keys.add(event.key) : this.keys.delete(event.key);
-    const has = name => this.keys.has('Arrow' + name) ? 1 : 0, wheel = [has('Up') - has('Down'), has('Left') - has('Right')];
+    const has = name => this.keys.has('Arrow' + name) ? 1 : 0;
+    let wheel = [has('Up') - has('Down'), has('Left') - has('Right')];
+    if (this.scene.id === 'stroll') {  // as one sees it
+      const s = Math.sin(this.camera.yaw), c = Math.cos(this.camera.yaw), [ahead, left] = wheel;
+      wheel = [-s * ahead - c * left, c * ahead - s * left];
+    }
     if (String(wheel) !== String(this.wheel)) this.input('steer', ...(this.wheel = wheel));
   }
 
@@ -502,11 +508,12 @@ class Page {
       const of = kind === KIND.box ? [size[0], size[1], size[2], 0] :
           kind === KIND.sphere     ? [r, r, r, 0] :
           kind === KIND.capsule    ? [r, r, r, size[1]] :
+          kind === KIND.level      ? [1, 1, 1, 0] :
                                      [r, r, size[1], 0];
       a.set(of, to.floats);
       a.set(shapes.subarray(at + 4, at + 16), to.floats + 4);
       a.set(this.paint(shapes[at + 17], shapes[at + 18], shapes[at + 19], theme), to.floats + 16);
-      a[to.floats + 19] = kind === KIND.box ? 1 : 2;
+      a[to.floats + 19] = kind === KIND.box ? 1 : kind === KIND.level ? 3 : 2;
       to.floats += 20;
     }
     const lines = this.lines_of(drawn, i), points = this.points_of(drawn, i);
@@ -519,6 +526,7 @@ class Page {
   paint(color, body, island, theme) {
     const name = COLORS[color];
     if (name === 'immovable') return theme.fixed;
+    if (name === 'kinematic') return theme.other;
     if (name === 'frozen') return theme.bad;
     if (this.held && this.held.body === body) return theme.held;
     if (this.shown.has('Islands') && island >= 0) {

@@ -12,8 +12,12 @@ public:
     using Add = bool (*)(void* world, const ingot::BodyDef& def);
     using Join = bool (*)(void* world, const ingot::JointDef& def, int A, int B);
     using Drive = bool (*)(void* world, int joint_i, const ingot::JointDrive& drive, int which);
+    using Gear = bool (*)(void* world, int joint_A, int joint_B, scalar ratio);
+    using Level = bool (*)(void* world, const ingot::LevelDef& def);
 
-    Builder(void* world, Add to_add, Join to_join, Drive to_drive) : world_(world), add_(to_add), join_(to_join), drive_(to_drive) {}
+    /// Those that a scene has no use for are null.
+    Builder(void* world, Add to_add, Join to_join, Drive to_drive, Gear to_gear = nullptr, Level to_level = nullptr)
+        : world_(world), add_(to_add), join_(to_join), drive_(to_drive), gear_(to_gear), level_(to_level) {}
 
     int add(const ingot::BodyDef& def) {
         good_ = add_(world_, def) && good_;
@@ -31,6 +35,17 @@ public:
         return joints_++;
     }
     void drive(int joint_i, const ingot::JointDrive& drive, int which) { good_ = drive_(world_, joint_i, drive, which) && good_; }
+    void gear(int joint_A, int joint_B, scalar ratio) {
+        good_ = gear_(world_, joint_A, joint_B, ratio) && good_;
+        ++joints_;
+    }
+    /// number: of Machines::levels. It is the first that is added: it takes slots of several bodies.
+    void level(int number, scalar friction) {
+        ingot::LevelDef def;
+        def.number = number;
+        def.friction = friction;
+        good_ = level_(world_, def) && good_;
+    }
 
     bool good() const { return good_; }
 
@@ -39,6 +54,8 @@ private:
     Add add_;
     Join join_;
     Drive drive_;
+    Gear gear_;
+    Level level_;
     int bodies_ = 0, joints_ = 0;
     bool good_ = true;
 };
@@ -381,6 +398,57 @@ inline void pendulums(Builder& to) {
     }
 }
 
+/// A pinion with a motor turns a wheel of three times its size, whose other half lifts a platform by its teeth. Joint 0 has the motor.
+inline void gears(Builder& to) {
+    ground(to);
+    const scalar small = scalar(0.3), large = scalar(0.9), height = scalar(1.8);
+    const ingot::Matrix lies = {{1, 0, 0}, {0, 0, -1}, {0, 1, 0}};
+    const Vector places[2] = {{-small - large, 0, height}, {0, 0, height}};
+    const int pinion = to.add(turned(solid(ingot::Cylinder{small, scalar(0.15)}, 20, places[0]), lies));
+    const int wheel = to.add(turned(solid(ingot::Cylinder{large, scalar(0.15)}, 120, places[1]), lies));
+    const int rack = to.add(solid(ingot::Box{{scalar(0.08), scalar(0.15), 2}}, 30, {large + scalar(0.09), 0, scalar(2.01)}));
+    const int platform = to.add(solid(ingot::Box{{scalar(0.9), scalar(0.9), scalar(0.08)}}, 30, {large + scalar(1.1), 0, scalar(0.1)}));
+    const int motor = to.join(-1, pinion, ingot::HingeJoint{}, places[0], {0, 1, 0});
+    const int axle = to.join(-1, wheel, ingot::HingeJoint{}, places[1], {0, 1, 0});
+    const int rail = to.join(-1, rack, ingot::SliderJoint{0, scalar(2.2)}, {large, 0, height}, {0, 0, 1});
+    to.join(rack, platform, ingot::HingeJoint{0, 0}, {large + scalar(0.2), 0, scalar(0.1)}, {0, 1, 0});
+    to.gear(motor, axle, -small / large);
+    to.gear(axle, rail, -large);
+    to.drive(motor, ingot::MotorDrive{2, 800}, 0);
+    for (int i = 0; i < 4; ++i)
+        to.add(solid(ingot::Box{{scalar(0.25), scalar(0.25), scalar(0.25)}}, 20,
+                     {large + scalar(1.1), 0, scalar(0.44) + scalar(0.5) * static_cast<scalar>(i)}));
+}
+
+/// A walker of seven bodies, see ../scenes/walker.h, which is added to this. Bodies to trip over lie in its way.
+inline void biped(Builder& to) { ground(to, scalar(0.8)); }
+
+// Levels.
+
+inline void tumble(Builder& to) {
+    to.level(0, scalar(0.7));
+    for (int i = 0; i < 48; ++i) {
+        const scalar r = scalar(0.3) + scalar(0.06) * scattered(i, 0);
+        ingot::Shape shape = ingot::Sphere{r};
+        if (i % 4 == 1) shape = ingot::Box{{r, r * scalar(0.8), r * scalar(0.6)}};
+        if (i % 4 == 2) shape = ingot::Capsule{r * scalar(0.7), r};
+        if (i % 4 == 3) shape = ingot::Cylinder{r, r * scalar(0.5)};
+        const ingot::SinCos a = ingot::sin_cos(scalar(6.2831853) * static_cast<scalar>(i) / 48);
+        const scalar far = scalar(8.5) + scattered(i, 1);
+        to.add(turned(solid(shape, 20, {far * a.cos, far * a.sin, scalar(6.5)}, scalar(0.7)), scattered_rotation(i)));
+    }
+}
+/// A capsule that walks, see Stage::mover, goes round: up the stairs, down the ramp, through crates that it pushes.
+inline void stroll(Builder& to) {
+    to.level(1, scalar(0.6));
+    ground(to);
+    for (int row = 0; row < 2; ++row)
+        for (int i = 0; i < 5 - row; ++i)
+            to.add(solid(ingot::Box{{scalar(0.25), scalar(0.25), scalar(0.25)}}, 10,
+                         {scalar(0.6) * (static_cast<scalar>(i) + scalar(0.5) * static_cast<scalar>(row)) - 1, scalar(-3.5),
+                          scalar(0.25) + scalar(0.5) * static_cast<scalar>(row)}));
+}
+
 /// Where the camera looks, m, from how far, and from where, rad.
 struct Camera {
     float x, y, z, distance, yaw, pitch;
@@ -398,7 +466,8 @@ inline constexpr unsigned of(Kind kind) { return 1u << kind; }
 inline constexpr unsigned loose = of(swept) | of(chosen) | of(coarse) | of(fine),
                           turns = of(turn_moser_veselov) | of(turn_order_4) | of(turn_runge_kutta) | of(turn_lie_midpoint) | of(turn_listing_1);
 
-inline constexpr SceneInfo scenes[] = {
+/// Those that run in Machines come last: without it they are left out.
+inline constexpr SceneInfo scene_list[] = {
     {"crate",
      "The article",
      "A crate falls",
@@ -485,6 +554,7 @@ inline constexpr SceneInfo scenes[] = {
      {0.3f, 0, 1, 7, 0.9f, 0.2f},
      0,
      overhang},
+#ifndef VIEWER_CONTACTS_ALONE
     {"ragdolls",
      "Joints",
      "Ragdolls",
@@ -498,8 +568,8 @@ inline constexpr SceneInfo scenes[] = {
      "Joints",
      "Bridge",
      "Sixteen planks on hinges, held at both ends; one of the balls weighs a ton.",
-     swept,
-     of(swept),
+     machines,
+     of(machines),
      {0, 0, 1.6f, 22, 0.6f, 0.25f},
      0,
      bridge},
@@ -512,17 +582,54 @@ inline constexpr SceneInfo scenes[] = {
      {0, 0, 0.8f, 11, -1, 0.3f},
      0,
      car},
-    {"chain", "Joints", "Wrecking ball", "A chain of 36 kg holds a ball of 300 kg.", swept, of(swept), {0, 0, 3.4f, 20, 0.8f, 0.15f}, 0, chain},
+    {"chain", "Joints", "Wrecking ball", "A chain of 36 kg holds a ball of 300 kg.", machines, of(machines), {0, 0, 3.4f, 20, 0.8f, 0.15f}, 0, chain},
     {"pendulums",
      "Joints",
      "Pendulum wave",
      "In half a minute the first swings 12 times, the next 13, and so on: then they are together again.",
-     swept,
-     of(swept),
+     machines,
+     of(machines),
      {0, 0, 1.5f, 9, 0.7f, 0.25f},
      0,
      pendulums},
+    {"gears",
+     "Joints",
+     "Gears",
+     "A motor, two gears and a rack lift a platform up to its stop. Arrow keys: up and down.",
+     machines,
+     of(machines),
+     {0.8f, 0, 1.8f, 12, 0.35f, 0.15f},
+     0,
+     gears},
+    {"biped",
+     "Joints",
+     "It walks",
+     "By motors in hips, knees and ankles; it falls where it is pushed too hard.",
+     machines,
+     of(machines),
+     {0, 0, 1, 8, 0.5f, 0.12f},
+     0,
+     biped},
+    {"tumble",
+     "Levels",
+     "Hills and ice",
+     "A field of heights in steps of 1/64 m; what comes to the light quarter slides, for that is ice.",
+     machines,
+     of(machines),
+     {0, 0, 3, 34, 0.5f, 0.5f},
+     0,
+     tumble},
+    {"stroll",
+     "Levels",
+     "A character",
+     "No body: a capsule that steps up stairs, keeps to the ramp, and pushes crates. Arrow keys take over.",
+     machines,
+     of(machines),
+     {0, 0, 1, 17, 0.4f, 0.45f},
+     0,
+     stroll},
+#endif
 };
-inline constexpr int scene_count = sizeof(scenes) / sizeof(scenes[0]);
+inline constexpr int scene_count = sizeof(scene_list) / sizeof(scene_list[0]);
 
 }  // namespace viewer

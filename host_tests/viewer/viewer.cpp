@@ -3,6 +3,7 @@
 // The same file, compiled for the host, makes the table of hashes that the page compares with (native_hashes.cpp).
 #include "viewer.h"
 
+#include "../scenes/walker.h"
 #include "scenes.h"
 
 namespace viewer { namespace {
@@ -15,16 +16,28 @@ using ingot::Status;
 
 constexpr int shots_max = 24, stage_count = 2;
 constexpr scalar mouse_hertz = 4;
+constexpr scalar target_hertz = 8;  ///< a target does not know what hangs on the body: stiffer, so that a ragdoll hangs where it is held
 constexpr scalar mouse_reach = 20;  ///< N for 1 N of weight: what the mouse pulls with at most
 
+/// Of the largest world of a kind: all but Machines are smaller than Fine, Chosen and that.
 constexpr unsigned larger(unsigned a, unsigned b) { return a > b ? a : b; }
-constexpr unsigned room_of_world =
-    larger(sizeof(ingot::World<Swept>),
-           larger(sizeof(ingot::World<Chosen>), larger(sizeof(ingot::World<Machines>), sizeof(ingot::World<Turning<ingot::MoserVeselov>>))));
+#ifdef VIEWER_CONTACTS_ALONE
+constexpr unsigned room_of_world = larger(sizeof(ingot::World<Fine>), sizeof(ingot::World<Chosen>));
+#else
+constexpr unsigned room_of_world = larger(sizeof(ingot::World<Machines>), larger(sizeof(ingot::World<Fine>), sizeof(ingot::World<Chosen>)));
+#endif
+
+/// Who walks, in the two scenes that have somebody.
+struct Walks {
+    ingot::Mover mover;
+    int32_t steered;  ///< keys have taken over from the way around
+    scenes::Walker biped;
+    scenes::WalkState state;
+};
 
 /// All zero: nothing is there. No member has a value to begin with, so that stages are no part of the module.
 struct Stage {
-    int32_t scene, kind;        ///< numbers in scenes, and Kind
+    int32_t scene, kind;        ///< numbers in scene_list, and Kind
     int32_t grabbed;            ///< number of the body that the mouse holds, and 1; 0: none
     JointId target;             ///< by which it holds it, in worlds that have targets
     Vector hold;                ///< m, where: in the frame of the body, in others
@@ -36,6 +49,7 @@ struct Stage {
     int32_t shots;
     BodyId shot[shots_max];
     ingot::StepReport report;
+    Walks walks;
     alignas(64) unsigned char world[room_of_world];
 };
 static_assert(__is_trivially_copyable(Stage));
@@ -60,6 +74,8 @@ Answer for_world(Stage& stage, Answer none, const Ask& ask) {
 constexpr int shapes_max = Things::max_bodies + 8, shape_floats = 20;
 constexpr int lines_max = 24576, line_floats = 7;
 constexpr int points_max = 16384, point_floats = 4;
+constexpr int triangles_max = 1280, triangle_floats = 10;
+float triangle_room[triangles_max * triangle_floats];
 float shape_room[shapes_max * shape_floats];
 float line_room[lines_max * line_floats];
 float point_room[points_max * point_floats];
@@ -135,6 +151,12 @@ void draw_stage(const ingot::World<S>& world, unsigned colors, const ingot::Draw
     }
 }
 
+/// The character, which is none of a world's: body -1.
+void draw_mover(const ingot::Mover& mover) {
+    Pen{}.shape({mover.capsule, mover.r, ingot::identity_matrix<scalar>()}, ingot::DrawColor::kinematic);
+    shape_room[(counts[0] - 1) * shape_floats + 18] = -1;
+}
+
 // Scenes.
 
 /// How long arrows are: the longest L is a metre and a half to begin with, and so is what bears the heaviest body; less in a heap, where all bear
@@ -176,13 +198,58 @@ bool set_up(Stage& stage, const SceneInfo& scene) {
         }
         return false;
     };
-    Builder builder(stage.world, add, join, drive);
+    const auto gear = [](void* world, int joint_A, int joint_B, scalar ratio) {
+        if constexpr (ingot::has_gears<S>) {
+            World& of = *static_cast<World*>(world);
+            return of.add_gear(of.joint_at(joint_A), of.joint_at(joint_B), ratio).ok();
+        }
+        return false;
+    };
+    const auto level = [](void* world, const ingot::LevelDef& def) {
+        if constexpr (ingot::has_levels<S>) return static_cast<World*>(world)->add_level(def).ok();
+        return false;
+    };
+    Builder builder(stage.world, add, join, drive, gear, level);
     scene.set_up(builder);
     bool good = builder.good();
+    if constexpr (ingot::has_levels<S>) good = add_walks(stage, world_of<S>(stage)) && good;
     if constexpr (S::translates)
         if (scene.set_up != spinning && scene.set_up != flip) good = world_of<S>(stage).set_gravity({0, 0, scalar(-9.81)}) == Status::ok && good;
     set_scales(stage, world_of<S>(stage));
     return good;
+}
+
+// Who walks.
+
+inline constexpr scalar stroll_radius = 4, stroll_speed = scalar(1.6);
+[[maybe_unused]] bool strolls(const Stage& stage) { return scene_list[stage.scene].set_up == stroll; }
+[[maybe_unused]] bool walks(const Stage& stage) { return scene_list[stage.scene].set_up == biped; }
+template <class S>
+bool add_walks(Stage& stage, ingot::World<S>& world) {
+    if (walks(stage)) return scenes::add_walker(world, {}, scalar(0.6), stage.walks.biped) == Status::ok;
+    if (strolls(stage)) {
+        stage.walks.mover = {};
+        stage.walks.mover.r = {stroll_radius, 0, 1};
+    }
+    return true;
+}
+/// Before a step.
+template <class S>
+void walk_on(Stage& stage, ingot::World<S>& world, scalar h) {
+    if (walks(stage)) (void)scenes::walk(world, stage.walks.biped, scenes::Gait{}, stage.walks.state, h);
+}
+/// After a step. Unless keys have taken over it goes round, and back to its circle from where it was.
+template <class S>
+void stroll_on(Stage& stage, ingot::World<S>& world, scalar h) {
+    if (!strolls(stage)) return;
+    ingot::Mover& mover = stage.walks.mover;
+    Vector v = {stage.throttle * stroll_speed, stage.steering * stroll_speed, 0};
+    if (stage.walks.steered == 0) {
+        const Vector out = {mover.r.x, mover.r.y, 0};
+        const scalar R = ingot::sqrt(ingot::max(ingot::length_sq(out), scalar(0.01)));
+        v = (Vector{-out.y, out.x, 0} * stroll_speed + out * (stroll_radius - R)) * (1 / R);
+    }
+    (void)world.move(mover, {v}, h);
 }
 
 // The mouse.
@@ -215,7 +282,7 @@ void grab(Stage& stage, ingot::World<S>& world, int slot, const Vector& P) {
         const ingot::Result<JointId> joint = world.add_joint(def);
         if (!joint.ok()) return;
         stage.target = joint.value;
-        (void)world.set_target_drive(joint.value, {mouse_hertz, 1, mouse_reach * scalar(9.81) * mass_with_joints(world, id), 0});
+        (void)world.set_target_drive(joint.value, {target_hertz, 1, mouse_reach * scalar(9.81) * mass_with_joints(world, id), 0});
     }
     const BodyState state = world.state(id).value;
     stage.hold = ingot::transpose_times(state.A, P - state.r_CM);
@@ -265,7 +332,10 @@ void shoot(Stage& stage, ingot::World<S>& world, const Vector& from, const Vecto
 template <class S>
 void steer(Stage& stage, ingot::World<S>& world) {
     if constexpr (ingot::has_wheels<S>) {
-        if (scenes[stage.scene].set_up != car) return;
+        stage.walks.steered = 1;
+        if (scene_list[stage.scene].set_up == gears)
+            (void)world.set_joint_drive(world.joint_at(0), ingot::MotorDrive{stage.throttle < 0 ? scalar(-2) : scalar(2), 800});
+        if (scene_list[stage.scene].set_up != car) return;
         for (int i = 0; i < 4; ++i) {
             const JointId wheel = world.joint_at(i);
             if (i < 2)
@@ -304,36 +374,42 @@ using namespace viewer;
 int viewer_scene_count() { return scene_count; }
 int viewer_kind_count() { return kind_count; }
 const char* viewer_scene_text(int scene_i, int which) {
-    const SceneInfo& scene = scenes[scene_i];
+    const SceneInfo& scene = scene_list[scene_i];
     const char* const texts[4] = {scene.id, scene.group, scene.title, scene.text};
     return texts[which & 3];
 }
-const float* viewer_camera(int scene_i) { return &scenes[scene_i].camera.x; }
-float viewer_wall(int scene_i) { return scenes[scene_i].wall; }
-int viewer_kind_of(int scene_i) { return scenes[scene_i].kind; }
-unsigned viewer_kinds_of(int scene_i) { return scenes[scene_i].kinds; }
+const float* viewer_camera(int scene_i) { return &scene_list[scene_i].camera.x; }
+float viewer_wall(int scene_i) { return scene_list[scene_i].wall; }
+int viewer_kind_of(int scene_i) { return scene_list[scene_i].kind; }
+unsigned viewer_kinds_of(int scene_i) { return scene_list[scene_i].kinds; }
 
 // Stages.
 
 int viewer_open(int stage_i, int scene_i, int kind) {
-    if (scene_i < 0 || scene_i >= scene_count || kind < 0 || kind >= kind_count || (scenes[scene_i].kinds >> kind & 1u) == 0) return 0;
+    if (scene_i < 0 || scene_i >= scene_count || kind < 0 || kind >= kind_count || (scene_list[scene_i].kinds >> kind & 1u) == 0) return 0;
     Stage& stage = stage_at(stage_i);
     clear(stage);
     stage.scene = scene_i;
     stage.kind = kind;
-    return for_kind(kind, false, [&](auto named) { return set_up<typename decltype(named)::scene>(stage, scenes[scene_i]); }) ? 1 : 0;
+    return for_kind(kind, false, [&](auto named) { return set_up<typename decltype(named)::scene>(stage, scene_list[scene_i]); }) ? 1 : 0;
 }
 int viewer_step(int stage_i, float h) {
     Stage& stage = stage_at(stage_i);
-    return for_world(stage, 0, [&](auto& world, auto) {
+    return for_world(stage, 0, [&](auto& world, [[maybe_unused]] auto named) {
         stage.h = h;
         pull(stage, world, h);
+        if constexpr (ingot::has_levels<typename decltype(named)::scene>) walk_on(stage, world, h);
         stage.report = ingot::step(world, h);
+        if constexpr (ingot::has_levels<typename decltype(named)::scene>) stroll_on(stage, world, h);
         return static_cast<int>(stage.report.status);
     });
 }
 uint64_t viewer_hash(int stage_i) {
-    return for_world(stage_at(stage_i), uint64_t(0), [](auto& world, auto) { return world.state_hash(); });
+    Stage& stage = stage_at(stage_i);
+    uint64_t hash = for_world(stage, uint64_t(0), [](auto& world, auto) { return world.state_hash(); });
+    const uint32_t* const place = reinterpret_cast<const uint32_t*>(&stage.walks.mover.r);  // no world knows of it
+    for (int i = 0; i < 3; ++i) hash = hash * 0x100000001b3u ^ place[i];
+    return hash;
 }
 unsigned char* viewer_bytes(int stage_i) { return stages[stage_i & 1]; }
 unsigned viewer_size(int stage_i) {
@@ -378,8 +454,13 @@ int viewer_pick(int stage_i, float x, float y, float z, float dx, float dy, floa
     });
 }
 int viewer_body(int stage_i, int slot) {
+    const Stage& stage = stage_at(stage_i);
     return for_world(stage_at(stage_i), 0, [&](auto& world, auto named) {
         using S = typename decltype(named)::scene;
+        if (slot < 0 && strolls(stage)) {
+            put(answer, stage.walks.mover.r);
+            return 1;
+        }
         const BodyId id = world.body_at(slot);
         if (id.generation == 0) return 0;
         const BodyState state = world.state(id).value;
@@ -438,9 +519,31 @@ const int32_t* viewer_draw(int stage_i, unsigned colors, float scale) {
     sizes.L = stage.L_scale * scale;
     return for_world(stage_at(stage_i), static_cast<const int32_t*>(counts), [&](auto& world, auto) {
         draw_stage(world, colors, sizes);
+        if (strolls(stage)) draw_mover(stage.walks.mover);
         return static_cast<const int32_t*>(counts);
     });
 }
+int viewer_level(int stage_i) {
+    return for_world(stage_at(stage_i), 0, []([[maybe_unused]] auto& world, auto named) {
+        using S = typename decltype(named)::scene;
+        int count = 0;
+        if constexpr (ingot::has_levels<S>)
+            for (int slot = 0; slot < S::max_bodies; ++slot) {
+                const BodyId id = world.body_at(slot);
+                if (id.generation == 0 || world.shape(id).value.kind != ingot::ShapeKind::level) continue;
+                const ingot::LevelTable& level = S::levels[ingot::level_number(world.shape(id).value)];
+                const Vector middle = (level.low + level.high) * half;  // where its body is
+                ingot::for_triangles_in(level, level.low, level.high, [&](const ingot::LevelTriangle& triangle) {
+                    if (count == triangles_max) return;
+                    float* const to = triangle_room + count++ * triangle_floats;
+                    for (int i = 0; i < 3; ++i) put(to + 3 * i, triangle.corners[i] - middle);
+                    to[9] = static_cast<float>(triangle.material);
+                });
+            }
+        return count;
+    });
+}
+const float* viewer_triangles() { return triangle_room; }
 const float* viewer_shapes() { return shape_room; }
 const float* viewer_lines() { return line_room; }
 const float* viewer_points() { return point_room; }

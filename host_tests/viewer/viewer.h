@@ -39,14 +39,15 @@ VIEWER_EXPORT(hash) uint64_t viewer_hash(int stage_i);
 /// All of a stage: bytes copied and put back are the past.
 VIEWER_EXPORT(bytes) unsigned char* viewer_bytes(int stage_i);
 VIEWER_EXPORT(size) unsigned viewer_size(int stage_i);
-/// grab: P, m, and the number of a body; move: P; release; shoot: from where, m, and how fast, m/s; steer: throttle and steering, -1 to 1.
+/// grab: P, m, and the number of a body; move: P; release; shoot: from where, m, and how fast, m/s; steer: throttle and
+/// steering, -1 to 1; of a character the way along x and y.
 VIEWER_EXPORT(input) void viewer_input(int stage_i, int what, float a, float b, float c, float d, float e, float f);
 
 // Reads, into viewer_answer().
 
 /// The number of the first body on a way, or -1. Answers: P, m; n; 1 if it can move.
 VIEWER_EXPORT(pick) int viewer_pick(int stage_i, float x, float y, float z, float dx, float dy, float dz);
-/// r_CM, A by columns, L, omega, v_CM, mass, kinetic energy. 0: there is no such body.
+/// r_CM, A by columns, L, omega, v_CM, mass, kinetic energy. 0: there is no such body. -1: the character, and r alone.
 VIEWER_EXPORT(body) int viewer_body(int stage_i, int slot);
 /// Of the last step: contacts, sweeps, residual, unfinished, contacts lost, impacts deferred, spins clamped, frozen, direct, clean, joints lost; from
 /// 16 on: bodies, awake, asleep, islands awake, islands asleep, joints.
@@ -56,6 +57,10 @@ VIEWER_EXPORT(energy) double viewer_energy(int stage_i);
 /// Draws by the kernel's draw(): how many shapes (20 numbers each: kind, size, r, A by columns, offset, colour, body, island), lines (7: from, to,
 /// colour) and points (4: P, colour). colors: bits of ingot::DrawColor. scale: how large arrows are.
 VIEWER_EXPORT(draw) const int32_t* viewer_draw(int stage_i, unsigned colors, float scale);
+/// How many triangles (10 numbers each: corners, m, from the middle of the level, where its shape is, and material) the
+/// level of a stage has.
+VIEWER_EXPORT(level) int viewer_level(int stage_i);
+VIEWER_EXPORT(triangles) const float* viewer_triangles();
 VIEWER_EXPORT(shapes) const float* viewer_shapes();
 VIEWER_EXPORT(lines) const float* viewer_lines();
 VIEWER_EXPORT(points) const float* viewer_points();

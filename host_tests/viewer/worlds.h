@@ -4,10 +4,10 @@
 
 #include <ingot/ingot.h>
 
+#include "grounds.h"
+
 namespace viewer {
 
-using ingot::scalar;
-using ingot::Vector;
 
 /// What those with shapes share.
 struct Things : ingot::Scene {
@@ -19,21 +19,23 @@ struct Things : ingot::Scene {
     using broad_phase = ingot::SortedTree;
 };
 
-/// Sweeps, and joints that close loops: bridges, ropes, and a target that a body is drawn to, which is what the mouse is.
-struct Swept : Things {
-    static constexpr int max_joints = 96, max_loops = 32;
-    using joints = ingot::Joints<ingot::BallJoint, ingot::HingeJoint, ingot::RopeJoint, ingot::TargetJoint>;
-};
+/// Sweeps.
+struct Swept : Things {};
 /// A solver that picks itself, and fast bodies followed within a step.
 struct Chosen : Things {
     static constexpr bool continuous = true;
     using solver = ingot::HybridIslands<>;
 };
-/// Joints with limits and drives: ragdolls, cars.
+#ifndef VIEWER_CONTACTS_ALONE
+/// Joints, with limits and drives, that may close loops, and grounds of levels: the other half of the module.
 struct Machines : Things {
-    static constexpr int max_joints = 128;
-    using joints = ingot::Joints<ingot::BallJoint, ingot::HingeJoint, ingot::WheelJoint, ingot::WithLimits, ingot::WithDrives>;
+    static constexpr int max_joints = 128, max_loops = 32;
+    using shapes = ingot::Shapes<ingot::Sphere, ingot::Capsule, ingot::Box, ingot::Cylinder, ingot::HalfSpace, ingot::Level>;
+    using joints = ingot::Joints<ingot::BallJoint, ingot::HingeJoint, ingot::SliderJoint, ingot::WheelJoint, ingot::RopeJoint, ingot::ParallelJoint,
+                                 ingot::GearJoint, ingot::ServoJoint, ingot::TargetJoint, ingot::WithLimits, ingot::WithDrives>;
+    static constexpr ingot::LevelTable levels[] = {ingot::with_materials(hills.value.view(), materials_of_hills), stairs.view()};
 };
+#endif
 /// Sweeps again, with less and with more effort.
 struct Coarse : Things {
     static constexpr ingot::Effort effort = ingot::low_effort;
@@ -73,7 +75,9 @@ Answer for_kind(int kind, Answer none, const Ask& ask) {
     switch (kind) {
         case swept: return ask(Named<Swept>{});
         case chosen: return ask(Named<Chosen>{});
+#ifndef VIEWER_CONTACTS_ALONE
         case machines: return ask(Named<Machines>{});
+#endif
         case turn_moser_veselov: return ask(Named<Turning<ingot::MoserVeselov>>{});
         case turn_order_4: return ask(Named<Turning<ingot::DiscreteMoserVeselov<4, false, false, 1>>>{});
         case turn_runge_kutta: return ask(Named<Turning<ingot::Rk4Polar>>{});
