@@ -16,6 +16,9 @@ namespace balancing_robot {
 namespace bridge {
 #include "bridge.cpp"
 }
+namespace character {
+#include "character.cpp"
+}
 namespace conveyor {
 #include "conveyor.cpp"
 }
@@ -74,6 +77,7 @@ struct Example {
 constexpr Example examples[] = {
     {"balancing_robot", balancing_robot::main},
     {"bridge", bridge::main},
+    {"character", character::main},
     {"conveyor", conveyor::main},
     {"crate", crate::main},
     {"dice", dice::main},

@@ -316,6 +316,17 @@ def check_names(page, text, words, complaints):
                     complaints.append(f"{page.name}: nothing is called {word}: `{ticked}`")
 
 
+def check_headers(page, text, complaints):
+    """What ingot.h does not bring, ingot::platform: the page says which header has it, and which target."""
+    used = set(re.findall(r"ingot::platform::(\w+)", "\n".join(chunk["shown"] or "" for chunk in CHUNK.finditer(text))))
+    for header in sorted((ROOT / "platform").glob("*.h")):
+        declared = re.findall(r"^(?:class|struct|\w+) (\w+)(?: \{|\(| :)", header.read_text(encoding="utf-8"), re.M)
+        if used.intersection(declared) and f"platform/{header.name}" not in text:
+            complaints.append(f"{page.name}: which header has {', '.join(sorted(used.intersection(declared)))}? platform/{header.name}")
+    if used and "ingot::platform`" not in text and "ingot::platform)" not in text:
+        complaints.append(f"{page.name}: ingot::platform has to be linked, and the page does not say so")
+
+
 def check_article(page, text, complaints):
     """Rows of an equation: what their third cell names stands in the files of the fourth."""
     for cells in re.findall(r"^\| [\d to]+ \|[^|]*\|([^|]*)\|([^|]*)\|$", text, re.M):
@@ -351,6 +362,7 @@ def complaints_about(page, text, known, words, partly=False):
         if sentence not in known["sentences_of_compiler"]:
             complaints.append(f"{page.name}: the compiler does not say any more: {sentence}")
     check_measured(page, text, complaints)
+    check_headers(page, text, complaints)
     if page.parent == GUIDE:
         check_article(page, text, complaints)
     return complaints

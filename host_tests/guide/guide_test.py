@@ -59,6 +59,11 @@ class Refusals(unittest.TestCase):
         self.assertEqual(self.complaints("Stones stay where they are<!--while: stones do not fly-->.\n"), "")
         self.assertIn("does not say any more", self.complaints("Stones stay where they are<!--while: stones do not swim-->.\n"))
 
+    def test_headers(self):
+        code = "```cpp\ningot::platform::FixedStep pace(1, {60, 1}, 5);\n```\n"
+        self.assertIn("which header has FixedStep", self.complaints("Link `ingot::platform`.\n" + code))
+        self.assertIn("has to be linked", self.complaints("See `platform/fixed_step.h`.\n" + code))
+
     def test_other_pages(self):
         complaints = []
         guide.check_other_page(guide.ROOT / "kernel" / "a_page.md", "[x](nowhere.md), `motion/integrate_v.cpp`, `motion/integrate_w.cpp`\n", complaints)

@@ -3,10 +3,6 @@
 #pragma once
 
 #include <ingot/ingot.h>
-#include <ingot/level/height_field_of.h>
-#include <ingot/level/level_from_bytes.h>
-#include <ingot/level/level_walk.h>
-#include <ingot/level/mesh_of.h>
 #include <ingot/platform/clock.h>
 #include <ingot/platform/console.h>
 #include <ingot/platform/fixed_step.h>

@@ -144,6 +144,7 @@ const Shot shots[] = {
     {"trigger", "A ball rolls through a gate, a sensor that touches nothing", {0, 0.5, 1, 1.5, 2, 2.5, 3}, 40, 20, 1.1},
     {"conveyor", "A belt carries a crate: it slips, and then goes along", {0, 0.3, 0.6, 0.9, 1.2, 1.5}, 15, 15, 1.1},
     {"lift", "A lift goes up with three crates on it", {0, 2, 4}, 25, 15, 1.1, {}, true},
+    {"character", "A character walks up stairs, over a landing and down a ramp", {1.2, 2.4, 4.3}, 20, 15, 1.05, {}, true},
     {"projectile",
      "A bullet stops at a thin plate; another one misses it",
      {0, 0.0167, 0.0333, 0.05, 0.0667, 0.0833, 0.1, 0.1167, 0.1333, 0.15},
