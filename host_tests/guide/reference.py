@@ -251,6 +251,7 @@ def page(path, text):
     for i in range(0, len(blocks), 2):
         blocks[i] = re.sub(r"(?m)^(#+) (.*)$", heading, blocks[i])
         blocks[i] = re.sub(r"(?<!!)\[([^\]]+)\]\(([^)\s]+)\)", link, blocks[i])
+        blocks[i] = re.sub(r"(?<!`)`([^`\n]*'[^`\n]*)`(?!`)", r"``\1``", blocks[i])  # to doxygen a ' ends what one ` began
     return "".join(blocks)
 
 
