@@ -47,7 +47,7 @@ struct TiedJoints : Feature {
         static_assert(!has_servos<S> || has_loops<S>, "servos are rows beside the trees: set max_loops to how many there may be");
         static_assert(!has_servos<S> || S::joints::has_drives, "servos are driven: name WithDrives among the joints");
         static_assert(!has_ties<S> || has_servos<S> || has_loops<S>,
-                      "rods, ropes and targets are rows beside the trees: set max_loops to how many there may be");
+                      "rods, ropes, targets, parallel joints and gears are rows beside the trees: set max_loops to how many there may be");
         static_assert(!has_ties<S> || !S::figure_motion::is_implicit,
                       "the energy-momentum step has no rods, ropes and targets: leave figure_motion out, or these kinds");
         return true;
