@@ -18,12 +18,12 @@ Island* live_island(const SolverView& solver, const JointedBodies& jointed, cons
 }
 
 /// A row of a ball joint's drive, or of a servo, that is visited with its first: see visit_joint_row.
-bool is_beside(const FigureView& view, const JointRowView&, const JointRow& row) {
+bool goes_with_first(const FigureView& view, const JointRowView&, const JointRow& row) {
     return row.is_drive && row.direction_i > 0 && is_ball(view.nodes[row.node].kind);
 }
-bool is_beside(const FigureView& view, const LoopedRowView& rows, const JointRow& row) {
+bool goes_with_first(const FigureView& view, const LoopedRowView& rows, const JointRow& row) {
     const JointRowView& of_trees = rows;
-    return row.closes ? row.direction_i > 0 && locks_nothing(rows.loops->joints[row.node]) : is_beside(view, of_trees, row);
+    return row.closes ? row.direction_i > 0 && locks_nothing(rows.loops->joints[row.node]) : goes_with_first(view, of_trees, row);
 }
 
 }  // namespace
@@ -37,7 +37,7 @@ void sweep_joint_rows(const SolverView& solver, const JointedBodies& jointed, co
     };
     for (int i = 0; i < rows.count; ++i) {  // bound: limits_of_joint max_joints
         JointRow& row = rows.list[up ? i : rows.count - 1 - i];
-        if (!(row.K > 0 || row.closes) || is_beside(jointed.figures, rows, row)) continue;
+        if (!(row.K > 0 || row.closes) || goes_with_first(jointed.figures, rows, row)) continue;
         const Island* const island = live_island(solver, jointed, rows, row);
         if (island == nullptr) continue;
         visit_due(island != island_due);
