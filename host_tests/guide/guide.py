@@ -197,7 +197,7 @@ def figures_of_tables():
     figures["version"] = ".".join(number[part] for part in ("VERSION_MAJOR", "VERSION_MINOR", "VERSION_PATCH"))
     figures["determinism"] = number["DETERMINISM_VERSION"]
     figures["pairs_refused"] = pairs_of_traits.refused_table(pairs_of_traits.read_table())
-    for name in ("errors_of_scenes", "peers", "effort"):
+    for name in ("errors_of_scenes", "peers", "effort", "plain_costs"):
         figures[name] = as_table(rows_of(f"{name}.csv"))
     for file in examples():
         lines = file.read_text(encoding="utf-8").splitlines()
