@@ -26,7 +26,6 @@
 #include "body/user_frame.h"
 #include "level/byte_heights_of.h"
 #include "level/height_field_of.h"
-#include "level/level_from_bytes.h"
 #include "level/level_materials.h"
 #include "level/mesh_of.h"
 #include "shape/hull_of_points.h"

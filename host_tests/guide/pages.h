@@ -3,6 +3,7 @@
 #pragma once
 
 #include <ingot/ingot.h>
+#include <ingot/level/level_from_bytes.h>
 #include <ingot/platform/clock.h>
 #include <ingot/platform/console.h>
 #include <ingot/platform/fixed_step.h>
