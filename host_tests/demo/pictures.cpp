@@ -228,9 +228,14 @@ bool walker(const std::string& path) {
     return say(good && picture.write(path.c_str()), path, "a figure walks");
 }
 
+/// With room for what lies on several ridges at once.
+struct Hills : scenes::Terrain {
+    static constexpr int max_manifolds = 2 * scenes::Terrain::max_manifolds;
+};
+
 /// Hills that stand as a table in flash, and what rolls and slides down on them.
 bool terrain(const std::string& path) {
-    using S = scenes::Terrain;
+    using S = Hills;
     constexpr int things = 10;
     ingot::World<S>& w = world<S>;
     ingot::LevelDef level;
