@@ -222,7 +222,7 @@ void settle_joint_rows(const FigureView& view, const Rows& all, scalar settled) 
 }
 
 // The linker takes the one that the scene calls.
-#define INGOT_ROWS(Rows)                                                            \
+#define INGOT_ROWS(Rows)                                                              \
     template scalar visit_joint_row(const FigureView&, const Rows&, JointRow&, bool); \
     template void settle_joint_rows(const FigureView&, const Rows&, scalar)
 INGOT_ROWS(JointRowView);

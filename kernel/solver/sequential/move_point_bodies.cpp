@@ -93,10 +93,6 @@ int root_of(const PointView& solver, int slot) {
 
 bool is_of_an_island(const PointView& solver, int slot) { return solver.bodies[slot].root != no_root; }
 
-}  // namespace
-
-namespace {
-
 /// The root of a manifold's island; no_root: it joins no bodies that take part.
 Index island_of(const PointView& solver, int manifold_i) {
     const BodyPair& pair = solver.pairs[manifold_i];

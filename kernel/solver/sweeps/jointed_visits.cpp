@@ -225,7 +225,7 @@ void end_passing(const View& solver) {
 INGOT_LOOPS(NoLoops);
 INGOT_LOOPS(LoopView);
 #undef INGOT_LOOPS
-#define INGOT_VIEW(View)                              \
+#define INGOT_VIEW(View)                                      \
     template void pass_contact_impulses(const View&, Passes); \
     template void end_passing(const View&)
 INGOT_VIEW(JointedView);
