@@ -61,7 +61,8 @@ set(continuous_shares body_path level_on_path fast_pairs parting_plane time_of_i
   lay_paths next_impact resolve_impact figures_on_paths contacts_of_figures close_figure wait_with_figure)
 # swept_contacts has the stages of a substep, for block_sweeps and hybrid_islands to conduct; plan_islands begins a batch.
 set(solver_sweeps_shares block_sweeps swept_contacts conduct_sweeps jointed_contacts jointed_reactions jointed_visits conjugate_gradients diverged_islands figure_shares gaining_figures gaining_islands kinematic_contacts move_bodies note_impulses order_manifolds
-  passive_bounces plan_islands predict_contacts pushed_figures sequence_impacts slip_reversals solve_velocities sweep_joint_rows sweep_positions sweep_velocities turning_bodies warm_start)
+  passive_bounces plan_islands predict_contacts pushed_figures sequence_impacts slip_reversals solve_velocities sweep_joint_rows sweep_positions sweep_velocities turning_bodies warm_start
+  work_together)
 # solve_sequentially conducts the stages of its substeps, and sequential_impulses names it to scenes.
 set(solver_sequential_shares kinematic_points point_view point_visit point_visits point_reversals point_rows sequential_contacts move_point_bodies sweep_points solve_sequentially)
 # hybrid_islands conducts the stages, and calls the others of its room.

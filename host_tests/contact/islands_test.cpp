@@ -338,7 +338,7 @@ TEST(Islands, have_sums_of_their_own) {
         Yard yard(crowd);
         const Begun begun(yard, plan);
         const SolverView& solver = begun.solver;
-        ingot::sweep_velocities(solver, 1, true);
+        ingot::sweep_velocities(solver, solver.live, solver.live_count, 1, true);
         ingot::measure_sweep(solver);
         for (int island_i = 0; island_i < solver.island_count; ++island_i) {
             const Island& island = solver.islands[island_i];
@@ -400,7 +400,7 @@ TEST(Islands, that_are_settled_drop_out_of_the_sweeps) {
             const std::vector<ingot::SolverBody> bodies(solver.bodies, solver.bodies + solver.body_count);
             const std::vector<ingot::ContactBlock> blocks(solver.blocks, solver.blocks + solver.block_count);
             for (int sweep_i = 1; sweep_i <= 3; ++sweep_i) {
-                ingot::sweep_velocities(solver, sweep_i, true);
+                ingot::sweep_velocities(solver, solver.live, solver.live_count, sweep_i, true);
                 ingot::measure_sweep(solver);
                 ingot::extrapolate(solver);
             }

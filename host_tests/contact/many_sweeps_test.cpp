@@ -146,9 +146,10 @@ void plan(ingot::SolverView& solver, const ingot::BodyView& bodies) {
     ingot::plan_islands(solver, none, bodies, static_cast<scalar>(h));
     ASSERT_TRUE(ingot::begin_batch(solver, none, ingot::SweepPlan::small, bodies, {}));
     ingot::prepare_blocks(solver, bodies);
+    ingot::count_central_manifolds(solver);
     ingot::predict_contacts(solver, static_cast<scalar>(h));
     ingot::predict_bounces(solver, static_cast<scalar>(h));
-    ingot::warm_start(solver, static_cast<scalar>(h));  // impulses are 0 as yet: nothing is given
+    ingot::warm_start(solver, solver.visits, solver.visit_count, static_cast<scalar>(h));  // impulses are 0 as yet: nothing is given
     ingot::plan_sweeps(solver);
     for (int island_i = 0; island_i < solver.island_count; ++island_i) solver.islands[island_i].settled = 0;
     ingot::select_live(solver);
@@ -182,7 +183,8 @@ void expect_sweeps_meet_the_exact_solution(double mu_max) {
         plan(solver, twins.pile.view());
         ASSERT_EQ(solver.island_count, 1);
         constexpr int sweeps = 2000;
-        for (int sweep_i = 1; sweep_i <= sweeps; ++sweep_i) ingot::sweep_velocities(solver, sweep_i, sweep_i % 2 != 0);
+        for (int sweep_i = 1; sweep_i <= sweeps; ++sweep_i)
+            ingot::sweep_velocities(solver, solver.live, solver.live_count, sweep_i, sweep_i % 2 != 0);
         ingot::measure_sweep(solver);
         const auto residual = static_cast<double>(solver.islands[0].residual);
         const double bound = (residual + 12 * 4 * static_cast<double>(ingot::epsilon)) / (1 - 0.9) + reference_tolerance;
@@ -405,7 +407,7 @@ TEST(ManySweeps, with_conjugate_gradients_lead_there_too) {
             ingot::Island& island = solver.islands[0];
             scalar before = 0;
             for (int sweep_i = 1; sweep_i <= 8; ++sweep_i) {
-                ingot::sweep_velocities(solver, sweep_i, sweep_i % 2 != 0);
+                ingot::sweep_velocities(solver, solver.live, solver.live_count, sweep_i, sweep_i % 2 != 0);
                 ingot::measure_sweep(solver);
                 const scalar size = island.size;
                 EXPECT_NEAR(static_cast<double>(size), sum_by_lanes(solver), 64 * static_cast<double>(ingot::epsilon * size));

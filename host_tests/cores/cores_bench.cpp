@@ -37,7 +37,7 @@ struct InTurn {
 
 template <class Workers>
 struct Yard : ingot::Scene {
-    static constexpr int max_bodies = 2200, max_manifolds = 7000, max_pairs = 12000;
+    static constexpr int max_bodies = 8200, max_manifolds = 32000, max_pairs = 60000;
     static constexpr bool translates = true;
     using shapes = ingot::Shapes<ingot::Sphere, ingot::Box, ingot::HalfSpace>;
     using broad_phase = ingot::SortedTree;
@@ -58,7 +58,7 @@ void begin(World& world) {
 constexpr scalar half = scalar(0.5);
 
 struct ManyPiles {
-    static constexpr const char* name = "64 pyramids of 15";
+    static const char* name() { return "64 pyramids of 15"; }
     template <class World>
     static void build(World& world) {
         begin(world);
@@ -71,7 +71,7 @@ struct ManyPiles {
     }
 };
 struct ManyHeaps {
-    static constexpr const char* name = "64 heaps of 16 that fall";
+    static const char* name() { return "64 heaps of 16 that fall"; }
     template <class World>
     static void build(World& world) {
         begin(world);
@@ -85,26 +85,46 @@ struct ManyHeaps {
             }
     }
 };
+/// A pile of boxes of chance in a pit: all of it is one island.
+template <int wide, int high>
 struct OnePile {
-    static constexpr const char* name = "one pile of 512 boxes";
+    static constexpr int count = wide * wide * high;
+    static const char* name() { return count > 4000 ? "one pile of 8000 boxes" : "one pile of 2048 boxes"; }
     template <class World>
     static void build(World& world) {
         begin(world);
         scenes::Random random(1);
+        const scalar out = scalar(0.6) * wide + scalar(0.7);
         for (const int side : {0, 1, 2, 3}) {
-            const scalar out = side % 2 == 0 ? scalar(5.5) : scalar(-5.5);
+            const scalar at = side % 2 == 0 ? out : -out;
             const bool along_x = side < 2;
-            add(world, scenes::fixed_box(along_x ? ingot::Vector{half, 6, 8} : ingot::Vector{6, half, 8},
-                                         along_x ? ingot::Vector{out, 0, 8} : ingot::Vector{0, out, 8}, scalar(0.6)));
+            add(world, scenes::fixed_box(along_x ? ingot::Vector{half, out + 1, 20} : ingot::Vector{out + 1, half, 20},
+                                         along_x ? ingot::Vector{at, 0, 20} : ingot::Vector{0, at, 20}, scalar(0.6)));
         }
-        for (int i = 0; i < 512; ++i) {
-            const ingot::Vector cell = {scalar(i % 8) - scalar(3.5), scalar(i / 8 % 8) - scalar(3.5), 1 + scalar(i / 64)};
-            add(world, scenes::solid_box(1, {half, half, half}, cell * scalar(1.2) + random.symmetric_vector() * scalar(0.05), scalar(0.6)));
+        for (int i = 0; i < count; ++i) {
+            const int x = i % wide, y = i / wide % wide, z = i / (wide * wide);
+            const ingot::Vector cell = {scalar(x) - half * (wide - 1), scalar(y) - half * (wide - 1), 1 + scalar(z)};
+            scenes::PlacedBody box = scenes::solid_box(1, {half + scalar(0.1) * random.symmetric(), half, half + scalar(0.1) * random.symmetric()},
+                                                       cell * scalar(1.2) + random.symmetric_vector() * scalar(0.3), scalar(0.6));
+            box.def.state.L = random.symmetric_vector();
+            add(world, box);
         }
     }
 };
+/// One island, whose contacts are of many levels: there are few that could be visited side by side.
+struct Wall {
+    static const char* name() { return "pyramid of 820"; }
+    template <class World>
+    static void build(World& world) {
+        begin(world);
+        for (int row = 0; row < 40; ++row)
+            for (int k = 0; k < 40 - row; ++k)
+                add(world, scenes::solid_box(1, {half, half, half}, {scalar(1.05) * scalar(k) + scalar(0.525) * scalar(row), 0, half + scalar(row)},
+                                             scalar(0.6)));
+    }
+};
 struct Small {
-    static constexpr const char* name = "10 boxes";
+    static const char* name() { return "10 boxes"; }
     template <class World>
     static void build(World& world) {
         begin(world);
@@ -157,8 +177,8 @@ void measure(int steps) {
     }
     const double outside = (cut - InTurn::us) / whole, inside = InTurn::us / whole;
     const auto with = [&](int workers) { return 1 / (outside + inside / workers); };
-    std::printf("%-26s %6.1f joins a step, %4.1f %% outside of tasks: 2, 4, 6, 8 cores at most %.2f %.2f %.2f %.2f; measured: 2 %.2f\n", Scene::name,
-                static_cast<double>(InTurn::joins) / steps, 100 * outside, with(2), with(4), with(6), with(8), ratio<Scene, 2>(steps));
+    std::printf("%-26s %6.1f joins a step, %4.1f %% outside of tasks: 2, 4, 6, 8 cores at most %.2f %.2f %.2f %.2f; measured: 2 %.2f\n",
+                Scene::name(), static_cast<double>(InTurn::joins) / steps, 100 * outside, with(2), with(4), with(6), with(8), ratio<Scene, 2>(steps));
 }
 
 }  // namespace
@@ -167,7 +187,9 @@ int main(int argument_count, char** arguments) {
     const int steps = argument_count > 1 ? std::atoi(arguments[1]) : 300;
     measure<ManyPiles>(steps);
     measure<ManyHeaps>(steps);
-    measure<OnePile>(steps);
+    measure<OnePile<16, 8>>(steps);
+    measure<OnePile<20, 20>>(steps / 4);
+    measure<Wall>(steps);
     measure<Small>(steps);
     return 0;
 }

@@ -24,14 +24,18 @@ struct Crowded : ingot::Scene {
     using broad_phase = ingot::SortedTree;
 };
 
+enum class Lie { apart, in_one_heap };
+
 template <class S>
 class Crowd {
 public:
-    explicit Crowd(uint64_t seed) : random_(seed) {
+    explicit Crowd(uint64_t seed, Lie lie = Lie::apart) : lie_(lie), random_(seed) {
         expect(world.set_gravity({0, 0, -scenes::standard_gravity}));
         add(scenes::half_space({0, 0, 1}, 0, scalar(0.5)));
         const int groups = 12 + static_cast<int>(8 * (1 + random_.symmetric()));
-        for (int group_i = 0; group_i < groups; ++group_i) add_group({scalar(group_i % 5) * 9, scalar(group_i / 5) * 9, 0});
+        const scalar pitch = lie == Lie::apart ? scalar(9) : scalar(1.6);
+        for (int group_i = 0; group_i < groups; ++group_i) add_group({scalar(group_i % 5) * pitch, scalar(group_i / 5) * pitch, 0});
+        if (lie == Lie::in_one_heap) add_pit();
         if constexpr (ingot::has_levels<S>) add_levels();
         if constexpr (S::max_joints > 0) join();
     }
@@ -46,7 +50,7 @@ public:
                 if (step_i % 16 == 0)
                     expect(world.set_velocity(moved_[i], {0, 0, step_i % 32 == 0 ? scalar(0.5) : scalar(-0.5)}, {0, 0, scalar(i % 3)}));
         if constexpr (S::continuous)
-            if (step_i % 20 == 10) (void)world.apply_central_impulse(id, {random_.symmetric() * 3000, 0, -200});
+            if (step_i % 20 == 10 && lie_ == Lie::apart) (void)world.apply_central_impulse(id, {random_.symmetric() * 3000, 0, -200});
     }
 
     ingot::World<S> world = {};
@@ -118,6 +122,14 @@ private:
             expect(world.add(def, parts, 2).status);
         }
     }
+    /// Around the groups: they stay one heap.
+    void add_pit() {
+        const scalar out = 5, middle = scalar(3.2);
+        for (const scalar side : {-out, out}) {
+            add(scenes::fixed_box({scalar(0.5), out + 1, 8}, {middle + side, middle, 8}, scalar(0.5)));
+            add(scenes::fixed_box({out + 1, scalar(0.5), 8}, {middle, middle + side, 8}, scalar(0.5)));
+        }
+    }
     void add_levels() {
         for (int i = 0; i < 4; ++i) {
             ingot::LevelDef def;
@@ -139,6 +151,7 @@ private:
         }
     }
 
+    Lie lie_;
     scenes::Random random_;
     std::vector<ingot::BodyId> loose_ = {}, moved_ = {};
 };

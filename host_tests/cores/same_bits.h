@@ -36,9 +36,9 @@ std::vector<uint8_t> saved(const ingot::World<S>& world) {
 
 /// Steps both, until they differ; what one has saved the other goes on from.
 template <class S, class Workers>
-void expect_same_bits(uint64_t seed, int steps, scalar h) {
-    const auto one = std::make_unique<Crowd<S>>(seed);
-    const auto many = std::make_unique<Crowd<On<S, Workers>>>(seed);
+void expect_same_bits(uint64_t seed, int steps, scalar h, Lie lie = Lie::apart) {
+    const auto one = std::make_unique<Crowd<S>>(seed, lie);
+    const auto many = std::make_unique<Crowd<On<S, Workers>>>(seed, lie);
     for (int step_i = 0; step_i < steps; ++step_i) {
         SCOPED_TRACE(testing::Message() << "seed " << seed << ", step " << step_i << ", " << Workers::workers << " workers");
         one->edit(step_i);

@@ -11,7 +11,9 @@ namespace cores_test {
 template <int count>
 struct Shuffled {
     static constexpr int workers = count;
+    static constexpr int least_visits = 1;  ///< heaps of a test are small
     static inline uint64_t seed = 1;
+    static inline int rows = 0;             ///< of tasks: of an island that is shared there are hundreds in a step
     static inline int most_tasks = 0;  ///< that were handed out at one time: a test sees that work was shared at all
 
     template <class Task>
@@ -23,6 +25,7 @@ struct Shuffled {
             std::swap(order[static_cast<std::size_t>(i)], order[static_cast<std::size_t>((seed >> 33) % static_cast<uint64_t>(i + 1))]);
         }
         for (const int task_i : order) task(task_i);
+        ++rows;
         most_tasks = tasks > most_tasks ? tasks : most_tasks;
     }
 };

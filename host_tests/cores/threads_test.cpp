@@ -30,6 +30,20 @@ TYPED_TEST(Threads, give_the_bits_of_one) {
     }
 }
 
+/// Threads to which a visit to a contact is worth a task.
+template <int count>
+struct EagerThreads : ingot::platform::HostThreads<count> {
+    static constexpr int least_visits = 1;
+};
+TYPED_TEST(Threads, give_the_bits_of_one_to_one_large_heap) {
+    for (uint64_t seed = 1; seed <= draws(4); ++seed) {
+        expect_same_bits<TypeParam, EagerThreads<2>>(seed + 300, 40, scalar(1) / 60, Lie::in_one_heap);
+#if !INGOT_TEST_BRIEF
+        expect_same_bits<TypeParam, EagerThreads<5>>(seed + 300, 40, scalar(1) / 60, Lie::in_one_heap);
+#endif
+    }
+}
+
 #if !INGOT_TEST_BRIEF
 TYPED_TEST(Threads, on_a_second_core) {
     using Second = ingot::platform::SecondCore<>;

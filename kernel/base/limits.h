@@ -165,6 +165,11 @@ inline constexpr scalar energy_rounding = 16 * epsilon;
 inline constexpr int bodies_of_task = 64;     ///< to be moved, or bounded
 inline constexpr int pairs_of_task = 64;      ///< to be looked at
 inline constexpr int manifolds_of_task = 16;  ///< to be solved
+// And within a solve that they share, a microsecond: visits of a sweep, and so many times as many of what reads much and computes little.
+inline constexpr int visits_of_task = 8;
+inline constexpr int tasks_worth_share = 8, tasks_worth_extrapolation = 32;
+inline constexpr int manifolds_together = 256;          ///< so many are worth it
+inline constexpr scalar uneven_share = scalar(1.25);    ///< a part with so many times what each core should have leaves others idle
 
 // Sweeps (solver/sweeps/).
 inline constexpr int substeps = 4;  ///< of a step, unless the scene says other: see Effort; each is solved and displaced by itself

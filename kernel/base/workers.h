@@ -2,7 +2,7 @@
 // Who does the work of a step: the kernel has no threads, it hands out tasks.
 #pragma once
 
-#include "config.h"
+#include "limits.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -14,6 +14,10 @@ namespace ingot { inline namespace INGOT_ABI {
 ///     static constexpr int workers;                                   1 .. 16: so many tasks may run at one time
 ///     template <class Task> static void run(int count, Task& task);   calls task(0) .. task(count - 1), each once, in any order, on any core, and
 ///                                                                     returns when all are done; what one has written, whoever goes on sees
+///
+/// And a third where tasks of a microsecond are too small for them, or still large: of one large island's sweeps,
+///
+///     static constexpr int least_visits;                              visits to contacts are worth a task: 8, if it is not named
 ///
 /// Tasks write to places of their own, so they need no locks, and what they compute depends on their number alone: the bits of a world are the same
 /// for any workers. Up to 4 * workers tasks are handed out at one time, some ten times a step; stages with little to do are not shared.
@@ -32,6 +36,39 @@ inline constexpr int workers_max = 16;  ///< of a scene
 inline constexpr int tasks_of_worker = 4;
 template <class Workers>
 inline constexpr int tasks_max = Workers::workers == 1 ? 1 : tasks_of_worker * Workers::workers;
+
+/// The workers of a scene, for code that is compiled apart from it.
+struct TaskRunner {
+    struct AnyTask {
+        void (*call)(const AnyTask& task, int task_i);
+        void operator()(int task_i) const { call(*this, task_i); }
+    };
+    int workers, least_visits;
+    void (*run)(int count, const AnyTask& task);
+
+    /// As Workers::run. The task is copied: one that holds what it works with by value is in one cache line, which other cores read at once.
+    template <class Task>
+    void operator()(int count, const Task& task) const {
+        struct alignas(64) Copied : AnyTask {
+            Task task;
+            explicit Copied(const Task& of)
+                : AnyTask{[](const AnyTask& any, int task_i) { static_cast<const Copied&>(any).task(task_i); }}, task(of) {}
+        };
+        run(count, Copied(task));
+    }
+};
+template <class Workers>
+constexpr auto least_visits_of(int) -> decltype(Workers::least_visits + 0) {
+    return Workers::least_visits;
+}
+template <class Workers>
+constexpr int least_visits_of(long) {
+    return limits::visits_of_task;
+}
+template <class Workers>
+constexpr TaskRunner runner_of() {
+    return {Workers::workers, least_visits_of<Workers>(0), [](int count, const TaskRunner::AnyTask& task) { Workers::run(count, task); }};
+}
 
 /// A part of a row of things.
 struct TaskRange {

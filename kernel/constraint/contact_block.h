@@ -16,6 +16,7 @@ struct ContactBlock {
     uint8_t sum_i[lanes];                ///< which of the eight sums of its island its change is added to
     uint8_t halvings[lanes];             ///< of the manifold
     uint16_t turning, moving;            ///< bit per lane: a body turns far; and the rows are of where it is then: see refresh_blocks.h
+    uint16_t noted;                      ///< bit per lane: what has been found of it is still to be told to its island, or its bodies
     LaneRow refreshed_at;                ///< substeps from the begin of the step to the moment that the rows are of
     uint8_t rows;                        ///< 1 where no manifold of the block has more points, else block_rows
     bool central;                        ///< one row, and no normal has a lever: balls

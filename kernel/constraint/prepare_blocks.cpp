@@ -26,11 +26,6 @@ KeptOfLane kept_of(const SolverView& solver, Index manifold_i) {
     return {solver.records[record_i], record_i, shares_of_substep(solver)};
 }
 
-void count_central(const SolverView& solver, const ContactBlock& block, mask central) {
-    for (unsigned lane_i = 0, left = bits(central); left != 0; ++lane_i, left >>= 1)  // bound: lanes: central has a bit a lane
-        if ((left & 1u) != 0) ++solver.islands[block.island[lane_i]].central_count;
-}
-
 /// What the rows of a block are made of, from the tiles of its bodies as they are now.
 template <class Contacts, bool have_joints, class View>
 Contacts collected(const View& solver, const BodyView& bodies, ContactBlock& block) {
@@ -83,7 +78,7 @@ void prepare_block(const View& solver, int block_i, Contacts& contacts) {
         block.substeps[lane_i] = static_cast<scalar>(age_of(kept.record));
         ContactConstraint<View>::Given::recall(solver, block_i, lane_i, kept);
     }
-    count_central(solver, block, contacts.central);
+    block.noted = bits(contacts.central);
 }
 
 /// Prepares a block again. It keeps its separations, from which drift_kinematic_bodies has taken what a kinematic body has turned by, and what the
@@ -217,6 +212,14 @@ void prepare_blocks(const View& solver, const BodyView& bodies) {
     for (int block_i = 0; block_i < solver.block_count; ++block_i) {
         for (int lane_i = 0; lane_i < lanes; ++lane_i) name_bodies(solver, solver.blocks[block_i], lane_i);
         with_contacts(solver, bodies, block_i, [&](auto& contacts) { prepare_block(solver, block_i, contacts); });
+    }
+}
+
+void count_central_manifolds(const SolverView& solver) {
+    for (int block_i = 0; block_i < solver.block_count; ++block_i) {  // bound: as above
+        const ContactBlock& block = solver.blocks[block_i];
+        for (unsigned lane_i = 0, left = block.noted; left != 0; ++lane_i, left >>= 1)  // bound: lanes: noted has a bit a lane
+            if ((left & 1u) != 0) ++solver.islands[block.island[lane_i]].central_count;
     }
 }
 

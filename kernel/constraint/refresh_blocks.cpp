@@ -214,16 +214,26 @@ void note_turning_speeds(const View& solver, int block_count, scalar h) {
     for (int block_i = 0; block_i < block_count; ++block_i) {  // bound: max_manifolds, rounded up to whole blocks
         ContactBlock& block = solver.blocks[block_i];
         block.turning = turning_lanes(solver, block);
-        block.moving = 0;
+        block.moving = block.noted = 0;
         if (block.turning == 0) continue;
-        const unsigned hit = bits(note_speeds(solver, block, h)) & block.turning;
+        block.noted = static_cast<uint16_t>(bits(note_speeds(solver, block, h)) & block.turning);
         for (int lane_i = 0; lane_i < lanes; ++lane_i) {
-            const Index of[2] = {block.body_A[lane_i], block.body_B[lane_i]};
-            if (turns(block, lane_i) && takes_contacts_along(solver) && !is_carrier(solver, of[0]) && !is_carrier(solver, of[1]) &&
+            const Index A = block.body_A[lane_i], B = block.body_B[lane_i];
+            if (turns(block, lane_i) && takes_contacts_along(solver) && !is_carrier(solver, A) && !is_carrier(solver, B) &&
                 some_rolls(solver, block, lane_i))
                 block.moving = static_cast<uint16_t>(block.moving | 1u << lane_i);
+        }
+    }
+}
+
+void mark_hit_bodies(const SolverView& solver, int block_count) {
+    for (int block_i = 0; block_i < block_count; ++block_i) {  // bound: as above
+        const ContactBlock& block = solver.blocks[block_i];
+        for (unsigned lane_i = 0, left = block.noted; left != 0; ++lane_i, left >>= 1) {  // bound: lanes: noted has a bit a lane
+            if ((left & 1u) == 0) continue;
+            const Index of[2] = {block.body_A[lane_i], block.body_B[lane_i]};
             for (const Index body_i : of)
-                if ((hit >> lane_i & 1u) != 0 && is_turning(solver, body_i)) solver.bodies[body_i].dth[3] = turns_into_impact;
+                if (is_turning(solver, body_i)) solver.bodies[body_i].dth[3] = turns_into_impact;
         }
     }
 }

@@ -24,10 +24,12 @@ template <class View>
 inline constexpr bool moves_contacts = View::points_max > 1;
 
 /// Before the bodies fly, of the first block_count blocks: which lanes have a body that turns far, how fast their points part by the rows as they
-/// are, and which bodies are about to be hit: turns_into_impact. h: s, of the substep.
+/// are, and which lanes are about to meet by an impact. h: s, of the substep.
 /// View: SolverView, or one with locks.
 template <class View>
 void note_turning_speeds(const View& solver, int block_count, scalar h);
+/// After it: bodies that are about to be hit, turns_into_impact.
+void mark_hit_bodies(const SolverView& solver, int block_count);
 
 /// Once bodies are where contacts act, see turning_bodies.h: rows, separations and shifts of these lanes. Others keep all they have.
 /// Blocks of bodies with joints are left out: see refresh_jointed_blocks. View: SolverView, or a MaterialView. Cost: of blocks in which something

@@ -33,7 +33,7 @@ struct alignas(4 * sizeof(scalar)) SolverBodyHistory {
     scalar P_L[4];
     scalar attitude[4];   ///< of a body that turns far: A as a quaternion; but for pushes of the substep before
     scalar turn[4];       ///< rad, of such a body in the substep before, without pushes: dth begins anew with each
-    scalar L_sum[4];      ///< of the substeps: the drift of A goes by the mean
+    scalar L_sum[4];      ///< of the substeps: the drift of A goes by the mean; last: 1 where several cores have found that it accelerates
 };
 
 /// A quad without its last.
@@ -54,12 +54,12 @@ INGOT_INLINE LaneQuad gather(const SolverBody* bodies, const Index* index, QuadO
 INGOT_INLINE void scatter(SolverBody* bodies, const Index* index, QuadOfBody part, const LaneQuad& value) {
     scatter4(value, [&](int lane_i) { return static_cast<scalar*>(bodies[index[lane_i]].*part); });
 }
-/// Writes only the lanes named by bits.
+/// Writes only the lanes named by bits, and nothing to the one that cannot move, which others may read meanwhile.
 INGOT_INLINE void scatter_some(SolverBody* bodies, const Index* index, uint16_t lane_bits, QuadOfBody part, const LaneQuad& value) {
     scalar rows[4][lanes];
     for (int i = 0; i < 4; ++i) store(rows[i], value.at[i]);
     for (int lane_i = 0; lane_i < lanes; ++lane_i) {
-        if ((lane_bits >> lane_i & 1u) == 0) continue;
+        if ((lane_bits >> lane_i & 1u) == 0 || index[lane_i] == 0) continue;
         for (int i = 0; i < 4; ++i) (bodies[index[lane_i]].*part)[i] = rows[i][lane_i];
     }
 }

@@ -202,7 +202,7 @@ private:
         now.solver.sweeps_of_step = sweeps_within(S::work_budget, *moving.count);
         storage.clear_impulse_sums(moving);
         const ContactStep step{now.bodies, storage.gravity, now.h, {storage.impact_notes(), storage.sums_of_impulses()}};
-        if (solve_in_parts(now, step)) return;
+        if (solve_side_by_side(now, step)) return;
         storage.template solve_contacts<has_events<S> || S::reads_contacts, S::bounces>(now.solver, step, now.report);
     }
 };

@@ -37,16 +37,27 @@ INGOT_INLINE void over_parts(Step<S>& now, const Each& each) {
     S::workers::run(now.parts.count, task);
 }
 
-/// Solves contacts in parts; false, and nothing is done, where there is too little to share.
+/// Whether most of the contacts are those of one island, so that parts would leave cores idle.
 template <class S>
-bool solve_in_parts([[maybe_unused]] Step<S>& now, [[maybe_unused]] const ContactStep& step) {
+bool is_one_large_island(const Step<S>& now) {
+    const int contacts = now.solver.manifold_count, largest = now.parts.count > 1 ? now.parts.parts[0].pair_count : contacts;
+    return can_work_together && contacts >= limits::manifolds_together &&
+           static_cast<scalar>(largest * S::workers::workers) > limits::uneven_share * static_cast<scalar>(contacts);
+}
+
+/// Solves contacts in parts, or one large island together; false, and nothing is done, where there is too little to share.
+template <class S>
+bool solve_side_by_side([[maybe_unused]] Step<S>& now, [[maybe_unused]] const ContactStep& step) {
     if constexpr (solves_in_parts<S>) {
         auto& storage = now.storage;
         const PartRoom room = storage.part_room();
         const int most = tasks_for<typename S::workers>(now.solver.manifold_count, limits::manifolds_of_task);
         now.parts.count = cut_into_parts(now.solver, now.bodies, most, room, step.notes.impacts, S::kinematic_bodies, now.parts.parts);
-        if (now.parts.count == 1) now.parts.count = 0;
-        if (now.parts.count == 0) return false;
+        const bool together = is_one_large_island(now);
+        if (together || now.parts.count == 1) now.parts.count = 0;
+        if (together)
+            storage.template solve_together<has_events<S> || S::reads_contacts, S::bounces>(now.solver, step, now.report, storage.work_together());
+        if (now.parts.count == 0) return together;
         // bound: tasks_max
         for (int part_i = 0; part_i < now.parts.count; ++part_i) {
             now.parts.solvers[part_i] = now.solver;
@@ -96,6 +107,9 @@ INGOT_INLINE void turn_by_corrections(Step<S>& now) {
             }
             return;
         }
+        return over_ranges<typename S::workers>(now.solver.body_count - 1, limits::bodies_of_task, [&now](int, const TaskRange& range) {
+            turn_some_by_corrections(now.solver, {range.begin + 1, range.end + 1}, now.bodies, now.h);
+        });
     }
     turn_by_corrections(now.solver, jointed_of(now.solver), now.bodies, now.h);
 }

@@ -4,6 +4,7 @@
 
 #include "../../constraint/material_view.h"
 #include "../conduct_substeps.h"
+#include "work_together.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
@@ -15,6 +16,10 @@ namespace ingot { inline namespace INGOT_ABI {
 ///        of them a contact and substep.
 template <bool notes_impulses, bool bounces, class View>
 void solve_by_sweeps(View& view, const ContactStep& step, StepReport& report);
+
+/// The same by several cores, to the bit, whatever islands there are: for one that is too large for one core. View: none with joints.
+template <bool notes_impulses, bool bounces, class View>
+void sweep_together(View& view, const ContactStep& step, StepReport& report, const WorkTogether& work);
 
 /// What solvers have in common that work on blocks.
 struct BlockSolver {
@@ -41,6 +46,10 @@ struct BlockSweeps : BlockSolver {
         template <bool notes_impulses, bool bounces, class View>
         void solve_contacts(View& solver, const ContactStep& step, StepReport& report) {
             solve_by_sweeps<notes_impulses, bounces>(solver, step, report);
+        }
+        template <bool notes_impulses, bool bounces, class View>
+        void solve_together(View& solver, const ContactStep& step, StepReport& report, const WorkTogether& work) {
+            sweep_together<notes_impulses, bounces>(solver, step, report, work);
         }
     };
 };

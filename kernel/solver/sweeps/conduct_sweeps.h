@@ -20,4 +20,12 @@ void solve_by_sweeps(View& view, const ContactStep& step, StepReport& report) {
     conduct_substeps(contacts, step, report);
 }
 
+/// The same, shared by several cores. View: none with joints.
+template <bool notes_impulses, bool bounces, class View>
+void sweep_together(View& view, const ContactStep& step, StepReport& report, const WorkTogether& work) {
+    using Swept = SweptContacts<PlainViewOf<View>, notes_impulses, bounces, sees_kinematic<View>, WorkTogether>;
+    If<sees_kinematic<View>, SeesKinematic<Swept, View>, Swept> contacts(view, work);
+    conduct_substeps(contacts, step, report);
+}
+
 } }  // namespace ingot

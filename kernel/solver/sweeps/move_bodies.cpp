@@ -158,13 +158,15 @@ void kick_bodies(const SolverView& solver, scalar h) {
     });
 }
 
-template <class View>
-void drift_bodies(View& solver, const BodyView& bodies, scalar h) {
+namespace {
+
+/// Calls note(body_i, is_steady) for each body, and keeps what it returns beside the sum of L.
+template <class View, class Note>
+INGOT_INLINE void drift_each(View& solver, const BodyView& bodies, scalar h, const Note& note) {
     solver.some_hit = false;
     for_bodies(solver, [&](int body_i) {
         SolverBody& body = solver.bodies[body_i];
         SolverBodyHistory& history = solver.histories[body_i];
-        Island& island = solver.islands[solver.island_of[body_i]];
         const Place at = place_of(solver.slot_of[body_i]);
         const Vector v = vector_of(body.v_CM), change = v - vector_of(history.v_begin), L = vector_of(body.L);
         const scalar smooth = 2 * h * body.dp[3];
@@ -176,12 +178,32 @@ void drift_bodies(View& solver, const BodyView& bodies, scalar h) {
         const Vector turn = turns ? turn_on(solver, bodies, body_i, hit, h) : inv_I_world * L * h;
         solver.some_hit = solver.some_hit || hit;
         const scalar steady_change = limits::steady_acceleration * body.dp[3] * h + limits::settled_speed * solver.unit;
-        island.steady = island.steady && length_sq(change) + dot(spun, inv_I_world * spun) * body.v_CM[3] <= steady_change * steady_change;
+        const bool is_steady = length_sq(change) + dot(spun, inv_I_world * spun) * body.v_CM[3] <= steady_change * steady_change;
         set4(body.dp, dp, body.dp[3]);
         set4(body.dth, vector_of(body.dth) + turn, body.dth[3]);
         if (body.dth[3] == turns_little && turns_so_far(solver, bodies, body_i, turn)) begin_turning(solver, bodies, body_i);
         body.L[3] = hit ? scalar(1) : scalar(0);
-        set4(history.L_sum, vector_of(history.L_sum) + L * shares_of_substep(solver));
+        set4(history.L_sum, vector_of(history.L_sum) + L * shares_of_substep(solver), note(body_i, is_steady));
+    });
+}
+
+}  // namespace
+
+template <class View>
+void drift_bodies(View& solver, const BodyView& bodies, scalar h) {
+    drift_each(solver, bodies, h, [&](int body_i, bool is_steady) {
+        Island& island = solver.islands[solver.island_of[body_i]];
+        island.steady = island.steady && is_steady;
+        return scalar(0);
+    });
+}
+template <class View>
+void drift_some_bodies(View& solver, const BodyView& bodies, scalar h) {
+    drift_each(solver, bodies, h, [](int, bool is_steady) { return is_steady ? scalar(0) : scalar(1); });
+}
+void tell_unsteady_bodies(const SolverView& solver) {
+    for_bodies(solver, [&](int body_i) {
+        if (solver.histories[body_i].L_sum[3] > 0) solver.islands[solver.island_of[body_i]].steady = false;
     });
 }
 
@@ -255,8 +277,8 @@ void mark_motion_of_part(const SolverView& solver, const BodyView& bodies) {
 namespace {
 
 template <class View, class Joints>
-void turn_by_pushes(const View& solver, const Joints& jointed, const BodyView& bodies, scalar h) {
-    for (int body_i = 1; body_i < solver.body_count; ++body_i) {
+void turn_by_pushes(const View& solver, const Joints& jointed, const BodyView& bodies, scalar h, const TaskRange& of) {
+    for (int body_i = of.begin; body_i < of.end; ++body_i) {  // bound: max_bodies + 1
         if (moves_in_figure(jointed, body_i)) continue;
         const SolverBody& body = solver.bodies[body_i];
         const SolverBodyHistory& history = solver.histories[body_i];
@@ -280,10 +302,16 @@ void turn_by_pushes(const View& solver, const Joints& jointed, const BodyView& b
 
 template <class Joints>
 void turn_by_corrections(const SolverView& solver, const Joints& jointed, const BodyView& bodies, scalar h) {
-    turn_by_pushes(solver, jointed, bodies, h);
+    turn_by_pushes(solver, jointed, bodies, h, {1, solver.body_count});
 }
 void turn_by_corrections(const LockedView& solver, const NoJointedBodies& jointed, const BodyView& bodies, scalar h) {
-    turn_by_pushes(solver, jointed, bodies, h);
+    turn_by_pushes(solver, jointed, bodies, h, {1, solver.body_count});
+}
+void turn_some_by_corrections(const SolverView& solver, const TaskRange& of, const BodyView& bodies, scalar h) {
+    turn_by_pushes(solver, NoJointedBodies{}, bodies, h, of);
+}
+void turn_some_by_corrections(const LockedView& solver, const TaskRange& of, const BodyView& bodies, scalar h) {
+    turn_by_pushes(solver, NoJointedBodies{}, bodies, h, of);
 }
 
 void hold_bodies(const LockedView& solver, const BodyView& bodies) {
@@ -306,6 +334,8 @@ void hold_bodies(const LockedView& solver, const BodyView& bodies) {
 // The linker takes the one that the scene calls.
 template void drift_bodies(SolverView&, const BodyView&, scalar);
 template void drift_bodies(LockedView&, const BodyView&, scalar);
+template void drift_some_bodies(SolverView&, const BodyView&, scalar);
+template void drift_some_bodies(LockedView&, const BodyView&, scalar);
 template void write_contact_motion(const SolverView&, const NoJointedBodies&, const BodyView&, const Vector&, scalar);
 template void write_contact_motion(const SolverView&, const JointedBodies&, const BodyView&, const Vector&, scalar);
 template void turn_by_corrections(const SolverView&, const NoJointedBodies&, const BodyView&, scalar);

@@ -2,6 +2,7 @@
 // Bodies on their way through the solver: in, through the substeps, and out again.
 #pragma once
 
+#include "../../base/workers.h"
 #include "../../constraint/jointed_view.h"
 #include "../../constraint/locked_view.h"
 
@@ -33,6 +34,10 @@ void kick_bodies(const SolverView& solver, scalar h);
 /// View: SolverView, or one with locks.
 template <class View>
 void drift_bodies(View& solver, const BodyView& bodies, scalar h);
+/// The same for some of the batch, beside others; then, once for all of it, which islands have one that accelerates.
+template <class View>
+void drift_some_bodies(View& solver, const BodyView& bodies, scalar h);
+void tell_unsteady_bodies(const SolverView& solver);
 
 /// Gives the bodies that touch the motion that was found: v_CM and L of the end of the step, and in F_T and tau_T the constant force and torque that
 /// lead to the same displacement. So integrate_r and the rotation displace them as they do in free flight.
@@ -52,5 +57,8 @@ template <class Joints>
 void turn_by_corrections(const SolverView& solver, const Joints& jointed, const BodyView& bodies, scalar h);
 
 void turn_by_corrections(const LockedView& solver, const NoJointedBodies& jointed, const BodyView& bodies, scalar h);
+/// The same for some of the solver bodies, beside others.
+void turn_some_by_corrections(const SolverView& solver, const TaskRange& of, const BodyView& bodies, scalar h);
+void turn_some_by_corrections(const LockedView& solver, const TaskRange& of, const BodyView& bodies, scalar h);
 
 } }  // namespace ingot

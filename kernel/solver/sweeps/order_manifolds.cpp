@@ -57,12 +57,10 @@ int sort_by_level(const SolverView& solver) {
     return static_cast<int>(sum);
 }
 
-constexpr int colours = 32;
-
 int lowest_free(uint32_t used) {
-    for (int colour = 0; colour < colours; ++colour)
+    for (int colour = 0; colour < contact_colours; ++colour)
         if ((used >> colour & 1u) == 0) return colour;
-    return colours;
+    return contact_colours;
 }
 
 /// Where the manifolds of free bodies go: block after block.
@@ -179,7 +177,7 @@ void add_color(SolverView& solver, JointedBodies& jointed, Index* manifolds, int
 
 /// Gives the manifolds sorted[begin .. end) of one level their colours, and counts those of each.
 template <class Joints>
-void color_level(const SolverView& solver, const Joints& jointed, int begin, int end, Index (&count)[colours + 1]) {
+void color_level(const SolverView& solver, const Joints& jointed, int begin, int end, Index (&count)[contact_colours + 1]) {
     for (int i = begin; i < end; ++i) {  // bound: max_manifolds: part of sorted
         const LocalPair pair = locals_of(solver, jointed, solver.sorted[i]);
         solver.colours_of_body[pair.A] = 0;
@@ -189,7 +187,7 @@ void color_level(const SolverView& solver, const Joints& jointed, int begin, int
         const Index manifold_i = solver.sorted[i];
         const auto [A, B] = locals_of(solver, jointed, manifold_i);
         const int colour = lowest_free((A != 0 ? solver.colours_of_body[A] : 0) | (B != 0 ? solver.colours_of_body[B] : 0));
-        if (colour < colours) {
+        if (colour < contact_colours) {
             solver.colours_of_body[A] |= 1u << colour;
             solver.colours_of_body[B] |= 1u << colour;
         }
@@ -201,10 +199,10 @@ void color_level(const SolverView& solver, const Joints& jointed, int begin, int
 /// Adds the manifolds sorted[begin .. end) of one level colour by colour.
 template <class Joints>
 void add_level(SolverView& solver, Joints& jointed, int begin, int end, int batch_count, Index& group) {
-    Index count[colours + 1] = {};
+    Index count[contact_colours + 1] = {};
     color_level(solver, jointed, begin, end, count);
-    int place[colours + 1], sum = begin;
-    for (int colour = 0; colour <= colours; ++colour) {
+    int place[contact_colours + 1], sum = begin;
+    for (int colour = 0; colour <= contact_colours; ++colour) {
         place[colour] = sum;
         sum += count[colour];
     }
@@ -214,7 +212,7 @@ void add_level(SolverView& solver, Joints& jointed, int begin, int end, int batc
         by_colour[place[solver.colour[manifold_i]]++] = manifold_i;
     }
     int position = begin;
-    for (int colour = 0; colour < colours; ++colour) {
+    for (int colour = 0; colour < contact_colours; ++colour) {
         if (count[colour] == 0) continue;
         add_color(solver, jointed, by_colour + position, count[colour], batch_count - position, group);
         position += count[colour];

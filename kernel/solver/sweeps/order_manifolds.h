@@ -5,6 +5,7 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
+inline constexpr int contact_colours = 32;  ///< of a level; a contact that finds none free is by itself
 inline constexpr Index unreached_level = index_max;  ///< of a body from which no contacts lead to the ground
 
 /// The levels of all bodies: their distance from a body that cannot move, in contacts. The level of a manifold is the lower one of its two bodies'; 0

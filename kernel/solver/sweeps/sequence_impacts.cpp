@@ -104,10 +104,6 @@ void keep_motion(const SolverView& solver, int body_i) {
 /// Solves the impacts at hand together, by sweeps over them alone.
 template <class View>
 void sweep_at_hand(const View& solver, Island& island, VisitsLeft& left) {
-    Visit visit{};
-    View one = solver;
-    one.live = &visit;
-    one.live_count = 1;
     const scalar settled = limits::settled_speed_of_small * solver.unit + rounding_of_speeds(island, solver.unit);
     island.settled = limits::unbounded;  // no body becomes active by this: the sweeps of the substep come later
     scalar residual = scalar_max;
@@ -116,8 +112,8 @@ void sweep_at_hand(const View& solver, Island& island, VisitsLeft& left) {
         for_each_in_chain(solver, island, [&](int block_i, int lane_i) {
             if (time_of(solver.blocks[block_i], lane_i) != at_hand) return;
             if (!left.take(1)) return;
-            visit = {static_cast<Index>(block_i), static_cast<uint16_t>(1u << lane_i), no_island};
-            sweep_velocities(one, 1, true);
+            const Visit visit = {static_cast<Index>(block_i), static_cast<uint16_t>(1u << lane_i), no_island};
+            sweep_velocities(solver, &visit, 1, 1, true);
             residual = max(residual, solver.blocks[block_i].fastest[lane_i]);
         });
     }

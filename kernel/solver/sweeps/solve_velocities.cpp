@@ -31,7 +31,8 @@ void add_live(SolverView& solver, Visit visit) {
         if (is_on(solver, block.island[lane_i])) on |= bit;
     }
     if (on == 0) return;
-    visit.lane_bits = (on | spare) == visit.lane_bits ? visit.lane_bits : static_cast<uint16_t>(on);
+    const unsigned marks = visit.lane_bits & ~static_cast<unsigned>(all_lanes);
+    visit.lane_bits = (on | spare | marks) == visit.lane_bits ? visit.lane_bits : static_cast<uint16_t>(on | marks);
     solver.some_visits[solver.live_count++] = visit;
 }
 
@@ -89,8 +90,8 @@ void select_live(SolverView& solver, bool some_stand) {
     if (!all) drop_settled(solver);
 }
 
-template <class Whole>
-void solve_velocities(Whole& whole) {
+template <class Whole, class Work>
+void solve_velocities(Whole& whole, Work& work) {
     using View = typename WithoutRows<Whole>::Type;
     View& solver = without_rows(whole);
     if constexpr (View::articulates)
@@ -105,7 +106,7 @@ void solve_velocities(Whole& whole) {
     }
     for (int sweep_i = 1; something_is_live(whole); ++sweep_i) {  // bound: plan.sweeps_max: no island is live after its sweeps_max
         const bool up = !is_large(solver.plan) || goes_up(solver.effort, sweep_i, solver.substeps_left);
-        sweep_velocities(solver, sweep_i, up);
+        work.over_live(solver, up, [&solver, sweep_i, up](const Visit* visits, int count) { sweep_velocities(solver, visits, count, sweep_i, up); });
         if constexpr (Whole::has_joint_rows) sweep_joint_rows(solver, solver.jointed, whole.joint_rows, up);
         measure_sweep(solver);
         if constexpr (Whole::has_joint_rows) measure_joint_rows(solver, solver.jointed, whole.joint_rows);
@@ -115,7 +116,7 @@ void solve_velocities(Whole& whole) {
             break;
         }
         if (settled.some) drop_settled(solver);
-        extrapolate(without_locks(without_belts(solver)));
+        work.over_batch(without_locks(without_belts(solver)), [](const auto& some) { extrapolate(some); });
         if constexpr (Whole::has_joint_rows) extrapolate_joint_rows(solver, solver.jointed, whole.joint_rows);
         if constexpr (View::articulates) {
             stand_unless(solver, false, is_swept);
@@ -134,21 +135,27 @@ void solve_velocities(Whole& whole) {
 }
 
 // The linker takes the one that the scene calls.
-template void solve_velocities(JointedView&);
-template void solve_velocities(LoopedView&);
-template void solve_velocities(JointedMaterialView&);
-template void solve_velocities(LoopedMaterialView&);
-template void solve_velocities(RowedView&);
-template void solve_velocities(RowedMaterialView&);
-template void solve_velocities(DrivenView&);
-template void solve_velocities(DrivenMaterialView&);
-template void solve_velocities(LoopedRowedView&);
-template void solve_velocities(LoopedRowedMaterialView&);
-template void solve_velocities(LockedView&);
-template void solve_velocities(SolverView&);
-template void solve_velocities(BallView&);
-template void solve_velocities(RollingView&);
-template void solve_velocities(BeltView&);
-template void solve_velocities(RollingBeltView&);
+template void solve_velocities(JointedView&, WorkAlone&);
+template void solve_velocities(LoopedView&, WorkAlone&);
+template void solve_velocities(JointedMaterialView&, WorkAlone&);
+template void solve_velocities(LoopedMaterialView&, WorkAlone&);
+template void solve_velocities(RowedView&, WorkAlone&);
+template void solve_velocities(RowedMaterialView&, WorkAlone&);
+template void solve_velocities(DrivenView&, WorkAlone&);
+template void solve_velocities(DrivenMaterialView&, WorkAlone&);
+template void solve_velocities(LoopedRowedView&, WorkAlone&);
+template void solve_velocities(LoopedRowedMaterialView&, WorkAlone&);
+template void solve_velocities(LockedView&, WorkAlone&);
+template void solve_velocities(SolverView&, WorkAlone&);
+template void solve_velocities(BallView&, WorkAlone&);
+template void solve_velocities(RollingView&, WorkAlone&);
+template void solve_velocities(BeltView&, WorkAlone&);
+template void solve_velocities(RollingBeltView&, WorkAlone&);
+template void solve_velocities(LockedView&, WorkTogether&);
+template void solve_velocities(SolverView&, WorkTogether&);
+template void solve_velocities(BallView&, WorkTogether&);
+template void solve_velocities(RollingView&, WorkTogether&);
+template void solve_velocities(BeltView&, WorkTogether&);
+template void solve_velocities(RollingBeltView&, WorkTogether&);
 
 } }  // namespace ingot

@@ -121,11 +121,11 @@ void for_live_islands(const SolverView& solver, const Each& each) {
 }  // namespace
 
 template <class View>
-void sweep_velocities(const View& solver, int sweep_i, bool up) {
+void sweep_velocities(const View& solver, const Visit* visits, int visit_count, int sweep_i, bool up) {
     Index island_before = no_island;
     lane active_threshold{};
-    for (int visit_i = 0; visit_i < solver.live_count; ++visit_i) {  // bound: max_manifolds: a run has one visit or more
-        const Visit visit = solver.live[up ? visit_i : solver.live_count - 1 - visit_i];
+    for (int visit_i = 0; visit_i < visit_count; ++visit_i) {  // bound: max_manifolds: a run has one visit or more
+        const Visit visit = visits[up ? visit_i : visit_count - 1 - visit_i];
         ContactBlock& block = solver.blocks[visit.block];
         if (visit.island == no_island || visit.island != island_before) active_threshold = active_threshold_of(solver, visit, block);
         island_before = visit.island;
@@ -145,16 +145,16 @@ void sweep_velocities(const View& solver, int sweep_i, bool up) {
 }
 
 // The linker takes the one that the scene calls.
-template void sweep_velocities(const JointedView&, int, bool);
-template void sweep_velocities(const LoopedView&, int, bool);
-template void sweep_velocities(const JointedMaterialView&, int, bool);
-template void sweep_velocities(const LoopedMaterialView&, int, bool);
-template void sweep_velocities(const LockedView&, int, bool);
-template void sweep_velocities(const SolverView&, int, bool);
-template void sweep_velocities(const BallView&, int, bool);
-template void sweep_velocities(const RollingView&, int, bool);
-template void sweep_velocities(const BeltView&, int, bool);
-template void sweep_velocities(const RollingBeltView&, int, bool);
+template void sweep_velocities(const JointedView&, const Visit*, int, int, bool);
+template void sweep_velocities(const LoopedView&, const Visit*, int, int, bool);
+template void sweep_velocities(const JointedMaterialView&, const Visit*, int, int, bool);
+template void sweep_velocities(const LoopedMaterialView&, const Visit*, int, int, bool);
+template void sweep_velocities(const LockedView&, const Visit*, int, int, bool);
+template void sweep_velocities(const SolverView&, const Visit*, int, int, bool);
+template void sweep_velocities(const BallView&, const Visit*, int, int, bool);
+template void sweep_velocities(const RollingView&, const Visit*, int, int, bool);
+template void sweep_velocities(const BeltView&, const Visit*, int, int, bool);
+template void sweep_velocities(const RollingBeltView&, const Visit*, int, int, bool);
 
 void measure_sweep(const SolverView& solver) {
     for_live_islands(solver, [](Island& island) {

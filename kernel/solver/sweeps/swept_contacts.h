@@ -22,16 +22,17 @@
 #include "sweep_positions.h"
 #include "turning_bodies.h"
 #include "warm_start.h"
+#include "work_together.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
 /// The sweeps as conduct_substeps asks for them. View: SolverView, or a MaterialView. Events, restitution, rolling resistance and belts are compiled
-/// in only where a scene names them. Whole: the same, or with rows of joints. is_pushed: by kinematic bodies.
-template <class Whole, bool notes_impulses, bool bounces, bool is_pushed = false>
+/// in only where a scene names them. Whole: the same, or with rows of joints. is_pushed: by kinematic bodies. Work: WorkAlone, or WorkTogether.
+template <class Whole, bool notes_impulses, bool bounces, bool is_pushed = false, class Work = WorkAlone>
 struct SweptContacts {
     using View = typename WithoutRows<Whole>::Type;
 
-    explicit SweptContacts(Whole& of) : whole(of), view(of) {}
+    explicit SweptContacts(Whole& of, const Work& of_solve = {}) : whole(of), view(of), work(of_solve) {}
 
     void begin(const ContactStep& step, StepReport&) {
         view.step_h = step.h;
@@ -57,12 +58,13 @@ struct SweptContacts {
 
     void refresh(const BodyView& bodies, scalar h) {
         if (!view.some_turn) return;
-        note_turning_speeds(with_locks(view), first_jointed_block(view), h);
-        turn_half_way(with_locks(view), bodies, h);
-        refresh_blocks(view, bodies, h);
+        work.over_blocks(view, [&](auto& part) { note_turning_speeds(with_locks(part), first_jointed_block(part), h); });
+        mark_hit_bodies(view, first_jointed_block(view));
+        work.over_bodies(with_locks(view), [&](auto& part) { turn_half_way(part, bodies, h); });
+        work.over_blocks(view, [&](auto& part) { refresh_blocks(part, bodies, h); });
     }
     void predict(scalar h, [[maybe_unused]] const StepNotes& notes, [[maybe_unused]] StepReport& report) {
-        predict_contacts(view, h);
+        work.over_blocks(view, [&](auto& part) { predict_contacts(part, h); });
         if (view.some_turn) shift_targets(view);
         if constexpr (bounces) {
             predict_bounces(view, h);
@@ -71,7 +73,7 @@ struct SweptContacts {
     }
     void kick(scalar h) { kick_bodies(view, h); }
     void warm_start(scalar h) {
-        ingot::warm_start(without_belts(view), h);
+        work.over_visits(view, [&of = without_belts(view), h](const Visit* visits, int count) { ingot::warm_start(of, visits, count, h); });
         some_reverse = is_small_moving(view.plan) && begin_reversals(without_locks(with_belts(view)), h);
     }
     void solve_velocities(const ContactStep& step, scalar h, StepReport&) {
@@ -83,40 +85,43 @@ struct SweptContacts {
     }
     void drift(const BodyView& bodies, scalar h) {
         [[maybe_unused]] const bool turned = view.some_turn;
-        drift_bodies(with_locks(view), bodies, h);
+        drift_all(with_locks(view), bodies, h);
         if constexpr (moves_contacts<View>)
             if (turned) separate_turned(view, bodies);
         --view.substeps_left;
     }
-    void solve_positions(const ContactStep&, scalar h) { sweep_positions(of_points(view), view.visits, view.visit_count, h); }
-
+    void solve_positions(const ContactStep&, scalar h) {
+        work.over_visits(view, [&of = of_points(view), h](const Visit* visits, int count) { sweep_positions(of, visits, count, h); });
+    }
     void end_batch(const ContactStep& step, StepReport& report) {
         ingot::end_batch(view, jointed_of(view), fall_speed_of(step, view.substeps), report);
-        remember_impulses(without_locks(without_belts(view)));
+        work.over_blocks(without_locks(without_belts(view)), [](const auto& part) { remember_impulses(part); });
     }
 
 protected:
     Whole& whole;
     View& view;
+    Work work;
     bool some_reverse = false;  ///< the slip of some contact turns round in this substep
 
+    void sweep() { ingot::solve_velocities(whole, work); }
     /// Sweeps, and again where sweeps that did not settle give energy, and where bounces do: each time these are lower.
     void sweep_passively(const BodyView& bodies, scalar h) {
         plan_sweeps(view);
         if constexpr (View::articulates) settle_jointed_sooner(view, h);
-        ingot::solve_velocities(whole);
+        sweep();
         stay_passive(bodies, h);
     }
     void stay_passive(const BodyView& bodies, scalar h) {
-        if (some_reverse && take_back_reversals(view)) ingot::solve_velocities(whole);
+        if (some_reverse && take_back_reversals(view)) sweep();
         if constexpr (View::articulates && !View::has_belts) hold_gaining_figures(whole, bodies, h);
         if constexpr (View::articulates && !View::has_belts && is_pushed) hold_pushed_figures(whole, bodies, h);
         if constexpr (View::articulates) excuse_jointed(view);
         // Belts do give energy.
         if (!gives_energy(view))
-            for (int round = 0; round < limits::gaining_rounds && find_gaining_islands(view, bodies, h); ++round) ingot::solve_velocities(whole);
+            for (int round = 0; round < limits::gaining_rounds && find_gaining_islands(view, bodies, h); ++round) sweep();
         if constexpr (bounces)
-            for (int round = 0; round < limits::bounce_rounds && lower_bounces(without_locks(view), h); ++round) ingot::solve_velocities(whole);
+            for (int round = 0; round < limits::bounce_rounds && lower_bounces(without_locks(view), h); ++round) sweep();
     }
     /// What follows on the last of all sweeps.
     void end_velocities(const BodyView& bodies, scalar h) {
@@ -127,11 +132,23 @@ protected:
     }
 
 private:
+    template <class Bodies>
+    void drift_all(Bodies& all, const BodyView& bodies, scalar h) {
+        if constexpr (Work::is_shared) {
+            work.over_bodies(all, [&](Bodies& part) { drift_some_bodies(part, bodies, h); });
+            tell_unsteady_bodies(all);
+        } else {
+            drift_bodies(all, bodies, h);
+        }
+    }
     void prepare(const ContactStep& step) {
         if constexpr (View::articulates) begin_jointed_batch(view);
         hold_bodies(view, step.bodies);
-        prepare_blocks(view, step.bodies);
-        find_turning_bodies(with_locks(view), step.bodies, step.h / static_cast<scalar>(view.substeps));
+        work.begin_batch(view);
+        work.over_blocks(view, [&](auto& part) { prepare_blocks(part, step.bodies); });
+        count_central_manifolds(view);
+        const scalar h = step.h / static_cast<scalar>(view.substeps);
+        work.over_bodies(with_locks(view), [&](auto& part) { find_turning_bodies(part, step.bodies, h); });
         if constexpr (notes_impulses) clear_impulse_notes(view, step.notes);
         if constexpr (bounces)
             if (find_impact_chains(view)) list_members(view);

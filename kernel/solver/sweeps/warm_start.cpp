@@ -28,9 +28,9 @@ INGOT_INLINE void warm_start_visit(const View& solver, const Visit& visit, scala
 }  // namespace
 
 template <class View>
-void warm_start(const View& solver, scalar h) {
-    for (int visit_i = 0; visit_i < solver.visit_count; ++visit_i) {  // bound: max_manifolds
-        const Visit visit = solver.visits[visit_i];
+void warm_start(const View& solver, const Visit* visits, int visit_count, scalar h) {
+    for (int visit_i = 0; visit_i < visit_count; ++visit_i) {  // bound: max_manifolds
+        const Visit visit = visits[visit_i];
         const bool whole = is_all(visit.lane_bits);
         constexpr int fewest = fewest_rows<View>, most = View::points_max;
         constexpr bool knows_whole = !View::locks_axes;
@@ -42,14 +42,14 @@ void warm_start(const View& solver, scalar h) {
 }
 
 // The linker takes the one that the scene calls. Belts have no impulses of their own.
-template void warm_start(const JointedView&, scalar);
-template void warm_start(const LoopedView&, scalar);
-template void warm_start(const JointedMaterialView&, scalar);
-template void warm_start(const LoopedMaterialView&, scalar);
-template void warm_start(const LockedView&, scalar);
-template void warm_start(const SolverView&, scalar);
-template void warm_start(const BallView&, scalar);
-template void warm_start(const RollingView&, scalar);
-template void warm_start(const RollingBeltView&, scalar);
+template void warm_start(const JointedView&, const Visit*, int, scalar);
+template void warm_start(const LoopedView&, const Visit*, int, scalar);
+template void warm_start(const JointedMaterialView&, const Visit*, int, scalar);
+template void warm_start(const LoopedMaterialView&, const Visit*, int, scalar);
+template void warm_start(const LockedView&, const Visit*, int, scalar);
+template void warm_start(const SolverView&, const Visit*, int, scalar);
+template void warm_start(const BallView&, const Visit*, int, scalar);
+template void warm_start(const RollingView&, const Visit*, int, scalar);
+template void warm_start(const RollingBeltView&, const Visit*, int, scalar);
 
 } }  // namespace ingot

@@ -10,6 +10,6 @@ namespace ingot { inline namespace INGOT_ABI {
 /// Those of an impact are not given again: impulses on a body that was hit are cut to twice what they were before it, and what gravity explains.
 /// Friction follows a slow mean of itself, which quietens its ringing.
 template <class View>
-void warm_start(const View& solver, scalar h);
+void warm_start(const View& solver, const Visit* visits, int visit_count, scalar h);
 
 } }  // namespace ingot

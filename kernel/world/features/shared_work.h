@@ -5,6 +5,7 @@
 #include "../../constraint/impact_note.h"
 #include "../../narrow_phase/update_manifolds.h"
 #include "../../solver/sweeps/solver_parts.h"
+#include "../../solver/sweeps/work_together.h"
 #include "manifolds.h"
 
 namespace ingot { inline namespace INGOT_ABI { namespace features {
@@ -37,7 +38,9 @@ struct PartShapePairPart<S, false> {
 template <class S, bool present>
 struct PartRoomPart : PartNotePart<S, has_events<S>>, PartShapePairPart<S, has_compounds<S> && !S::sleeps> {
     BodyPair part_pairs[static_cast<unsigned>(S::max_manifolds)] = {};
+    Index ends_of_visits[static_cast<unsigned>(S::max_manifolds)] = {}, ends_of_live[static_cast<unsigned>(S::max_manifolds)] = {};
 
+    WorkTogether work_together() { return {runner_of<typename S::workers>(), ends_of_visits, ends_of_live}; }
     PartRoom part_room() {
         PartRoom room = {part_pairs, nullptr, nullptr, nullptr};
         this->show_notes(room);
