@@ -12,8 +12,9 @@ namespace ingot::platform {
 
 namespace {
 
-/// One row of tasks at a time. Which task is next stands in one word with how many there are and which row it is: who has taken a task by it knows
-/// that the row is not over, so what is written before a row begins is not written while anybody reads it.
+/// One row of tasks at a time. Each helper has a seat, a cache line through which it is offered its first task and tells that it is done: two
+/// transfers between cores a row, where each takes the time of some hundred instructions. Further tasks are who takes them. An offer that a helper
+/// has not taken when all else is done is taken back: so nobody waits for one that sleeps, or whose core is busy.
 class Pool {
 public:
     ~Pool() {
@@ -24,21 +25,48 @@ public:
 
     void run(int workers, int count, void (*call)(void*, int), void* task) {
         const std::lock_guard<std::mutex> turn(turn_);
-        helpers_.store(workers - 1);
-        while (static_cast<int>(threads_.size()) + 1 < workers)
-            threads_.emplace_back([this, number = static_cast<int>(threads_.size())] { serve(number); });
-        call_ = call;
-        task_ = task;
-        done_.store(0);
-        row_ = (row_ + 1) & 0xffffffffu;
-        row_and_task_.store(row_ << 32 | static_cast<uint64_t>(count) << 16);
+        while (static_cast<int>(threads_.size()) + 1 < workers) threads_.emplace_back([this, seat = &seats_[threads_.size()]] { serve(*seat); });
+        const int offers = (count < workers ? count : workers) - 1;
+        next_.store(offers + 1, std::memory_order_relaxed);
+        for (int i = 0; i < offers; ++i) seats_[i].offer({call, task, i + 1, count});
         if (sleepers_.load() > 0) wake();
-        while (work()) {}
-        while (done_.load() < count) pause();
+        do_tasks({call, task, 0, count});
+        for (int i = 0; i < offers; ++i)
+            if (seats_[i].take(idle)) call(task, i + 1);
+        for (int i = 0; i < offers; ++i) seats_[i].wait();
     }
 
 private:
     static constexpr int looks = 4000;  ///< for work, before a thread sleeps
+    static constexpr int seats = 15;    ///< workers of a scene, but for the one that calls
+
+    enum State { idle, offered, busy };
+    struct Tasks {
+        void (*call)(void*, int);
+        void* task;
+        int first, count;
+    };
+    struct alignas(64) Seat {
+        std::atomic<State> state{idle};
+        Tasks tasks{};
+
+        void offer(const Tasks& of_row) {
+            tasks = of_row;
+            state.store(offered);  // in one order with sleepers_, for who is about to sleep
+        }
+        /// The offer becomes that of the helper, which is busy, or nobody's; false where there is none.
+        bool take(State next) {
+            State expected = offered;
+            return state.load(std::memory_order_relaxed) == offered &&
+                   state.compare_exchange_strong(expected, next, std::memory_order_acquire, std::memory_order_relaxed);
+        }
+        bool is_on() const { return state.load(std::memory_order_acquire) != idle; }
+        /// Where it takes long, the core of the helper has gone to somebody else: perhaps it may have this one.
+        void wait() const {
+            for (int look = 0; look < looks && is_on(); ++look) pause();
+            while (is_on()) std::this_thread::yield();
+        }
+    };
 
     static void pause() {
 #if defined(__x86_64__) || defined(__i386__)
@@ -47,26 +75,29 @@ private:
         std::this_thread::yield();
 #endif
     }
-    static bool has_task(uint64_t word) { return (word & 0xffffu) < (word >> 16 & 0xffffu); }
 
-    /// Takes a task and does it; false where none is left.
-    bool work() {
-        uint64_t word = row_and_task_.load();
-        do {
-            if (!has_task(word)) return false;
-        } while (!row_and_task_.compare_exchange_weak(word, word + 1));
-        call_(task_, static_cast<int>(word & 0xffffu));
-        done_.fetch_add(1);
-        return true;
+    void do_tasks(const Tasks& tasks) {
+        tasks.call(tasks.task, tasks.first);
+        while (next_.load(std::memory_order_relaxed) < tasks.count) {
+            const int task_i = next_.fetch_add(1, std::memory_order_relaxed);
+            if (task_i < tasks.count) tasks.call(tasks.task, task_i);
+        }
     }
 
-    void serve(int number) {
-        while (!ends_.load()) {
-            int look = 0;
-            while (look < looks) look = number < helpers_.load() && work() ? 0 : (pause(), look + 1);
+    void serve(Seat& seat) {
+        while (!ends_.load(std::memory_order_relaxed)) {
+            for (int look = 0; look < looks; ++look) {
+                if (!seat.take(busy)) {
+                    pause();
+                    continue;
+                }
+                do_tasks(seat.tasks);
+                seat.state.store(idle, std::memory_order_release);
+                look = 0;
+            }
             std::unique_lock<std::mutex> lock(sleep_);
             sleepers_.fetch_add(1);
-            wake_.wait(lock, [&] { return ends_.load() || (number < helpers_.load() && has_task(row_and_task_.load())); });
+            wake_.wait(lock, [&] { return ends_.load() || seat.state.load() == offered; });
             sleepers_.fetch_sub(1);
         }
     }
@@ -79,12 +110,10 @@ private:
     std::mutex turn_, sleep_;
     std::condition_variable wake_;
     std::vector<std::thread> threads_;
-    std::atomic<uint64_t> row_and_task_{0};  ///< from above: row, how many tasks it has, how many of them are taken
-    std::atomic<int> done_{0}, sleepers_{0}, helpers_{0};
+    std::atomic<int> sleepers_{0};
     std::atomic<bool> ends_{false};
-    uint64_t row_ = 0;
-    void (*call_)(void*, int) = nullptr;
-    void* task_ = nullptr;
+    alignas(64) std::atomic<int> next_{0};  ///< of the row: the first task that nobody has
+    Seat seats_[seats];
 };
 
 }  // namespace
