@@ -2,8 +2,11 @@
 // Two boxes: against all 15 axes in long double, flat on each other, through parallel edges, step after step.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdio>
+#include <map>
 #include <set>
+#include <vector>
 
 #include "collide/placed.h"
 
@@ -178,6 +181,46 @@ TEST(BoxBox, leaning_cards_have_the_normal_between_their_faces) {
     EXPECT_NEAR(static_cast<double>(m.points[0].separation), std::hypot(0.01, 0.003), 1e-5);
     (void)normal_at({0.1, 0, 0}, m);
     EXPECT_EQ(m.count, 0);
+}
+
+/// The features of two edges that meet tell them and their ends from all others: a box is given as each of the 24 turns of it that look the same, and
+/// the edge that meets is another one of its own each time, either way round.
+TEST(BoxBox, edges_that_meet_are_told_from_each_other) {
+    RandomInput random(1413);
+    std::map<std::array<int, 2>, std::set<std::uint32_t>> features_of;  // by the edges of A and of B
+    std::map<std::uint32_t, std::array<int, 2>> edges_of;
+    const double tilt = random.real(20, 30) * 3.14159265358979324 / 180, half = random.real(0.3, 1), thin = 0.1 * half, wide = random.real(0.3, 1);
+    const double x = half * std::sin(tilt) + thin * std::cos(tilt);
+    std::vector<Eigen::Matrix3d> turns;
+    for (int code = 0; code < 27 * 8; ++code) {
+        Eigen::Matrix3d turn = Eigen::Matrix3d::Zero();
+        for (int k = 0, rest = code % 27; k < 3; ++k, rest /= 3) turn(rest % 3, k) = (code / 27 >> k & 1) != 0 ? -1 : 1;
+        if (std::abs(turn.determinant() - 1) < 0.1) turns.push_back(turn);
+    }
+    ASSERT_EQ(turns.size(), 24u);
+    // A card leans to one side; as another turn of itself it has other half extents, and its edge at the top has another place in it.
+    const auto card = [&](double side, const Eigen::Matrix3d& turn) {
+        const Vector3d own = (turn.transpose() * Vector3d(thin, wide, half)).cwiseAbs();
+        return box(own, Vector3d(side * x, 0, 0), turned(Vector3d::UnitY(), -side * tilt) * turn);
+    };
+    const auto edge = [&](double side, const Eigen::Matrix3d& turn) {
+        const Vector3d way = turn.transpose() * Vector3d(-side, 0, 1);  // of the edge at the top, which is along y
+        return static_cast<int>(std::lround(way.x() + 3 * way.y() + 9 * way.z()));
+    };
+    for (const Eigen::Matrix3d& of_A : turns)
+        for (const Eigen::Matrix3d& of_B : turns) {
+            Manifold m{};
+            ingot::collide_box_box(card(1, of_A), card(-1, of_B), margin, m);
+            ASSERT_EQ(m.count, 2);
+            const std::array<int, 2> edges = {edge(1, of_A), edge(-1, of_B)};
+            for (const std::uint32_t feature : features(m)) {
+                features_of[edges].insert(feature);
+                EXPECT_TRUE(edges_of.emplace(feature, edges).first->second == edges) << "feature " << feature << " is of two pairs of edges";
+            }
+            EXPECT_EQ(features(m).size(), 2u);
+        }
+    EXPECT_EQ(features_of.size(), 144u);
+    for (const auto& [edges, all] : features_of) EXPECT_EQ(all.size(), 2u) << edges[0] << " " << edges[1];
 }
 
 /// Centres at one place: the axis of the smallest half extent, always the same (accuracy case C16).

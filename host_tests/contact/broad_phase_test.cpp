@@ -270,6 +270,47 @@ void expect_manifolds_of_all_near_pairs() {
 TEST(BroadPhase, all_pairs_is_asked_again_in_time) { expect_manifolds_of_all_near_pairs<ingot::AllPairs>(); }
 TEST(BroadPhase, sorted_tree_is_asked_again_in_time) { expect_manifolds_of_all_near_pairs<ingot::SortedTree>(); }
 
+/// A fat AABB is the box around a body and a share of its extent on each side, of what moves, and nothing of what does not: whatever its size, so no
+/// body is looked at for what is far from it in its own measure.
+void expect_fat_by_a_share(bool one_by_one) {
+    RandomInput random(2719);
+    for (int trial_i = 0; trial_i < 200; ++trial_i) {
+        const int count = random.integer(1, 24);
+        Bodies bodies(count);
+        std::vector<ingot::Surface> surfaces;
+        for (int slot = 0; slot < count; ++slot) {
+            const ingot::Place at = ingot::place_of(slot);
+            const double size = std::exp(random.real(-5, 3));
+            const Vector3d r = random.vector(20);
+            surfaces.push_back({ingot::Box{{scalar(size), scalar(size * random.real(0.1, 1)), scalar(size * random.real(0.1, 1))}}, 0, 0, 0});
+            ingot::set_lane(bodies.rotation[static_cast<std::size_t>(at.tile)].A, at.lane, ingot_reference::to_matrix(random.rotation()));
+            ingot::set_lane(bodies.translation[static_cast<std::size_t>(at.tile)].r_CM, at.lane, ingot_reference::to_vector(r));
+            bodies.translation[static_cast<std::size_t>(at.tile)].inv_M[at.lane] = random.integer(0, 2) == 0 ? scalar(0) : scalar(1);
+            ingot::invalidate_bounds(bodies.bounds.data(), slot);
+        }
+        const ingot::SurfaceView view = {surfaces.data(), count};
+        std::vector<std::uint8_t> flags(Bodies::tiles(count) * lanes);
+        std::vector<std::uint32_t> due(Bodies::tiles(count) * lanes);
+        if (one_by_one)
+            (void)ingot::refresh_bounds_and_due({bodies.view(), view, bodies.bounds.data(), flags.data()}, scalar(0.01), due.data(), false);
+        else
+            ASSERT_TRUE(ingot::refresh_bounds(bodies.view(), view, scalar(0.01), bodies.bounds.data()));
+        for (int slot = 0; slot < count; ++slot) {
+            const ingot::Place at = ingot::place_of(slot);
+            const ingot::BoundsTile& tile = bodies.bounds[static_cast<std::size_t>(at.tile)];
+            for (int axis = 0; axis < 3; ++axis) {
+                const double low = static_cast<double>(tile.low[axis][at.lane]), high = static_cast<double>(tile.high[axis][at.lane]);
+                const double skin = bodies.moves(slot) ? static_cast<double>(ingot::bounding::skin_share) * (high - low) : 0;
+                const double rounding = 4 * static_cast<double>(ingot::epsilon) * (std::abs(low) + std::abs(high));
+                EXPECT_NEAR(static_cast<double>(tile.fat_low[axis][at.lane]), low - skin, bodies.moves(slot) ? rounding : 0) << trial_i;
+                EXPECT_NEAR(static_cast<double>(tile.fat_high[axis][at.lane]), high + skin, bodies.moves(slot) ? rounding : 0) << trial_i;
+            }
+        }
+    }
+}
+TEST(Bounds, are_fat_by_a_share) { expect_fat_by_a_share(false); }
+TEST(Bounds, of_those_that_are_due_are_fat_by_a_share) { expect_fat_by_a_share(true); }
+
 /// The bounds of a half space hold all of it, half of limits::contact_margin above its face too, and are no larger where the face lies along two of
 /// the axes; any other is everywhere.
 TEST(Bounds, of_a_half_space_end_at_its_face) {
