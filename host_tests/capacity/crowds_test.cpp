@@ -184,6 +184,46 @@ TEST(TenBoxesInRoomForEight, lie_point_by_point) { expect_boxes_lie<TenBoxes<8, 
 TEST(TenBoxesInRoomForEight, lie_with_room_for_one) { expect_boxes_lie<TenBoxes<1>>(10); }
 TEST(TenBoxesInRoomForEight, have_enough_with_what_is_named) { expect_boxes_lie<TenBoxes<10>>(10); }
 
+/// What slides goes as far as friction lets it, with room or without: a floor bears its weight on the whole, and rubs by mu of that. A force is of a
+/// whole step, so it may go a step further or less far.
+template <class S>
+void expect_slides_end(unsigned seed) {
+    static ingot::World<S> world;
+    RandomInput random(seed);
+    constexpr double g = 9.81;
+    for (const int rate : {30, 60, 240, 1000}) {
+        yard::clear(world);
+        ASSERT_EQ(world.set_gravity({0, 0, scalar(-g)}), ingot::Status::ok);
+        ingot::BodyDef floor = yard::ground();
+        floor.friction = scalar(random.real(0.2, 0.6));
+        ASSERT_TRUE(world.add(floor).ok());
+        double way[10], slack[10];
+        const double h = 1.0 / rate;
+        for (int i = 0; i < 10; ++i) {
+            const double size = random.real(0.2, 1), speed = random.real(0.5, 3), heading = random.real(0, 6.28);
+            const scalar a = scalar(size), c = scalar(size / 4);
+            ingot::BodyDef def = yard::plain_body({scalar(8 * i), 0, c}, ingot::Box{{a, a, c}});
+            def.friction = scalar(random.real(0.2, 0.6));
+            def.state.v_CM = {scalar(speed * std::cos(heading)), scalar(speed * std::sin(heading)), 0};
+            ASSERT_TRUE(world.add(def).ok());
+            const double mu = std::sqrt(static_cast<double>(def.friction) * static_cast<double>(floor.friction));
+            way[i] = speed * speed / (2 * mu * g);
+            slack[i] = speed * h;
+        }
+        for (int step_i = 0; step_i < 3 * rate; ++step_i) (void)ingot::step(world, scalar(h));
+        for (int i = 0; i < 10; ++i) {
+            const ingot::BodyState state = world.state(world.body_at(i + 1)).value;
+            const double went = std::hypot(static_cast<double>(state.r_CM.x) - 8 * i, static_cast<double>(state.r_CM.y));
+            EXPECT_NEAR(went, way[i], slack[i]) << "box " << i << ", " << rate << " Hz";
+            EXPECT_LE(ingot::length_sq(state.v_CM), scalar(1e-6)) << "box " << i << ", " << rate << " Hz";
+        }
+    }
+}
+TEST(TenBoxesInRoomForEight, slide_as_far_as_friction_lets_them) { expect_slides_end<TenBoxes<8>>(21); }
+TEST(TenBoxesInRoomForEight, slide_as_far_point_by_point) { expect_slides_end<TenBoxes<8, ingot::SequentialImpulses>>(22); }
+TEST(TenBoxesInRoomForEight, slide_as_far_with_room_for_one) { expect_slides_end<TenBoxes<1>>(23); }
+TEST(TenBoxesInRoomForEight, slide_as_far_with_room_for_all) { expect_slides_end<TenBoxes<10>>(24); }
+
 /// Two columns of five: two contacts between boxes are missing, and the ground never. At 240 Hz the columns stand.
 TEST(TenBoxesInRoomForEight, stand_in_columns) {
     static ingot::World<TenBoxes<8>> world;
