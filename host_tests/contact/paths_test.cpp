@@ -5,6 +5,7 @@
 #include <ingot/base/limits.h>
 #include <ingot/body/auxiliary.h>
 #include <ingot/constraint/solver_view.h>
+#include <ingot/continuous/next_impact.h>
 #include <ingot/continuous/pair_contacts.h>
 #include <ingot/continuous/pair_sub_world.h>
 #include <ingot/continuous/parting_plane.h>
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <cstring>
 #include <limits>
+#include <vector>
 
 #include "collide/placed.h"
 #include "scenes/hulls.h"
@@ -552,6 +554,26 @@ TEST(FollowedBodies, come_in_the_order_of_time) {
 }
 
 /// A ball shows nothing of its turn, what is round nothing of that about its axis; whatever has several shapes, or edges, shows all.
+/// Who has another path now is told once, in the order in which it came, and nobody else, whatever stands in the places that are free.
+TEST(ChangedPaths, are_told_once_each) {
+    RandomInput random(1479);
+    for (int i = 0; i < 1000; ++i) {
+        ingot::ChangedPaths changed = {{-1, -1, -1, -1}, 0};
+        std::vector<int> expected;
+        for (int times = random.integer(0, 8); times > 0; --times) {
+            const int slot = random.integer(0, ingot::ChangedPaths::room - 1);
+            const bool is_new = std::find(expected.begin(), expected.end(), slot) == expected.end();
+            EXPECT_EQ(changed.has(slot), !is_new);
+            changed.add(slot);
+            if (is_new) expected.push_back(slot);
+        }
+        EXPECT_FALSE(changed.has(-1));
+        std::vector<int> told;
+        changed.over_all([&told](int slot) { told.push_back(slot); });
+        EXPECT_EQ(told, expected);
+    }
+}
+
 TEST(Path, of_what_is_round_is_not_seen_to_turn_about_its_axis) {
     RandomInput random(1467);
     const Shape shapes[] = {ingot::Sphere{1}, ingot::Capsule{1, 2}, ingot::Cylinder{1, 2}, ingot::Box{{1, 2, 3}}};

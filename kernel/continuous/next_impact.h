@@ -249,9 +249,14 @@ struct ChangedPaths {
     static constexpr int room = 4;  ///< two that meet, and their partners
     int slots[room], count;
 
+    /// Calls each(slot) for all of them, in the order in which they came.
+    template <class Each>
+    INGOT_INLINE void over_all(const Each& each) const {
+        for (int i = 0; i < count; ++i) each(slots[i]);  // bound: room
+    }
     bool has(int slot) const {
         bool found = false;
-        for (int i = 0; i < count; ++i) found = found || slots[i] == slot;  // bound: room
+        over_all([&](int changed) { found = found || changed == slot; });
         return found;
     }
     void add(int slot) {

@@ -22,16 +22,16 @@ INGOT_INLINE void with_figure(const Collision& collision, int slot, const Each& 
 /// who finds whom would depend on the search.
 template <class Collision>
 void follow_anew(const Collision& collision, const ChangedPaths& changed, PairRoom<Collision>& room) {
-    // bound: ChangedPaths::room
-    for (int i = 0; i < changed.count; ++i) {
-        if (!is_valid(collision, changed.slots[i])) continue;
-        with_figure(collision, changed.slots[i], [&](int slot) {
+    changed.over_all([&](int one) {
+        if (!is_valid(collision, one)) return;
+        with_figure(collision, one, [&](int slot) {
             put_in_tree(collision, slot);
             collision.lists->follow(slot);
         });
-    }
-    for (int i = 0; i < changed.count; ++i)  // bound: ChangedPaths::room
-        if (is_valid(collision, changed.slots[i])) with_figure(collision, changed.slots[i], [&](int slot) { find_next(collision, slot, room); });
+    });
+    changed.over_all([&](int one) {
+        if (is_valid(collision, one)) with_figure(collision, one, [&](int slot) { find_next(collision, slot, room); });
+    });
 }
 
 /// The motion of a body that has gone along its path to time t, on that path. The path of a contact is a chord, and where friction slows a body much,
@@ -97,9 +97,9 @@ int wait_at_impact(const Collision& collision, int slot, int other, scalar t, Pa
         wait_at(collision, one, t, room, changed);
         ++waiting;
     }
-    for (int i = 0; i < changed.count; ++i)  // bound: ChangedPaths::room
-        if (changed.slots[i] != slot && changed.slots[i] != other)
-            lay_alone(collision, changed.slots[i], flight_state(collision.bodies, changed.slots[i]), t, room);
+    changed.over_all([&](int one) {
+        if (one != slot && one != other) lay_alone(collision, one, flight_state(collision.bodies, one), t, room);
+    });
     return waiting;
 }
 
@@ -168,9 +168,9 @@ void resolve_impact(const Collision& collision, int slot, int other, scalar t, P
         movers[count++] = one;
     }
     if (count == 0) return;
-    for (int i = 0; i < changed.count; ++i)  // bound: ChangedPaths::room
-        if (changed.slots[i] != movers[0] && changed.slots[i] != movers[1])
-            lay_alone(collision, changed.slots[i], flight_state(collision.bodies, changed.slots[i]), t, room);
+    changed.over_all([&](int one) {
+        if (one != movers[0] && one != movers[1]) lay_alone(collision, one, flight_state(collision.bodies, one), t, room);
+    });
     hit(collision, movers, kinematic, t, room);
     if (count == 2) return lay_both(collision, movers, t, room);
     lay_alone(collision, movers[0], flight_state(collision.bodies, movers[0]), t, room);
