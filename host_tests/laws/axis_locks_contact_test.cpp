@@ -305,4 +305,37 @@ TEST(AxisLocks, keep_their_energy_from_wall_to_wall) {
     }
 }
 
+/// A ball that turns about one axis of the world, whatever its moments, turns on at its speed from wall to wall: nothing there has a lever. So it has
+/// turned by the angle that is due, also within the steps in which it meets a wall.
+TEST(AxisLocks, turn_on_at_their_speed_from_wall_to_wall) {
+    double worst = 0;
+    int impacts = 0;
+    for (int case_i = 0; case_i < draws(48); ++case_i) {
+        RandomInput random(static_cast<std::uint64_t>(310 + case_i));
+        Thrown<WithMaterials> thrown(0, {1, 0});
+        close_room(thrown, 2);
+        const int axis = case_i % 3, rate = case_i % 2 == 0 ? 60 : 240;
+        BodyDef def = any_body(random, static_cast<unsigned>(AxisLocks::rotation) & ~(8u << axis));
+        const double spin = random.real(-20, 20);
+        def.state.r_CM = to_vector(random.vector(1));
+        def.state.v_CM = to_vector(random.direction() * random.real(40, 120));
+        def.state.L = to_vector(inertia_of(def)(axis, axis) * spin * Vector3d::Unit(axis));
+        def.shape = ingot::Sphere{scalar(0.2)};
+        def.restitution = 1;
+        def.friction = 0;
+        const BodyId ball = thrown.world->add(def).value;
+        for (int step_i = 0; step_i < rate / 2; ++step_i) {
+            const Vector v = thrown.world->state(ball).value.v_CM;
+            (void)ingot::step(*thrown.world, scalar(1) / static_cast<scalar>(rate));
+            impacts += !same(v, thrown.world->state(ball).value.v_CM);
+        }
+        const Matrix3d due = Eigen::AngleAxisd(spin / 2, Vector3d::Unit(axis)).toRotationMatrix() * to_eigen(def.state.A);
+        const double off = Eigen::AngleAxisd(to_eigen(thrown.world->state(ball).value.A).transpose() * due).angle();
+        worst = std::max(worst, off / rate);
+        EXPECT_LE(off, 8 * static_cast<double>(ingot::epsilon) * rate) << case_i << ", of " << spin / 2;  // a rounding of each part of a step
+    }
+    std::printf("    off by %.2g roundings a step\n", worst / static_cast<double>(ingot::epsilon));
+    EXPECT_GT(impacts, draws(48) * 5);
+}
+
 }  // namespace
