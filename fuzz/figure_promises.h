@@ -94,6 +94,8 @@ protected:
 
     void demand_momentum() {
         double was[3] = {}, is[3] = {}, rounding = 0;
+        // A body that is pushed has more energy as the step begins than all have once its joints have passed it on.
+        const double E_0 = static_cast<double>(before_.kinetic_energy()), E_1 = static_cast<double>(world_.kinetic_energy());
         for (int slot = 0; slot < N; ++slot) {
             const BodyId id = world_.body_at(slot);
             if (id == BodyId{}) continue;
@@ -104,7 +106,7 @@ protected:
                 was[axis] += M * static_cast<double>(of_0[axis]);
                 is[axis] += M * static_cast<double>(of[axis]);
             }
-            const double fastest = __builtin_sqrt(2 * static_cast<double>(world_.kinetic_energy()) / M);
+            const double fastest = __builtin_sqrt(2 * (E_0 > E_1 ? E_0 : E_1) / M);
             // What places are rounded by is a gap, which a substep closes and leaves again.
             const double far = __builtin_sqrt(static_cast<double>(ingot::length_sq(world_.state(id).value.r_CM))) + size;
             const double closing = far * static_cast<double>(ingot::epsilon) * 36 / static_cast<double>(h_);
