@@ -182,6 +182,36 @@ TEST(JointDrives, ball_servos_go_where_they_are_told) {
     }
 }
 
+/// A target that turns on and on about an axis is followed for half a minute as exactly as at first: what is kept of it is half a turn at most, and a
+/// step loses a rounding of that.
+TEST(JointDrives, ball_servos_follow_a_target_round_and_round) {
+    RandomInput random(37);
+    double worst = 0;
+    for (int run_i = 0; run_i < ingot_reference::draws(40); ++run_i) {
+        FigureScene scene;
+        scene.g.setZero();
+        FigureBody body = sphere(1, 0.1, {0, 0, 0});
+        body.A = random.rotation();
+        scene.join(ball(the_world, scene.add(body), {0, 0, 0}));
+        const auto world = std::make_unique<DrivenWorld>();
+        const Built built = add_scene(*world, scene);
+        const Vector3d axis = random.direction();
+        const double begin = random.real(-2, 2), rate = random.real(20, 60) * (random.integer(0, 1) == 0 ? -1 : 1);
+        const ingot::SpringDrive servo = {1000000, 0};
+        ASSERT_EQ(world->set_ball_drive(built.joints[0], servo, to_vector(axis * begin), to_vector(axis * rate)), Status::ok);
+        for (int step_i = 1; step_i <= 1800; ++step_i) {
+            ASSERT_TRUE(ingot::step(*world, scalar(1) / 60).clean());
+            if (step_i < 4) continue;
+            const Eigen::Matrix3d due = Eigen::AngleAxisd(begin + rate * step_i / 60, axis).toRotationMatrix() * body.A;
+            const Eigen::Matrix3d A = ingot_reference::to_eigen(world->state(built.bodies[0]).value.A);
+            worst = std::max(worst, (A - due).norm());
+        }
+    }
+    std::printf("    off by %.2g rad\n", worst);
+    // What the servo leaves; a rounding a step of half a turn, and of its way; and those of the rate, over all of the way.
+    EXPECT_LE(worst, 1e-5 + static_cast<double>(ingot::epsilon) * (4 * 1800 + 2 * 60 * 30));
+}
+
 /// A tree whose joints all have servos towards where they begin, thrown.
 FigureScene driven_tree(RandomInput& random, bool tied, double stiffness) {
     return turning_tree(random, 8, tied, 2, 3, [&](FigureJoint& joint) {
