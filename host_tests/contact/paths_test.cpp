@@ -289,6 +289,32 @@ TEST(TimeOfImpact, of_shapes_that_touch_is_when_they_would_get_deeper) {
     EXPECT_GT(parted, 30);
 }
 
+/// A cube is parted from a ball that is in its skin by the same plane whether it is given as a box or as a hull.
+TEST(PartingPlane, of_a_cube_is_that_of_a_hull_that_is_one) {
+    RandomInput random(1466);
+    const ingot::ConvexHull cube = scenes::cube_hull.hull.value.view();  // of half a metre to each side
+    for (int i = 0; i < 1000; ++i) {
+        const Shape B = ingot::Sphere{static_cast<scalar>(random.real(0.1, 0.5))};
+        const PlacedShape as_box = placed(ingot::Box{{scalar(0.5), scalar(0.5), scalar(0.5)}}, Vector3d::Zero(), random.rotation());
+        PlacedShape as_hull = as_box;
+        as_hull.shape = ingot::Hull{1};
+        as_hull.hull = &cube;
+        BodyPath path_A{}, path_B{};
+        path_A.A = as_box.A;
+        path_B.A = to_matrix(random.rotation());
+        const Vector3d n = random.direction();
+        path_A.r_CM = to_vector(Vector3d(n * distance_at(path_A, as_box.shape, path_B, B, n, random.real(0, 0.1))));
+        PlacedShape at_box = as_box, at_hull = as_hull;
+        at_box.r = at_hull.r = path_A.r_CM;
+        const PlacedShape at_B = place_at(path_B, B, 0);
+        const ingot::PartingPlane of_box = ingot::parting_plane(at_box, at_B, ingot::closest_points(at_box, at_B));
+        const ingot::PartingPlane of_hull = ingot::parting_plane(at_hull, at_B, ingot::closest_points(at_hull, at_B));
+        ASSERT_TRUE(of_box.found && of_hull.found) << i;
+        // Of places of a metre, on the way to a direction that is known by what the cube without its skin is apart.
+        EXPECT_NEAR(static_cast<double>(of_hull.plane.gap), static_cast<double>(of_box.plane.gap), 32 * eps) << i;
+    }
+}
+
 /// A ball below a box, touching it: what is told is when the box has come down to a skin, by its way or by its turn. Where contacts have seen to them
 /// up to some gap, they count as touching up to it.
 TEST(TimeOfImpact, of_bodies_that_touch_is_a_skin_later) {

@@ -2,7 +2,10 @@
 // Energy: figures that fall, lie and lean on themselves get none from their joints, contacts, limits and loops.
 #include <gtest/gtest.h>
 
+#include <ingot/solver/sweeps/figure_shares.h>
+
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "joints/figure_measures.h"
@@ -71,5 +74,26 @@ TEST(JointEnergy, no_step_gives_any_to_trees_that_fall) { expect_no_energy<Falle
 TEST(JointEnergy, no_step_gives_any_to_rings_that_fall) { expect_no_energy<Looped>(2, 0.2, ring_and_tree); }
 TEST(JointEnergy, no_step_gives_any_to_trees_with_limits) { expect_no_energy<Limited>(3, 0.2, turning_tree_with_limits); }
 TEST(JointEnergy, no_step_gives_any_to_rings_with_limits) { expect_no_energy<LimitedLoops>(4, 0.2, turning_ring_with_limits); }
+
+/// What an island has with all of its impulses, a half and a fourth of them says where on the parabola of these it has least. Where it gains with
+/// all of them, the share is there, or it is none.
+TEST(SharesOfFigures, are_where_an_island_has_least_energy) {
+    RandomInput random(217);
+    int taken = 0;
+    for (int i = 0; i < 1000; ++i) {
+        const double without = random.real(0, 10), q = random.real(0.1, 10), d = random.real(-12, 2);
+        const auto energy = [&](double share) { return static_cast<scalar>(without + share * d + share * share * q); };
+        const ingot::ThreeEnergies energies = {energy(1), energy(0.5), energy(0.25)};
+        const double gain = d + q, slack = 100 * static_cast<double>(ingot::epsilon) * (without + std::abs(d) + q);
+        const double allowed = static_cast<double>(ingot::limits::figure_gain_allowed) * without;
+        if (gain < allowed - slack) {
+            EXPECT_EQ(static_cast<double>(energies.share()), 1) << i;
+        } else if (gain > allowed + slack) {
+            ++taken;
+            EXPECT_NEAR(static_cast<double>(energies.share()), std::min(std::max(-d / (2 * q), 0.0), 1.0), 4 * slack / q) << i;
+        }
+    }
+    EXPECT_GT(taken, 300);
+}
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "course.h"
+#include "reference/random_input.h"
 
 namespace {
 
@@ -225,6 +226,40 @@ TEST(MoverOnMovingGround, does_not_drift) {
                 EXPECT_NEAR(exact(mover.v).norm(), std::hypot(1.5, 0.7), 0.03);
             }
         }
+}
+
+/// The velocity of its ground is that by which it was carried: a mover that stands still goes by just as much, on what goes up, along, and round. One
+/// that has just landed is told what its ground does where it touches it, and gets out of what it came into its skin by in the move after that.
+TEST(MoverOnMovingGround, is_told_how_it_is_carried) {
+    ingot_reference::RandomInput random(207);
+    for (int draw_i = 0; draw_i < 40; ++draw_i) {
+        auto& world = empty_world<Street>();
+        const int rate = random.integer(30, 240);
+        const scalar h = 1 / static_cast<scalar>(rate);
+        const BodyId ground = add_box(world, {6, 6, 0.5}, {0, 0, -0.5}, ingot::identity_matrix<scalar>(), true);
+        const Vector v = rounded(random.vector(1)), omega = {0, 0, scalar(random.real(-2, 2))};
+        ASSERT_EQ(world.set_velocity(ground, v, omega), Status::ok);
+        Mover mover = standing_at(world, random.real(-2, 2), random.real(-2, 2), 0);
+        mover.r.z += scalar(random.real(0.1, 0.3));
+        mover.ground = {};
+        int moves = 0;  // since it landed
+        for (int i = 0; i < rate; ++i) {
+            const V before = exact(mover.r);
+            (void)ingot::step(world, h);
+            ASSERT_EQ(world.move(mover, {}, h), Status::ok);
+            if (!stands(mover)) continue;
+            const ingot::BodyState state = world.state(ground).value;
+            const V lever = exact(mover.ground.P) - exact(state.r_CM), turning = exact(omega).cross(lever) + exact(v);
+            const V went = (exact(mover.r) - before) / static_cast<double>(h);
+            // A rounding of places of 3 m, in a step, and of the skin that it keeps.
+            const double rounding = 64 * static_cast<double>(ingot::epsilon) * 3 / static_cast<double>(h);
+            if (moves != 1) {
+                EXPECT_LE((exact(mover.ground.v) - (moves == 0 ? turning : went)).norm(), rounding) << draw_i << ", step " << i;
+            }
+            ++moves;
+        }
+        EXPECT_GT(moves, 1);
+    }
 }
 
 TEST(MoverOnMovingGround, takes_its_velocity_along_when_it_jumps) {

@@ -237,6 +237,9 @@ TEST(Nearest, is_the_surface_that_the_oracle_finds) {
                     second = std::min(second, distance);
                 }
             }
+            if (best + tolerance > 0) {  // also one that is asked for hardly further than it is
+                EXPECT_TRUE(world->find_nearest(point, static_cast<scalar>(best + tolerance)).value.found()) << best;
+            }
             if (std::abs(best - within) < tolerance) continue;
             const QueryNearest nearest = world->find_nearest(point, within).value;
             ASSERT_EQ(nearest.found(), best < within);
