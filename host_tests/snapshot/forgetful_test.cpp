@@ -22,6 +22,12 @@ struct Fair : ingot::Scene {
     using shapes = ingot::Shapes<ingot::Sphere, ingot::Capsule, ingot::Box, ingot::Cylinder, ingot::HalfSpace>;
 };
 
+/// Who lies still falls asleep, and what happens is told.
+struct Restful : Fair<ingot::BlockSweeps, ingot::SortedTree, false> {
+    static constexpr int max_events = 300;
+    static constexpr bool sleeps = true;
+};
+
 /// Bodies of every shape, from 10 g to 10 t, that fall on each other, spin and roll, on a floor and on plates that go up and down; they come and go.
 template <class S>
 class Bustle {
@@ -74,11 +80,16 @@ private:
     BodyId plates_[3];
 };
 
+bool same(const ingot::Event& a, const ingot::Event& b) {
+    const auto same_vector = [](const Vector& v, const Vector& w) { return v.x == w.x && v.y == w.y && v.z == w.z; };
+    return a.kind == b.kind && a.A == b.A && a.B == b.B && a.speed == b.speed && same_vector(a.P, b.P) && same_vector(a.n, b.n);
+}
+
 template <class S>
 void expect_forgetful(uint64_t seed) {
     static World<S> world, renewed;
     static Bytes bytes(ingot::snapshot_size<S>());
-    int contacts = 0;
+    int contacts = 0, events = 0;
     const int draws = ingot_reference::draws(64);
     for (int draw_i = 0; draw_i < draws; ++draw_i) {
         Bustle<S> bustle(seed * 1000 + static_cast<uint64_t>(draw_i), world);
@@ -91,14 +102,22 @@ void expect_forgetful(uint64_t seed) {
             contacts += ingot::step(world, h).contacts;
             (void)ingot::step(renewed, h);
             ASSERT_EQ(renewed.state_hash(), world.state_hash()) << "draw " << draw_i << ", step " << step_i;
+            if constexpr (ingot::has_events<S>) {
+                const ingot::EventView now = world.events(), anew = renewed.events();
+                ASSERT_EQ(now.count, anew.count) << "draw " << draw_i << ", step " << step_i;
+                for (int i = 0; i < now.count; ++i) ASSERT_TRUE(same(now[i], anew[i])) << "draw " << draw_i << ", step " << step_i << ", event " << i;
+                events += now.count;
+            }
         }
     }
     EXPECT_GT(contacts, 1000 * draws);
+    EXPECT_EQ(events > 50 * draws, ingot::has_events<S>);
 }
 
 TEST(Forgetful, are_block_sweeps) { expect_forgetful<Fair<ingot::BlockSweeps, ingot::AllPairs, false>>(1); }
 TEST(Forgetful, are_block_sweeps_by_the_tree) { expect_forgetful<Fair<ingot::BlockSweeps, ingot::SortedTree, true>>(2); }
 TEST(Forgetful, are_hybrid_islands) { expect_forgetful<Fair<ingot::HybridIslands<>, ingot::SortedTree, false>>(3); }
+TEST(Forgetful, are_sleep_and_events) { expect_forgetful<Restful>(5); }
 TEST(Forgetful, are_sequential_impulses) { expect_forgetful<Fair<ingot::SequentialImpulses, ingot::AllPairs, false>>(4); }
 
 }  // namespace
