@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "reference/draws.h"
+#include "reference/kernel_types.h"
 #include "reference/random_input.h"
 
 namespace {
