@@ -252,10 +252,11 @@ protected:
         }
         demand(report.bodies_frozen == frozen, "every body that froze is reported");
         demand(report.spins_clamped <= movable, "at most every body is clamped");
-        // Of contacts with friction, in every substep; calm steps that are calm no more begin again, with all of theirs, but for those of points.
+        // Of contacts with friction, in every substep, of which islands in which something spins fast have four times as many; calm steps that are
+        // calm no more begin again, with all of theirs, but for those of points.
         // A body that is followed has as many again at each of its impacts.
         constexpr int begun_again = ingot::solves_pointwise<S> ? 0 : limits::steady_substeps;
-        constexpr int substeps = (begun_again + limits::substeps) * (S::continuous ? limits::impacts_of_body_max * S::max_bodies + 1 : 1);
+        constexpr int substeps = (begun_again + 4 * limits::substeps) * (S::continuous ? limits::impacts_of_body_max * S::max_bodies + 1 : 1);
         const int contacts = report.contacts + (S::continuous ? limits::pair_manifolds_max : 0);  // those that meet in flight have their own
         const int waves_of_stacks = ingot::solves_pointwise<S> ? 0 : substeps * limits::impacts_of_contact * contacts;
         // Without friction impacts come one after another within the step, each with its waves: follow_impacts in kernel/impulse/impacts_in_step.h.
