@@ -10,6 +10,8 @@ const KINDS = [
   'Moser–Veselov, order 4', 'Runge–Kutta 4', 'Midpoint on the group', 'Euler, as the article printed it', 'Less effort: 2 substeps, 3 sweeps each',
   'More effort: 8 substeps, 6 sweeps each'
 ];
+/// Of a step: in the order of viewer_past.
+const PARTS = ['finding pairs', 'finding contacts', 'solving', 'all else'];
 /// Of one body that only turns.
 const turns = kind => kind >= 3 && kind <= 7;
 const SHAPE_FLOATS = 20, LINE_FLOATS = 7, POINT_FLOATS = 4, TRIANGLE_FLOATS = 10;
@@ -17,8 +19,9 @@ const SHAPE_FLOATS = 20, LINE_FLOATS = 7, POINT_FLOATS = 4, TRIANGLE_FLOATS = 10
 class Engine {
   /// bytes: the module.
   static async load(bytes) {
-    const {instance} = await WebAssembly.instantiate(bytes, {ingot: {write() {}, exit() {}, now_ns() { return 0n; }}});
-    return new Engine(instance.exports);
+    const parts = [0, 0, 0, 0], past = part => { const now = performance.now(); parts[part] += now - parts.at; parts.at = now; };
+    const {instance} = await WebAssembly.instantiate(bytes, {ingot: {past}});
+    return Object.assign(new Engine(instance.exports), {parts});
   }
   constructor(calls) {
     this.calls = calls;
@@ -104,6 +107,7 @@ class Run {
       applied: 0,
       hashes: [],
       times: [],
+      parts: [0, 0, 0, 0],
       differs: false,
       spacing: Run.every,
       held: false
@@ -123,9 +127,11 @@ class Run {
   /// One step: with what was done then, where there is a record of it.
   step() {
     while (this.applied < this.inputs.length && this.inputs[this.applied].at === this.at) this.apply(this.inputs[this.applied++]);
-    const begin = performance.now();
+    const {parts} = this.engine, begin = performance.now();
+    parts.fill(0).at = begin;
     const status = this.engine.calls.step(this.stage, this.h);
     this.times[this.at % 240] = performance.now() - begin;
+    parts.forEach((ms, i) => { this.parts[i] += (ms - this.parts[i]) / Math.min(60, this.at + 1); });
     const hash = this.engine.hash(this.stage);
     ++this.at;
     if (this.at <= this.end) this.differs ||= this.hashes[this.at] !== hash;

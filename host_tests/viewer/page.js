@@ -634,6 +634,7 @@ class Page {
                                            ''}${joule(Math.abs(gain))}`
     ]);
     if (timing) facts.push(['A step takes', `${timing.median.toFixed(2)} ms`], ['at worst', `${timing.worst.toFixed(1)} ms`]);
+    if (timing && !turns(run.kind)) PARTS.forEach((name, i) => facts.push([name, `${run.parts[i].toFixed(2)} ms`]));
     const text = facts.map(pair => pair.join('\t')).join('\n');
     if (text !== this.facts) {
       this.facts = text;

@@ -3,6 +3,9 @@
 // The same file, compiled for the host, makes the table of hashes that the page compares with (native_hashes.cpp).
 #include "viewer.h"
 
+#ifdef __wasm__
+#include "timed_step.h"  // ahead of what includes the step
+#endif
 #include "../scenes/walker.h"
 #include "scenes.h"
 

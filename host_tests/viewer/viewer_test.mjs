@@ -50,8 +50,21 @@ const tests = {
     for (const text of [page.replace(/from_116\('[^']*'\)/, ''), style, body])
       assert(!/\b(src|href)=["'](?!#)|url\(|@import|https?:/.test(text), 'names something outside');
   },
-  the_module_imports_nothing() {
-    assert.deepEqual(WebAssembly.Module.imports(new WebAssembly.Module(bytes)), []);
+  the_module_imports_a_watch_alone() {
+    assert.deepEqual(WebAssembly.Module.imports(new WebAssembly.Module(bytes)), [{module: 'ingot', name: 'past', kind: 'function'}]);
+  },
+  stages_take_together_what_a_step_takes() {
+    for (const kind of engine.scenes[number('boxes')].kinds) {
+      const run = open('boxes', kind), whole = () => run.times.slice(0, 60).reduce((sum, ms) => sum + ms) / 60;
+      go(run, 60);  // until then both are plain means
+      const sum = run.parts.reduce((a, b) => a + b);
+      assert(run.parts.every(ms => ms > 0) && sum <= whole() && sum > 0.9 * whole(), `${KINDS[kind]}: ${run.parts} of ${whole()} ms`);
+    }
+    const asleep = go(open('pyramid'), 300), {parts} = engine;
+    assert(engine.report(0).awake === 0 && parts.every(ms => ms === 0), 'a step that nobody is awake for has no stages');
+    const before = [...asleep.parts];
+    go(asleep, 60);
+    asleep.parts.forEach((ms, i) => assert(Math.abs(ms / before[i] / (59 / 60) ** 60 - 1) < 1e-12));
   },
   every_scene_opens_in_all_its_worlds_and_steps() {
     assert.equal(KINDS.length, engine.calls.kind_count());
