@@ -49,6 +49,23 @@ struct Workers {
     static void run(int, Task&) {}
 };
 
+/// By names that are checked, which are the same traits.
+struct Checked : ingot::Scene {
+    INGOT_TRAIT(max_bodies) = 3;
+    INGOT_TRAIT(translates) = true;
+    INGOT_TRAIT(length_unit) = 2;
+    INGOT_TRAIT(effort) = ingot::low_effort;
+    INGOT_TRAIT_TYPE(rotation) = ingot::LieMidpoint;
+#ifdef MISSPELT_NUMBER
+    INGOT_TRAIT(max_contcts) = 4;
+#endif
+#ifdef MISSPELT_TYPE
+    INGOT_TRAIT_TYPE(solvr) = ingot::FrictionlessImpacts;
+#endif
+};
+static_assert(Checked::max_bodies == 3 && Checked::translates && Checked::length_unit == 2 && Checked::effort.substeps == ingot::low_effort.substeps);
+static_assert(Checked::max_contacts == 0 && __is_same(Checked::rotation, ingot::LieMidpoint));
+
 #ifdef NOT_A_SCENE
 struct Wrong {
 #else

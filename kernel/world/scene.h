@@ -33,8 +33,8 @@ namespace ingot { inline namespace INGOT_ABI {
 ///     };
 ///     static ingot::World<Crates> world;                // .bss; no constructor runs; memcpy is a snapshot
 ///
-/// A trait that is misspelt, `max_bodys`, is a member of your own that nobody asks for, and a compiler cannot know that it was meant for one:
-/// assert what matters, static_assert(Crates::max_bodies == 10). Where a range ends at 65535, INGOT_INDEX_BITS=32 lets it go on to 16 million.
+/// A trait that is misspelt, `max_bodys`, is a member of your own that nobody asks for, and no compiler knows that it was meant for one: by
+/// INGOT_TRAIT and INGOT_TRAIT_TYPE it does not compile. Where a range ends at 65535, INGOT_INDEX_BITS=32 lets it go on to 16 million.
 struct Scene {
     static constexpr int  max_bodies   = 1;      ///< 1 .. 65536
     static constexpr bool translates   = false;  ///< bodies have a place and a velocity: r_CM, v_CM, forces, gravity
@@ -95,6 +95,15 @@ struct Scene {
     using force_field = NoForceField;            ///< or one of motion/force_fields.h, or your own
     using flight   = KickDriftKick;              ///< or another scheme of motion/forced_flight.h, for scenes with a field
 };
+
+/// Names a trait that is a number or an Effort, with the type that it has: `INGOT_TRAIT(max_bodies) = 10;`. One that is none of Scene's does not
+/// compile.
+#define INGOT_TRAIT(name) static constexpr decltype(::ingot::Scene::name) name
+/// Names a trait that is a type: `INGOT_TRAIT_TYPE(solver) = ingot::FrictionlessImpacts;`. The lists hulls and levels are written out: Hull and Level
+/// among the shapes ask for them.
+#define INGOT_TRAIT_TYPE(name)                                    \
+    static_assert(sizeof(typename ::ingot::Scene::name) > 0, ""); \
+    using name
 
 template <bool is_scene, class S>
 struct SceneOrNone {
