@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Writes package NAME and takes it as far as it goes here: a crate falls in a program that is built with it. Meson and CMake are themselves; the commands of
-# ESP-IDF, Zephyr and the Pico SDK are stubs that make real targets; of vcpkg and Conan the build is run that their recipes ask for.
+# Writes package NAME and takes it as far as it goes here: a crate falls in a program that is built with it. Meson, CMake and the builder of the Arduino IDE
+# are themselves, the last with this machine for a board; the commands of ESP-IDF, Zephyr and the Pico SDK are stubs that make real targets; of vcpkg and Conan the build is run that their recipes ask for.
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(NOT result EQUAL 0)
@@ -27,6 +27,19 @@ if(NAME STREQUAL "meson")
   if(NOT commands MATCHES "-fno-fast-math -ffp-contract=off -fno-math-errno[^\n]*-DINGOT_LANES=2[^\n]*/crate.cpp")
     message(FATAL_ERROR "the user's unit is compiled without the contract:\n${commands}")
   endif()
+elseif(NAME STREQUAL "arduino")
+  file(COPY ${taken} DESTINATION ${SCRATCH}/libraries)
+  set(board ${SCRATCH}/hardware/ingot/rp2040)  # the folder says the architecture
+  file(COPY ${here}/arduino/ DESTINATION ${board})
+  configure_file(${here}/arduino/platform.txt.in ${board}/platform.txt @ONLY)
+  file(MAKE_DIRECTORY ${SCRATCH}/built)
+  run(${ARDUINO} -compile -hardware ${SCRATCH}/hardware -hardware ${ARDUINO_TOOLS} -tools ${ARDUINO_TOOLS} -libraries ${SCRATCH}/libraries
+    -fqbn ingot:rp2040:host -build-path ${SCRATCH}/built ${SCRATCH}/libraries/ingot/examples/Crate/Crate.ino)
+  run(${SCRATCH}/built/crate)
+  if(NOT output MATCHES "height, mm: (499|500)\n$")
+    message(FATAL_ERROR "the crate does not lie where it should:\n${output}")
+  endif()
+  return()
 elseif(NAME MATCHES "^(vcpkg|conan)$")
   run(${configure} -S ${taken}/source -DINGOT_BUILD_TESTS=OFF -DINGOT_BUILD_DEMO=OFF -DINGOT_INSTALL=ON)
   run(${CMAKE_COMMAND} --build ${SCRATCH}/build)
