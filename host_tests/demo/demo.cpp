@@ -28,6 +28,15 @@ struct File {
     std::FILE* stream;
 };
 
+/// What is kept, and to which part of itself.
+void print_kept(const char* what, double error, const char* end) {
+    if (error > 0) {
+        std::printf("%s%.1g%s", what, error, end);
+    } else {
+        std::printf("%sthe last digit%s", what, end);
+    }
+}
+
 /// Runs a scene, prints its row, and calls sample(step_i) now and then. Returns false if anything went wrong.
 template <class S, class Sample>
 bool run(const std::string& out_dir, std::FILE* hashes, Sample sample) {
@@ -61,9 +70,10 @@ bool run(const std::string& out_dir, std::FILE* hashes, Sample sample) {
         std::printf("  its bounces lose %.0f %% of the energy; none of the steps gained any beyond rounding, %.1g of it at most\n",
                     -100 * ledger.energy_change(), ledger.largest_gain());
     } else {
-        std::printf("  nothing may change its energy: it is off by %.1g of what it was\n", std::fabs(ledger.energy_change()));
+        print_kept("  its energy, which nothing may change, is what it was to ", std::fabs(ledger.energy_change()), "\n");
     }
-    std::printf("  momentum is off by %.1g of it, axes are at right angles to %.1g\n", ledger.momentum_error(), ledger.orthogonality());
+    print_kept("  its momentum is what it should be to ", ledger.momentum_error(), "; ");
+    print_kept("axes are at right angles to ", ledger.orthogonality(), "\n");
     std::printf("  all its numbers at the end, as one: 0x%016llx%s\n\n", static_cast<unsigned long long>(w.state_hash()),
                 unclean == 0 ? "" : "   NOT EVERY STEP WAS CLEAN");
     return unclean == 0;
