@@ -142,6 +142,34 @@ struct Snapshots : TenBoxesOnPlane {
     }
 };
 
+/// Two rods on hinges, for what joints may have beside.
+struct TwoHinges : Moving {
+    static constexpr int max_bodies = 2;
+    static constexpr int max_joints = 2;
+    using joints = ingot::Joints<ingot::HingeJoint>;
+};
+struct TwoLimits : TwoHinges {
+    using joints = ingot::Joints<ingot::HingeJoint, ingot::WithLimits>;
+};
+struct TwoDrives : TwoHinges {
+    using joints = ingot::Joints<ingot::HingeJoint, ingot::WithDrives>;
+    template <class World>
+    static void ask(World& world) {
+        answer = world.set_joint_drive(world.joint_at(0), ingot::TunedDrive{}) == ingot::Status::ok;
+    }
+};
+struct TwoBalls : TwoHinges {
+    using joints = ingot::Joints<ingot::BallJoint>;
+};
+struct OneLoop : TwoHinges {
+    static constexpr int max_loops = 1;
+};
+struct TwoHingesTouch : TwoHinges {
+    static constexpr int max_bodies = 3;
+    static constexpr int max_manifolds = 3;
+    using shapes = ingot::Shapes<ingot::Box, ingot::HalfSpace>;
+};
+
 /// A shape of the scene for the body of that number: one kind after another.
 template <class S>
 ingot::Shape shape_of(int body_i) {
@@ -173,6 +201,19 @@ ingot::Status set_up(ingot::World<S>& world) {
         ground.immovable = true;
         ground.shape = ingot::HalfSpace{{0, 0, 1}, 0};
         if (status == ingot::Status::ok) status = world.add(ground).status;
+    }
+    if constexpr (ingot::has_joints<S>) {
+        ingot::JointDef joint;
+        if constexpr (S::joints::has(ingot::JointKind::ball)) {
+            joint.joint = ingot::BallJoint{};
+        } else {
+            joint.joint = ingot::HingeJoint{};
+        }
+        for (int body_i = 0; body_i < 2 && status == ingot::Status::ok; ++body_i) {
+            joint.body_B = world.body_at(body_i);
+            status = world.add_joint(joint).status;
+            joint.body_A = joint.body_B;
+        }
     }
     S::ask(world);
     return status;
