@@ -27,8 +27,8 @@ set(memory "memcpy|memset|memmove|memcmp")  # what a compiler may call in freest
 set(arithmetic "__aeabi_[a-z0-9_]+|__gnu_thumb1_case_[a-z]+|__(add|sub|mul|div|cmp|unord|eq|ne|lt|le|gt|ge)[sd]f[23]|__neg[sd]f2|\
 __(mul|div|udiv|mod|umod|divmod|udivmod)[sd]i[34]|__(ash|lsh)[lr][sd]i3|__ashr[sd]i3|__clz[sd]i2|__ctz[sd]i2|__popcount[sd]i2|\
 __(fix|fixuns)[sd]f[sd]i|__(float|floatun|floatuns|floatunsi)[sd]i?[sd]f|__extendsfdf2|__truncdfsf2")
-# Also libgcc: saved registers of PowerPC, copies, shifts and divisions of SH-4.
-set(helpers "_(save|rest)[gf]pr_[0-9]+(_x)?|__movmem[0-9A-Za-z_]+|__[us]divsi3_i4i?|__(ashr|ashl|lshr)si3_r0")
+# Also libgcc: saved registers of PowerPC, copies, shifts and divisions of SH-4; on Windows what touches each page of a large frame.
+set(helpers "___chkstk_ms|_(save|rest)[gf]pr_[0-9]+(_x)?|__movmem[0-9A-Za-z_]+|__[us]divsi3_i4i?|__(ashr|ashl|lshr)si3_r0")
 set(linker "_GLOBAL_OFFSET_TABLE_|_gp_disp|__linear_memory|__stack_pointer|__indirect_function_table")
 
 set(forbidden "")

@@ -2,6 +2,7 @@
 # Runs PROGRAM (through EMULATOR, a list, if there is one) and compares its hash lines with the rows of GOLDEN.
 # QEMU writes what firmware prints by semihosting to its standard error.
 execute_process(COMMAND ${EMULATOR} ${PROGRAM} OUTPUT_VARIABLE output ERROR_VARIABLE output RESULT_VARIABLE result)
+string(REPLACE "\r" "" output "${output}")  # which Windows has at the ends of lines
 message("${output}")
 if(NOT result EQUAL 0)
   message(FATAL_ERROR "the program ended with ${result}")
