@@ -20,7 +20,7 @@ enum class [[nodiscard]] Status : uint8_t {
     bad_restitution,    ///< outside 0 .. 1
     bad_friction,       ///< a coefficient outside 0 .. limits::friction_max
     bad_shape,          ///< a radius or extent that is not positive, a mesh that is not closed
-    not_in_scene,       ///< the scene names no such shape, or does not translate
+    not_in_scene,       ///< the scene names no such shape, has no contacts to keep one for, or does not translate
     immovable,          ///< the call needs a body that can move
     frozen,             ///< the body was driven out of range and stands still until it is removed
     bad_step,           ///< h outside limits::step_min .. step_max
@@ -50,7 +50,7 @@ constexpr const char* name(Status status) {
         case Status::bad_restitution: return "bad_restitution: outside 0 .. 1";
         case Status::bad_friction: return "bad_friction: a coefficient outside 0 .. limits::friction_max";
         case Status::bad_shape: return "bad_shape: a radius or extent that is not positive, a mesh that is not closed";
-        case Status::not_in_scene: return "not_in_scene: the scene names no such shape, or does not translate";
+        case Status::not_in_scene: return "not_in_scene: the scene names no such shape, has no contacts to keep one for, or does not translate";
         case Status::immovable: return "immovable: the call needs a body that can move";
         case Status::frozen: return "frozen: the body was driven out of range and stands still until it is removed";
         case Status::bad_step: return "bad_step: h outside limits::step_min .. step_max";
