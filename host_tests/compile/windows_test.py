@@ -30,4 +30,4 @@ for lanes in (1, 4):
     if asked:
         sys.exit(f"{made} asks for {asked}")
 silently(compiler, "--driver-mode=cl", *target, "-DINGOT_LANES=4", "/std:c++17", "/GR-", *(f"/clang:{flag}" for flag in [*contract, "-ffreestanding"]), "/Zs",
-         source)
+         "--", source)  # a path may begin as an option does: /W, /Users

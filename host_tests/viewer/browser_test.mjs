@@ -62,6 +62,7 @@ const tests = {
     await page.keyboard.press('r');
     await later(page, () => globalThis.page.run.at > 1);
     assert((await page.textContent('#pause')) === 'Pause');
+    await later(page, () => /solving\d+\.\d\d ms/.test(document.getElementById('facts').textContent));
     await page.close();
   },
   async the_mouse_drags_a_body_and_the_replay_has_its_bits() {
