@@ -161,6 +161,20 @@ class Packages(unittest.TestCase):
         self.assertEqual(told["zephyr_include_directories"], [["src"]])
         self.assertRegex(text_of("zephyr", "Kconfig"), r'(?m)^config INGOT\n\tbool ".*"\n\tdepends on CPP ')
 
+    def test_zephyr_kconfig(self):
+        """Read by the library that Zephyr reads it with, where that is installed: ingot is to be had where C++17 is."""
+        try:
+            import kconfiglib
+        except ImportError:
+            return
+        for has_cpp, has_17, gets in (("y", "y", "y"), ("y", "n", "n"), ("n", "n", "n")):
+            above = SCRATCH / "Kconfig"
+            above.write_text("".join(f"config {name}\n\tbool\n\tdefault {value}\n" for name, value in (("CPP", has_cpp), ("STD_CPP17", has_17)))
+                             + f'source "{folder_of("zephyr") / "Kconfig"}"\n', encoding="utf-8")
+            read = kconfiglib.Kconfig(str(above), warn=False)
+            read.syms["INGOT"].set_value(2)
+            self.assertEqual(read.syms["INGOT"].str_value, gets, f"CPP={has_cpp} STD_CPP17={has_17}")
+
     def test_vcpkg(self):
         told = told_by(folder_of("vcpkg") / "portfile.cmake", CURRENT_PACKAGES_DIR=SCRATCH / "nowhere")
         (configured,) = told["vcpkg_cmake_configure"]
