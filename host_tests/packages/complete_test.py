@@ -9,6 +9,7 @@ import csv
 import json
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import types
@@ -214,6 +215,24 @@ class Packages(unittest.TestCase):
         for name, file in (("meson", "meson.build"), ("xmake", "xmake.lua")):
             flags = re.findall(r"['\"](-f[\w=-]+)['\"]", text_of(name, file))
             self.assertEqual(flags, contract, f"{name}: not the contract of toolchains/flags.cmake")
+
+    def test_xmake(self):
+        """Run by Lua, where that is installed, with functions that note what they are told in the place of xmake's: what each platform gets."""
+        lua = shutil.which("lua5.4") or shutil.which("lua")
+        if lua is None:
+            return
+        for platform, architecture, lanes, flag in (("linux", "x86_64", "4", "-ffp-contract=off"), ("linux", "i386", "1", "-mfpmath=sse"),
+                                                    ("linux", "riscv64", "1", "-ffp-contract=off"), ("windows", "x64", "1", "/fp:precise")):
+            stubs = f"""
+                local function among(mine, ...) for _, name in ipairs({{...}}) do if name == mine then return true end end return false end
+                is_plat = function(...) return among("{platform}", ...) end
+                is_arch = function(...) return among("{architecture}", ...) end
+                setmetatable(_G, {{__index = function(_, name) return function(...) print(name, ...) end end}})
+                dofile("{folder_of("xmake") / "xmake.lua"}")"""
+            told = subprocess.run([lua, "-e", stubs], capture_output=True, text=True, check=True).stdout
+            self.assertRegex(told, r"(?m)^target\tingot$")
+            self.assertRegex(told, rf"(?m)^add_defines\tINGOT_LANES={lanes}\t")
+            self.assertRegex(told, rf"(?m)^add_cxxflags\t.*{re.escape(flag)}\t")
 
     def test_cmsis_pack(self):
         pack = xml.etree.ElementTree.fromstring(text_of("cmsis_pack", "ingot.pdsc"))

@@ -22,6 +22,7 @@ const address = pathToFileURL(resolve(page_path)).href;
 const faults = [];
 async function open(hash = '', options = {}) {
   const page = await browser.newPage({viewport: {width: 1200, height: 760}, ...options});
+  page.setDefaultTimeout(300000);  // on a machine with other work a tap may wait for its frame
   page.on('pageerror', error => faults.push(error.message));
   page.on('console', message => { if (message.type() === 'error') faults.push(message.text()); });
   page.on('request', request => { if (!/^(file|data|blob):/.test(request.url())) faults.push(`asks for ${request.url()}`); });
