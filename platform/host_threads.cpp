@@ -24,6 +24,7 @@ public:
     }
 
     void run(int workers, int count, void (*call)(void*, int), void* task) {
+        if (count < 1) return;
         const std::lock_guard<std::mutex> turn(turn_);
         while (static_cast<int>(threads_.size()) + 1 < workers) threads_.emplace_back([this, seat = &seats_[threads_.size()]] { serve(*seat); });
         const int offers = (count < workers ? count : workers) - 1;

@@ -23,7 +23,7 @@ template <class S, int count>
 void expect_same_in_one_heap(uint64_t seed, scalar h) {
     Shuffled<count>::seed = seed;
     Shuffled<count>::rows = 0;
-    constexpr int steps = S::continuous ? 8 : 40;  // where many are fast, flights take longer than all else
+    constexpr int steps = S::continuous ? 12 : 40;  // where many are fast, flights take longer than all else
     expect_same_bits<S, Shuffled<count>>(seed, steps, h, Lie::in_one_heap);
     if (ingot::solves_in_parts<On<S, Shuffled<count>>> && S::shapes::has(ingot::ShapeKind::box) && S::max_manifolds > 400) {
         EXPECT_GT(Shuffled<count>::rows, 30 * steps) << "it was never solved together";
