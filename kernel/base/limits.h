@@ -165,10 +165,11 @@ inline constexpr scalar energy_rounding = 16 * epsilon;
 inline constexpr int bodies_of_task = 64;     ///< to be moved, or bounded
 inline constexpr int pairs_of_task = 64;      ///< to be looked at
 inline constexpr int manifolds_of_task = 16;  ///< to be solved
-// And within a solve that they share, a microsecond: visits of a sweep, and so many times as many of what reads much and computes little.
-inline constexpr int visits_of_task = 8;
-inline constexpr int tasks_worth_share = 8, tasks_worth_extrapolation = 32;
-inline constexpr int manifolds_together = 256;          ///< so many are worth it
+// And within a solve that they share, a microsecond.
+inline constexpr int visits_of_task = 8;                ///< of a sweep
+inline constexpr int tasks_worth_share = 8;             ///< so many times as many visits, of stages that go along blocks
+inline constexpr int tasks_worth_extrapolation = 32;    ///< and of what reads much and computes little
+inline constexpr int manifolds_together = 256;          ///< of an island, to be shared at all
 inline constexpr scalar uneven_share = scalar(1.25);    ///< a part with so many times what each core should have leaves others idle
 
 // Sweeps (solver/sweeps/).

@@ -15,13 +15,13 @@ namespace ingot { inline namespace INGOT_ABI {
 ///     template <class Task> static void run(int count, Task& task);   calls task(0) .. task(count - 1), each once, in any order, on any core, and
 ///                                                                     returns when all are done; what one has written, whoever goes on sees
 ///
-/// And a third where tasks of a microsecond are too small for them, or still large: of one large island's sweeps,
+/// And it may have a third, for the sweeps of one large island, which hand out tasks of a microsecond:
 ///
-///     static constexpr int least_visits;                              visits to contacts are worth a task: 8, if it is not named
+///     static constexpr int least_visits;                              so many visits to contacts are worth a task: 8, if it is not named
 ///
 /// Tasks write to places of their own, so they need no locks, and what they compute depends on their number alone: the bits of a world are the same
-/// for any workers. Up to 4 * workers tasks are handed out at one time, some ten times a step; stages with little to do are not shared.
-/// A task takes as much stack as step() does.
+/// for any workers. Up to 4 * workers tasks are handed out at one time, some ten times a step, and some hundred times where one
+/// large island is shared; stages with little to do are not. A task takes as much stack as step() does.
 struct OneCore {
     static constexpr int workers = 1;  ///< so many tasks at one time
     /// Calls task(0) .. task(count - 1).

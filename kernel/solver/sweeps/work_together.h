@@ -148,7 +148,7 @@ private:
         int visit_count() const { return count == 0 ? 0 : ends[count - 1]; }
     };
     static Groups list_groups(const SolverView& view, const Visit* visits, int count, Index* ends);
-    /// Whether most visits are in groups that are shared. Where they are not, a core would have to fetch what others have worked on, for little.
+    /// Whether three of four visits are in groups that are shared. Else a core would fetch what others have worked on, and back, for little.
     bool has_large_groups(const Groups& groups) const;
     Groups groups_of_all(const SolverView& view) const { return {view.visits, ends_of_visits_, visit_groups_}; }
     Groups groups_of_live(const SolverView& view) const {
