@@ -39,12 +39,14 @@ inline constexpr int tasks_max = Workers::workers == 1 ? 1 : tasks_of_worker * W
 
 /// The workers of a scene, for code that is compiled apart from it.
 struct TaskRunner {
+    /// A task of whatever type.
     struct AnyTask {
-        void (*call)(const AnyTask& task, int task_i);
-        void operator()(int task_i) const { call(*this, task_i); }
+        void (*call)(const AnyTask& task, int task_i);              ///< does part task_i of it
+        void operator()(int task_i) const { call(*this, task_i); }  ///< the same
     };
-    int workers, least_visits;
-    void (*run)(int count, const AnyTask& task);
+    int workers;                                  ///< as of the scene's workers
+    int least_visits;                             ///< so many visits to contacts are worth a task
+    void (*run)(int count, const AnyTask& task);  ///< Workers::run
 
     /// As Workers::run. The task is copied: one that holds what it works with by value is in one cache line, which other cores read at once.
     template <class Task>
@@ -57,14 +59,17 @@ struct TaskRunner {
         run(count, Copied(task));
     }
 };
+/// Workers::least_visits, where it is named.
 template <class Workers>
 constexpr auto least_visits_of(int) -> decltype(Workers::least_visits + 0) {
     return Workers::least_visits;
 }
+/// Where it is not.
 template <class Workers>
 constexpr int least_visits_of(long) {
     return limits::visits_of_task;
 }
+/// Of the workers of a scene.
 template <class Workers>
 constexpr TaskRunner runner_of() {
     return {Workers::workers, least_visits_of<Workers>(0), [](int count, const TaskRunner::AnyTask& task) { Workers::run(count, task); }};
