@@ -18,21 +18,22 @@ void expect_same_when_shuffled(uint64_t seed, scalar h) {
     EXPECT_GT(Shuffled<count>::most_tasks, 1) << "nothing was shared";
 }
 
-/// One island that all cores work on together, where the scene's contacts can be shared.
+/// One heap. True where it was one island that all cores worked on together for most of its steps: of heaps of chance not all are.
 template <class S, int count>
-void expect_same_in_one_heap(uint64_t seed, scalar h) {
+bool is_same_in_one_heap(uint64_t seed, scalar h) {
     Shuffled<count>::seed = seed;
     Shuffled<count>::rows = 0;
     constexpr int steps = S::continuous ? 12 : 40;  // where many are fast, flights take longer than all else
     expect_same_bits<S, Shuffled<count>>(seed, steps, h, Lie::in_one_heap);
-    if (ingot::solves_in_parts<On<S, Shuffled<count>>> && S::shapes::has(ingot::ShapeKind::box) && S::max_manifolds > 400) {
-        EXPECT_GT(Shuffled<count>::rows, 30 * steps) << "it was never solved together";
-    }
+    return Shuffled<count>::rows > 30 * steps;
 }
+/// Whether the contacts of a heap can be shared, and it has room to be large.
+template <class S>
+constexpr bool may_be_shared = ingot::solves_in_parts<On<S, Shuffled<2>>> && S::shapes::has(ingot::ShapeKind::box) && S::max_manifolds > 400;
 
 template <class S>
 class Cores : public ::testing::Test {};
-using Scenes = ingot_reference::BriefTypes<3, Sleepers, Materials, Full, Plain, Locked, Balls, Fast, OnLevels, Joined, Hybrid, Pointwise>;
+using Scenes = ingot_reference::BriefTypes<3, Sleepers, Materials, Full, Plain, Locked, Balls, Fast, OnLevels, Joined, Hybrid, Pointwise, Scarce>;
 TYPED_TEST_SUITE(Cores, Scenes);
 
 TYPED_TEST(Cores, give_the_bits_of_one) {
@@ -48,13 +49,17 @@ TYPED_TEST(Cores, give_the_bits_of_one) {
 }
 TYPED_TEST(Cores, give_the_bits_of_one_to_one_large_heap) {
     const scalar rates[] = {60, 30, 120};
+    int shared = 0;
     for (uint64_t seed = 1; seed <= draws(4); ++seed) {
         const scalar h = 1 / rates[seed % 3];
-        expect_same_in_one_heap<TypeParam, 3>(seed + 300, h);
+        shared += is_same_in_one_heap<TypeParam, 3>(seed + 300, h) ? 1 : 0;
 #if !INGOT_TEST_BRIEF
-        expect_same_in_one_heap<TypeParam, 2>(seed + 400, h);
-        expect_same_in_one_heap<TypeParam, 8>(seed + 500, h);
+        shared += is_same_in_one_heap<TypeParam, 2>(seed + 400, h) ? 1 : 0;
+        shared += is_same_in_one_heap<TypeParam, 8>(seed + 500, h) ? 1 : 0;
 #endif
+    }
+    if (may_be_shared<TypeParam>) {
+        EXPECT_GT(shared, 0);
     }
 }
 

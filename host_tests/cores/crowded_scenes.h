@@ -31,6 +31,10 @@ struct Fast : Crowded {
 struct Full : Crowded {
     static constexpr int max_manifolds = 200, max_pairs = 300, work_budget = 16 * 200;
 };
+/// With room for a heap, but not for all of it, nor for all visits.
+struct Scarce : Crowded {
+    static constexpr int max_manifolds = 500, max_pairs = 900, work_budget = 16 * 500;
+};
 struct OnLevels : Crowded {
     static constexpr ingot::LevelTable levels[] = {level_test::roof.view(), level_test::hill.value.view()};
     static constexpr bool sleeps = true;

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Writes package NAME and takes it as far as it goes here: a crate falls in a program that is built with it. Meson, CMake and the builder of the Arduino IDE
-# are themselves, the last with this machine for a board; the commands of ESP-IDF, Zephyr and the Pico SDK are stubs that make real targets; of vcpkg and Conan the build is run that their recipes ask for.
+# are themselves, the last with this machine for a board; the commands of ESP-IDF, Zephyr and the Pico SDK are stubs that make real targets; of vcpkg and
+# Conan the build is run that their recipes ask for.
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(NOT result EQUAL 0)
