@@ -131,6 +131,71 @@ TEST(CrowdedContacts, without_friction_hold_what_falls_on_a_floor) {
         }
 }
 
+/// Bodies each of which may meet each other, in one place.
+template <int manifolds, class BroadPhase, class Solver, bool asleep>
+struct Knot : ingot::Scene {
+    static constexpr int max_bodies = 7;
+    static constexpr bool translates = true;
+    static constexpr int max_manifolds = manifolds;
+    static constexpr int max_pairs = manifolds;
+    static constexpr bool sleeps = asleep;
+    using broad_phase = BroadPhase;
+    using solver = Solver;
+    using shapes = ingot::Shapes<ingot::Sphere, ingot::Box, ingot::Capsule, ingot::HalfSpace>;
+};
+constexpr int knot_pairs = 7 * 6 / 2;
+
+ingot::BodyDef body_of_knot(RandomInput& random) {
+    const auto size = [&] { return static_cast<scalar>(random.real(0.3, 0.6)); };
+    const auto place = [&] { return static_cast<scalar>(random.real(-0.4, 0.4)); };
+    const Shape shapes[] = {ingot::Sphere{size()}, ingot::Box{{size(), size(), size()}}, ingot::Capsule{size(), size()}};
+    return yard::plain_body({place(), place(), scalar(0.3) + place()}, shapes[random.integer(0, 2)]);
+}
+
+/// Bodies come, go and are put elsewhere; all that is told is what a scene with more room tells.
+template <class BroadPhase, class Solver, bool asleep>
+void expect_room_for_all(unsigned seed) {
+    using Exact = Knot<knot_pairs, BroadPhase, Solver, asleep>;
+    using Roomy = Knot<3 * knot_pairs, BroadPhase, Solver, asleep>;
+    using Tight = Knot<knot_pairs - 1, BroadPhase, Solver, asleep>;
+    static_assert(!ingot::can_be_crowded<Exact> && !ingot::can_be_crowded<Roomy> && ingot::can_be_crowded<Tight>);
+    static ingot::World<Exact> exact;
+    static ingot::World<Roomy> roomy;
+    RandomInput random(seed);
+    int most = 0;
+    for (int case_i = 0; case_i < (INGOT_TEST_BRIEF ? 4 : 40) && !::testing::Test::HasFailure(); ++case_i) {
+        SCOPED_TRACE(::testing::Message() << "case " << case_i << ", seed " << seed);
+        const auto both = [&](auto edit) {
+            edit(exact);
+            edit(roomy);
+        };
+        both([&](auto& world) {
+            yard::clear(world);
+            ASSERT_EQ(world.set_gravity({0, 0, scalar(-9.81)}), ingot::Status::ok);
+            ASSERT_TRUE(world.add(yard::ground()).ok());
+        });
+        const scalar h = 1 / static_cast<scalar>(random.integer(30, 240));
+        for (int step_i = 0; step_i < 90; ++step_i) {
+            const int slot = random.integer(1, 6), what = step_i < 6 ? 0 : random.integer(0, 9);
+            const ingot::BodyDef def = body_of_knot(random);
+            both([&](auto& world) {
+                if (what == 0) (void)world.add(def);
+                if (what == 1) (void)world.remove(world.body_at(slot));
+                if (what == 2) (void)world.set_state(world.body_at(slot), def.state);
+            });
+            const StepReport report = ingot::step(exact, h), of_roomy = ingot::step(roomy, h);
+            ASSERT_EQ(report.contacts_lost, 0);
+            ASSERT_EQ(report.contacts, of_roomy.contacts);
+            ASSERT_EQ(exact.state_hash(), roomy.state_hash()) << "step " << step_i;
+            most = std::max(most, static_cast<int>(report.contacts));
+        }
+    }
+    EXPECT_GE(most, knot_pairs - 3) << "they hardly met";
+}
+TEST(RoomForEachWithEach, is_never_full) { expect_room_for_all<All, ingot::BlockSweeps, false>(31); }
+TEST(RoomForEachWithEach, is_never_full_by_the_tree_and_asleep) { expect_room_for_all<Tree, ingot::BlockSweeps, true>(32); }
+TEST(RoomForEachWithEach, is_never_full_point_by_point) { expect_room_for_all<All, ingot::SequentialImpulses, true>(33); }
+
 // F13 itself: ten boxes, room for eight.
 
 template <int manifolds, class Solver = ingot::BlockSweeps>

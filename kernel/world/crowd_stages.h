@@ -133,7 +133,7 @@ template <class S, class Fast>
 [[gnu::noinline, gnu::cold]] void choose_manifolds(Step<S>& now, [[maybe_unused]] const SurfaceView& surfaces,
                                                    [[maybe_unused]] const Fast& fast_pairs) {
     auto& storage = now.storage;
-    if constexpr (!S::holds_crowds) {
+    if constexpr (!can_be_crowded<S>) {
         forget_refused(storage.pair_list());
     } else {
         const CrowdBodies crowd = {now.bodies, surfaces, now.h, S::max_shapes_of_body};

@@ -39,7 +39,7 @@ void resolve_impacts([[maybe_unused]] Step<S>& now) {
         refresh_inv_I_world(now.bodies);  // Eq. 20
         restrict_inertia(now);
         find_contacts<typename S::shapes>(step, contacts, now.report);
-        if constexpr (S::holds_crowds)
+        if constexpr (can_be_crowded<S>)
             if (now.report.contacts_lost != 0) hold_lost_contacts(now);
         follow_impacts<typename S::shapes, S::kinematic_bodies, S::reads_contacts>(step, contacts, now.visits_left, now.report);
         damp(now);

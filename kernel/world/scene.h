@@ -67,7 +67,7 @@ struct Scene {
     static constexpr bool recycles_manifolds = true;   ///< where bodies hardly move, manifolds are moved along with them and not searched anew
     static constexpr bool hides_internal_edges = true;  ///< fixed boxes and hulls side by side are one floor; false: bodies stumble at edges there
     /// Where arrays are full, who needs a contact most has one, and the others are stopped: see StepReport::contacts_lost. false: who comes late
-    /// falls, for 10 KB less flash, in scenes whose arrays have room for all there is
+    /// falls, for 10 KB less flash. Scenes whose arrays have room for each body with each other, n (n - 1) / 2, save that by themselves
     static constexpr bool holds_crowds = true;
     static constexpr bool bounces      = true;   ///< bodies may have a restitution; false: none bounces, for 5 KB less flash
     static constexpr bool sleeps       = false;  ///< islands of bodies at rest are left out of the step until something wakes them
@@ -271,6 +271,17 @@ inline constexpr bool has_materials = S::rolling_resistance || S::surface_veloci
 template <class S>
 inline constexpr bool has_more_than_balls = S::shapes::has(ShapeKind::box) || S::shapes::has(ShapeKind::capsule) ||
                                             S::shapes::has(ShapeKind::cylinder) || S::shapes::has(ShapeKind::hull);
+
+/// Its arrays of contacts can be full. Where they have room for each body with each other nobody is left without a place, and what looks after
+/// those who are is not linked. Two balls are one point of max_contacts; compounds and levels make more of a pair.
+template <class S>
+inline constexpr bool can_be_crowded = [] {
+    constexpr long long pairs = static_cast<long long>(S::max_bodies) * (S::max_bodies - 1) / 2;
+    if (!S::holds_crowds) return false;
+    if (S::max_shapes_of_body > 1 || has_levels<S>) return true;
+    if (collides<S> && (S::max_contacts < pairs || has_more_than_balls<S>)) return true;
+    return stacks<S> && (S::max_manifolds < pairs || pairs_with_own<S> < pairs);
+}();
 
 /// Manifolds may be moved along with their bodies: see worth_renewing.
 template <class S>

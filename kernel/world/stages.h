@@ -143,7 +143,7 @@ void find_pairs([[maybe_unused]] Step<S>& now) {
         else
             changed = search_all(now, search_of(now), pairs);
         if (!changed) return;
-        if (S::holds_crowds && *pairs.lost != 0) choose_pairs(now);
+        if (can_be_crowded<S> && *pairs.lost != 0) choose_pairs(now);
         if constexpr (has_compounds<S>) drop_pairs_of_one_body<S::max_shapes_of_body>(pairs);
         match_records(storage.manifold_view(), pairs);
     }
@@ -269,7 +269,7 @@ void note_approaches([[maybe_unused]] Step<S>& now) {
 /// What found no room in the arrays of contacts falls through nothing. No stage moves a body after it: what is locked has its bits.
 template <class S>
 void hold_what_has_no_room([[maybe_unused]] Step<S>& now) {
-    if constexpr (stacks<S> && S::holds_crowds)
+    if constexpr (stacks<S> && can_be_crowded<S>)
         if (now.report.contacts_lost != 0) hold_refused(now, surfaces_of(now), known_fast_pairs(now));
     hold_locks(now);
 }
