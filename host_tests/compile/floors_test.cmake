@@ -39,7 +39,7 @@ set(standard_of_kernel/base/compiler.h "limits")
 # integrate_r is there for forced_flight, which is made of stages.
 set(motion_shares acceleration flight_clock turn moser_veselov moser_veselov_series moser_veselov_stage force_field forced_tile elliptic_functions integrate_r)
 set(shape_shares shapes surface convex_hull placed_shape compound)
-set(broad_phase_shares near_shapes body_bounds body_pairs bound_shape all_pairs search_view sorted_tree tree_walk)
+set(broad_phase_shares hold_shapes near_shapes body_bounds body_pairs bound_shape all_pairs search_view sorted_tree tree_walk)
 set(level_shares level_table level_walk height_walk mesh_walk height_grid lattice lattice_steps level_checksum height_field_of mesh_builder)
 set(narrow_phase_shares find_level_manifolds collide_kinds inner_edges level_cone level_patches collide_level triangle_hull manifold manifold_points box_axes contact_geometry contact_patch collide_pairs nearest_points plane_between manifold_record
   manifold_anchors find_manifolds normal_cone)

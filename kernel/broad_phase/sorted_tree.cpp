@@ -18,8 +18,7 @@ void build_with_places(const SearchView& search, const SortedTreeView& tree) {
         search.clear(slot, SearchFlag::moved);
     }
     const int count = build_tree(search.shapes, search.bounds, tree);
-    // bound: max_bodies max_shapes_of_body
-    for (int key_i = 0; key_i < count; ++key_i) tree.place[tree.other_keys[key_i].slot] = static_cast<Index>(key_i + 1);
+    note_places(tree, count);
     *tree.used = static_cast<Index>(count);
     *tree.moved = 0;
 }

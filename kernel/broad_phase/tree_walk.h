@@ -123,6 +123,12 @@ inline void make_leaves(const BodyView& bodies, const BoundsTile* bounds, const 
     for (int box_i = tree.leaf_places - 1; box_i > 0; --box_i) tree.boxes[box_i] = around(tree.boxes[2 * box_i], tree.boxes[2 * box_i + 1]);
 }
 
+/// Where each shape of the order is.
+inline void note_places(const SortedTreeView& tree, int count) {
+    // bound: max_bodies max_shapes_of_body
+    for (int key_i = 0; key_i < count; ++key_i) tree.place[tree.other_keys[key_i].slot] = static_cast<Index>(key_i + 1);
+}
+
 inline void set_leaf(TreeLeaf& leaf, int i, const TreeBox& box, int slot, bool moves) {
     const scalar low[3] = {box.low.x, box.low.y, box.low.z}, high[3] = {box.high.x, box.high.y, box.high.z};
     for (int axis = 0; axis < 3; ++axis) {

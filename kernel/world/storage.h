@@ -7,6 +7,7 @@
 #pragma once
 
 #include "../broad_phase/hold_shapes.h"
+#include "../broad_phase/part_leaves.h"
 #include "../constraint/locked_view.h"
 #include "features/features.h"
 
@@ -132,6 +133,7 @@ struct Storage : features::All::Memory<S> {
         if constexpr (queries_by_tree<S>) {
             const SearchView search = search_view();
             const SortedTreeView tree = query_tree();
+            if (part_leaves(search, tree)) return;
             if constexpr (S::sleeps)
                 for_active(this->rest_view(), [&](int slot) {
                     ingot::hold_shapes(search, tree, slot * S::max_shapes_of_body, (slot + 1) * S::max_shapes_of_body);
