@@ -18,10 +18,29 @@ bool LevelPatches::is_in_plane(const TriangleFace& face) const {
     return abs(dot(face.n, away)) <= grain * size;
 }
 
-/// What is no deeper than its least half extent may be pushed out through a face; deeper, it stands beside it, or behind a sheet.
+/// What is no deeper than its least half extent may be pushed out through a face; deeper, it stands beside it, or behind a sheet. A field is solid:
+/// whose centre is in the ground, or beside it at a rim, is pushed out from any depth; but not who has the back of a spike beside it and ground
+/// below.
 bool LevelPatches::is_above(const TriangleFace& face) const {
     const scalar height = dot(face.n, on_.body.r - face.corners[0]);
-    return is_solid() || (height > -on_.half_extent && (height >= 0 || !has_back(level_, face)));
+    if (is_solid()) return height > -on_.half_extent || !is_in_the_air();
+    return height > -on_.half_extent && (height >= 0 || !has_back(level_, face));
+}
+
+/// A triangle of the field is straight below the centre of the body. Within `flush` of its edges it counts: none is missed by a rounding.
+bool LevelPatches::is_in_the_air() const {
+    const Vector& r = on_.body.r;
+    bool is = false;
+    for_triangles_in(level_, {r.x, r.y, level_.low.z}, r, [&](const LevelTriangle& triangle) {
+        TriangleFace face;
+        if (is || !face_of_triangle(triangle, face) || !(dot(face.n, r - face.corners[0]) >= 0)) return;
+        is = true;
+        for (int i = 0; i < 3; ++i) {
+            const Vector q = r - face.corners[i];
+            is = is && face.along[i].x * q.y - face.along[i].y * q.x >= -on_.flush;
+        }
+    });
+    return is;
 }
 
 namespace {

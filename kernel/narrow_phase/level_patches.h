@@ -48,7 +48,7 @@ public:
         const Manifold& above = above_plane<Shapes>(face);
         bool stands = stands_inside(face, above);
         if (ends_below(triangle, face)) {
-            stands = lies_across(triangle, face, above) || stands;
+            stands = (is_above(face) && lies_across(triangle, face, above)) || stands;
             bool of_side = false;
             if (!stands && add_round(triangle, face, of_side)) return;
             if (!of_side) {
@@ -87,6 +87,7 @@ private:
     bool reaches(const TriangleFace& face) const;
     bool is_solid() const { return !level_.is_mesh(); }
     bool is_above(const TriangleFace& face) const;
+    bool is_in_the_air() const;
     bool stands_inside(const TriangleFace& face, const Manifold& above) const;
     bool lies_across(const LevelTriangle& triangle, const TriangleFace& face, const Manifold& above);
     bool add_round(const LevelTriangle& triangle, const TriangleFace& face, bool& of_side);
