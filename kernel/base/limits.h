@@ -69,6 +69,11 @@ inline constexpr int impact_waves_max = 128;    ///< impacts that impacts cause 
 /// Of a contact, at different times of a step; in the second half of them it bounces no more, and then its bodies do not pass the plane between them
 /// any more. Both are reported.
 inline constexpr int impacts_in_step_max = 64;
+inline constexpr int contact_sweeps_max = 128;  ///< over the contacts solved together; what is left is reported
+/// Visits of solves to a contact, for all impacts of a step together: as many as one solve makes at most, of whose sweeps over pairs each may be as
+/// many over the contacts of a pair. Then the impacts go on without it, which is reported, and what presses holds it. So a step has no more than
+/// three times as many for each contact, the solve that had its last and that of what presses among them.
+inline constexpr int impact_visits_max = contact_sweeps_max * contact_sweeps_max;
 /// rad; corners are followed on their way for so long: further on they are off by more than a fiftieth of their lever.
 inline constexpr scalar corner_turn = scalar(0.5);
 /// Of a step; corners of a box that come no later after the first come with it. Else a box dropped flat begins to spin once rounding has tilted it by
@@ -76,7 +81,6 @@ inline constexpr scalar corner_turn = scalar(0.5);
 inline constexpr scalar corners_together = scalar(1) / 16;
 /// Of Newton's method for the time at which two balls meet that forces bend the ways of: each doubles the digits, from three on.
 inline constexpr int meeting_passes = 3;
-inline constexpr int contact_sweeps_max = 128;  ///< over the contacts solved together; what is left is reported
 /// A contact counts as approaching, and a sweep as unfinished, beyond this many roundings of the speeds that it is computed from.
 inline constexpr scalar contact_roundings = 8;
 inline constexpr scalar contact_slack = 8;  ///< contact_roundings is multiplied by this once a quarter of the sweeps are done

@@ -51,7 +51,8 @@ struct [[nodiscard]] StepReport {
     Index pairs_untested{};   ///< pairs of shapes that overlap by their bounds, and for which the kernel has no test yet
     Index impact_waves{};     ///< rounds of simultaneous impacts that were resolved
     /// contacts still approaching after limits::impact_waves_max or impacts_of_contact, or that bounce no more, as they have had half of that many or
-    /// of limits::impacts_in_step_max; fast bodies that wait for the next step where they met something
+    /// of limits::impacts_in_step_max; contacts that have had limits::impact_visits_max visits; fast bodies that wait for the next step where they
+    /// met something
     Index impacts_deferred{};
     Index sweeps{};           ///< sweeps over contacts in all substeps: the most that an island took
     Index overlaps_lost{};    ///< bodies in a sensor, and no room: raise Scene::max_overlaps

@@ -48,7 +48,8 @@ void ContactSink::make_room(int index) const {
 void ContactSink::add(ContactPlace place, const Vector& n, const Vector& lever_A, const Vector& lever_B, scalar separation, scalar when, int corner) {
     INGOT_ASSERT(*contacts.count <= contacts.capacity);
     INGOT_ASSERT(slot_A != slot_B);
-    if (!place.is_known && *contacts.count < contacts.capacity) {
+    const bool is_added = !place.is_known && *contacts.count < contacts.capacity;
+    if (is_added) {
         ++*contacts.count;
     } else if (!place.is_known) {
         count(*lost);
@@ -60,10 +61,11 @@ void ContactSink::add(ContactPlace place, const Vector& n, const Vector& lever_A
         next.body_A = static_cast<Index>(slot_A);
         next.body_B = static_cast<Index>(slot_B);
         next.separation = separation;
-        if (!gives_way(bodies, contacts.contacts[place.index], next)) return;
+        const Contact& shallowest = contacts.contacts[place.index];
+        if (is_at_its_bound(shallowest) || !gives_way(bodies, shallowest, next)) return;
     }
     Contact& contact = contacts.contacts[place.index];
-    if (place.is_known && stays(contact)) return;
+    if (place.is_known && is_at_its_bound(contact)) return;
     contact.n = n;
     contact.lever_A = lever_A;
     contact.lever_B = lever_B;
@@ -76,10 +78,11 @@ void ContactSink::add(ContactPlace place, const Vector& n, const Vector& lever_A
     contact.body_A = static_cast<Index>(slot_A);
     contact.body_B = static_cast<Index>(slot_B);
     contact.e = e;
-    contact.corner = static_cast<uint8_t>(corner);
+    contact.corner = static_cast<uint8_t>(corner) & 7u;
     contact.aside = true;
     contact.at_hand = false;
-    contact.impacts = 0;
+    if (is_added) contact.impacts = 0;  // else those of the one that was here: so the place has its bounds, whoever takes it
+    if (is_added) contact.visits = 0;
     contact.j_impact = contact.j_total = 0;
 }
 

@@ -18,8 +18,9 @@ struct Contact {
     bool touches : 1;    ///< since `when`; else its bodies are on their way
     bool is_new : 1;     ///< found, and no row yet
     bool at_hand : 1;    ///< it meets in the impact at hand
-    uint8_t corner;      ///< of a box: which; else 0
+    uint8_t corner : 3;  ///< of a box: which; else 0
     uint8_t impacts;     ///< at different times of this step
+    uint16_t visits;     ///< of solves, for impacts of this step
     Vector n;            ///< unit normal, from B to A
     Vector lever_A;      ///< r_AP x n, m; exactly zero for a sphere, whose normal passes through its centre
     Vector lever_B;      ///< r_BP x n, m
@@ -39,6 +40,11 @@ struct Contact {
 
 /// Whether a contact has had all the impacts of a step that it may have.
 INGOT_INLINE bool stays(const Contact& c) { return c.impacts >= limits::impacts_in_step_max; }
+
+/// Whether the impacts of a step have visited a contact as often as they may: they go on without it, and what presses as the step ends holds it.
+INGOT_INLINE bool is_worn(const Contact& c) { return c.visits >= limits::impact_visits_max; }
+
+INGOT_INLINE bool is_at_its_bound(const Contact& c) { return stays(c) || is_worn(c); }
 
 /// The contacts of a step, without their capacity. Those of a pair stand together.
 struct ContactView {

@@ -125,6 +125,7 @@ namespace {
 /// was off by more than slack times its tolerance.
 bool visit(Contact& c, scalar slack, const BodyView& bodies) {
     c.change = 0;
+    ++c.visits;
     const scalar missing = c.target - normal_speed(c, bodies).u;
     if (abs(missing) <= c.tolerance * slack && c.j >= 0) return false;
     const scalar wanted = c.j + missing * c.inv_K;

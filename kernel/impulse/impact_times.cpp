@@ -71,7 +71,7 @@ bool gather_impact(const ImpactStep& step, const ContactView& contacts, int firs
     while (grows) {  // bound: max_contacts: each turn but the last takes one in
         grows = false;
         for_contacts(contacts, [&](Contact& c) {
-            if (!c.aside || !(c.touches || c.when <= last)) return;
+            if (!c.aside || is_worn(c) || !(c.touches || c.when <= last)) return;
             bool joins = false;
             for_contacts(contacts, [&](const Contact& other) { joins = joins || (!other.aside && share_a_body(step.bodies, c, other)); });
             if (joins) c.aside = false;
@@ -127,7 +127,7 @@ int body_of_impact(const ImpactStep& step, const ContactView& contacts, int cont
 void forget_times(const ContactView& contacts, int slot, scalar now, StepReport& report) {
     for_contacts(contacts, [&](Contact& c) {
         if (c.body_A != slot && c.body_B != slot) return;
-        if (stays(c)) {
+        if (is_at_its_bound(c)) {
             if (c.touches) return;
             c.touches = true;
             c.when = now;

@@ -34,7 +34,8 @@ void for_bodies_of_impact(const ImpactStep& step, const ContactView& contacts, c
 /// rounding at every rate. What touches at that time and hangs together with it is solved with it; what was held until then is held up to it first.
 /// Bodies that do not hang together do not change each other's bits.
 /// Bound: limits::impacts_in_step_max impacts of each contact; where one is in the second half of them, nothing bounces. After the last it is held:
-///        its bodies do not pass the plane between them as it was then, so balls get no deeper into each other. Both count in impacts_deferred.
+///        its bodies do not pass the plane between them as it was then, so balls get no deeper into each other. Both count in impacts_deferred, as
+///        does a contact that has had limits::impact_visits_max visits of solves, which later impacts leave out.
 template <class Shapes, bool sees_kinematic, bool reads_places, class Left>
 void follow_impacts(ImpactStep& step, const ContactView& contacts, Left& left, StepReport& report) {
     scalar now = 0;

@@ -23,7 +23,7 @@ struct Wave {
         for (int contact_i = 0; contact_i < count; ++contact_i) {
             Contact& c = first[contact_i];
             c.active = false;
-            if (c.aside) continue;
+            if (c.aside || is_worn(c)) continue;
             const SpeedInStep speed = speed_at(step, c, now);
             c.tolerance = tolerance_of(c, speed);
             const bool approaches = speed.u < -slack * c.tolerance;
@@ -58,6 +58,16 @@ struct Wave {
         }
         return bouncing;
     }
+    /// How many of those that touch have had all their visits in it; others are counted by forget_times.
+    int worn() const {
+        int worn = 0;
+        // bound: max_contacts
+        for (int contact_i = 0; contact_i < *contacts.count; ++contact_i) {
+            const Contact& c = contacts.contacts[contact_i];
+            worn += !c.aside && c.touches && is_worn(c) ? 1 : 0;
+        }
+        return worn;
+    }
     void end() const {
         // bound: max_contacts
         for (int contact_i = 0; contact_i < *contacts.count; ++contact_i) {
@@ -87,7 +97,7 @@ void solve_impacts(const ImpactStep& step, const ContactView& contacts, scalar n
         approaching = wave.begin(bounce && wave_i < limits::impact_waves_max / 2, slack_after(outcome.sweeps - 1));
         if (bounce && wave_i == limits::impact_waves_max / 2) count(report.impacts_deferred, wave.bouncing());
     }
-    count(report.impacts_deferred, approaching);
+    count(report.impacts_deferred, approaching + wave.worn());
 }
 
 // The linker takes the one that the scene calls.

@@ -17,8 +17,8 @@ namespace ingot { inline namespace INGOT_ABI {
 ///
 /// Contacts slower than rest_speed are at rest: they take e = 0; so do all in the second half of the waves, and all where `bounce` is false.
 /// One that has had its last impact is solved with those that approach, in all waves.
-/// Bound: limits::impact_waves_max waves, and as many visits to contacts as are left; contacts that then still approach count in impacts_deferred, as
-///        do those that would bounce in the second half.
+/// Bound: limits::impact_waves_max waves, as many visits to contacts as are left, and limits::impact_visits_max to each contact in the step: then it
+///        is left out. Contacts that still approach count in impacts_deferred, as do those that would bounce in the second half, and those left out.
 template <class Left>
 void solve_impacts(const ImpactStep& step, const ContactView& contacts, scalar now, bool bounce, Left& left, StepReport& report);
 
