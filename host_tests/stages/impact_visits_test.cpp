@@ -98,6 +98,30 @@ void visits_stay_within_their_bound(unsigned seed) {
     EXPECT_GT(worn, 0);
 }
 
+/// In the tiles an impulse acts from the begin of the step, so what it does within it is taken back of places: of a body that forces drive out of the
+/// range these left it, and it was frozen there.
+TEST(ImpactPlaces, are_in_the_range_of_places_whatever_forces_do) {
+    RandomInput random(323);
+    int bad = 0;
+    for (int case_i = 0; case_i < draws(8000); ++case_i) {
+        Crash<Yard> crash(random);
+        const int slots = crash.storage.slots_used;
+        for (int slot = 0; slot < slots; ++slot) {
+            if (!ingot::is_dynamic(crash.storage.bodies(), slot)) continue;
+            const Eigen::Vector3d F = random.vector(std::pow(10, random.real(0, 15))), tau = random.vector(std::pow(10, random.real(0, 15)));
+            ingot::set_lane(crash.storage.translation[slot / ingot::lanes].F_T, slot % ingot::lanes, to_vector(F));
+            ingot::set_lane(crash.storage.rotation[slot / ingot::lanes].tau_T, slot % ingot::lanes, to_vector(tau));
+        }
+        crash.step(static_cast<scalar>(std::pow(10, random.real(-3, 1))));
+        for (int slot = 0; slot < slots; ++slot) {
+            const Eigen::Vector3d r = to_eigen<double>(ingot::lane_of(crash.storage.translation[slot / ingot::lanes].r_CM, slot % ingot::lanes));
+            ASSERT_LE(r.cwiseAbs().maxCoeff(), static_cast<double>(limits::position_max)) << case_i;
+        }
+        for (const ingot::TranslationTile& tile : crash.storage.translation) bad += tile.bad != 0 ? 1 : 0;
+    }
+    EXPECT_GT(bad, 0);
+}
+
 TEST(ImpactVisits, stay_within_their_bound) { visits_stay_within_their_bound<Yard>(321); }
 TEST(ImpactVisits, stay_within_their_bound_where_there_is_no_room) { visits_stay_within_their_bound<Crowd>(322); }
 

@@ -113,7 +113,10 @@ void take_back(const Contact& c, scalar j, scalar t, const BodyView& bodies) {
     if (!(t > 0)) return;
     const auto move = [&](int slot, scalar by) {
         const Place at = place_of(slot);
-        set_lane(bodies.translation[at.tile].r_CM, at.lane, r_CM_of(bodies, slot) - c.n * (by * inv_M_of(bodies, slot) * t));
+        const Vector r = r_CM_of(bodies, slot) - c.n * (by * inv_M_of(bodies, slot) * t);
+        constexpr scalar most = limits::position_max;
+        if (!(abs(r.x) <= most && abs(r.y) <= most && abs(r.z) <= most)) return mark_bad_body(bodies, slot);
+        set_lane(bodies.translation[at.tile].r_CM, at.lane, r);
     };
     move(c.body_A, j);
     move(c.body_B, -j);

@@ -39,6 +39,7 @@ NormalSpeed normal_speed(const Contact& contact, const BodyMotionNow& A, const B
 bool apply_impulse(const Contact& contact, scalar j, const BodyView& bodies);
 
 /// In the tiles an impulse acts from the begin of the step: takes back the way that one of the time t has made by then. See impact_step.h.
+/// A body that this would put beyond limits::position_max is marked bad where it is.
 void take_back(const Contact& contact, scalar j, scalar t, const BodyView& bodies);
 
 struct SweepOutcome {
