@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A body that legal input drives out of what numbers can say stands still and is reported. Nobody else notices.
 #include "capacity/yard.h"
+#include "reference/brief_types.h"
 #include "reference/draws.h"
 
 #include <gtest/gtest.h>
@@ -89,8 +90,10 @@ void for_all_guests(const std::function<void(int, const WayOut&)>& test) {
 
 template <class Rotation>
 class Frozen : public ::testing::Test {};
-using Rotations = ::testing::Types<ingot::MoserVeselov, ingot::DiscreteMoserVeselov<4, false, false, 2>, ingot::Listing1Euler, ingot::LieMidpoint,
-                                   ingot::Rk4Polar, ingot::SymmetricTop, ingot::SymmetricTopSplitting<6>, ingot::ExactElliptic>;
+// Of all, what a test that is brief has: see CMakeLists.txt here.
+using Rotations =
+    ingot_reference::BriefTypes<INGOT_FROZEN_ROTATIONS, ingot::MoserVeselov, ingot::Listing1Euler, ingot::DiscreteMoserVeselov<4, false, false, 2>,
+                                ingot::LieMidpoint, ingot::Rk4Polar, ingot::SymmetricTop, ingot::SymmetricTopSplitting<6>, ingot::ExactElliptic>;
 TYPED_TEST_SUITE(Frozen, Rotations);
 
 TYPED_TEST(Frozen, body_is_reported_once_and_stands_still_at_its_last_good_pose) {
