@@ -42,6 +42,7 @@ void measure(ingot::World<S>& world, int settling, int measured) {
         CALLGRIND_DUMP_STATS;
         expect(report.status == ingot::Status::ok && report.contacts_lost == 0, "the world is too small");
     }
+    CALLGRIND_STOP_INSTRUMENTATION;
 }
 
 }  // namespace host_costs

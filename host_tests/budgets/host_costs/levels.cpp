@@ -79,18 +79,28 @@ void sliding_boxes(const char* ground) {
     host_costs::measure(world, 5, 60);
 }
 
-/// Layers of boxes and balls, 8 by 8, that fall on the ground and spread over it.
-void pile(const char* ground) {
-    static ingot::World<OnSlab> world;
-    begin(world, ground);
+/// Layers of boxes and balls, 8 by 8, that fall on the ground and spread over it: one pile of several, which differ by centimetres.
+void pile(ingot::World<OnSlab>& world, int pile_i) {
     const scalar half = scalar(0.25);
     for (int i = 0; i < 512; ++i) {
-        const scalar shift = scalar(0.03) * scalar(i % 7) + scalar(0.01) * scalar(i % 5);
+        const scalar shift = scalar(0.03) * scalar((i + pile_i) % 7) + scalar(0.01) * scalar(i % 5);
         const Vector at = {scalar(40) + scalar(0.6) * scalar(i % 8) + shift, scalar(40) + scalar(0.6) * scalar(i / 8 % 8) - shift,
                            scalar(4.5) + scalar(0.6) * scalar(i / 64)};
         (void)host_costs::add(world, i % 2 == 0 ? scenes::solid_box(10, {half, half, half}, at, rough) : scenes::solid_ball(10, half, at, rough));
     }
     host_costs::measure(world, 180, 30);
+}
+
+/// How many sweeps one of its islands asks for is chance (16 or 250): of a single pile on a mesh a step took 1.10 to 1.43 of one on a slab, with the
+/// way of the spread. So it is the median step of seven.
+void piles(const char* ground) {
+    static const ingot::World<OnSlab> empty;
+    static ingot::World<OnSlab> world;
+    for (int pile_i = 0; pile_i < 7; ++pile_i) {
+        world = empty;
+        begin(world, ground);
+        pile(world, pile_i);
+    }
 }
 
 }  // namespace
@@ -100,7 +110,7 @@ bool stand_on_levels(const char* name) {
         const std::size_t prefix = std::strlen(name) - std::min(std::strlen(name), std::strlen(ground));
         if (std::strcmp(name + prefix, ground) != 0) continue;
         if (std::strncmp(name, "sliding_boxes_on_", prefix) == 0) return sliding_boxes(ground), true;
-        if (std::strncmp(name, "pile_512_on_", prefix) == 0) return pile(ground), true;
+        if (std::strncmp(name, "pile_512_on_", prefix) == 0) return piles(ground), true;
     }
     return false;
 }
