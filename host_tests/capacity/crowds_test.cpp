@@ -174,7 +174,7 @@ void expect_room_for_all(unsigned seed) {
             ASSERT_EQ(world.set_gravity({0, 0, scalar(-9.81)}), ingot::Status::ok);
             ASSERT_TRUE(world.add(yard::ground()).ok());
         });
-        const scalar h = 1 / static_cast<scalar>(random.integer(30, 240));
+        const scalar h = 1 / static_cast<scalar>(random.integer(30, 1000));
         for (int step_i = 0; step_i < 90; ++step_i) {
             const int slot = random.integer(1, 6), what = step_i < 6 ? 0 : random.integer(0, 9);
             const ingot::BodyDef def = body_of_knot(random);
