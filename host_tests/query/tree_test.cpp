@@ -43,8 +43,8 @@ void expect_same_life(std::uint64_t seed, const Cloud& cloud, int turns, int fir
 }
 
 TYPED_TEST(QueriesByTree, are_the_same_whatever_is_done_to_bodies) {
-    for (std::uint64_t seed = 1; seed <= 12; ++seed) {
-        expect_same_life<TypeParam>(seed, clouds[seed % 4], 60, static_cast<int>(seed) * TypeParam::All::max_bodies / 16, 8);
+    for (int seed = 1; seed <= draws(96); ++seed) {
+        expect_same_life<TypeParam>(static_cast<std::uint64_t>(seed), clouds[seed % 4], 60, (1 + seed % 12) * TypeParam::All::max_bodies / 16, 8);
         if (this->HasFatalFailure()) return;
     }
 }
