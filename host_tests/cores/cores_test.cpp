@@ -38,7 +38,7 @@ TYPED_TEST_SUITE(Cores, Scenes);
 
 TYPED_TEST(Cores, give_the_bits_of_one) {
     const scalar rates[] = {60, 30, 120, 240, 1000};
-    for (uint64_t seed = 1; seed <= draws(16); ++seed) {
+    for (uint64_t seed = 1; seed <= static_cast<uint64_t>(draws(16)); ++seed) {
         const scalar h = 1 / rates[seed % 5];
         expect_same_when_shuffled<TypeParam, 3>(seed, h);
 #if !INGOT_TEST_BRIEF
@@ -50,7 +50,7 @@ TYPED_TEST(Cores, give_the_bits_of_one) {
 TYPED_TEST(Cores, give_the_bits_of_one_to_one_large_heap) {
     const scalar rates[] = {60, 30, 120};
     int shared = 0;
-    for (uint64_t seed = 1; seed <= draws(4); ++seed) {
+    for (uint64_t seed = 1; seed <= static_cast<uint64_t>(draws(4)); ++seed) {
         const scalar h = 1 / rates[seed % 3];
         shared += is_same_in_one_heap<TypeParam, 3>(seed + 300, h) ? 1 : 0;
 #if !INGOT_TEST_BRIEF

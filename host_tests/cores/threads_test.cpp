@@ -22,7 +22,7 @@ using Scenes = ingot_reference::BriefTypes<1, Sleepers, Materials, Full, Locked,
 TYPED_TEST_SUITE(Threads, Scenes);
 
 TYPED_TEST(Threads, give_the_bits_of_one) {
-    for (uint64_t seed = 1; seed <= draws(8); ++seed) {
+    for (uint64_t seed = 1; seed <= static_cast<uint64_t>(draws(8)); ++seed) {
         expect_same_bits<TypeParam, ingot::platform::HostThreads<2>>(seed, 100, scalar(1) / 60);
 #if !INGOT_TEST_BRIEF
         expect_same_bits<TypeParam, ingot::platform::HostThreads<5>>(seed, 100, scalar(1) / 60);
@@ -36,7 +36,7 @@ struct EagerThreads : ingot::platform::HostThreads<count> {
     static constexpr int least_visits = 1;
 };
 TYPED_TEST(Threads, give_the_bits_of_one_to_one_large_heap) {
-    for (uint64_t seed = 1; seed <= draws(4); ++seed) {
+    for (uint64_t seed = 1; seed <= static_cast<uint64_t>(draws(4)); ++seed) {
         expect_same_bits<TypeParam, EagerThreads<2>>(seed + 300, 40, scalar(1) / 60, Lie::in_one_heap);
 #if !INGOT_TEST_BRIEF
         expect_same_bits<TypeParam, EagerThreads<5>>(seed + 300, 40, scalar(1) / 60, Lie::in_one_heap);
@@ -52,7 +52,7 @@ TYPED_TEST(Threads, on_a_second_core) {
         while (!over.load())
             if (!Second::serve_once()) std::this_thread::yield();
     });
-    for (uint64_t seed = 1; seed <= draws(4); ++seed) expect_same_bits<TypeParam, Second>(seed, 60, scalar(1) / 60);
+    for (uint64_t seed = 1; seed <= static_cast<uint64_t>(draws(4)); ++seed) expect_same_bits<TypeParam, Second>(seed, 60, scalar(1) / 60);
     over.store(true);
     core_1.join();
 }
