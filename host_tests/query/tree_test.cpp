@@ -52,7 +52,8 @@ void expect_same_life(std::uint64_t seed, const Cloud& cloud, int turns, int fir
 TYPED_TEST(QueriesByTree, are_the_same_whatever_is_done_to_bodies) {
     Edits edits;
     for (int seed = 1; seed <= draws(96); ++seed) {
-        expect_same_life<TypeParam>(static_cast<std::uint64_t>(seed), clouds[seed % 4], 60, (1 + seed % 12) * TypeParam::All::max_bodies / 16, 8, edits);
+        const int first_bodies = (1 + seed % 12) * TypeParam::All::max_bodies / 16;
+        expect_same_life<TypeParam>(static_cast<std::uint64_t>(seed), clouds[seed % 4], 60, first_bodies, 8, edits);
         if (this->HasFatalFailure()) return;
     }
 }
