@@ -37,7 +37,23 @@ bool collide_pair(const PlacedShape& A, const PlacedShape& B, const Margin& marg
     return false;
 }
 
-/// The same, and no points for a pair that has no routine.
+/// The same for any shape of the scene, and a half space, whether the scene names it or not.
+template <class Shapes>
+bool collide_with_half_space(const PlacedShape& A, const PlacedShape& half_space, const Margin& margin, Manifold& manifold, const Manifold* before) {
+    if constexpr (Shapes::has(ShapeKind::sphere))
+        if (A.shape.kind == ShapeKind::sphere) return collide_sphere_half_space(A, half_space, margin, manifold, before), true;
+    if constexpr (Shapes::has(ShapeKind::capsule))
+        if (A.shape.kind == ShapeKind::capsule) return collide_capsule_half_space(A, half_space, margin, manifold, before), true;
+    if constexpr (Shapes::has(ShapeKind::box))
+        if (A.shape.kind == ShapeKind::box) return collide_box_half_space(A, half_space, margin, manifold, before), true;
+    if constexpr (Shapes::has(ShapeKind::cylinder))
+        if (A.shape.kind == ShapeKind::cylinder) return collide_cylinder_half_space(A, half_space, margin, manifold, before), true;
+    if constexpr (Shapes::has(ShapeKind::hull))
+        if (A.shape.kind == ShapeKind::hull) return collide_hull_half_space(A, half_space, margin, manifold, before), true;
+    return false;
+}
+
+/// Two shapes of the scene, and no points for a pair that has no routine.
 template <class Shapes>
 bool collide_shapes(const PlacedShape& A, const PlacedShape& B, const Margin& margin, Manifold& manifold, const Manifold& before) {
     manifold.n = {};

@@ -75,18 +75,16 @@ public:
             const FaceOfFixed face = face_of(S_, face_i);
             if (dot(face.n, d) < -limits::edge_tilt || !(dot(face.n, body_.r - S_.r) > face.offset)) continue;
             Manifold above;
+            above.n = {};
+            above.count = 0;
             const PlacedShape plane = {HalfSpace{face.n, 0}, S_.r + face.n * face.offset, identity_matrix<scalar>(), nullptr};
-            (void)collide_placed<WithHalfSpace<Shapes>>(body_, plane, margin, no_manifold_before, above);
+            (void)collide_with_half_space<Shapes>(body_, plane, margin, above, &no_manifold_before);
             turned = take_open(face_i, above, best, manifold) || turned;
         }
         return turned;
     }
 
 private:
-    template <class Shapes>
-    struct WithHalfSpace : Shapes {
-        static constexpr bool has(ShapeKind kind) { return kind == ShapeKind::half_space || Shapes::has(kind); }
-    };
     static constexpr uint32_t turned_feature = 0xff000000u;  ///< of no other manifold
 
     bool is_nearest(scalar least) const;
@@ -121,6 +119,7 @@ void drop_points(unsigned hidden, ManifoldRecord& record);
 /// Cost: two looks at each manifold; of a body on k fixed shapes, k^2 tests of bounds.
 template <class Shapes>
 void drop_hidden_points(const FixedShapes& all, const PairList& found, Index* last_of_shape, const ManifoldView& manifolds) {
+    if constexpr (!Shapes::has(ShapeKind::box) && !Shapes::has(ShapeKind::hull)) return;  // nothing has edges, nothing that asks for them is linked
     if (!chain_fixed_touches(all, last_of_shape, manifolds)) return forget_fixed_touches(last_of_shape, manifolds);
     // bound: max_manifolds
     for (int i = 0; i < *manifolds.count; ++i) {

@@ -43,7 +43,22 @@ public:
         TriangleFace face;
         material_ = triangle.material;
         if (!face_of_triangle(triangle, face)) return;
-        if (on_.body.shape.kind == ShapeKind::sphere) return add_ball(triangle, face);
+        if (only_balls<Shapes> || on_.body.shape.kind == ShapeKind::sphere) return add_ball(triangle, face);
+        if constexpr (!only_balls<Shapes>) add_solid<Shapes>(triangle, face);
+    }
+
+    int count() const { return count_; }
+    /// The one of a number as a manifold, its normal from the level to the body; its features are places on the body.
+    void write(int patch_i, const Manifold& before, Manifold& manifold) const;
+    const LevelPatch& patch(int patch_i) const { return patches_[patch_i]; }
+
+private:
+    template <class Shapes>
+    static constexpr bool only_balls = !Shapes::has(ShapeKind::capsule) && !Shapes::has(ShapeKind::box) && !Shapes::has(ShapeKind::cylinder) &&
+                                       !Shapes::has(ShapeKind::hull);
+
+    template <class Shapes>
+    void add_solid(const LevelTriangle& triangle, const TriangleFace& face) {
         if (!reaches(face)) return;
         const Manifold& above = above_plane<Shapes>(face);
         bool stands = stands_inside(face, above);
@@ -54,22 +69,15 @@ public:
             if (!of_side) {
                 const TriangleHull hull(face, on_.half_extent);
                 Manifold beside;
-                (void)collide_pair<With<ShapeKind::hull, Shapes>>(on_.body, hull.placed(), on_.margin, beside, nullptr);
+                (void)collide_pair<WithHulls<Shapes>>(on_.body, hull.placed(), on_.margin, beside, nullptr);
                 if (add_beside(triangle, face, beside, stands)) return;
             }
         }
         if (is_above(face)) add_inside(triangle, face, above);
     }
-
-    int count() const { return count_; }
-    /// The one of a number as a manifold, its normal from the level to the body; its features are places on the body.
-    void write(int patch_i, const Manifold& before, Manifold& manifold) const;
-    const LevelPatch& patch(int patch_i) const { return patches_[patch_i]; }
-
-private:
-    template <ShapeKind added, class Shapes>
-    struct With : Shapes {
-        static constexpr bool has(ShapeKind kind) { return kind == added || Shapes::has(kind); }
+    template <class Shapes>
+    struct WithHulls : Shapes {
+        static constexpr bool has(ShapeKind kind) { return kind == ShapeKind::hull || Shapes::has(kind); }
     };
 
     /// What the body has above the plane of a triangle, or in it: of triangles of one plane it is asked once.
@@ -78,7 +86,7 @@ private:
         if (!is_in_plane(face)) {
             plane_ = {HalfSpace{face.n, 0}, face.corners[0], identity_matrix<scalar>(), nullptr};
             above_ = {};
-            (void)collide_pair<With<ShapeKind::half_space, Shapes>>(on_.body, plane_, on_.margin, above_, nullptr);
+            (void)collide_with_half_space<Shapes>(on_.body, plane_, on_.margin, above_, nullptr);
         }
         return above_;
     }

@@ -38,16 +38,22 @@ public:
     }
 
 private:
+    /// False for kinds that the scene does not name: what is for them is not linked.
+    template <ShapeKind kind>
+    static bool is_kind([[maybe_unused]] const PlacedShape& placed) {
+        if constexpr (!Shapes::has(kind)) return false;
+        return placed.shape.kind == kind;
+    }
     /// Where a point is on S; whether d is the normal of a face there, and then a place on that face below the body.
     Touch touch_of(const ManifoldPoint& point, const Vector& d) const {
         Touch touch = {point.P - d * (point.separation * scalar(0.5)), d, is_side_of_body(body_, d) ? limits::face_tilt : limits::edge_tilt,
                        S_.shape.kind == ShapeKind::half_space, {}};
         touch.inner = S_.shape.kind == ShapeKind::half_space ? body_.r : S_.r;
-        if (S_.shape.kind == ShapeKind::box) {
+        if (is_kind<ShapeKind::box>(S_)) {
             put_on_box(S_, touch);
             touch.inner = S_.r + S_.A * clamp(transpose_times(S_.A, body_.r - S_.r), S_.shape.size);
         }
-        if (S_.shape.kind == ShapeKind::hull) put_on_hull(S_, touch);
+        if (is_kind<ShapeKind::hull>(S_)) put_on_hull(S_, touch);
         if (S_.shape.kind == ShapeKind::level) put_on_level(touch);
         return touch;
     }
@@ -99,9 +105,9 @@ private:
     }
     bool hides(const PlacedShape& T, const Touch& touch, const Vector& p) const {
         if (T.shape.kind == ShapeKind::level) return is_hidden_by_level(T, touch, p);
-        if (T.shape.kind == ShapeKind::box) return hidden_by_box(T, touch, p, flush_);
-        if (T.shape.kind == ShapeKind::hull) return hidden_by_hull(T, touch, p, flush_);
-        return T.shape.kind == ShapeKind::half_space && hidden_by_half_space(T, touch, p, flush_);
+        if (is_kind<ShapeKind::box>(T)) return hidden_by_box(T, touch, p, flush_);
+        if (is_kind<ShapeKind::hull>(T)) return hidden_by_hull(T, touch, p, flush_);
+        return is_kind<ShapeKind::half_space>(T) && hidden_by_half_space(T, touch, p, flush_);
     }
     bool is_hidden_by_level(const PlacedShape& T, const Touch& touch, const Vector& p) const {
         const LevelTable& table = *Shapes::level_of(T.shape);
