@@ -3,6 +3,7 @@
 #pragma once
 
 #include "scenes/hulls.h"
+#include "scenes/terrain.h"
 
 namespace scenes {
 
@@ -54,11 +55,29 @@ struct AllShapes : Hulls {
     using shapes = ingot::Shapes<ingot::Sphere, ingot::Capsule, ingot::Box, ingot::Cylinder, ingot::Hull, ingot::HalfSpace>;
 };
 
+/// With tables of a level beside the plane, whose slots come on top.
+struct BallsOnMesh : Balls {
+    static constexpr int max_bodies = 3 + ingot::level_patches;
+    static constexpr ingot::LevelTable levels[] = {steps_of_terrain.value.view()};
+    using shapes = ingot::Shapes<ingot::Sphere, ingot::HalfSpace, ingot::Level>;
+};
+struct BallsOnField : BallsOnMesh {
+    static constexpr ingot::LevelTable levels[] = {field_of_terrain.value.view()};
+};
+
 /// Ten boxes and a plane, for what a scene may name beside shapes.
 struct TenBoxesOnPlane : Moving {
     static constexpr int max_bodies = 11;
     static constexpr int max_manifolds = 10;
     using shapes = ingot::Shapes<ingot::Box, ingot::HalfSpace>;
+};
+struct OnMesh : TenBoxesOnPlane {
+    static constexpr int max_bodies = 11 + ingot::level_patches;
+    static constexpr ingot::LevelTable levels[] = {steps_of_terrain.value.view()};
+    using shapes = ingot::Shapes<ingot::Box, ingot::HalfSpace, ingot::Level>;
+};
+struct OnField : OnMesh {
+    static constexpr ingot::LevelTable levels[] = {field_of_terrain.value.view()};
 };
 struct NothingBounces : TenBoxesOnPlane {
     static constexpr bool bounces = false;
@@ -190,8 +209,8 @@ ingot::Status set_up(ingot::World<S>& world) {
     if constexpr (S::translates) status = world.set_gravity({0, 0, -standard_gravity});
     ingot::BodyDef def;
     def.mass = mass_of(ingot::solid_sphere(1, scalar(0.5)));
-    for (int body_i = ingot::has_shapes<S> ? 1 : 0; body_i < S::max_bodies - (ingot::has_compounds<S> ? 1 : 0) && status == ingot::Status::ok;
-         ++body_i) {
+    constexpr int slots_of_others = (ingot::has_compounds<S> ? 1 : 0) + (ingot::has_levels<S> ? ingot::level_patches : 0);
+    for (int body_i = ingot::has_shapes<S> ? 1 : 0; body_i < S::max_bodies - slots_of_others && status == ingot::Status::ok; ++body_i) {
         if constexpr (ingot::has_shapes<S>) def.shape = shape_of<S>(body_i);
         if constexpr (S::translates) def.state.r_CM = {static_cast<scalar>(body_i) * 3, 0, 1};
         status = world.add(def).status;
@@ -201,6 +220,11 @@ ingot::Status set_up(ingot::World<S>& world) {
         ground.immovable = true;
         ground.shape = ingot::HalfSpace{{0, 0, 1}, 0};
         if (status == ingot::Status::ok) status = world.add(ground).status;
+    }
+    if constexpr (ingot::has_levels<S>) {
+        ingot::LevelDef level;
+        level.r = {0, 0, -8};  // below all bodies: two steps are no time to land in
+        if (status == ingot::Status::ok) status = world.add_level(level).status;
     }
     if constexpr (ingot::has_joints<S>) {
         ingot::JointDef joint;
