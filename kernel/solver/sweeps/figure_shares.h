@@ -15,6 +15,15 @@ namespace ingot { inline namespace INGOT_ABI {
 /// Marked by beta, the share of their impulses to give next: sweeps to come set it anew. 1: the island keeps what it has.
 inline bool is_candidate(const Island& island) { return island.beta != 1; }
 
+/// Whether a surface of a contact moves by itself: contacts of its island may give energy. In scenes that have no belts all speeds are 0.
+template <class View>
+INGOT_INLINE bool is_on_belt([[maybe_unused]] const View& solver, [[maybe_unused]] int block_i, [[maybe_unused]] int lane_i) {
+    if constexpr (View::has_belts)
+        return solver.belts[block_i].speed[0][lane_i] != 0 || solver.belts[block_i].speed[1][lane_i] != 0;
+    else
+        return false;
+}
+
 /// Of nothing finite, too.
 inline scalar shared_part(scalar j, scalar share) { return share == 0 ? scalar(0) : j * share; }
 

@@ -68,7 +68,8 @@ bool find_candidates(Whole& whole, [[maybe_unused]] const BodyView& bodies, [[ma
     for (int position = 0; position < solver.block_count * lanes; ++position) {
         const ContactBlock& block = solver.blocks[position / lanes];
         const int lane_i = position % lanes, last = solver.body_count - 1;
-        if (block.manifold[lane_i] != no_manifold && (block.body_A[lane_i] > last || block.body_B[lane_i] > last))
+        if (block.manifold[lane_i] == no_manifold) continue;
+        if (block.body_A[lane_i] > last || block.body_B[lane_i] > last || is_on_belt(solver, position / lanes, lane_i))
             solver.islands[block.island[lane_i]].beta = 1;
     }
     some = false;
@@ -84,11 +85,18 @@ void hold_gaining_figures(Whole& whole, const BodyView& bodies, scalar h) {
     give_found_shares<WorkFrom::all>(whole, bodies, h, [](const Island&, const ThreeEnergies& energies) { return energies.share(); });
 }
 
-// The linker takes the one that the scene calls. Belts give energy.
-template void hold_gaining_figures(JointedView&, const BodyView&, scalar);
-template void hold_gaining_figures(LoopedView&, const BodyView&, scalar);
-template void hold_gaining_figures(RowedView&, const BodyView&, scalar);
-template void hold_gaining_figures(DrivenView&, const BodyView&, scalar);
-template void hold_gaining_figures(LoopedRowedView&, const BodyView&, scalar);
+// The linker takes the one that the scene calls.
+#define INGOT_VIEW(View) template void hold_gaining_figures(View&, const BodyView&, scalar)
+INGOT_VIEW(JointedView);
+INGOT_VIEW(JointedMaterialView);
+INGOT_VIEW(LoopedView);
+INGOT_VIEW(LoopedMaterialView);
+INGOT_VIEW(RowedView);
+INGOT_VIEW(RowedMaterialView);
+INGOT_VIEW(DrivenView);
+INGOT_VIEW(DrivenMaterialView);
+INGOT_VIEW(LoopedRowedView);
+INGOT_VIEW(LoopedRowedMaterialView);
+#undef INGOT_VIEW
 
 } }  // namespace ingot

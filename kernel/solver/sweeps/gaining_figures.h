@@ -15,7 +15,8 @@
 namespace ingot { inline namespace INGOT_ABI {
 
 /// Of islands with joints whose sweeps have ended at their bound. Whole: a view of bodies with joints, with rows of joints or without. h: s, of the
-/// substep. Islands that touch kinematic bodies may gain: see pushed_figures.h. Those whose joints are driven are looked at where they settle, too.
+/// substep. Islands that touch kinematic bodies may gain: see pushed_figures.h; and so may those on belts. Those whose joints are driven are looked
+/// at where they settle, too.
 /// Cost: three ways through the figures of the batch, where some island has not settled; one through the bodies where some are driven.
 template <class Whole>
 void hold_gaining_figures(Whole& whole, const BodyView& bodies, scalar h);

@@ -20,6 +20,19 @@ scalar given_by_push(const SolverView& solver, const JointedBodies& jointed, int
     return thrown + limits::pushed_rod * v / h * sqrt(M * (I.x + I.y + I.z));
 }
 
+/// Belts give energy: islands on them are no candidates.
+template <class View>
+void forget_belts(const View& solver) {
+    if constexpr (View::has_belts)
+        // bound: max_manifolds, rounded up to whole blocks
+        for (int position = 0; position < solver.block_count * lanes; ++position) {
+            const ContactBlock& block = solver.blocks[position / lanes];
+            const int lane_i = position % lanes;
+            if (block.manifold[lane_i] != no_manifold && is_on_belt(solver, position / lanes, lane_i))
+                solver.islands[block.island[lane_i]].sums[pushed_at] = -1;
+        }
+}
+
 /// Whether some island with joints touches a kinematic body.
 bool note_pushes(const SolverView& solver, const JointedBodies& jointed) {
     for (int island_i = 0; island_i < solver.island_count; ++island_i) solver.islands[island_i].sums[pushed_at] = -1;  // bound: max_bodies
@@ -69,6 +82,7 @@ template <class Whole>
 void hold_pushed_figures(Whole& whole, const BodyView& bodies, scalar h) {
     auto& solver = without_rows(whole);
     if (!note_pushes(solver, solver.jointed)) return;
+    forget_belts(solver);
     // The second takes back what roundings of the first leave, where impulses had grown to millions of times what they should be.
     for (int round = 0; round < 2 && find_beyond_allowed(solver, solver.jointed, bodies, h); ++round)
         give_found_shares<WorkFrom::alone>(whole, bodies, h, [](const Island& island, const ThreeEnergies& energies) {
@@ -77,10 +91,17 @@ void hold_pushed_figures(Whole& whole, const BodyView& bodies, scalar h) {
 }
 
 // The linker takes the one that the scene calls.
-template void hold_pushed_figures(JointedView&, const BodyView&, scalar);
-template void hold_pushed_figures(LoopedView&, const BodyView&, scalar);
-template void hold_pushed_figures(RowedView&, const BodyView&, scalar);
-template void hold_pushed_figures(DrivenView&, const BodyView&, scalar);
-template void hold_pushed_figures(LoopedRowedView&, const BodyView&, scalar);
+#define INGOT_VIEW(View) template void hold_pushed_figures(View&, const BodyView&, scalar)
+INGOT_VIEW(JointedView);
+INGOT_VIEW(JointedMaterialView);
+INGOT_VIEW(LoopedView);
+INGOT_VIEW(LoopedMaterialView);
+INGOT_VIEW(RowedView);
+INGOT_VIEW(RowedMaterialView);
+INGOT_VIEW(DrivenView);
+INGOT_VIEW(DrivenMaterialView);
+INGOT_VIEW(LoopedRowedView);
+INGOT_VIEW(LoopedRowedMaterialView);
+#undef INGOT_VIEW
 
 } }  // namespace ingot

@@ -114,8 +114,8 @@ protected:
     }
     void stay_passive(const BodyView& bodies, scalar h) {
         if (some_reverse && take_back_reversals(view)) sweep();
-        if constexpr (View::articulates && !View::has_belts) hold_gaining_figures(whole, bodies, h);
-        if constexpr (View::articulates && !View::has_belts && is_pushed) hold_pushed_figures(whole, bodies, h);
+        if constexpr (View::articulates) hold_gaining_figures(whole, bodies, h);
+        if constexpr (View::articulates && is_pushed) hold_pushed_figures(whole, bodies, h);
         if constexpr (View::articulates) excuse_jointed(view);
         // Belts do give energy.
         if (!gives_energy(view))
