@@ -331,8 +331,10 @@ private:
             demand_sound();
             double now = energy();
             if (fuzz_fault == 5) now = 2 * now + 10 * mass();
+            // Beside its motion, not beside its height: that counts from where the world has its origin, and no step knows of it.
+            const double motion = static_cast<double>(before_.kinetic_energy());
             if (sane_ && !fast())
-                demand(now <= (last > before ? last : before) + 0.01 * (9.81 * mass() + __builtin_fabs(last)), "joints give no energy");
+                demand(now <= (last > before ? last : before) + 0.01 * (9.81 * mass() + motion), "joints give no energy");
             before = last;
             last = now;
         }
