@@ -5,7 +5,7 @@
 //     t*   = 2 s / (sqrt(u^2 - 2 a s) - u)           they meet: the root that loses no digits
 //     u*   = u + a t*  ->  -e u*                     they leave
 //     target  -e u* + a (h - t*)                     speed at the end of the substep
-//     landing -e u* (h - t*) + a (h - t*)^2 / 2      place at the end of the substep
+//     landing -e u* (h - t*) + a (h - t*)^2 / 2      place at the end of the substep; below that by what is left of a deep overlap
 //
 // Source: time of impact within the substep, ours; Newton's law of restitution.
 #pragma once
@@ -72,15 +72,22 @@ INGOT_INLINE T no_bound(const RowFlight<T>& from, T h) {
     return -splat<T>(2) * (abs(from.speed) + abs(from.a) * h) - max(from.s, T{}) / h;
 }
 
+/// Of the separation s what a bounce leaves for later: it takes back no more of an overlap in a substep of h seconds than a rest does.
+template <class T>
+INGOT_INLINE T overlap_left(T s, T h, scalar unit) {
+    return min(s + h * splat<T>(limits::push_speed_max * unit), T{});
+}
+
 /// Where a point that bounces is at the end of its substep, and how fast.
 template <class T>
 struct RowLanding {
     T speed, s;
 };
 template <class T>
-INGOT_INLINE RowLanding<T> landing_of(const RowFlight<T>& from, const RowImpact<T>& impact, T e, T h) {
+INGOT_INLINE RowLanding<T> landing_of(const RowFlight<T>& from, const RowImpact<T>& impact, T e, T h, scalar unit) {
     const T leaving = -e * impact.speed, rest = h - impact.when;
-    return {leaving + from.a * rest, leaving * rest + from.a * rest * rest * splat<T>(scalar(0.5))};
+    const T way = leaving * rest + from.a * rest * rest * splat<T>(scalar(0.5));
+    return {leaving + from.a * rest, way + overlap_left(from.s, h, unit)};
 }
 
 } }  // namespace ingot

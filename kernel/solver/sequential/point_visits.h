@@ -322,7 +322,7 @@ bool predict_bounces_of(const VisitOf<View>& visit, scalar h) {
         visit.landing(point_i) = limits::unbounded;
         if (!impact.meets) visit.contact.target[point_i] = no_bound(from, h);
         if (!bounces_off(impact, e)) continue;
-        const RowLanding<scalar> landing = landing_of(from, impact, e, h);
+        const RowLanding<scalar> landing = landing_of(from, impact, e, h, visit.unit);
         visit.contact.target[point_i] = landing.speed;
         visit.landing(point_i) = landing.s;
         some = true;

@@ -79,7 +79,7 @@ mask lower_bounces_of(const View& solver, int block_i, const AboutImpact& about,
     const lane apart = dot(n, displaced.linear_A - displaced.linear_B);
     const lane approach = dot(n, about.before.linear_A - about.before.linear_B), pull = dot(n, about.forces.linear_A - about.forces.linear_B);
     const lane parting = dot(n, about.after.linear_A - about.after.linear_B);
-    lane work{}, size{}, slope{}, leaving[block_rows], rest[block_rows], a[block_rows];
+    lane work{}, size{}, slope{}, leaving[block_rows], rest[block_rows], a[block_rows], left_deep[block_rows];
     mask bounced[block_rows];
     for (int row = 0; row < block.rows; ++row) {  // bound: 4: block_rows
         const RowFlight<lane> begin = {separation_now(block, row, apart, displaced), row_speed(block.row[row].levers, approach, about.before),
@@ -87,6 +87,7 @@ mask lower_bounces_of(const View& solver, int block_i, const AboutImpact& about,
         const RowFlight<lane> from = flight_from(begin, splat<lane>(about.now));
         const RowImpact<lane> impact = impact_of(from, step - splat<lane>(about.now), solver.unit);
         const lane j = load(block.row[row].j);
+        left_deep[row] = overlap_left(begin.s, step, solver.unit);
         bounced[row] = both(both(bounces_off(impact, load(block.e)), is_used(block, row)), j > lane{});
         a[row] = from.a;
         rest[row] = about.after_impact(impact.when);
@@ -111,8 +112,9 @@ mask lower_bounces_of(const View& solver, int block_i, const AboutImpact& about,
         const mask lower = both(gains, bounced[row]);
         const lane speed = leaving[row] * part;
         store(block.row[row].target, select(lower, speed + a[row] * rest[row], load(block.row[row].target)));
-        if (about.is_solved_last)
-            store(block.row[row].landing, select(lower, speed * rest[row] + a[row] * rest[row] * rest[row] * half, load(block.row[row].landing)));
+        if (!about.is_solved_last) continue;
+        const lane way = speed * rest[row] + a[row] * rest[row] * rest[row] * half;
+        store(block.row[row].landing, select(lower, way + left_deep[row], load(block.row[row].landing)));
     }
     return gains;
 }

@@ -21,7 +21,7 @@ INGOT_RARE void predict_bounces_of(ContactBlock& block, const SolverView& solver
         const RowFlight<lane>& from = flight.row[row];
         const RowImpact<lane> impact = impact_of(from, step, solver.unit);
         const mask bounces = both(bounces_off(impact, e), is_used(block, row)), flies = both(opposite(impact.meets), e > lane{});
-        const RowLanding<lane> landing = landing_of(from, impact, e, step);
+        const RowLanding<lane> landing = landing_of(from, impact, e, step, solver.unit);
         const lane resting = load(block.row[row].target);
         const lane flying = select(leans, flying_target(from, resting, step), no_bound(from, step));
         store(block.row[row].target, select(bounces, landing.speed, select(flies, flying, resting)));
