@@ -110,6 +110,9 @@ inline constexpr scalar flush_share = scalar(5e-3);  ///< of the lesser bounding
 /// while it lands.
 inline constexpr scalar edge_tilt = scalar(1e-3);
 inline constexpr scalar face_tilt = scalar(0.02);
+/// Of how deep a body and a triangle of a level overlap: what pokes into the body counts where it is out again within so much. Its direction is then
+/// within 60 degrees of the nearest.
+inline constexpr scalar poking_share = scalar(2);
 /// The cosine within which a contact with a level goes on as the one that it was; 25 degrees: a body that rolls over a hill turns by less in a step.
 inline constexpr scalar same_plane_cos = scalar(0.9);
 /// Of its radius: a point this far aside of the lowest line of a cylinder is not on it. Rolling at 10 m/s, it moves up at 0.1 mm/s.

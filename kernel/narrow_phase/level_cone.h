@@ -43,6 +43,9 @@ bool is_over(const TriangleFace& face, const Vector& c, scalar flush);
 /// tilt: sine of the angle by which d may be wrong.
 TriangleTouch put_on_triangle(const TriangleFace& face, const Vector& p, const Vector& d, scalar tilt);
 
+/// Whether a ridge or a rim is there: what ends at this edge.
+inline bool ends(const LevelTriangle& triangle, int i) { return triangle.edge(i) == EdgeKind::border || triangle.edge(i) == EdgeKind::convex; }
+
 /// The same triangle is there seen from the other side too: a sheet without thickness, and what is behind the one side is before the other.
 bool has_back(const LevelTable& level, const TriangleFace& face);
 

@@ -27,8 +27,39 @@ bool LevelPatches::is_above(const TriangleFace& face) const {
     return height > -on_.half_extent && (height >= 0 || !has_back(level_, face));
 }
 
-/// A triangle of the field is straight below the centre of the body. Within `flush` of its edges it counts: none is missed by a rounding.
+/// A place on the body so deep below a face that the centre of the body is behind, too: it is in the ground together with the centre, or else on the
+/// far side of a spike, which is not to be pushed out through this side.
+bool LevelPatches::is_behind(const TriangleFace& face, scalar separation) const {
+    return separation < -on_.half_extent && dot(face.n, on_.body.r - face.corners[0]) < 0 && is_in_the_air();
+}
+
+/// The centre of the body is before what of a mesh is nearest to it; of a field, above the ground.
 bool LevelPatches::is_in_the_air() const {
+    return is_solid() ? is_above_field() : is_before_mesh();
+}
+
+/// Of triangles that are equally near, by an edge that they share, the one counts that looks most to the centre or away from it.
+/// Source: Baerentzen and Aanaes, "Signed Distance Computation Using the Angle Weighted Pseudonormal", 2005: why not any of them.
+bool LevelPatches::is_before_mesh() const {
+    const Vector& r = on_.body.r;
+    const Vector reach = {on_.half_extent, on_.half_extent, on_.half_extent};
+    scalar least = on_.half_extent, most = 0;
+    bool is = true;
+    for_triangles_in(level_, r - reach, r + reach, [&](const LevelTriangle& triangle) {
+        TriangleFace face;
+        if (!face_of_triangle(triangle, face)) return;
+        const Vector away = r - nearest_on_triangle(face, r, 0).p;
+        const scalar distance = sqrt(length_sq(away)), height = dot(face.n, away), turned = abs(height);
+        if (distance > least + on_.flush || (distance > least - on_.flush && !(turned > most))) return;
+        least = min(least, distance);
+        most = turned;
+        is = height >= 0;
+    });
+    return is;
+}
+
+/// A triangle of the field is straight below the centre of the body. Within `flush` of its edges it counts: none is missed by a rounding.
+bool LevelPatches::is_above_field() const {
     const Vector& r = on_.body.r;
     bool is = false;
     for_triangles_in(level_, {r.x, r.y, level_.low.z}, r, [&](const LevelTriangle& triangle) {
@@ -57,8 +88,6 @@ bool is_below_line(const PlacedShape& round, const Vector& P, const Vector& d) {
     const scalar off = dot(P - round.r, aside), slack = 2 * limits::nearest_direction * round.shape.size.x;
     return off * off <= slack * slack;
 }
-
-bool ends(const LevelTriangle& triangle, int i) { return triangle.edge(i) == EdgeKind::border || triangle.edge(i) == EdgeKind::convex; }
 
 }  // namespace
 
@@ -176,7 +205,7 @@ bool LevelPatches::is_bare(const LevelTriangle& triangle, const TriangleFace& fa
 void LevelPatches::add_above(const LevelTriangle& triangle, const TriangleFace& face, const Vector& on_body) {
     const scalar separation = dot(face.n, on_body - face.corners[0]);
     const Vector on_level = on_body - face.n * separation;
-    if (!(separation <= on_.margin) || !is_bare(triangle, face, on_level, separation)) return;
+    if (!(separation <= on_.margin) || is_behind(face, separation) || !is_bare(triangle, face, on_level, separation)) return;
     add_point(face.n, on_level + face.n * (separation / 2), separation);
 }
 
@@ -186,7 +215,9 @@ void LevelPatches::add_ball(const LevelTriangle& triangle, const TriangleFace& f
     if (!(height <= on_.margin + radius && is_above(face))) return;
     const TriangleTouch touch = nearest_on_triangle(face, c, on_.flush);
     if (touch.part == TrianglePart::inside) {
-        if (is_bare(triangle, face, touch.p, height - radius)) add_point(face.n, touch.p + face.n * ((height - radius) / 2), height - radius);
+        const scalar separation = height - radius;
+        if (!is_behind(face, separation) && is_bare(triangle, face, touch.p, separation))
+            add_point(face.n, touch.p + face.n * (separation / 2), separation);
         return;
     }
     const Vector away = c - touch.p;
@@ -324,6 +355,7 @@ void make_room(scalar aside, scalar deeper, const Vector& centre, LevelPatch& pa
 }  // namespace
 
 void LevelPatches::add_point(const Vector& n, const Vector& P, scalar separation) {
+    added_ = true;
     LevelPatch* patch = patch_for(n, P - n * (separation / 2), separation);
     if (patch == nullptr) return;
     patch->least = min(patch->least, separation);

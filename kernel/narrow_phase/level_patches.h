@@ -42,6 +42,7 @@ public:
     void add(const LevelTriangle& triangle) {
         TriangleFace face;
         material_ = triangle.material;
+        added_ = false;
         if (!face_of_triangle(triangle, face)) return;
         if (only_balls<Shapes> || on_.body.shape.kind == ShapeKind::sphere) return add_ball(triangle, face);
         if constexpr (!only_balls<Shapes>) add_solid<Shapes>(triangle, face);
@@ -62,6 +63,7 @@ private:
         if (!reaches(face)) return;
         const Manifold& above = above_plane<Shapes>(face);
         bool stands = stands_inside(face, above);
+        scalar overlap = 0;
         if (ends_below(triangle, face)) {
             stands = (is_above(face) && lies_across(triangle, face, above)) || stands;
             bool of_side = false;
@@ -71,9 +73,11 @@ private:
                 Manifold beside;
                 (void)collide_pair<WithHulls<Shapes>>(on_.body, hull.placed(), on_.margin, beside, nullptr);
                 if (add_beside(triangle, face, beside, stands)) return;
+                overlap = beside.count > 0 ? -least_separation(beside) : scalar(0);
             }
         }
         if (is_above(face)) add_inside(triangle, face, above);
+        if (overlap > on_.flush && !added_) add_poking(triangle, face, overlap);
     }
     template <class Shapes>
     struct WithHulls : Shapes {
@@ -95,7 +99,10 @@ private:
     bool reaches(const TriangleFace& face) const;
     bool is_solid() const { return !level_.is_mesh(); }
     bool is_above(const TriangleFace& face) const;
+    bool is_behind(const TriangleFace& face, scalar separation) const;
     bool is_in_the_air() const;
+    bool is_above_field() const;
+    bool is_before_mesh() const;
     bool stands_inside(const TriangleFace& face, const Manifold& above) const;
     bool lies_across(const LevelTriangle& triangle, const TriangleFace& face, const Manifold& above);
     bool add_round(const LevelTriangle& triangle, const TriangleFace& face, bool& of_side);
@@ -105,6 +112,14 @@ private:
     bool add_beside(const LevelTriangle& triangle, const TriangleFace& face, const Manifold& found, bool stands);
     void add_inside(const LevelTriangle& triangle, const TriangleFace& face, const Manifold& found);
     void add_above(const LevelTriangle& triangle, const TriangleFace& face, const Vector& on_body);
+    void add_poking(const LevelTriangle& triangle, const TriangleFace& face, scalar overlap);
+    /// A place P of the level within the body, which is out of it `depth` (m) along d, unit.
+    struct Poking {
+        Vector P, d;
+        scalar depth;
+    };
+    void see_poking_corner(const LevelTriangle& triangle, const TriangleFace& face, int corner, Poking& least) const;
+    void see_poking_edge(const LevelTriangle& triangle, const TriangleFace& face, int edge, Poking& least) const;
     void add_point(const Vector& n, const Vector& P, scalar separation);
     LevelPatch* patch_for(const Vector& n, const Vector& surface, scalar separation);
     uint32_t feature_of(const Vector& P) const;
@@ -116,6 +131,7 @@ private:
     uint8_t material_ = 0;     ///< of the triangle at hand
     PlacedShape plane_ = {};  ///< of the last triangle but those in the same; none: no normal
     Manifold above_;
+    bool added_ = false;  ///< the triangle at hand has a point
 };
 
 } }  // namespace ingot
