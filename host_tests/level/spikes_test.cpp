@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Fields of spikes, as steep and thin as heights by chance make them: nobody in the air is pushed out through the far side of one.
+// Fields and meshes of spikes, as steep and thin as heights by chance make them: nobody in the air is pushed out through the far side of one, nor faster
+// than overlaps are taken back.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -69,6 +70,70 @@ TEST(Spikes, push_nobody_in_the_air_out_of_their_far_side) {
                     ASSERT_GE(static_cast<double>(contact.separation), -allowed[i]) << "draw " << draw << ", step " << step_i << ", Hz " << rate;
                 }
             }
+        }
+    }
+    EXPECT_GT(met, 1000);
+}
+
+Ground spikes_of_mesh(Random& random, double relief) {
+    const int most = static_cast<int>(grain * relief);
+    Ground made;
+    std::vector<int> heights;
+    for (int i = 0; i < (cells + 1) * (cells + 1); ++i) heights.push_back(between(random, 0, most));
+    const Soup soup = terrain(random, cells, grain, [&](int x, int y) { return heights[static_cast<size_t>(x + (cells + 1) * y)]; });
+    take_mesh(soup, 1.0 / grain, made);
+    return made;
+}
+
+/// m, by how much the centre of a body is behind the plane of a contact; negative: before it. to_body: unit, from the ground.
+double behind(const Vector& centre, const ingot::ContactInfo& contact, const Vector& to_body) {
+    double most = -1e9;
+    for (int i = 0; i < contact.point_count; ++i) {
+        const Vector on_ground = contact.points[i].P - to_body * (contact.points[i].separation / 2);
+        most = std::max(most, static_cast<double>(dot(to_body, on_ground - centre)));
+    }
+    return most;
+}
+
+/// Of one body that falls on a mesh or a field. A contact that has the centre behind it is no deeper than the least half extent, and no step moves it
+/// further than its energy does, and each of its contacts at push_speed_max.
+TEST(Spikes, move_nobody_faster_than_overlaps_are_taken_back) {
+    int met = 0;
+    for (int draw = 0; draw < ingot_reference::draws(240); ++draw) {
+        Random random(static_cast<uint64_t>(45120 + draw));
+        const double relief = about(random, 0.3, 2.7);
+        Ground ground;
+        if (draw % 2 == 0) {
+            ground = spikes_of_mesh(random, relief);
+        } else {
+            ground.field = spikes(random, relief);
+            ground.view = ground.field.view;
+        }
+        auto& world = empty_world<OnLevel>();
+        const BodyId level = add_level(world, ground.view, static_cast<scalar>(within(random, 0, 0.8)));
+        const BodyDef def = thrown(random, ground.view);
+        const BodyId id = world.add(def).value;
+        const bool hull = def.shape.kind == ingot::ShapeKind::hull;
+        const double least = static_cast<double>(ingot::least_half_extent(def.shape, hull ? Slab::hulls : nullptr));
+        const double M = static_cast<double>(def.mass.M), g = 9.81;
+        const int rate = rates[random() % 5];
+        const double h = 1.0 / rate;
+        for (int step_i = 0; step_i < 2 * rate; ++step_i) {
+            const bool in_the_air = depth_allowed(world, ground.view, id) < 1e8;
+            const Vector r = world.state(id).value.r_CM;
+            const double before = static_cast<double>(world.kinetic_energy());
+            ASSERT_EQ(ingot::step(world, 1 / static_cast<scalar>(rate)).bodies_frozen, 0);
+            int contacts = 0;
+            for (const ingot::ContactInfo& contact : world.contacts()) {
+                ++contacts;
+                ++met;
+                const Vector to_body = contact.A == level ? -contact.n : contact.n;
+                if (!in_the_air || !(behind(r, contact, to_body) > 0.05 * least)) continue;
+                EXPECT_GE(static_cast<double>(contact.separation), -1.05 * least) << "draw " << draw << ", step " << step_i << ", Hz " << rate;
+            }
+            const double energy = std::max(before, static_cast<double>(world.kinetic_energy()));
+            const double fastest = std::sqrt(2 * energy / M) + g * h + static_cast<double>(ingot::limits::push_speed_max) * contacts;
+            ASSERT_LE(length(world.state(id).value.r_CM - r), fastest * h * 1.001 + 1e-5) << "draw " << draw << ", step " << step_i << ", Hz " << rate;
         }
     }
     EXPECT_GT(met, 1000);
