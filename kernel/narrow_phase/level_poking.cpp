@@ -52,10 +52,10 @@ bool is_inside(const PlacedShape& body, const Vector& P) {
 }
 
 /// Where a stretch of a line is within a body of flat faces, m along it from a. False: nowhere.
-struct Stretch {
+struct StretchInside {
     scalar begin, end;
 };
-bool stretch_within(const PlacedShape& body, const Vector& a, const Vector& along, Stretch& stretch) {
+bool stretch_within(const PlacedShape& body, const Vector& a, const Vector& along, StretchInside& stretch) {
     for_flat_faces(body, a, [&](const Vector& n, scalar depth) {
         const scalar by = dot(n, along);
         if (by > 0) stretch.end = min(stretch.end, depth / by);
@@ -81,7 +81,7 @@ void LevelPatches::see_poking_corner(const LevelTriangle& triangle, const Triang
 void LevelPatches::see_poking_edge(const LevelTriangle& triangle, const TriangleFace& face, int edge, Poking& least) const {
     const Vector &a = face.corners[edge], &along = face.along[edge];
     const scalar length = dot(along, face.corners[edge == 2 ? 0 : edge + 1] - a);
-    Stretch stretch = {0, length};
+    StretchInside stretch = {0, length};
     if (!stretch_within(on_.body, a, along, stretch)) return;
     const Vector middle = a + along * ((stretch.begin + stretch.end) / 2);
     const TriangleTouch touch = {middle, TrianglePart::edge, edge};
