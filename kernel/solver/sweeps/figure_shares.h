@@ -10,6 +10,11 @@
 #include "../../math/sqrt.h"
 #include "jointed_visits.h"
 
+/// of(View) for each view of bodies with joints: templates are instantiated for all, and the linker takes the one that the scene calls.
+#define INGOT_JOINTED_VIEWS(of)                                                                        \
+    of(JointedView); of(JointedMaterialView); of(LoopedView); of(LoopedMaterialView); of(RowedView);   \
+    of(RowedMaterialView); of(DrivenView); of(DrivenMaterialView); of(LoopedRowedView); of(LoopedRowedMaterialView)
+
 namespace ingot { inline namespace INGOT_ABI {
 
 /// Marked by beta, the share of their impulses to give next: sweeps to come set it anew. 1: the island keeps what it has.

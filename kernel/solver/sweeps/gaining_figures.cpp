@@ -85,18 +85,8 @@ void hold_gaining_figures(Whole& whole, const BodyView& bodies, scalar h) {
     give_found_shares<WorkFrom::all>(whole, bodies, h, [](const Island&, const ThreeEnergies& energies) { return energies.share(); });
 }
 
-// The linker takes the one that the scene calls.
 #define INGOT_VIEW(View) template void hold_gaining_figures(View&, const BodyView&, scalar)
-INGOT_VIEW(JointedView);
-INGOT_VIEW(JointedMaterialView);
-INGOT_VIEW(LoopedView);
-INGOT_VIEW(LoopedMaterialView);
-INGOT_VIEW(RowedView);
-INGOT_VIEW(RowedMaterialView);
-INGOT_VIEW(DrivenView);
-INGOT_VIEW(DrivenMaterialView);
-INGOT_VIEW(LoopedRowedView);
-INGOT_VIEW(LoopedRowedMaterialView);
+INGOT_JOINTED_VIEWS(INGOT_VIEW);
 #undef INGOT_VIEW
 
 } }  // namespace ingot

@@ -90,18 +90,8 @@ void hold_pushed_figures(Whole& whole, const BodyView& bodies, scalar h) {
         });
 }
 
-// The linker takes the one that the scene calls.
 #define INGOT_VIEW(View) template void hold_pushed_figures(View&, const BodyView&, scalar)
-INGOT_VIEW(JointedView);
-INGOT_VIEW(JointedMaterialView);
-INGOT_VIEW(LoopedView);
-INGOT_VIEW(LoopedMaterialView);
-INGOT_VIEW(RowedView);
-INGOT_VIEW(RowedMaterialView);
-INGOT_VIEW(DrivenView);
-INGOT_VIEW(DrivenMaterialView);
-INGOT_VIEW(LoopedRowedView);
-INGOT_VIEW(LoopedRowedMaterialView);
+INGOT_JOINTED_VIEWS(INGOT_VIEW);
 #undef INGOT_VIEW
 
 } }  // namespace ingot
