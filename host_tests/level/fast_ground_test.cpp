@@ -92,7 +92,7 @@ TEST(FastOnTriangles, stay_in_rooms_and_gain_no_energy) {
 }
 
 /// Rods, plates and discs, a few millimetres thin, at up to 10 km/s: an impact sets them spinning by hundreds of turns in a step. Walls are
-/// triangles, or half spaces. No centre gets beyond a wall deeper than contacts bring it back from, and they do.
+/// triangles, or half spaces, which lose nobody: beyond one a centre gets no deeper than contacts bring it back from, and they do.
 TEST(FastOnTriangles, thin_things_stay_in_rooms) {
     for (int draw = 0; draw < ingot_reference::draws(800); ++draw) {
         Random random(static_cast<uint64_t>(60000 + draw));
@@ -126,7 +126,7 @@ TEST(FastOnTriangles, thin_things_stay_in_rooms) {
         for (int i = 0; i < 40; ++i) {
             (void)ingot::step(world, scalar(1) / 60);
             const Vector at = world.state(id).value.r_CM;
-            const auto deep = static_cast<scalar>(least_half_extent_of(def));
+            const scalar deep = draw % 2 == 0 ? scalar(0) : static_cast<scalar>(least_half_extent_of(def));
             ASSERT_TRUE(at.x > -deep && at.x < 6 + deep && at.y > -deep && at.y < 5 + deep && at.z > -deep && at.z < 4 + deep)
                 << "draw " << draw << ", step " << i;
         }
