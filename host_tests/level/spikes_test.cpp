@@ -95,6 +95,9 @@ double behind(const Vector& centre, const ingot::ContactInfo& contact, const Vec
     return most;
 }
 
+/// m: some tens of roundings of places up to 12 m away, in float.
+constexpr double roundings = 1e-4;
+
 /// Of one body that falls on a mesh or a field. A contact that has the centre behind it is no deeper than the least half extent, and no step moves it
 /// further than its energy does, and each of its contacts at push_speed_max.
 TEST(Spikes, move_nobody_faster_than_overlaps_are_taken_back) {
@@ -128,14 +131,14 @@ TEST(Spikes, move_nobody_faster_than_overlaps_are_taken_back) {
                 ++contacts;
                 ++met;
                 const Vector to_body = contact.A == level ? -contact.n : contact.n;
-                if (!in_the_air || !(behind(r, contact, to_body) > 0.05 * least)) continue;
+                if (!in_the_air || !(behind(r, contact, to_body) > roundings)) continue;
                 const auto separation = static_cast<double>(contact.separation);
-                EXPECT_GE(separation, -1.05 * least) << "draw " << draw << ", step " << step_i << ", Hz " << rate;
+                EXPECT_GE(separation, -least - roundings) << "draw " << draw << ", step " << step_i << ", Hz " << rate;
             }
             const double energy = std::max(before, static_cast<double>(world.kinetic_energy()));
             const double fastest = std::sqrt(2 * energy / M) + g * h + static_cast<double>(ingot::limits::push_speed_max) * contacts;
             const double way = length(world.state(id).value.r_CM - r);
-            ASSERT_LE(way, fastest * h * 1.001 + 1e-5) << "draw " << draw << ", step " << step_i << ", Hz " << rate;
+            ASSERT_LE(way, fastest * h + 1e-5) << "draw " << draw << ", step " << step_i << ", Hz " << rate;
         }
     }
     EXPECT_GT(met, 1000);
