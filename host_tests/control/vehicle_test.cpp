@@ -108,9 +108,9 @@ TEST(Vehicle, goes_straight_on) {
                 if (!is_followed(speed, car_that(slips), rate) || (INGOT_TEST_BRIEF && speed > 30)) continue;
                 Ride ride(rate, car_that(slips), speed);
                 ride.go(10);
-                const double far = speed > 20 ? eps * 100 * speed * speed / real(ride.car.design.base) : 0;
+                const double way = 10 * speed, far = eps * way * way / real(ride.car.design.base);
                 EXPECT_LE(ride.aside, 1e-3 + far) << slips << ", " << rate << " Hz, " << speed << " m/s";
-                EXPECT_NEAR(ride.x(), 10 * speed, 1e-5 * 10 * speed + grain(10 * speed, rate, 10))
+                EXPECT_NEAR(ride.x(), way, 1e-5 * way + grain(way, rate, 10))
                     << slips << ", " << rate << " Hz, " << speed << " m/s";
                 EXPECT_GE(ride.least_up, 1 - 1e-5) << slips << ", " << rate << " Hz";
             }
