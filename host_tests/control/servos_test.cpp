@@ -194,7 +194,7 @@ TEST(Servos, hold_what_hangs_on_something_that_moves) {
 /// Never more than the largest torque, in trees, against the ground, whatever is asked for.
 TEST(Servos, keep_to_their_torque) {
     RandomInput random(5);
-    for (int run_i = 0; run_i < ingot_reference::draws(60); ++run_i) {
+    for (int run_i = 0; run_i < ingot_reference::draws(120); ++run_i) {
         const double rate = rates[random.integer(0, 3)];
         const auto world = std::make_unique<HallWorld>();
         ASSERT_TRUE(weigh(*world));

@@ -16,16 +16,16 @@ namespace {
 
 /// The impulse that leaves the rate within its bounds, if it changes by `free` without: none where it is. Bounds of a drive give way, and it has a
 /// largest impulse.
-scalar impulse_within(const JointRow& row, scalar free) {
+scalar impulse_within(const JointRow& row, scalar free, scalar most) {
     scalar j = 0;
     if (free < row.lower) j = (row.lower - free) / (row.K + row.gamma);
     if (free > row.upper) j = (row.upper - free) / (row.K + row.gamma);
-    return max(-row.most, min(row.most, j));
+    return max(-most, min(most, j));
 }
 
-/// Gives a row the impulse that it should have, where its rate has changed so far by `change`. Returns by how much that is more.
-scalar give_row(JointRow& row, scalar change) {
-    const scalar j = impulse_within(row, change - row.K * row.j), more = j - row.j;
+/// Gives a row the impulse that it should have, at most so much, where its rate has changed so far by `change`. Returns by how much that is more.
+scalar give_row(JointRow& row, scalar change, scalar most) {
+    const scalar j = impulse_within(row, change - row.K * row.j, most), more = j - row.j;
     row.j = j;
     return more;
 }
@@ -54,7 +54,7 @@ scalar visit(const TreeJoint<width>& joint, const Rows& all, JointRow& of, bool 
         felt = felt_by_loops(joint.view(), *all.loops, impulse_along(joint, of.along));
         change += lack_of_loops(*all.loops, felt);
     }
-    const scalar more = give_row(of, change);
+    const scalar more = give_row(of, change, of.most);
     if (more == 0) return 0;
     if constexpr (Rows::closes) feel(*all.loops, felt, more);
     joint.add_drive(of.along * more);
@@ -128,7 +128,7 @@ scalar visit(const LoopedJoint& joint, const LoopedRowView& all, JointRow& of, b
     scalar change = lack_of_loops(joint.loops, felt);
     change += dot(impulse.row.on_child, change_where(view, all, impulse.child));
     if (impulse.other != no_node) change += dot(impulse.row.on_other, change_where(view, all, impulse.other));
-    const scalar more = give_row(of, change);
+    const scalar more = give_row(of, change, of.most);
     if (more == 0) return 0;
     joint.add_drive(of.along * more);
     feel(joint.loops, felt, more);
@@ -136,6 +136,14 @@ scalar visit(const LoopedJoint& joint, const LoopedRowView& all, JointRow& of, b
     if (impulse.other != no_node) give_to(view, all, impulse.other, impulse.row.on_other * more);
     give_to(view, all, impulse.child, impulse.row.on_child * more);
     return more * of.K;
+}
+
+/// What two of three rows at their largest torque leave for the third.
+scalar most_beside(const JointRow* of, int row_i) {
+    scalar left_sq = of[row_i].most * of[row_i].most;
+    for (int i = 0; i < 3; ++i)  // bound: 3
+        if (i != row_i) left_sq -= of[i].j * of[i].j;
+    return sqrt(max(left_sq, scalar(0)));
 }
 
 /// All rows of a servo, from the first on: each sees those before it. What is measured is the child alone; the cursor ends at the other body.
@@ -146,12 +154,12 @@ void visit_servo(const LoopedJoint& joint, const LoopedRowView& all, JointRow* o
     scalar rates[3] = {};
     for (int i = 0; i < loop.row_end; ++i) rates[i] = dot(loop.rows[i].on_child, u);  // bound: 3
     Vector rate = {rates[0], rates[1], rates[2]}, given{};
-    const bool is_at_most = loop.row_end == 3 && drive_motion(joint.node(), all, 0).saturated && of[0].K > 0 && of[1].K > 0 && of[2].K > 0;
-    if (is_at_most) given = give_three(of, {{loop.direction[0], loop.direction[1], loop.direction[2]}}, rate);
-    for (int i = 0; i < loop.row_end && !is_at_most; ++i) {  // bound: 3
+    const bool is_at_most = loop.row_end == 3 && drive_motion(joint.node(), all, 0).saturated, all_give = of[0].K > 0 && of[1].K > 0 && of[2].K > 0;
+    if (is_at_most && all_give) given = give_three(of, {{loop.direction[0], loop.direction[1], loop.direction[2]}}, rate);
+    for (int i = 0; i < loop.row_end && !(is_at_most && all_give); ++i) {  // bound: 3
         of[i].change = 0;
         if (!(of[i].K > 0)) continue;
-        const scalar more = give_row(of[i], dot(of[i].along, rate));
+        const scalar more = give_row(of[i], dot(of[i].along, rate), is_at_most ? most_beside(of, i) : of[i].most);
         of[i].change = more * of[i].K;
         rate = rate + loop.direction[i] * more;
         given = given + of[i].along * more;
