@@ -2,6 +2,7 @@
 // Free rotation, cases R1 to R17 but R16 (driven/): each with its criterion, in float and double. Tables are of 32 digits.
 #include "hard_cases/flown_by.h"
 
+#include "reference/draws.h"
 #include "reference/eigen_free_body.h"
 #include "reference/random_input.h"
 
@@ -255,7 +256,7 @@ struct BesideSeries {
 /// Each of n steps adds this, and goes on turning by |L| h / I_min of it in those that follow.
 TEST(HardCases, exact_elliptic_step_of_any_body) {
     RandomInput random(141);
-    for (int i = 0; i < 48; ++i) {
+    for (int i = 0; i < ingot_reference::draws(96); ++i) {
         const double ratio = i % 12 == 0 ? 1e6 : std::pow(10, random.real(0, 6)), rate = 30 * std::pow(10, random.real(0, 1.5));
         const bool plate = i % 3 == 0;
         const long double small = static_cast<long double>(1 / ratio), share = static_cast<long double>(random.real(0, 1));
