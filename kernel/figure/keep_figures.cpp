@@ -27,6 +27,15 @@ uint8_t doublings_for(scalar tension, scalar turn_sq) {
     return doublings;
 }
 
+/// What its universal joints have noted: see hold_targets.h.
+template <unsigned width, class Kinds>
+void ask_of_universal_joints(const FigureRows<width, Kinds>& rows, int row_i) {
+    for (int lane_i = 0; lane_i < rows.lane_count; ++lane_i) {  // bound: lanes
+        const uint8_t noted = rows.view.lists.joints[rows.node(row_i, lane_i).joint].doublings;
+        if (noted > rows.figure(lane_i).doublings) rows.figure(lane_i).doublings = noted;
+    }
+}
+
 template <unsigned width, class Kinds, class T = typename AllLanes<width>::T>
 void ask_of_rows(const FigureRows<width, Kinds>& rows, scalar h, scalar scale) {
     T most{}, most_turn{};
@@ -44,6 +53,8 @@ void ask_of_rows(const FigureRows<width, Kinds>& rows, scalar h, scalar scale) {
     rows.all.put(turns, most_turn);
     for (int lane_i = 0; lane_i < rows.lane_count; ++lane_i)  // bound: lanes
         rows.figure(lane_i).doublings = doublings_for(tensions[lane_i], rows.figure(lane_i).resolved ? 0 : turns[lane_i]);
+    for (int row_i = 0; row_i < rows.count(); ++row_i)  // bound: max_bodies
+        if (rows.kind(row_i) == JointKind::universal) ask_of_universal_joints(rows, row_i);
 }
 
 /// By its pull a rod or a rope holds what hangs on it in its line, as a string does: j / m times its length. kg^-1 N s / m.

@@ -7,6 +7,7 @@
 #include "../../figure/joint_drives.h"
 #include "../../figure/joint_rows.h"
 #include "../../figure/moving_joint.h"
+#include "../../figure/three_energies.h"
 #include "../../math/sqrt.h"
 #include "jointed_visits.h"
 
@@ -167,28 +168,6 @@ void add_energies(Whole& whole, const BodyView& bodies, int i) {
             solver.islands[island_i].sums[i] -= solver.islands[island_i].sums[work_at];
     }
 }
-
-/// What an island has with all of its impulses, a half and a fourth of them.
-struct ThreeEnergies {
-    scalar all, half, fourth;
-
-    scalar Q() const { return ((all - half) - 2 * (half - fourth)) * (scalar(8) / 3); }
-    scalar D() const { return 2 * (all - half) - Q() * scalar(1.5); }
-    /// The share to take. 1: as it is.
-    scalar share() const {
-        if (!is_finite(all)) return 0;
-        const scalar d = D(), q = Q(), without = all - d - q;
-        if (!(all > without * (1 + limits::figure_gain_allowed)) || !(q > 0)) return 1;
-        return d < 0 ? min(-d / (2 * q), scalar(1)) : scalar(0);
-    }
-    /// The largest with which it has no more than that, J; where it has with any, that with which it has least.
-    scalar share_up_to(scalar most) const {
-        if (!is_finite(all)) return 0;
-        const scalar d = D(), q = Q(), gain = most - (all - d - q);
-        if (!(d + q > gain) || !(q > 0)) return 1;
-        return max(min((sqrt(max(d * d + 4 * q * gain, 0)) - d) / (2 * q), scalar(1)), scalar(0));
-    }
-};
 
 /// Finds what the candidates have with all of their impulses, a half and a fourth, and gives each the share that share_of(island, energies) says.
 template <WorkFrom from, class Whole, class ShareOf>
