@@ -199,6 +199,18 @@ INGOT_RARE Row4 drop_rows(const Sym4& K, lane count, Sym4& left, const Row4& w, 
     return l;
 }
 
+/// The search for the rows that are out; of one row it is short: a row that would pull is out, and carries nothing.
+template <int rows>
+INGOT_INLINE Row4 search(const Sym4& K, lane count, Sym4& left, const Row4& w, const Row4& before, const mask (&pulls)[block_rows]) {
+    if constexpr (rows > 1) return drop_rows<rows>(K, count, left, w, before, pulls);
+    left = inverse_of_used<rows>(K, count);
+    Row4 l = solution_of<rows>(left, w, before);
+    const mask is_out = both(l.at[0] < lane{}, opposite(pulls[0]));
+    l.at[0] = select(is_out, lane{}, l.at[0]);
+    left(0, 0) = select(is_out, lane{}, left(0, 0));
+    return l;
+}
+
 /// l >= 0 with w + K (l - before) >= 0 and one of the two zero in each row. A row that `pulls` takes any sign.
 ///
 /// K is the compliance of the rows. cached_inverse is inverse_of_used without the rows that were out at the last visit. If the same rows are out now,
@@ -213,7 +225,7 @@ INGOT_INLINE Row4 solve_block(const LaneRow (&K_rows)[10], const LaneRow& count,
     attempt.fails = both(attempt.fails, active);
     if (!any(attempt.fails)) return attempt.l;
     Sym4 left;
-    const Row4 found = drop_rows<rows>(load_sym4(K_rows), load(count), left, w, before, pulls);
+    const Row4 found = search<rows>(load_sym4(K_rows), load(count), left, w, before, pulls);
     for (int row = 0; row < rows; ++row) attempt.l.at[row] = select(attempt.fails, found.at[row], attempt.l.at[row]);
     if constexpr (hold)
         for (int row = 0; row < rows; ++row)
