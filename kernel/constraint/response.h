@@ -78,6 +78,8 @@ private:
     }
 };
 using Response = ResponseOf<FreeBody>;
+// There once, as prepare_blocks.cpp has it: the linker would else take that of any file, and some are compiled for size.
+extern template void ResponseOf<FreeBody>::prepare_levers(Levers&, const Vec3<lane>&, const Vec3<lane>&, mask) const;
 
 /// Numbers that are collected lane by lane, before vectors work on them.
 struct CollectedBodies {
