@@ -67,8 +67,10 @@ inline constexpr Index no_island = index_max;
 struct Visit {
     Index block;
     uint16_t lane_bits;
-    Index island;  ///< of all its lanes, where these are the whole block and begin a row of sums; else no_island
+    Index island;  ///< of all its lanes, where these are the whole block and begin a row of sums, as one lane does; else no_island
 };
+/// Whether the lanes of a visit are of one island, which it names.
+INGOT_INLINE bool has_one_island(const Visit& visit) { return lanes == 1 || visit.island != no_island; }
 
 struct SolverView {
     static constexpr bool is_pointwise = false;

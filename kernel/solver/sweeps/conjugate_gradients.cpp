@@ -36,7 +36,7 @@ INGOT_INLINE void extrapolate_visit(const View& solver, const Visit& visit, lane
 }
 
 lane beta_of(const SolverView& solver, const Visit& visit) {
-    if (visit.island != no_island) return splat<lane>(solver.islands[visit.island].beta);
+    if (has_one_island(visit)) return splat<lane>(solver.islands[visit.island].beta);
     const ContactBlock& block = solver.blocks[visit.block];
     scalar of_lanes[lanes];
     for (int lane_i = 0; lane_i < lanes; ++lane_i)
@@ -61,7 +61,7 @@ void extrapolate(const View& solver) {
     lane beta{};
     for (int visit_i = 0; visit_i < solver.live_count; ++visit_i) {  // bound: max_manifolds: a run has one visit or more
         const Visit visit = solver.live[visit_i];
-        if (visit.island == no_island || visit.island != island_before) beta = beta_of(solver, visit);
+        if (!has_one_island(visit) || visit.island != island_before) beta = beta_of(solver, visit);
         island_before = visit.island;
         if (is_all(visit.lane_bits))
             extrapolate_visit<true>(solver, visit, beta);

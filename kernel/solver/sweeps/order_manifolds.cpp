@@ -234,7 +234,7 @@ void take_spare_lanes_along(SolverView& solver, Visit& visit) {
 /// Tells whether a visit can be summed as one vector.
 void name_island(const SolverView& solver, Visit& visit) {
     const ContactBlock& block = solver.blocks[visit.block];
-    if (visit.lane_bits != all_lanes || block.sum_i[0] % lanes != 0) return;
+    if (lanes > 1 && (visit.lane_bits != all_lanes || block.sum_i[0] % lanes != 0)) return;
     for (int lane_i = 1; lane_i < lanes; ++lane_i)
         if (block.island[lane_i] != block.island[0] && block.island[lane_i] != no_island) return;
     visit.island = block.island[0];

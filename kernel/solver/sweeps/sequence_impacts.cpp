@@ -112,7 +112,8 @@ void sweep_at_hand(const View& solver, Island& island, VisitsLeft& left) {
         for_each_in_chain(solver, island, [&](int block_i, int lane_i) {
             if (time_of(solver.blocks[block_i], lane_i) != at_hand) return;
             if (!left.take(1)) return;
-            const Visit visit = {static_cast<Index>(block_i), static_cast<uint16_t>(1u << lane_i), no_island};
+            const Index island_i = solver.blocks[block_i].island[lane_i];
+            const Visit visit = {static_cast<Index>(block_i), static_cast<uint16_t>(1u << lane_i), lanes == 1 ? island_i : no_island};
             sweep_velocities(solver, &visit, 1, 1, true);
             residual = max(residual, solver.blocks[block_i].fastest[lane_i]);
         });

@@ -19,7 +19,7 @@ bool is_on(const SolverView& solver, Index island_i) { return island_i != no_isl
 
 /// Adds the visit to the live ones, without the lanes of islands that are not swept.
 void add_live(SolverView& solver, Visit visit) {
-    if (visit.island != no_island) {
+    if (has_one_island(visit)) {
         if (is_on(solver, visit.island)) solver.some_visits[solver.live_count++] = visit;
         return;
     }

@@ -77,6 +77,12 @@ INGOT_INLINE void visit_central_positions(const View& solver, ContactBlock& bloc
     scatter_visited(solver, block.body_B, lane_bits, &SolverBody::dp, quad_of(pair.linear_B, dp_B.at[3]));
 }
 
+/// The same of a ball whose normal has a lever all the same: one far from the origin, where places are coarse, or one of several on a body.
+template <class View>
+INGOT_RARE void visit_ball_positions(const View& solver, ContactBlock& block, uint16_t lane_bits, scalar h) {
+    (void)visit_positions<1>(solver, block, lane_bits, h, false);
+}
+
 }  // namespace
 
 template <class View>
@@ -98,7 +104,10 @@ void sweep_positions(const View& solver, const Visit* visits, int visit_count, s
             continue;
         }
         if (has_one_row(solver, block)) {
-            (void)visit_positions<fewest_rows<View>>(solver, block, visit.lane_bits, h, false);
+            if constexpr (View::points_max == 1)
+                visit_ball_positions(solver, block, visit.lane_bits, h);
+            else
+                (void)visit_positions<fewest_rows<View>>(solver, block, visit.lane_bits, h, false);
             continue;
         }
         bool lands = true;

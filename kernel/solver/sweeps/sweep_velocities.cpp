@@ -78,7 +78,7 @@ INGOT_INLINE void visit_jointed(const View& solver, int block_i, ContactBlock& b
 
 /// m/s; a body that a visit changes by more is visited by the next sweep too.
 INGOT_INLINE lane active_threshold_of(const SolverView& solver, const Visit& visit, const ContactBlock& block) {
-    if (visit.island != no_island) return splat<lane>(limits::active_share * solver.islands[visit.island].settled);
+    if (has_one_island(visit)) return splat<lane>(limits::active_share * solver.islands[visit.island].settled);
     scalar of_lanes[lanes];
     for (int lane_i = 0; lane_i < lanes; ++lane_i)
         of_lanes[lane_i] = block.island[lane_i] == no_island ? 0 : limits::active_share * solver.islands[block.island[lane_i]].settled;
@@ -127,7 +127,7 @@ void sweep_velocities(const View& solver, const Visit* visits, int visit_count, 
     for (int visit_i = 0; visit_i < visit_count; ++visit_i) {  // bound: max_manifolds: a run has one visit or more
         const Visit visit = visits[up ? visit_i : visit_count - 1 - visit_i];
         ContactBlock& block = solver.blocks[visit.block];
-        if (visit.island == no_island || visit.island != island_before) active_threshold = active_threshold_of(solver, visit, block);
+        if (!has_one_island(visit) || visit.island != island_before) active_threshold = active_threshold_of(solver, visit, block);
         island_before = visit.island;
         if constexpr (View::articulates)
             if (is_jointed(solver.jointed, visit.block)) {
@@ -163,7 +163,7 @@ void measure_sweep(const SolverView& solver) {
     });
     for (int visit_i = 0; visit_i < solver.live_count;) {  // bound: max_manifolds: a run has one visit or more
         const Visit& visit = solver.live[visit_i];
-        if (visit.island != no_island) {
+        if (has_one_island(visit)) {
             visit_i = add_run(solver, visit_i);
         } else {
             add_lanes(solver, visit, solver.blocks[visit.block]);
