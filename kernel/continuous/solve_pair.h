@@ -20,7 +20,7 @@ void fly_freely(const BodyView& bodies, const Vector& gravity, scalar h) {
     integrate_L(bodies, h);
     integrate_v(bodies, h, gravity);
     forget_energies(bodies);
-    (void)Rotation::integrate_A(bodies, h, FlightClock{0, 1, h / 2});
+    (void)turn_beside_contacts<Rotation>(bodies, h, FlightClock{0, 1, h / 2});
     integrate_r(bodies, h, gravity);
 }
 
@@ -120,7 +120,7 @@ void solve_pair(const Collision& collision, PairRoom<Collision>& room, scalar h)
         write_contact_motion(solver, NoJointedBodies{}, two, gravity, h);
         forget_energies(two);
         held.hold_motions();
-        (void)Traits::Rotation::integrate_A(two, h, FlightClock{0, 1, h / 2});
+        (void)turn_beside_contacts<typename Traits::Rotation>(two, h, FlightClock{0, 1, h / 2});
         held.turn(h);
         integrate_r(two, h, gravity);
         turn_by_corrections(solver, NoJointedBodies{}, two, h);

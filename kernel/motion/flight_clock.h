@@ -23,6 +23,21 @@ struct FlightClock {
     scalar kick_ahead = 0;   ///< s
 };
 
+/// integrate_A of a method in a step with contacts: some have one for it, which has the same bits.
+template <class Rotation>
+auto turn_beside_contacts(const BodyView& bodies, scalar h, const FlightClock& clock, int)
+    -> decltype(Rotation::integrate_A_beside_contacts(bodies, h, clock)) {
+    return Rotation::integrate_A_beside_contacts(bodies, h, clock);
+}
+template <class Rotation>
+int turn_beside_contacts(const BodyView& bodies, scalar h, const FlightClock& clock, long) {
+    return Rotation::integrate_A(bodies, h, clock);
+}
+template <class Rotation>
+int turn_beside_contacts(const BodyView& bodies, scalar h, const FlightClock& clock) {
+    return turn_beside_contacts<Rotation>(bodies, h, clock, 0);
+}
+
 /// The next flight of all bodies begins anew, in units of its own: for compositions of flights of many lengths.
 inline void forget_energies(const BodyView& bodies) {
     if (bodies.energy == nullptr) return;

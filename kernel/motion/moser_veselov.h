@@ -7,8 +7,8 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-/// See DiscreteMoserVeselov.
-template <int order, bool compensate, bool energy_return>
+/// See DiscreteMoserVeselov. for_size: the same bits, from a file that microcontrollers compile for size.
+template <int order, bool compensate, bool energy_return, bool for_size>
 int integrate_A_moser_veselov(const BodyView& bodies, scalar h, const FlightClock& clock, int substeps_max, scalar angle_sq_max);
 
 /// The preprocessed discrete Moser-Veselov method: `using rotation = DiscreteMoserVeselov<4, false>;`. One path for
@@ -48,7 +48,12 @@ struct DiscreteMoserVeselov {
     static constexpr scalar angle = limits::angle_per_substep / (substeps_max > limits::substeps_max ? substeps_max / limits::substeps_max : 1);
 
     static int integrate_A(const BodyView& bodies, scalar h, const FlightClock& clock) {
-        return integrate_A_moser_veselov<order_, compensate, energy_return>(bodies, h, clock, substeps_max, angle * angle);
+        return integrate_A_moser_veselov<order_, compensate, energy_return, false>(bodies, h, clock, substeps_max, angle * angle);
+    }
+    /// The same in a step with contacts, of which to turn is little.
+    static int integrate_A_beside_contacts(const BodyView& bodies, scalar h, const FlightClock& clock) {
+        constexpr bool for_size = order_ == (INGOT_DOUBLE ? 10 : 6);  // that of the default: moser_veselov_for_size.cpp
+        return integrate_A_moser_veselov<order_, compensate, energy_return, for_size>(bodies, h, clock, substeps_max, angle * angle);
     }
 };
 

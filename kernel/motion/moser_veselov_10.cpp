@@ -3,6 +3,6 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-INGOT_MOSER_VESELOV_STAGES(10);
+INGOT_MOSER_VESELOV_STAGES(10, false);
 
 } }  // namespace ingot

@@ -3,6 +3,6 @@
 
 namespace ingot { inline namespace INGOT_ABI {
 
-INGOT_MOSER_VESELOV_STAGES(4);
+INGOT_MOSER_VESELOV_STAGES(4, false);
 
 } }  // namespace ingot

@@ -195,7 +195,7 @@ INGOT_PART void return_to_rotations(const BodyView& bodies, int tile_i, const Ti
         store(tile.A, A + correction);
 }
 
-template <int order, bool compensate, bool energy_return>
+template <int order, bool compensate, bool energy_return, bool for_size>
 int integrate_A_moser_veselov(const BodyView& bodies, scalar h, const FlightClock& clock, int substeps_max, scalar angle_sq_max) {
     INGOT_ASSERT(!compensate || bodies.compensation != nullptr);
     INGOT_ASSERT(!energy_return || bodies.energy != nullptr);
@@ -226,10 +226,10 @@ int integrate_A_moser_veselov(const BodyView& bodies, scalar h, const FlightCloc
 }
 
 /// The four stages of one order that a library holds; the linker takes the one a scene names.
-#define INGOT_MOSER_VESELOV_STAGES(order)                                                                    \
-    template int integrate_A_moser_veselov<order, false, false>(const BodyView&, scalar, const FlightClock&, int, scalar); \
-    template int integrate_A_moser_veselov<order, false, true>(const BodyView&, scalar, const FlightClock&, int, scalar);  \
-    template int integrate_A_moser_veselov<order, true, false>(const BodyView&, scalar, const FlightClock&, int, scalar);  \
-    template int integrate_A_moser_veselov<order, true, true>(const BodyView&, scalar, const FlightClock&, int, scalar)
+#define INGOT_MOSER_VESELOV_STAGES(order, for_size)                                                                                  \
+    template int integrate_A_moser_veselov<order, false, false, for_size>(const BodyView&, scalar, const FlightClock&, int, scalar); \
+    template int integrate_A_moser_veselov<order, false, true, for_size>(const BodyView&, scalar, const FlightClock&, int, scalar);  \
+    template int integrate_A_moser_veselov<order, true, false, for_size>(const BodyView&, scalar, const FlightClock&, int, scalar);  \
+    template int integrate_A_moser_veselov<order, true, true, for_size>(const BodyView&, scalar, const FlightClock&, int, scalar)
 
 } }  // namespace ingot

@@ -61,7 +61,10 @@ INGOT_INLINE void drift(Step<S>& now) {
     stop_locked_turns(now);
     const FlightClock clock{now.storage.steps, now.storage.energy_unit(now.h), now.h / 2};
     over_flying(now, [&now, &clock](const BodyView& some, StepReport& report) {
-        count(report.spins_clamped, S::rotation::integrate_A(some, now.h, clock));
+        if constexpr (stacks<S>)
+            count(report.spins_clamped, turn_beside_contacts<typename S::rotation>(some, now.h, clock));
+        else
+            count(report.spins_clamped, S::rotation::integrate_A(some, now.h, clock));
         if constexpr (S::translates && S::compensated_sums)
             integrate_r_in_sums(some, sums_of(now, some), now.h, now.storage.gravity);
         else if constexpr (S::translates)
