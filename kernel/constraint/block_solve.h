@@ -132,7 +132,9 @@ INGOT_INLINE Attempt solve_with(const LaneRow (&K_rows)[10], const LaneRow (&inv
 /// limits::block_diagonal times the diagonal: four points have rank 3, and two that all but coincide have rank 1.
 template <int rows>
 INGOT_INLINE Sym4 inverse_of_used(const Sym4& K, lane count) {
-    const lane one = splat<lane>(1), factor = select(count > one, splat<lane>(limits::block_diagonal), one);
+    const lane one = splat<lane>(1);
+    if constexpr (rows == 1) return {{select(count > lane{}, one / K(0, 0), lane{})}};
+    const lane factor = select(count > one, splat<lane>(limits::block_diagonal), one);
     Sym4 stiffened = K;
     for (int row = 0; row < rows; ++row) stiffened(row, row) = K(row, row) * factor;
     Sym4 all = inverse<rows>(stiffened);

@@ -41,7 +41,7 @@ INGOT_INLINE Contacts vectors_of(const View& solver, const ContactBlock& block, 
         contacts.used[row] = load(in.used[row]);
         contacts.separation[row] = load(in.separation[row]);
     }
-    find_middle(contacts, rows, scale_of(solver, block) * splat<lane>(limits::contact_margin));
+    find_middle<View::points_max>(contacts, rows, scale_of(solver, block) * splat<lane>(limits::contact_margin));
     return contacts;
 }
 

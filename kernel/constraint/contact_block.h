@@ -35,5 +35,7 @@ struct ContactBlock {
 };
 
 inline constexpr Index no_manifold = index_max;
+/// Whether that is the manifold of a lane. A block of one lane has no spare ones.
+INGOT_INLINE bool is_spare(Index manifold_i) { return lanes > 1 && manifold_i == no_manifold; }
 
 } }  // namespace ingot

@@ -51,8 +51,8 @@ INGOT_INLINE void tangents(const Vec3<lane>& n, Vec3<lane>& t_1, Vec3<lane>& t_2
     t_2 = cross(n, t_1);
 }
 
-/// Where friction takes hold, and how far the points are from there. margin: m, contact_margin of the pair.
-template <class Contacts>
+/// Where friction takes hold, and how far the points are from there. rows: up to `most`. margin: m, contact_margin of the pair.
+template <int most, class Contacts>
 INGOT_INLINE void find_middle(Contacts& contacts, int rows, lane margin) {
     const lane one = splat<lane>(1), least_weight = splat<lane>(limits::least_point_weight);
     lane weight[block_rows], weights{};
@@ -65,9 +65,10 @@ INGOT_INLINE void find_middle(Contacts& contacts, int rows, lane margin) {
     }
     const lane inv_weights = one / select(weights > lane{}, weights, one);
     contacts.middle = contacts.middle * inv_weights;
+    if constexpr (most == 1) return;  // one point is its own middle but for rounding
     for (int row = 0; row < rows; ++row) contacts.radius = contacts.radius + weight[row] * sqrt(length_sq(contacts.P[row] - contacts.middle));
     const mask has_area = rows > 1 ? contacts.used[1] > lane{} : one < lane{};
-    contacts.radius = select(has_area, contacts.radius * inv_weights, lane{});  // one point is its own middle but for rounding
+    contacts.radius = select(has_area, contacts.radius * inv_weights, lane{});
 }
 
 template <class Surfaces>

@@ -21,7 +21,7 @@ struct KeptOfLane {
     scalar share;
 };
 inline KeptOfLane kept_of(const SolverView& solver, Index manifold_i) {
-    if (manifold_i == no_manifold) return {no_contact, -1, 0};
+    if (is_spare(manifold_i)) return {no_contact, -1, 0};
     const int record_i = solver.pairs[manifold_i].record;
     return {solver.records[record_i], record_i, shares_of_substep(solver)};
 }
@@ -40,8 +40,8 @@ Contacts collected(const View& solver, const BodyView& bodies, ContactBlock& blo
 
 inline void name_bodies(const SolverView& solver, ContactBlock& block, int lane_i) {
     const Index manifold_i = block.manifold[lane_i];
-    block.body_A[lane_i] = manifold_i == no_manifold ? Index(0) : solver.local_of[solver.pairs[manifold_i].body_A];
-    block.body_B[lane_i] = manifold_i == no_manifold ? Index(0) : solver.local_of[solver.pairs[manifold_i].body_B];
+    block.body_A[lane_i] = is_spare(manifold_i) ? Index(0) : solver.local_of[solver.pairs[manifold_i].body_A];
+    block.body_B[lane_i] = is_spare(manifold_i) ? Index(0) : solver.local_of[solver.pairs[manifold_i].body_B];
 }
 
 /// Calls prepare(contacts) with what the bodies of a block answer: by themselves, or with their figures.
@@ -98,7 +98,7 @@ void remember_impulses(const View& solver) {
         const ContactBlock& block = solver.blocks[block_i];
         for (int lane_i = 0; lane_i < lanes; ++lane_i) {
             const Index manifold_i = block.manifold[lane_i];
-            if (manifold_i == no_manifold || solver.islands[block.island[lane_i]].begins_again) continue;
+            if (is_spare(manifold_i) || solver.islands[block.island[lane_i]].begins_again) continue;
             const int record_i = solver.pairs[manifold_i].record;
             const scalar substeps = block.substeps[lane_i];
             const auto age = static_cast<uint16_t>(substeps < substeps_max ? substeps : substeps_max);

@@ -29,7 +29,7 @@ void refresh_block(const View& solver, const BodyView& bodies, int block_i, bool
     }
     if constexpr (View::articulates)
         for (int lane_i = 0; lane_i < lanes; ++lane_i) {
-            if (block.manifold[lane_i] == no_manifold) continue;
+            if (is_spare(block.manifold[lane_i])) continue;
             if (block.body_A[lane_i] >= solver.jointed.body_count) see_kinematic_rows(solver, block_i, lane_i, true);
             if (block.body_B[lane_i] >= solver.jointed.body_count) see_kinematic_rows(solver, block_i, lane_i, false);
         }
@@ -103,7 +103,7 @@ void collect(const SolverView& solver, const BodyView& bodies, ContactBlock& blo
         block.e[lane_i] = record.e;
         block.halvings[lane_i] = static_cast<uint8_t>(record.manifold.halvings);
         set_lane(in.n, lane_i, record.manifold.n);
-        if (manifold_i == no_manifold) continue;
+        if (is_spare(manifold_i)) continue;
         const BodyPair& pair = solver.pairs[manifold_i];
         const bool A_moves = solver.local_of[pair.body_A] != 0, B_moves = solver.local_of[pair.body_B] != 0;
         if (A_moves) in.A.put(lane_i, bodies, pair.body_A);

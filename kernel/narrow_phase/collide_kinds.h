@@ -7,13 +7,13 @@
 namespace ingot { inline namespace INGOT_ABI {
 
 /// The routine for the two shapes; A has the kind that comes first. Only the routines of shapes that the scene names are linked.
-/// False for a pair that has none. before: of the last step, or null.
-template <class Shapes>
+/// False for a pair that has none. before: of the last step, or null. knows_balls: false where two balls never come to it.
+template <class Shapes, bool knows_balls = true>
 bool collide_pair(const PlacedShape& A, const PlacedShape& B, const Margin& margin, Manifold& manifold, const Manifold* before) {
 #define INGOT_PAIR(a, b)                                                             \
     if constexpr (Shapes::has(ShapeKind::a) && Shapes::has(ShapeKind::b))            \
         if (A.shape.kind == ShapeKind::a && B.shape.kind == ShapeKind::b) return collide_##a##_##b(A, B, margin, manifold, before), true
-    INGOT_PAIR(sphere, sphere);
+    if constexpr (knows_balls) INGOT_PAIR(sphere, sphere);
     INGOT_PAIR(sphere, capsule);
     INGOT_PAIR(sphere, box);
     INGOT_PAIR(sphere, cylinder);
@@ -54,11 +54,11 @@ bool collide_with_half_space(const PlacedShape& A, const PlacedShape& half_space
 }
 
 /// Two shapes of the scene, and no points for a pair that has no routine.
-template <class Shapes>
+template <class Shapes, bool knows_balls = true>
 bool collide_shapes(const PlacedShape& A, const PlacedShape& B, const Margin& margin, Manifold& manifold, const Manifold& before) {
     manifold.n = {};
     manifold.count = 0;
-    return collide_pair<Shapes>(A, B, margin, manifold, &before);
+    return collide_pair<Shapes, knows_balls>(A, B, margin, manifold, &before);
 }
 
 } }  // namespace ingot

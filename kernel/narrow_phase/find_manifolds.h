@@ -70,7 +70,7 @@ INGOT_INLINE bool renew_manifold(const BodyView& bodies, const SurfaceView& surf
 }
 
 /// The same for shapes in any order. `before` and the manifold have their normals from B to A.
-template <class Shapes>
+template <class Shapes, bool knows_balls = true>
 bool collide_placed(const PlacedShape& A, const PlacedShape& B, const Margin& margin, const Manifold& before, Manifold& manifold) {
     if constexpr (Shapes::has(ShapeKind::level)) {
         if (B.shape.kind == ShapeKind::level) return collide_level<Shapes>(A, B, margin, manifold), true;
@@ -80,10 +80,10 @@ bool collide_placed(const PlacedShape& A, const PlacedShape& B, const Margin& ma
             return true;
         }
     }
-    if (!(B.shape.kind < A.shape.kind)) return collide_shapes<Shapes>(A, B, margin, manifold, before);
+    if (!(B.shape.kind < A.shape.kind)) return collide_shapes<Shapes, knows_balls>(A, B, margin, manifold, before);
     Manifold seen = before;
     seen.n = -seen.n;
-    const bool tested = collide_shapes<Shapes>(B, A, margin, manifold, seen);
+    const bool tested = collide_shapes<Shapes, knows_balls>(B, A, margin, manifold, seen);
     manifold.n = -manifold.n;
     return tested;
 }
@@ -99,8 +99,8 @@ bool find_manifold(const BodyView& bodies, const SurfaceView& surfaces, const Bo
             return true;
         }
     }
-    return collide_placed<Shapes>(placed_body<Shapes>(bodies, surfaces, pair.body_A), placed_body<Shapes>(bodies, surfaces, pair.body_B), margin,
-                                  before, manifold);
+    return collide_placed<Shapes, false>(placed_body<Shapes>(bodies, surfaces, pair.body_A), placed_body<Shapes>(bodies, surfaces, pair.body_B),
+                                         margin, before, manifold);
 }
 
 inline constexpr Manifold no_manifold_before = {};

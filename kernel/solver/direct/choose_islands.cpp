@@ -62,7 +62,7 @@ void note_unsettled(const SolverView& solver, const Direct& direct) {
     for (int position = 0; position < solver.lane_count; ++position) {  // bound: max_manifolds, rounded up to whole blocks
         const ContactBlock& block = solver.blocks[position / lanes];
         const int lane_i = position % lanes;
-        if (block.manifold[lane_i] == no_manifold) continue;
+        if (is_spare(block.manifold[lane_i])) continue;
         const Island& island = solver.islands[block.island[lane_i]];
         if (direct.state[block.island[lane_i]] != IslandState::swept || island.begins_again || island.manifold_count > direct.manifold_capacity)
             continue;

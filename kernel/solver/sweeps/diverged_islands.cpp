@@ -63,7 +63,7 @@ bool find_crushing(const SolverView& solver) {
     for (int position = 0; some && position < solver.block_count * lanes; ++position) {
         const ContactBlock& block = solver.blocks[position / lanes];
         const int lane_i = position % lanes, last = solver.body_count - 1;
-        if (block.manifold[lane_i] != no_manifold && (block.body_A[lane_i] > last || block.body_B[lane_i] > last))
+        if (!is_spare(block.manifold[lane_i]) && (block.body_A[lane_i] > last || block.body_B[lane_i] > last))
             solver.islands[block.island[lane_i]].beta = 0;
     }
     return some;
@@ -113,7 +113,7 @@ void hold_diverged_islands(const View& solver, const BodyView& bodies, scalar h)
     for (int position = 0; position < solver.block_count * lanes; ++position) {
         const ContactBlock& block = solver.blocks[position / lanes];
         const int lane_i = position % lanes;
-        if (block.manifold[lane_i] == no_manifold || !has_diverged(solver.islands[block.island[lane_i]])) continue;
+        if (is_spare(block.manifold[lane_i]) || !has_diverged(solver.islands[block.island[lane_i]])) continue;
         ContactConstraint<View>::Given::for_rows(solver, position / lanes, [lane_i](const SeenRow& row) { row.j[lane_i] = 0; });
     }
 }

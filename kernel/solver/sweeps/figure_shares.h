@@ -89,7 +89,7 @@ void give_shares(Whole& whole, scalar h) {
     for (int position = 0; position < solver.block_count * lanes; ++position) {
         const ContactBlock& block = solver.blocks[position / lanes];
         const int lane_i = position % lanes;
-        if (block.manifold[lane_i] == no_manifold || !is_candidate(solver.islands[block.island[lane_i]])) continue;
+        if (is_spare(block.manifold[lane_i]) || !is_candidate(solver.islands[block.island[lane_i]])) continue;
         const scalar share = solver.islands[block.island[lane_i]].beta;
         ContactConstraint<View>::Given::for_rows(solver, position / lanes,
                                                  [&](const SeenRow& row) { row.j[lane_i] = shared_part(row.j[lane_i], share); });

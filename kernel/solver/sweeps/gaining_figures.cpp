@@ -68,7 +68,7 @@ bool find_candidates(Whole& whole, [[maybe_unused]] const BodyView& bodies, [[ma
     for (int position = 0; position < solver.block_count * lanes; ++position) {
         const ContactBlock& block = solver.blocks[position / lanes];
         const int lane_i = position % lanes, last = solver.body_count - 1;
-        if (block.manifold[lane_i] == no_manifold) continue;
+        if (is_spare(block.manifold[lane_i])) continue;
         if (block.body_A[lane_i] > last || block.body_B[lane_i] > last || is_on_belt(solver, position / lanes, lane_i))
             solver.islands[block.island[lane_i]].beta = 1;
     }

@@ -27,7 +27,7 @@ void put_three(scalar (&to)[4], const Vector& value) {
 template <class Each>
 void for_jointed(const JointedBodies& jointed, const ContactBlock& block, uint16_t lane_bits, const Each& each) {
     for (int lane_i = 0; lane_i < lanes; ++lane_i) {
-        if ((lane_bits >> lane_i & 1u) == 0 || block.manifold[lane_i] == no_manifold) continue;
+        if ((lane_bits >> lane_i & 1u) == 0 || is_spare(block.manifold[lane_i])) continue;
         const Index both_bodies[] = {block.body_A[lane_i], block.body_B[lane_i]};
         for (const Index body_i : both_bodies)
             if (body_i != 0 && jointed.has_joints(body_i)) each(body_i, jointed.node_of[body_i]);
@@ -193,7 +193,7 @@ void pass_contact_impulses(const View& solver, Passes passes) {
         note_due(pair);
         const GivenWrenches given = given_to(pair);
         for (int lane_i = 0; lane_i < lanes; ++lane_i) {
-            if (block.manifold[lane_i] == no_manifold) continue;
+            if (is_spare(block.manifold[lane_i])) continue;
             const auto give = [&](Index body_i, const Vector& F, const Vector& T) {
                 if (body_i != 0 && jointed.has_joints(body_i)) add_impulse(jointed.figures, jointed.node_of[body_i], F, T);
             };

@@ -44,7 +44,7 @@ INGOT_INLINE void reach_contacts(const View& solver) {
     for (int block_i = jointed.first_block; block_i < solver.block_count; ++block_i) {  // bound: max_manifolds
         const ContactBlock& block = solver.blocks[block_i];
         for (int lane_i = 0; lane_i < lanes; ++lane_i) {
-            if (block.manifold[lane_i] == no_manifold) continue;
+            if (is_spare(block.manifold[lane_i])) continue;
             const Index both_bodies[] = {block.body_A[lane_i], block.body_B[lane_i]};
             for (const Index body_i : both_bodies)
                 if (body_i != 0 && jointed.has_joints(body_i)) reach(jointed.figures, jointed.node_of[body_i]);

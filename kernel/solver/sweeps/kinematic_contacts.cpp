@@ -30,7 +30,7 @@ void see_kinematic_bodies(const View& solver, KinematicContacts& kinematic, cons
         ContactBlock& block = solver.blocks[position / lanes];
         const int lane_i = position % lanes;
         const Index manifold_i = block.manifold[lane_i];
-        if (manifold_i == no_manifold || (block.body_A[lane_i] != 0) == (block.body_B[lane_i] != 0)) continue;
+        if (is_spare(manifold_i) || (block.body_A[lane_i] != 0) == (block.body_B[lane_i] != 0)) continue;
         const bool is_A = block.body_A[lane_i] == 0;
         const BodyPair& pair = solver.pairs[manifold_i];
         const int slot = is_A ? pair.body_A : pair.body_B;
@@ -94,7 +94,7 @@ void yield_islands(const View& solver, const KinematicContacts& kinematic) {
     // bound: max_manifolds, rounded up to whole blocks
     for (int position = 0; some && position < solver.block_count * lanes; ++position) {
         const int lane_i = position % lanes;
-        if (solver.blocks[position / lanes].manifold[lane_i] == no_manifold || !(solver.islands[island_of(position)].residual < 0)) continue;
+        if (is_spare(solver.blocks[position / lanes].manifold[lane_i]) || !(solver.islands[island_of(position)].residual < 0)) continue;
         ContactConstraint<View>::Given::for_rows(solver, position / lanes, [lane_i](const SeenRow& row) { row.j[lane_i] *= scalar(0.5); });
     }
     for (int island_i = 0; some && island_i < solver.island_count; ++island_i)  // bound: max_bodies

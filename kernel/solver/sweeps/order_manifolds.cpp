@@ -227,7 +227,7 @@ void take_spare_lanes_along(SolverView& solver, Visit& visit) {
     const ContactBlock& block = solver.blocks[visit.block];
     unsigned spare = 0;
     for (int lane_i = 0; lane_i < lanes; ++lane_i)
-        if (block.manifold[lane_i] == no_manifold) spare |= 1u << lane_i;
+        if (is_spare(block.manifold[lane_i])) spare |= 1u << lane_i;
     if ((visit.lane_bits | spare) == all_lanes) visit.lane_bits = all_lanes;
 }
 

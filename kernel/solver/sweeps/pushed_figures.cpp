@@ -28,7 +28,7 @@ void forget_belts(const View& solver) {
         for (int position = 0; position < solver.block_count * lanes; ++position) {
             const ContactBlock& block = solver.blocks[position / lanes];
             const int lane_i = position % lanes;
-            if (block.manifold[lane_i] != no_manifold && is_on_belt(solver, position / lanes, lane_i))
+            if (!is_spare(block.manifold[lane_i]) && is_on_belt(solver, position / lanes, lane_i))
                 solver.islands[block.island[lane_i]].sums[pushed_at] = -1;
         }
 }
@@ -41,7 +41,7 @@ bool note_pushes(const SolverView& solver, const JointedBodies& jointed) {
     for (int position = 0; position < solver.block_count * lanes; ++position) {
         const ContactBlock& block = solver.blocks[position / lanes];
         const int lane_i = position % lanes, last = solver.body_count - 1;
-        if (block.manifold[lane_i] == no_manifold) continue;
+        if (is_spare(block.manifold[lane_i])) continue;
         const Index kinematic = block.body_A[lane_i] > last ? block.body_A[lane_i] : block.body_B[lane_i];
         Island& island = solver.islands[block.island[lane_i]];
         if (kinematic <= last || !island.in_batch || jointed.doublings_of[block.island[lane_i]] == 0) continue;

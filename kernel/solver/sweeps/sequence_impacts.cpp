@@ -32,7 +32,7 @@ template <class Of>
 void for_each_contact(const SolverView& solver, const Of& of) {
     for (int block_i = 0; block_i < solver.block_count; ++block_i)  // bound: max_manifolds, rounded up to whole blocks
         for (int lane_i = 0; lane_i < lanes; ++lane_i)
-            if (solver.blocks[block_i].manifold[lane_i] != no_manifold) of(block_i, lane_i);
+            if (!is_spare(solver.blocks[block_i].manifold[lane_i])) of(block_i, lane_i);
 }
 
 bool in_chain(const SolverView& solver, const ContactBlock& block, int lane_i) {

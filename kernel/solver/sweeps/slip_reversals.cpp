@@ -82,7 +82,7 @@ INGOT_RARE bool begin_reversals_of(const View& solver, int block_i, scalar h) {
 lane friction_of_records(const SolverView& solver, const ContactBlock& block) {
     scalar mu[lanes];
     for (int lane_i = 0; lane_i < lanes; ++lane_i)
-        mu[lane_i] = block.manifold[lane_i] == no_manifold ? 0 : solver.records[solver.pairs[block.manifold[lane_i]].record].mu;
+        mu[lane_i] = is_spare(block.manifold[lane_i]) ? 0 : solver.records[solver.pairs[block.manifold[lane_i]].record].mu;
     return load(mu);
 }
 

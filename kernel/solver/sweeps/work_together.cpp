@@ -21,7 +21,7 @@ bool are_of_one_group(const SolverView& view, const Visit& a, const Visit& b) {
 
 bool has_fixed_body(const SolverView& view, const ContactBlock& block) {
     for (int lane_i = 0; lane_i < lanes; ++lane_i) {
-        if (block.manifold[lane_i] == no_manifold) return true;
+        if (is_spare(block.manifold[lane_i])) return true;
         const BodyPair& pair = view.pairs[block.manifold[lane_i]];
         if (view.local_of[pair.body_A] == 0 || view.local_of[pair.body_B] == 0) return true;
     }
