@@ -89,9 +89,9 @@
 #else
 #define INGOT_RARE INGOT_INLINE
 #endif
-/// Helpers that are longer than their calls. With one lane, files that are compiled for size call them.
+/// Helpers that are longer than their calls. With one lane, files that are compiled for size call them, and one copy serves all.
 #if INGOT_LANES == 1 && defined(__OPTIMIZE_SIZE__)
-#define INGOT_LONG_HELPER inline
+#define INGOT_LONG_HELPER INGOT_NOINLINE inline
 #else
 #define INGOT_LONG_HELPER INGOT_INLINE
 #endif

@@ -1,39 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "sweep_positions.h"
 
-#include "../../base/limits.h"
-#include "../../constraint/block_bodies.h"
-#include "../../constraint/locked_view.h"
 #include "jointed_visits.h"
+#include "visit_positions.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
-/// True if points of the visit land. One push leaves them 1 % of the way, so they are pushed `again`; then no other points are.
-template <int rows, class View>
-INGOT_INLINE bool visit_positions(const View& solver, ContactBlock& block, uint16_t lane_bits, scalar h, bool again) {
-    const mask active = lanes_of(lane_bits);
-    const Vec3<lane> n = load(block.n);
-    auto pair = held_pair(solver, block, gather_bodies(solver, block, &SolverBody::dp, &SolverBody::dth));
-    Pushes due = Normals::pushes_due<rows>(block, n, pair, h, solver.unit);
-    // A single point lands by one push, and has no more in a block of one row. It has no more beside manifolds of several points either: the same
-    // bits.
-    if (again) due.off = both(both(due.off, due.lands), is_used(block, 1));
-    if (!any(due.off)) return false;
-    const Row4 q = Normals::push<rows>(block, due, limits::approach_slack * h * solver.unit, active);
-    lane sum{};
-    for (int row = 0; row < rows; ++row) {  // bound: 4: block_rows
-        const lane push = select(due.off, q.at[row], lane{});
-        turn_by_push(pair, block.row[row].levers, push);
-        sum = sum + push;
-    }
-    add_linear(pair, n * sum, load(block.inv_M_A), load(block.inv_M_B));
-    scatter_bodies(solver, block, lane_bits, pair, &SolverBody::dp, &SolverBody::dth);
-    return any(both(due.lands, active));
-}
-
-/// The same of a visit whose bodies have joints. Returns the lanes with points that land: the cursors of others stay where they are.
+/// visit_positions of bodies that have joints. Returns the lanes with points that land: the cursors of others stay where they are.
 template <int rows, class View>
 INGOT_INLINE uint16_t visit_jointed_positions(const View& solver, int block_i, ContactBlock& block, uint16_t lane_bits, scalar h, bool again) {
     bring_displacements(solver, solver.jointed, solver.loops, block, lane_bits);
@@ -77,12 +52,6 @@ INGOT_INLINE void visit_central_positions(const View& solver, ContactBlock& bloc
     scatter_visited(solver, block.body_B, lane_bits, &SolverBody::dp, quad_of(pair.linear_B, dp_B.at[3]));
 }
 
-/// The same of a ball whose normal has a lever all the same: one far from the origin, where places are coarse, or one of several on a body.
-template <class View>
-INGOT_RARE void visit_ball_positions(const View& solver, ContactBlock& block, uint16_t lane_bits, scalar h) {
-    (void)visit_positions<1>(solver, block, lane_bits, h, false);
-}
-
 }  // namespace
 
 template <class View>
@@ -105,7 +74,7 @@ void sweep_positions(const View& solver, const Visit* visits, int visit_count, s
         }
         if (has_one_row(solver, block)) {
             if constexpr (View::points_max == 1)
-                visit_ball_positions(solver, block, visit.lane_bits, h);
+                visit_off_centre(solver, block, visit.lane_bits, h);
             else
                 (void)visit_positions<fewest_rows<View>>(solver, block, visit.lane_bits, h, false);
             continue;
