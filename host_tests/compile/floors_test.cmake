@@ -51,7 +51,7 @@ set(figure_shares spatial figure_row figure_view ground tree_passes joint_sides 
   dynamics read_joint build_figures factor_figures keep_figures move_figures respond_figures cursor joint_motions joint_rows joint_drives driven_motion
   push_rows hold_targets three_energies loop_view find_loops factor_loops close_loops note_reactions swing_figures swing_in_substeps push_machines machine_pushes limit_pushes loop_sides moving_joint target_rows gear_rows step_poles)
 set(energy_momentum_shares energy_momentum tangent at_node newton_row newton_pass fit_to_joints advance_figure advance_parts free_figures note_part swing_freely)
-set(constraint_shares belts collect_blocks moved_manifold turning_body without_joints jointed_response jointed_view locked_view prepare_responses block_bodies block_rows block_solve contact contact_block flight friction impact_note kinematic_levers kinematic_motion_at kinematic_view laws
+set(constraint_shares belts collect_blocks prepare_block prepare_blocks moved_manifold turning_body without_joints jointed_response jointed_view locked_view prepare_responses block_bodies block_rows block_solve contact contact_block flight friction impact_note kinematic_levers kinematic_motion_at kinematic_view laws
   material_view normals response rolling
   row_flight row_pair rows solver_body solver_view surface_materials torsion visit)
 set(island_shares active_tiles awake_tiles disjoint_sets rest_view)
@@ -61,7 +61,8 @@ set(continuous_shares body_path level_on_path fast_pairs parting_plane time_of_i
   lay_paths next_impact resolve_impact figures_on_paths contacts_of_figures close_figure wait_with_figure)
 # swept_contacts has the stages of a substep, for block_sweeps and hybrid_islands to conduct; plan_islands begins a batch.
 set(solver_sweeps_shares block_sweeps swept_contacts conduct_sweeps jointed_contacts jointed_reactions jointed_visits conjugate_gradients diverged_islands figure_shares gaining_figures gaining_islands kinematic_contacts move_bodies note_impulses order_manifolds
-  passive_bounces plan_islands predict_contacts pushed_figures sequence_impacts slip_reversals solve_velocities sweep_joint_rows sweep_positions sweep_velocities turning_bodies warm_start
+  passive_bounces plan_islands predict_contacts pushed_figures sequence_impacts slip_reversals solve_velocities sweep_joint_rows sweep_positions sweep_velocities turning_bodies visit_positions
+  warm_start
   work_together)
 # solve_sequentially conducts the stages of its substeps, and sequential_impulses names it to scenes.
 set(solver_sequential_shares kinematic_points point_view point_visit point_visits point_reversals point_rows sequential_contacts move_point_bodies sweep_points solve_sequentially)
