@@ -18,16 +18,13 @@ LevelTriangle triangle_of(const LevelTable& level, uint32_t number);
 /// out, or has a NaN. Bounded by the tables. Cost: a node a comparison of four boxes, in integers; of heights, a block one of its greatest height.
 template <class Each>
 void for_triangles_in(const LevelTable& level, const Vector& low, const Vector& high, const Each& each) {
+    MeshWalk of_mesh;
+    HeightWalk of_heights;
+    const bool is_mesh = level.is_mesh();
+    if (!(is_mesh ? begin_walk(level, low, high, of_mesh) : begin_walk(level, low, high, of_heights))) return;
     LevelTriangle triangle;
-    if (level.is_mesh()) {
-        MeshWalk walk;
-        if (!begin_walk(level, low, high, walk)) return;
-        while (next_triangle(level, walk, triangle)) each(triangle);  // bound: triangles of the mesh
-    } else {
-        HeightWalk walk;
-        if (!begin_walk(level, low, high, walk)) return;
-        while (next_triangle(level, walk, triangle)) each(triangle);  // bound: triangles of the field
-    }
+    // One loop for both, as `each` is long. bound: triangles of the level
+    while (is_mesh ? next_triangle(level, of_mesh, triangle) : next_triangle(level, of_heights, triangle)) each(triangle);
 }
 
 /// Where a ray meets a level first, from outside.
