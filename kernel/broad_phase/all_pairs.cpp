@@ -30,8 +30,9 @@ void find_all_pairs(const BodyView& bodies, const BoundsTile* bounds, const Pair
     }
 }
 
-bool search_all_pairs(const SearchView& search, scalar h, const PairList& pairs, bool bounded) {
-    const bool left = refresh_bounds(search.shapes, search.surfaces, h, search.bounds, bounded);
+template <class View>
+bool search_all_pairs(const View& search, scalar h, const PairList& pairs, bool bounded) {
+    const bool left = refresh_bounds<View::only_balls>(search.shapes, search.surfaces, h, search.bounds, bounded);
     if (left) find_all_pairs(search.shapes, search.bounds, pairs);
     const bool crowded = *pairs.lost > 0;
     if (crowded) {
@@ -40,5 +41,9 @@ bool search_all_pairs(const SearchView& search, scalar h, const PairList& pairs,
     }
     return left || crowded;
 }
+
+// The linker takes the one that the scene calls.
+template bool search_all_pairs(const SearchView&, scalar, const PairList&, bool);
+template bool search_all_pairs(const BallSearchView&, scalar, const PairList&, bool);
 
 } }  // namespace ingot

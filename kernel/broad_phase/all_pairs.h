@@ -15,8 +15,9 @@ void find_all_pairs(const BodyView& bodies, const BoundsTile* bounds, const Pair
 void find_all_awake_pairs(const SearchView& search, const PairList& pairs);
 
 /// Bounds of the step, and a search where a shape has left its fat AABB. True when the list has changed. See stages.h, find_pairs.
-/// bounded: shapes have been by bound_shapes.
-bool search_all_pairs(const SearchView& search, scalar h, const PairList& pairs, bool bounded);
+/// bounded: shapes have been by bound_shapes. View: SearchView, or BallSearchView.
+template <class View>
+bool search_all_pairs(const View& search, scalar h, const PairList& pairs, bool bounded);
 
 /// What it knows of who is near: nothing.
 struct NoTree {};
@@ -35,7 +36,8 @@ struct AllPairs {
         static constexpr NoTree tree_of_bounds() { return {}; }
 
         static void find_pairs(const SearchView& search, const PairList& pairs) { find_all_pairs(search.shapes, search.bounds, pairs); }
-        static bool search(const SearchView& search, scalar h, const PairList& pairs, bool bounded) {
+        template <class View>
+        static bool search(const View& search, scalar h, const PairList& pairs, bool bounded) {
             return search_all_pairs(search, h, pairs, bounded);
         }
     };

@@ -18,6 +18,8 @@ struct alignas(tile_alignment) BoundsTile {
 ///
 /// Returns: whether a body has left its fat AABBs. If so, all fat AABBs are new, and pairs must be searched for again; if not, the pairs of the
 /// last search still hold all that may touch. bounded: those of this step are there already, see bound_shapes.
+/// only_balls: besides half spaces, there are no other shapes.
+template <bool only_balls = false>
 bool refresh_bounds(const BodyView& bodies, const SurfaceView& surfaces, scalar h, BoundsTile* bounds, bool bounded = false);
 
 /// Fat AABBs without their skin: a search by these finds the pairs that may touch in this step, and no more.

@@ -12,10 +12,12 @@ namespace ingot { inline namespace INGOT_ABI { namespace bounding {
 
 INGOT_INLINE Vector absolute(const Vector& v) { return {abs(v.x), abs(v.y), abs(v.z)}; }
 
-/// Half extents along the world axes.
+/// Half extents along the world axes. only_balls: it is the shape of a ball.
+template <bool only_balls = false>
 INGOT_INLINE Vector reach_of(const Surface& surface, const Matrix& A) {
     const Vector& size = surface.shape.size;
     const scalar R = size.x;  // of a ball, or of the ball around a hull
+    if constexpr (only_balls) return {R, R, R};
     switch (surface.shape.kind) {
         case ShapeKind::level:
         case ShapeKind::box: return absolute(A.c0) * size.x + absolute(A.c1) * size.y + absolute(A.c2) * size.z;
@@ -53,7 +55,8 @@ INGOT_INLINE void bound_half_space(const BodyView& bodies, const Surface& surfac
     }
 }
 
-/// The box of one shape, and what its spin adds.
+/// The box of one shape, and what its spin adds. only_balls: besides half spaces, there are no others.
+template <bool only_balls = false>
 INGOT_INLINE void bound(const BodyView& bodies, const SurfaceView& surfaces, Place at, scalar h, BoundsTile& tile) {
     const Surface& surface = surfaces.surfaces[at.tile * lanes + at.lane];
     if (surface.shape.kind == ShapeKind::none) return set_bounds(tile, at.lane, nowhere, -nowhere);
@@ -63,17 +66,19 @@ INGOT_INLINE void bound(const BodyView& bodies, const SurfaceView& surfaces, Pla
     const scalar spin_reach = (turn < 2 ? turn : scalar(2)) * surface.bounding_radius;  // no point is further from where it was than the diameter
     tile.spin_reach[at.lane] = spin_reach;
     const scalar more = margin_at(scale_of(surfaces.unit, surface.halvings), surfaces.unit, surfaces.fall) / 2 + spin_reach;
-    const Vector reach = reach_of(surface, lane_of(bodies.rotation[at.tile].A, at.lane)) * (1 + limits::flatness) + Vector{more, more, more};
+    const Matrix A = lane_of(bodies.rotation[at.tile].A, at.lane);
+    const Vector reach = reach_of<only_balls>(surface, A) * (1 + limits::flatness) + Vector{more, more, more};
     const Vector travel = absolute(v) * h;
     set_bounds(tile, at.lane, r - reach - travel, r + reach + travel);
 }
 
 /// Bounds of a tile of shapes.
+template <bool only_balls = false>
 INGOT_INLINE void bound_tile(const BodyView& bodies, const SurfaceView& surfaces, int tile_i, scalar h, BoundsTile& tile) {
     for (int lane_i = 0; lane_i < lanes; ++lane_i) {
         const int slot = tile_i * lanes + lane_i;
         if (slot < surfaces.slot_count)
-            bound(bodies, surfaces, {tile_i, lane_i}, h, tile);
+            bound<only_balls>(bodies, surfaces, {tile_i, lane_i}, h, tile);
         else
             set_bounds(tile, lane_i, nowhere, -nowhere);
     }

@@ -19,6 +19,8 @@ struct SearchFlag {
 
 /// The shapes of a world, without their capacity.
 struct SearchView {
+    static constexpr bool only_balls = false;
+
     BodyView shapes;
     SurfaceView surfaces;
     BoundsTile* bounds;
@@ -29,6 +31,11 @@ struct SearchView {
     bool has(int slot, int flag) const { return (flags[slot] & flag) != 0; }
     void set(int slot, int flag) const { flags[slot] = static_cast<uint8_t>(flags[slot] | flag); }
     void clear(int slot, int flag) const { flags[slot] = static_cast<uint8_t>(flags[slot] & ~flag); }
+};
+
+/// Of a world that has balls, half spaces, and nothing else: how others are bounded is not linked.
+struct BallSearchView : SearchView {
+    static constexpr bool only_balls = true;
 };
 
 /// Bounds in this step of the shapes of some tiles, beside others: where several cores work, all are bounded before a search looks at them.

@@ -272,6 +272,10 @@ template <class S>
 inline constexpr bool has_more_than_balls = S::shapes::has(ShapeKind::box) || S::shapes::has(ShapeKind::capsule) ||
                                             S::shapes::has(ShapeKind::cylinder) || S::shapes::has(ShapeKind::hull);
 
+/// Its shapes are balls and half spaces.
+template <class S>
+inline constexpr bool has_only_balls = !has_more_than_balls<S> && !S::shapes::has(ShapeKind::level);
+
 /// Its arrays of contacts can be full. Where they have room for each body with each other nobody is left without a place, and what looks after
 /// those who are is not linked. Two balls are one point of max_contacts; compounds and levels make more of a pair.
 template <class S>

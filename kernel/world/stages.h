@@ -101,7 +101,8 @@ bool bound_side_by_side([[maybe_unused]] Step<S>& now, [[maybe_unused]] const Se
 /// The search where none do.
 template <class S>
 bool search_all(Step<S>& now, const SearchView& search, const PairList& pairs) {
-    return now.storage.search(search, now.h, pairs, bound_side_by_side(now, search));
+    const If<has_only_balls<S>, BallSearchView, SearchView> shapes{search};
+    return now.storage.search(shapes, now.h, pairs, bound_side_by_side(now, search));
 }
 
 /// The search in scenes whose bodies sleep: it looks at what is active, and the first one after a world began or was loaded at all. True when the
