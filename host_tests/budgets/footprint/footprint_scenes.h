@@ -35,6 +35,10 @@ struct Balls : Moving {
     static constexpr int max_manifolds = 3;
     using shapes = ingot::Shapes<ingot::Sphere, ingot::HalfSpace>;
 };
+/// What is left where nothing bounces.
+struct BallsAtRest : Balls {
+    static constexpr bool bounces = false;
+};
 struct BallsByPoint : Balls {
     using solver = ingot::SequentialImpulses;
 };
