@@ -157,7 +157,7 @@ struct Normals {
     template <class View, class Each>
     static INGOT_INLINE void for_rows(const View& solver, int block_i, const Each& each) {
         auto& block = solver.blocks[block_i];
-        for (int row = 0; row < block_rows && row < block.rows; ++row) {
+        for (int row = 0; row < View::points_max && row < block.rows; ++row) {
             NormalRow& of = block.row[row];
             each(SeenRow{row, block.n, &of.levers, of.levers.k_A, of.levers.k_B, of.j, of.j_sweep, of.direction});
         }

@@ -73,6 +73,7 @@ lane belt_speed([[maybe_unused]] const View& solver, [[maybe_unused]] int block_
 template <class View>
 mask lower_bounces_of(const View& solver, int block_i, const AboutImpact& about, mask lanes_asked) {
     ContactBlock& block = solver.blocks[block_i];
+    const int rows = View::points_max == 1 ? 1 : block.rows;
     const lane half = splat<lane>(scalar(0.5)), step = splat<lane>(about.h);
     const Vec3<lane> n = load(block.n);
     const BodyPairLanes displaced = gather_bodies(solver, block, &SolverBody::dp, &SolverBody::dth);
@@ -81,7 +82,7 @@ mask lower_bounces_of(const View& solver, int block_i, const AboutImpact& about,
     const lane parting = dot(n, about.after.linear_A - about.after.linear_B);
     lane work{}, size{}, slope{}, leaving[block_rows], rest[block_rows], a[block_rows], left_deep[block_rows];
     mask bounced[block_rows];
-    for (int row = 0; row < block.rows; ++row) {  // bound: 4: block_rows
+    for (int row = 0; row < rows; ++row) {  // bound: 4: block_rows
         const RowFlight<lane> begin = {separation_now(block, row, apart, displaced), row_speed(block.row[row].levers, approach, about.before),
                                        row_speed(block.row[row].levers, pull, about.forces)};
         const RowFlight<lane> from = flight_from(begin, splat<lane>(about.now));
@@ -108,7 +109,7 @@ mask lower_bounces_of(const View& solver, int block_i, const AboutImpact& about,
     const mask gains = both(lanes_asked, both(work > splat<lane>(8 * epsilon) * size, slope > lane{}));
     if (!any(gains)) return gains;
     const lane part = max(splat<lane>(1) - work * splat<lane>(scalar(1.125)) / select(gains, slope, splat<lane>(1)), lane{});
-    for (int row = 0; row < block.rows; ++row) {
+    for (int row = 0; row < rows; ++row) {
         const mask lower = both(gains, bounced[row]);
         const lane speed = leaving[row] * part;
         store(block.row[row].target, select(lower, speed + a[row] * rest[row], load(block.row[row].target)));
