@@ -69,7 +69,7 @@ struct Scene {
     /// Where arrays are full, who needs a contact most has one, and the others are stopped: see StepReport::contacts_lost. false: who comes late
     /// falls, for 10 KB less flash. Scenes whose arrays have room for each body with each other, n (n - 1) / 2, save that by themselves
     static constexpr bool holds_crowds = true;
-    static constexpr bool bounces      = true;   ///< bodies may have a restitution; false: none bounces, for 5 KB less flash
+    static constexpr bool bounces      = true;   ///< bodies may have a restitution; false: none bounces, for 7 KB less flash
     static constexpr bool sleeps       = false;  ///< islands of bodies at rest are left out of the step until something wakes them
     static constexpr scalar sleep_speed = limits::sleep_speed;  ///< length_unit/s; no point of a body at rest moves faster
     static constexpr scalar sleep_time  = limits::sleep_time;   ///< s; for which all bodies of an island are at rest before it falls asleep
