@@ -96,7 +96,9 @@ struct BlockOrderPart : ManifoldListPart<S> {
 
     static constexpr unsigned visit_capacity = manifold_capacity + block_capacity;
 
-    Island islands[body_capacity < manifold_capacity ? body_capacity : manifold_capacity] = {};
+    /// What touches has a manifold, and figures that touch nothing have a joint.
+    static constexpr unsigned island_room = manifold_capacity + static_cast<unsigned>(S::max_joints);
+    Island islands[body_capacity < island_room ? body_capacity : island_room] = {};
     uint32_t colours_of_body[solver_body_capacity<S>] = {};
     Index level_of_body[body_capacity] = {}, slot_of[body_capacity] = {}, island_of[body_capacity] = {}, batch_bodies[body_capacity] = {};
     Index local_of[static_cast<unsigned>(tile_capacity<S> * lanes)] = {};
