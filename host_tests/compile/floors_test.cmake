@@ -49,7 +49,7 @@ set(impulse_shares contact collide_shapes contact_rows impulse impact_step impac
 set(joint_shares joints joint_record joint_lists limit_record drives reactions tie_record target_record gear_record)
 set(figure_shares spatial figure_row figure_view ground tree_passes joint_sides row_motion displace_rows cursor_moves joint_row measure_joint row_compliance reached_bodies torque_of_ball
   dynamics read_joint build_figures factor_figures keep_figures move_figures respond_figures cursor joint_motions joint_rows joint_drives driven_motion
-  push_rows hold_targets three_energies loop_view find_loops factor_loops close_loops note_reactions swing_figures swing_in_substeps push_machines machine_pushes limit_pushes loop_sides moving_joint target_rows gear_rows step_poles)
+  push_rows hold_targets three_energies universal_joints loop_view find_loops factor_loops close_loops note_reactions swing_figures swing_in_substeps push_machines machine_pushes limit_pushes loop_sides moving_joint target_rows gear_rows step_poles)
 set(energy_momentum_shares energy_momentum tangent at_node newton_row newton_pass fit_to_joints advance_figure advance_parts free_figures note_part swing_freely)
 set(constraint_shares belts collect_blocks prepare_block prepare_blocks moved_manifold turning_body without_joints jointed_response jointed_view locked_view prepare_responses block_bodies block_rows block_solve contact contact_block flight friction impact_note kinematic_levers kinematic_motion_at kinematic_view laws
   material_view normals response rolling

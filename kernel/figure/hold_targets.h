@@ -7,6 +7,7 @@
 #include "displace_rows.h"
 #include "measure_joint.h"
 #include "three_energies.h"
+#include "universal_joints.h"
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpsabi"  // see lanes.h
@@ -265,12 +266,6 @@ void share_targets(const FigureRows<width, Kinds>& rows, scalar h, M alone) {
     if (any(gains)) share_up_to(rows, gains, energies.after, most);
 }
 
-template <unsigned width, class Kinds>
-bool has_universal_joint(const FigureRows<width, Kinds>& rows) {
-    for (int row_i = 0; row_i < rows.count(); ++row_i)  // bound: max_bodies
-        if (rows.kind(row_i) == JointKind::universal) return true;
-    return false;
-}
 /// Lanes whose figures are no machines.
 template <unsigned width, class Kinds>
 auto lanes_of_trees(const FigureRows<width, Kinds>& rows, const LoopView& loops) {

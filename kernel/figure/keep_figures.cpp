@@ -3,6 +3,7 @@
 
 #include "../base/figure_limits.h"
 #include "../body/kinematics.h"
+#include "universal_joints.h"
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpsabi"  // see lanes.h
@@ -53,8 +54,9 @@ void ask_of_rows(const FigureRows<width, Kinds>& rows, scalar h, scalar scale) {
     rows.all.put(turns, most_turn);
     for (int lane_i = 0; lane_i < rows.lane_count; ++lane_i)  // bound: lanes
         rows.figure(lane_i).doublings = doublings_for(tensions[lane_i], rows.figure(lane_i).resolved ? 0 : turns[lane_i]);
-    for (int row_i = 0; row_i < rows.count(); ++row_i)  // bound: max_bodies
-        if (rows.kind(row_i) == JointKind::universal) ask_of_universal_joints(rows, row_i);
+    if constexpr (may_be_universal<Kinds>)
+        for (int row_i = 0; row_i < rows.count(); ++row_i)  // bound: max_bodies
+            if (rows.kind(row_i) == JointKind::universal) ask_of_universal_joints(rows, row_i);
 }
 
 /// By its pull a rod or a rope holds what hangs on it in its line, as a string does: j / m times its length. kg^-1 N s / m.

@@ -87,17 +87,12 @@ void drift_rows(const FigureRows<width, Kinds>& rows, scalar h) {
     }
 }
 
-/// True: a joint of them is a universal one, see share_targets.
 template <unsigned width, class Kinds>
-bool aim_joints(const FigureRows<width, Kinds>& rows, scalar h) {
+void aim_joints(const FigureRows<width, Kinds>& rows, scalar h) {
     const auto is_exact = resolved_lanes(rows);
     for (int row_i = 0; row_i < rows.count(); ++row_i) predict_turn(rows, rows[row_i], h);  // bound: max_bodies
-    bool some_are_universal = false;
-    for (int row_i = 0; row_i < rows.count(); ++row_i) {
+    for (int row_i = 0; row_i < rows.count(); ++row_i)
         if (rows.node(row_i).kind != JointKind::none) set_bias(rows, row_i, h, is_exact);
-        some_are_universal = some_are_universal || rows.kind(row_i) == JointKind::universal;
-    }
-    return some_are_universal;
 }
 
 /// Where joints hardly let bodies part, a push that parts them would throw the rest of the figure: it is shortened to limits::throw_speed and
@@ -125,8 +120,9 @@ namespace {
 template <class Kinds>
 void begin_solve_of_trees(const FigureView& view, scalar h) {
     for_groups<Kinds>(view, [h](const auto& rows) {
-        const bool some_are_universal = aim_joints(rows, h);
-        if (some_are_universal) share_targets(rows, h, rows.all_lanes());
+        aim_joints(rows, h);
+        if constexpr (may_be_universal<Kinds>)
+            if (has_universal_joint(rows)) share_targets(rows, h, rows.all_lanes());
         hold_back_targets(rows, h, resolved_lanes(rows));
         clear_impulses(rows);
     });
@@ -139,10 +135,9 @@ void begin_solve(const FigureView& view, const NoLoops&, scalar h) { begin_solve
 namespace {
 
 void aim_machines(const FigureView& view, const LoopView& loops, scalar h, scalar gain) {
-    bool some_are_universal = false;
-    for_groups(view, [&](const auto& rows) { some_are_universal = aim_joints(rows, h) || some_are_universal; });
+    for_groups(view, [h](const auto& rows) { aim_joints(rows, h); });
     for_looped_figures(view, loops, [&](const LoopFigure& of) { aim_loops(view, loops, of, h); });
-    if (some_are_universal) share_targets(view, loops, h);
+    share_targets(view, loops, h);
     hold_back_targets(view, loops, h, gain);
     if (loops.targets != nullptr) for_looped_figures(view, loops, [&](const LoopFigure& of) { aim_targets(view, loops, of, h); });
     clear_solve(view);

@@ -30,7 +30,7 @@ void predict_bounces_of(ContactBlock& block, const SolverView& solver, scalar h)
 
 void predict_bounces(const SolverView& solver, scalar h) {
     if (!solver.some_bounce) return;
-    for (int block_i = 0; block_i < solver.block_count; ++block_i)
+    for (int block_i = 0; block_i < solver.block_count; ++block_i)  // bound: max_manifolds
         if (any(load(solver.blocks[block_i].e) > lane{})) predict_bounces_of(solver.blocks[block_i], solver, h);
 }
 
