@@ -315,4 +315,57 @@ TEST(Order, of_bodies_does_not_matter_much) {
     EXPECT_LE(apart, is_double ? 1e-9 : 1e-4);
 }
 
+/// Where two fast bodies meet within the step, the points they meet in are solved in the arrays of the step, which its own contacts fill.
+struct FastOnes : ingot::Scene {
+    static constexpr int max_bodies = 7, max_manifolds = 4, max_pairs = 21;
+    static constexpr bool translates = true, continuous = true;
+    using solver = ingot::SequentialImpulses;
+    using shapes = ingot::Shapes<ingot::Box, ingot::HalfSpace>;
+};
+ingot::BodyDef box_at(const ingot::Vector& half, const ingot::Vector& r) {
+    ingot::BodyDef def;
+    def.mass = ingot::principal(ingot::solid_box(100, half)).value;
+    def.shape = ingot::Box{half};
+    def.state.r_CM = r;
+    return def;
+}
+struct FastPair {
+    ingot::World<FastOnes> world;
+    ingot::BodyId ids[2];
+
+    FastPair(uint64_t seed, int standing) {
+        RandomInput random(seed);
+        const auto drawn = [&](double from, double to) { return static_cast<ingot::scalar>(random.real(from, to)); };
+        bool sound = world.set_gravity({0, 0, static_cast<ingot::scalar>(-g)}) == ingot::Status::ok;
+        ingot::BodyDef ground;
+        ground.immovable = true;
+        ground.shape = ingot::HalfSpace{{0, 0, 1}, 0};
+        sound = sound && world.add(ground).ok();
+        for (int i = 0; i < 2; ++i) {
+            const ingot::scalar side = i == 0 ? -1 : 1;
+            ingot::BodyDef fast = box_at({drawn(0.1, 0.3), drawn(0.1, 0.3), drawn(0.1, 0.3)}, {});
+            fast.state.A = ingot_reference::to_matrix(random.rotation());
+            fast.state.r_CM = {side * ingot::scalar(1.2), drawn(-0.1, 0.1), drawn(0.7, 1.2)};
+            fast.state.v_CM = {side * -60, 0, drawn(-60, -20)};
+            ids[i] = world.add(fast).value;
+        }
+        const ingot::scalar half = ingot::scalar(0.5);
+        for (int i = 0; i < standing; ++i)
+            sound = world.add(box_at({half, half, half}, {static_cast<ingot::scalar>(20 + 3 * i), 20, half})).ok() && sound;
+        EXPECT_TRUE(sound);
+    }
+};
+TEST(FullManifolds, fast_bodies_meet_beside_them_as_they_do_alone) {
+    for (uint64_t seed = 1; seed <= (INGOT_TEST_BRIEF ? 300 : 3000); ++seed) {
+        FastPair alone(seed, 0), beside(seed, FastOnes::max_manifolds);
+        (void)ingot::step(alone.world, ingot::scalar(1) / 60);
+        const ingot::StepReport report = ingot::step(beside.world, ingot::scalar(1) / 60);
+        ASSERT_EQ(static_cast<int>(report.contacts), int(FastOnes::max_manifolds));
+        for (int i = 0; i < 2; ++i) {
+            const ingot::BodyState a = alone.world.state(alone.ids[i]).value, b = beside.world.state(beside.ids[i]).value;
+            ASSERT_TRUE(std::memcmp(&a, &b, sizeof a) == 0) << "seed " << seed;
+        }
+    }
+}
+
 }  // namespace

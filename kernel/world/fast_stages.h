@@ -39,7 +39,11 @@ auto view_of_pairs() {
 }
 template <class S>
 INGOT_INLINE decltype(auto) solver_of_pairs([[maybe_unused]] const Step<S>& now) {
-    if constexpr (!has_joints<S>) {
+    if constexpr (solves_pointwise<S>) {
+        auto view = now.solver;
+        view.members = now.storage.members;  // a solve goes along this list, and leaves the view at its end
+        return view;
+    } else if constexpr (!has_joints<S>) {
         return (now.solver);
     } else {
         auto view = view_of_pairs<S>();
