@@ -75,9 +75,8 @@ struct PairContacts {
              [[maybe_unused]] const Matrix (&A_of_shapes)[2]) {
         const auto A = static_cast<Index>(shapes[place].A.number), B = static_cast<Index>(shapes[place].B.number);
         mix_materials(surfaces, {A, B, no_record}, records[place]);
-        // The view of locks is one of all materials, also of scenes that name none.
-        [[maybe_unused]] const bool rolls = !View::locks_axes || materials.rolling_levers != nullptr;
-        [[maybe_unused]] const bool moves = !View::locks_axes || materials.surface_velocities != nullptr;
+        // The views of locks and of joints are of all materials, also in scenes that name one of them, or none.
+        [[maybe_unused]] const bool rolls = materials.rolling_levers != nullptr, moves = materials.surface_velocities != nullptr;
         if constexpr (View::rolls)
             rolling[place] = {rolls ? max(materials.rolling_levers[A], materials.rolling_levers[B]) : scalar(0), {}};
         if constexpr (View::has_belts)

@@ -23,11 +23,11 @@ struct TouchingPart {
             mark(manifolds.pairs[pair_i].body_B);
         }
     }
-    const uint16_t* touching() const { return touching_lanes; }
+    const uint16_t* lanes_touching() const { return touching_lanes; }
 };
 template <class S>
 struct TouchingPart<S, false> {
-    static const uint16_t* touching() { return nullptr; }
+    static const uint16_t* lanes_touching() { return nullptr; }
 };
 
 struct FigureMotion : Feature {
@@ -48,7 +48,7 @@ struct FigureMotion : Feature {
                     figure_memory,
                     left_lanes,
                     moved_lanes,
-                    this->touching(),
+                    this->lanes_touching(),
                     S::effort.substeps,
                     S::figure_motion::snap,
                     S::figure_motion::order};
