@@ -24,6 +24,7 @@ void list_woken_touch(Storage<S>& storage, int sorted) {
         const BodyPair& pair = storage.pairs[pair_i];
         if (storage.touches_aside[pair.record] == 0) continue;
         storage.touches_aside[pair.record] = 0;
+        if (*touching.count == touching.capacity) continue;  // only of a snapshot that says of more than there are that they touch
         write_pair(touching.pairs[(*touching.count)++],
                    {pair.body_A, pair.body_B, generation_of[pair.body_A], generation_of[pair.body_B], false});
     }
