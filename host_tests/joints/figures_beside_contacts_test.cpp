@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "figures.h"
+#include "reference/draws.h"
 
 namespace {
 
@@ -35,11 +36,13 @@ void add_rods(ingot::World<OneManifold>& world, RandomInput& random, int count, 
 }
 
 TEST(FiguresBesideContacts, move_as_they_do_alone) {
-    for (int count = 1; count <= 8; ++count) {
+    for (int run_i = 0; run_i < ingot_reference::draws(320); ++run_i) {
+        const int count = 1 + run_i % 8;
+        const double rate = rates[run_i / 8 % 5];
         const auto alone = std::make_unique<ingot::World<OneManifold>>(), beside = std::make_unique<ingot::World<OneManifold>>();
         std::vector<ingot::BodyId> rods_alone, rods;
         for (auto* world : {alone.get(), beside.get()}) {
-            RandomInput random(static_cast<uint64_t>(count));
+            RandomInput random(static_cast<uint64_t>(run_i));
             ASSERT_TRUE(weigh(*world) && add_ground(*world));
             add_rods(*world, random, count, world == alone.get() ? rods_alone : rods);
         }
@@ -49,9 +52,9 @@ TEST(FiguresBesideContacts, move_as_they_do_alone) {
         box.state.r_CM = {0, 20, scalar(0.5)};
         ASSERT_TRUE(beside->add(box).ok());
         for (int step_i = 0; step_i < 30; ++step_i) {
-            (void)ingot::step(*alone, scalar(1) / 60);
-            ASSERT_EQ(ingot::step(*beside, scalar(1) / 60).contacts, 1u);
-            ASSERT_TRUE(are_same(*alone, *beside, rods_alone, rods)) << count << " figures, step " << step_i;
+            (void)ingot::step(*alone, static_cast<scalar>(1 / rate));
+            ASSERT_EQ(ingot::step(*beside, static_cast<scalar>(1 / rate)).contacts, 1u);
+            ASSERT_TRUE(are_same(*alone, *beside, rods_alone, rods)) << count << " figures, " << rate << " Hz, step " << step_i;
         }
     }
 }
