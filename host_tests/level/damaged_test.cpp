@@ -112,6 +112,120 @@ TEST(DamagedLevels, of_which_a_byte_is_another_are_refused_and_do_no_harm) {
     spoil(reinterpret_cast<uint8_t*>(in_bytes.blocks.data()), in_bytes.blocks.size() * sizeof in_bytes.blocks[0]);
 }
 
+/// Nodes that lead anywhere, into each other and beyond the tables, and whose boxes hold all there is: walks fill their stacks and come to all ends.
+TEST(DamagedLevels, whose_nodes_lead_in_circles_end_all_the_same) {
+    Random random(47);
+    for (int round = 0; round < 200 / shares; ++round) {
+        level_tool::MeshData mesh = built(village(random, 3));
+        for (ingot::MeshNode& node : mesh.nodes) {
+            node.origin = {};
+            node.shifts = 0x999;
+            node.counts = 0;
+            for (int k = 0; k < 4; ++k)
+                node.counts = static_cast<uint16_t>(node.counts | (between(random, 0, 3) > 0 ? ingot::MeshNode::inner : between(random, 0, 15)) << 4 * k);
+            node.first_node = static_cast<uint16_t>(between(random, 0, mesh.view.mesh.node_count));
+            node.first_triangle = static_cast<uint16_t>(between(random, 0, mesh.view.mesh.triangle_count + 8));
+            for (int axis = 0; axis < 3; ++axis)
+                for (int k = 0; k < 4; ++k) node.low[axis][k] = 0, node.high[axis][k] = 255;
+        }
+        mesh.view.checksum = checksum_of(mesh.view);
+        EXPECT_EQ(check_level(mesh.view), Status::bad_shape);
+        walk_about(mesh.view, random);
+        ingot::LevelHit hit{};
+        (void)cast_ray_on_level(mesh.view, mesh.view.low, mesh.view.high - mesh.view.low, hit);
+    }
+}
+
+/// So many nodes, one in the other, and a triangle in the last.
+level_tool::MeshData chain_of_nodes(int count) {
+    level_tool::MeshData mesh;
+    mesh.corners = {lattice_point(0, 0, 0), lattice_point(4, 0, 0), lattice_point(0, 4, 1)};
+    mesh.triangles = {{{0, 1, 2}, 0, 0}};
+    for (int i = 0; i < count; ++i) {
+        ingot::MeshNode node;
+        node.counts = i + 1 < count ? ingot::MeshNode::inner : 1;
+        node.first_node = static_cast<uint16_t>(i + 1);
+        for (auto& high : node.high) high[0] = 4;
+        mesh.nodes.push_back(node);
+    }
+    LevelTable& level = mesh.view;
+    level.step = scalar(1) / 64;
+    level.high = Vector{4, 4, 1} * level.step;
+    level.mesh.corners = mesh.corners.data(), level.mesh.corner_count = 3;
+    level.mesh.triangles = mesh.triangles.data(), level.mesh.triangle_count = 1;
+    level.mesh.nodes = mesh.nodes.data(), level.mesh.node_count = static_cast<uint16_t>(count);
+    level.checksum = checksum_of(level);
+    return mesh;
+}
+
+TEST(DamagedLevels, that_are_deeper_than_twelve_nodes_are_refused) {
+    for (int count = 1; count <= ingot::MeshTable::depth_max + 3; ++count)
+        EXPECT_EQ(check_level(chain_of_nodes(count).view), count <= ingot::MeshTable::depth_max ? Status::ok : Status::bad_shape) << count;
+}
+
+/// One number of a sound mesh is another, and the checksum is that of what is there.
+TEST(DamagedLevels, whose_checksum_is_theirs_are_refused_for_their_tree) {
+    using Data = level_tool::MeshData;
+    const struct {
+        const char* name;
+        void (*put)(Data&);
+    } faults[] = {
+        {"no corners", [](Data& mesh) { mesh.view.mesh.corner_count = 0; }},
+        {"no nodes", [](Data& mesh) { mesh.view.mesh.node_count = 0; }},
+        {"a root without children", [](Data& mesh) { mesh.nodes[0].counts = 0; }},
+        {"a child too many", [](Data& mesh) { mesh.nodes.back().counts = ingot::MeshNode::inner; }},
+        {"a node that nobody leads to", [](Data& mesh) { --mesh.view.mesh.node_count; }},
+        {"a triangle in no leaf",
+         [](Data& mesh) {
+             mesh.triangles.push_back(mesh.triangles[0]);
+             mesh.view.mesh.triangles = mesh.triangles.data();
+             ++mesh.view.mesh.triangle_count;
+         }},
+        {"a triangle too few", [](Data& mesh) { --mesh.view.mesh.triangle_count; }},
+        {"materials below none", [](Data& mesh) { mesh.view.material_count = -1; }},
+    };
+    for (const auto& fault : faults) {
+        Random random(48);
+        Data mesh = built(village(random, 3));
+        ASSERT_GT(mesh.nodes.size(), 2u);
+        ASSERT_EQ(check_level(mesh.view), Status::ok);
+        fault.put(mesh);
+        mesh.view.checksum = checksum_of(mesh.view);
+        EXPECT_EQ(check_level(mesh.view), Status::bad_shape) << fault.name;
+    }
+}
+
+TEST(DamagedLevels, that_lack_a_table_are_refused) {
+    Random random(50);
+    const level_tool::MeshData mesh = built(village(random, 3));
+    const Field hills = field(random, 9, 9, false, 0, [](int column, int row) { return column * row; });
+    LevelTable no_triangles = mesh.view, no_nodes = mesh.view, no_corners = mesh.view;
+    no_triangles.mesh.triangles = nullptr;
+    no_nodes.mesh.nodes = nullptr;
+    no_corners.mesh.corners = nullptr;
+    LevelTable no_extremes = hills.view, no_column = hills.view, too_many = hills.view;
+    no_extremes.heights.extremes = nullptr;
+    no_column.heights.columns = 1;
+    too_many.heights.columns = too_many.heights.rows = 65535;  // nothing of a field is read before its cells are counted
+    for (const LevelTable& bad : {no_triangles, no_nodes, no_corners, no_extremes, no_column, too_many})
+        EXPECT_EQ(check_level(bad), Status::bad_shape);
+}
+
+/// The box of a field is said six times over, and each of them is looked at.
+TEST(DamagedLevels, whose_box_is_another_are_refused) {
+    Random random(51);
+    const level_tool::MeshData mesh = built(village(random, 3));
+    const Field hills = field(random, 9, 9, false, 0, [](int column, int row) { return column * row; });
+    for (const LevelTable* level : {&mesh.view, &hills.view})
+        for (int number_i = 0; number_i < 6; ++number_i)
+            for (const int by : {-1, 1}) {
+                LevelTable bad = *level;
+                scalar* const numbers[] = {&bad.low.x, &bad.low.y, &bad.low.z, &bad.high.x, &bad.high.y, &bad.high.z};
+                *numbers[number_i] += static_cast<scalar>(by) * bad.step;
+                EXPECT_EQ(check_level(bad), Status::bad_shape) << number_i;
+            }
+}
+
 TEST(DamagedLevels, that_are_not_those_of_a_level_are_refused) {
     Random random(44);
     const Field hills = field(random, 12, 9, true, 4, [&](int, int) { return between(random, 0, 900); });

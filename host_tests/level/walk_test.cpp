@@ -85,7 +85,12 @@ TEST(LevelWalk, tells_all_triangles_of_a_field_that_a_box_meets_or_is_below_and_
     for (int round = 0; round < 8; ++round) {
         const int columns = round == 0 ? 2 : between(random, 2, 70), rows = round == 1 ? 2 : between(random, 2, 40);
         const int most = round % 2 == 0 ? 65535 : 600;
-        const Field hills = field(random, columns, rows, round % 4 < 2, round < 4 ? 0 : 3, [&](int, int) { return between(random, 0, most); });
+        Field hills = field(random, columns, rows, round % 4 < 2, round < 4 ? 0 : 3, [&](int, int) { return between(random, 0, most); });
+        if (round % 2 == 1) {
+            hills.view.heights.spacing_x = static_cast<scalar>(between(random, 1, 999)) / 700;
+            hills.view.heights.spacing_y = static_cast<scalar>(between(random, 1, 999)) / 700;
+            finish_heights(hills, columns, rows);
+        }
         expect_walk_equals_all(hills.view, random, 2000);
     }
     // A field of nothing but holes, one of nothing but cliffs, and one that is long.
@@ -99,6 +104,23 @@ TEST(LevelWalk, tells_all_triangles_of_a_field_that_a_box_meets_or_is_below_and_
     EXPECT_GT(expect_walk_equals_all(in_bytes.view, random, 2000), 2000);
     const Field wall = field(random, 3000, 2, false, 0, [&](int, int) { return between(random, 0, 900); });
     EXPECT_GT(expect_walk_equals_all(wall.view, random, 200), 200);
+}
+
+TEST(LevelWalk, tells_nothing_of_a_level_that_is_none) {
+    Random random(49);
+    const level_tool::MeshData mesh = built(village(random, 3));
+    const Field hills = field(random, 9, 9, false, 0, [](int column, int row) { return column * row; });
+    ingot::LevelTable no_node = mesh.view, no_row = hills.view, no_column = hills.view;
+    no_node.mesh.node_count = 0;
+    no_row.heights.rows = 1;
+    no_column.heights.columns = 1;
+    for (const ingot::LevelTable& none : {ingot::LevelTable{}, no_node, no_row, no_column}) {
+        EXPECT_TRUE(told_in(none, {-infinity, -infinity, -infinity}, {infinity, infinity, infinity}).empty());
+        ingot::LevelHit hit{};
+        EXPECT_FALSE(cast_ray_on_level(none, none.middle() + Vector{0, 0, 100}, {0, 0, -200}, hit));
+    }
+    EXPECT_EQ(triangle_of(mesh.view, mesh.view.mesh.triangle_count).edges, LevelTriangle{}.edges);
+    EXPECT_EQ(length_sq(triangle_of(hills.view, 2 * 8 * 8).corners[1]), 0);
 }
 
 TEST(LevelWalk, tells_nothing_of_a_box_that_is_none) {

@@ -106,9 +106,15 @@ bool cells_between(scalar low, scalar high, scalar origin, scalar spacing, int s
     const scalar inv_spacing = 1 / spacing;
     // Samples lie where their sums are rounded to, so the quotient may be one off to either side.
     first = first_step_from(low, origin, spacing, inv_spacing);
-    if (first > 0 && corner_along(origin, spacing, first - 1) >= low) --first;
+    if (first > 0 && corner_along(origin, spacing, first - 1) >= low)
+        --first;
+    else if (corner_along(origin, spacing, first) < low)
+        ++first;
     last = last_step_to(high, origin, spacing, inv_spacing);
-    if (last >= 0 && last < 65535 && corner_along(origin, spacing, last + 1) <= high) ++last;
+    if (last >= 0 && last < 65535 && corner_along(origin, spacing, last + 1) <= high)
+        ++last;
+    else if (last >= 0 && corner_along(origin, spacing, last) > high)
+        --last;
     if (first >= samples || last < 0) return false;
     first = first == 0 ? 0 : first - 1;  // the cell that ends at this sample
     last = last < samples - 1 ? last : samples - 2;
