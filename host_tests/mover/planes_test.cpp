@@ -222,12 +222,24 @@ TEST(SolvePlanes, bad_input_is_refused) {
     EXPECT_EQ(status({1, 0, 0}, 17), Status::out_of_range);
     EXPECT_EQ(status({1, 0, 0}, -1), Status::out_of_range);
     EXPECT_EQ(status({1, nan, 0}, 1), Status::not_finite);
-    EXPECT_EQ(status({scalar(1e10), 0, 0}, 1), Status::out_of_range);
+    for (int axis = 0; axis < 3; ++axis)
+        for (const scalar far : {scalar(1e10), scalar(-1e10)})
+            EXPECT_EQ(status({axis == 0 ? far : 0, axis == 1 ? far : 0, axis == 2 ? far : 0}, 1), Status::out_of_range);
     planes[1].n = {0, 0, scalar(1.01)};
     EXPECT_EQ(status({1, 0, 0}, 2), Status::bad_direction);
     planes[1].n = {0, 0, 1};
-    planes[1].gap = nan;
-    EXPECT_EQ(status({1, 0, 0}, 2), Status::not_finite);
+    const auto with = [&](auto change) {
+        planes[1] = planes[0];
+        change(planes[1]);
+        EXPECT_EQ(status({1, 0, 0}, 1), Status::ok);
+        return status({1, 0, 0}, 2);
+    };
+    EXPECT_EQ(with([&](MoverPlane& p) { p.gap = nan; }), Status::not_finite);
+    EXPECT_EQ(with([&](MoverPlane& p) { p.n.y = nan; }), Status::not_finite);
+    EXPECT_EQ(with([&](MoverPlane& p) { p.push_max = nan; }), Status::not_finite);
+    EXPECT_EQ(with([&](MoverPlane& p) { p.v.z = nan; }), Status::not_finite);
+    EXPECT_EQ(with([&](MoverPlane& p) { p.gap = scalar(-1e10); }), Status::out_of_range);
+    EXPECT_EQ(with([&](MoverPlane& p) { p.v.x = scalar(1e7); }), Status::out_of_range);
     EXPECT_EQ(ingot::solve_planes({1, 0, 0}, nullptr, 1).status, Status::out_of_range);
 }
 

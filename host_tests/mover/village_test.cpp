@@ -71,18 +71,23 @@ TEST(MoverAnywhere, goes_the_same_way_at_twice_the_scale_in_company_and_by_a_tre
 }
 
 
+Matrix turned_any_way(level_test::Random& random) {
+    V axis{within(random, -1, 1), within(random, -1, 1), within(random, -1, 1)};
+    if (axis.norm() < 0.1) axis = V::UnitX();
+    const Eigen::Matrix3d A = Eigen::AngleAxisd(within(random, 0, 3), axis.normalized()).toRotationMatrix();
+    return ingot::nearest_rotation({rounded(A.col(0)), rounded(A.col(1)), rounded(A.col(2))});
+}
+
 /// Blocks at random, some of them tilted any way.
 std::vector<Block> village(uint64_t draw, bool tilted) {
     std::vector<Block> blocks = blocks_about(draw);
     level_test::Random random(draw + 1000);
     for (int i = 0; tilted && i < 30; ++i) {
-        V axis{within(random, -1, 1), within(random, -1, 1), within(random, -1, 1)};
-        if (axis.norm() < 0.1) axis = V::UnitX();
-        const Eigen::Matrix3d A = Eigen::AngleAxisd(within(random, 0, 3), axis.normalized()).toRotationMatrix();
+        const Matrix A = turned_any_way(random);
         const V half{about(random, 0.1, 1.5), about(random, 0.1, 1.5), about(random, 0.05, 1)};
         const V r{within(random, -8, 8), within(random, -8, 8), within(random, 0, 2)};
         if (r.head(2).norm() < half.norm() + 1) continue;
-        blocks.push_back({-half, half, ingot::nearest_rotation({rounded(A.col(0)), rounded(A.col(1)), rounded(A.col(2))}), exact(rounded(r))});
+        blocks.push_back({-half, half, A, exact(rounded(r))});
     }
     return blocks;
 }
@@ -110,6 +115,70 @@ TEST(MoverAnywhere, is_never_in_anything) {
             EXPECT_GT(least, -1e-4) << "draw " << draw << " kind " << kind << " step " << worst;
             EXPECT_GT(static_cast<double>(mover.r.z), 0.85);
         }
+}
+
+/// With its axis in a box or a ball, below a plane or below hills, whatever is up: it comes out, by no more than it was in.
+TEST(MoverAnywhere, comes_out_of_what_it_is_put_into) {
+    enum Kind { in_box, in_ball, below_plane, below_hills, kinds };
+    for (int draw = 0; draw < (INGOT_TEST_BRIEF ? 120 : 4000); ++draw) {
+        level_test::Random random(static_cast<uint64_t>(draw));
+        const int kind = draw % kinds;
+        auto& world = empty_world<Street>();
+        ASSERT_EQ(world.set_gravity({0, 0, 0}), Status::ok);
+        Mover mover;
+        mover.capsule = {static_cast<scalar>(about(random, 0.1, 0.5)), static_cast<scalar>(about(random, 0.1, 1))};
+        mover.up = kind == below_hills ? Vector{0, 0, 1} : turned_any_way(random).c2;
+        const double reach = static_cast<double>(mover.capsule.radius + mover.capsule.half_length);
+        const V middle{within(random, -5, 5), within(random, -5, 5), within(random, -5, 5)};
+        double most = 2 * reach;
+        std::vector<Block> blocks;
+        std::vector<uint16_t> heights(25 * 25);
+        for (uint16_t& height : heights) height = static_cast<uint16_t>(random() % 700);  // m / 1024
+        const auto hills = ingot::height_field_of<25, 25, 25 * 25>(*reinterpret_cast<const uint16_t(*)[25 * 25]>(heights.data()), 1, 1, scalar(1) / 1024);
+        ASSERT_TRUE(hills.ok());
+        mover.r = rounded(middle);
+        if (kind == in_box) {
+            const V half{about(random, 0.2, 3), about(random, 0.2, 3), about(random, 0.2, 3)};
+            const V place{half.x() * within(random, -1, 1), half.y() * within(random, -1, 1), half.z() * within(random, -1, 1)};
+            blocks.push_back({-half, half, turned_any_way(random), exact(rounded(middle))});
+            add_as_boxes(world, blocks);
+            mover.r = rounded(middle + exact(blocks[0].A * rounded(place)));
+            most += half.minCoeff();
+        } else if (kind == in_ball) {
+            BodyDef def;
+            def.immovable = true;
+            def.shape = ingot::Sphere{static_cast<scalar>(about(random, 0.2, 3))};
+            def.state.r_CM = rounded(middle + V(0, 0, draw % 8 < 4 ? 0 : 0.1));
+            ASSERT_TRUE(world.add(def).ok());
+            most += static_cast<double>(def.shape.size.x);
+        } else if (kind == below_plane) {
+            const Vector n = turned_any_way(random).c2;
+            (void)add_plane(world, n, static_cast<scalar>(exact(n).dot(middle) + within(random, 0, 1)));
+            most += 1;
+        } else {
+            Street::levels[0] = hills.value.view();
+            ASSERT_TRUE(world.add_level({}).ok());
+            mover.r = rounded(V(within(random, 8, 16), within(random, 8, 16), within(random, -1, 1)));
+            most += 2;
+        }
+        const Vector from = mover.r;
+        const auto least_gap = [&] {
+            ingot::MoverPlane planes[ingot::movers::planes_max];
+            const auto count = world.collide_mover(mover, planes);
+            EXPECT_TRUE(count.ok());
+            scalar least = 0;
+            for (int k = 0; k < count.value; ++k) least = std::min(least, planes[k].gap);
+            return least;
+        };
+        // Below hills each triangle has a way of its own to push, and others are in that way.
+        const int moves = kind == below_hills ? 600 : 60;
+        for (int i = 0; i < moves && least_gap() < -mover.skin / 64; ++i) ASSERT_EQ(world.move(mover, {}, scalar(1) / 60), Status::ok);
+        EXPECT_GT(least_gap(), -mover.skin / 64) << draw;
+        if (kind == in_box) {
+            EXPECT_GT(gap_to(mover, blocks), 0) << draw;
+        }
+        EXPECT_LT((exact(mover.r) - exact(from)).norm(), most) << draw;
+    }
 }
 
 /// A floor of flush tiles of any size, as boxes, as a mesh, and half and half: as on one slab, in any direction.

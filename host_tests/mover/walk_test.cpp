@@ -618,21 +618,29 @@ TEST(MoverRefused, changes_nothing) {
     EXPECT_EQ(with([&](Mover& m) { m.r.y = nan; }), Status::not_finite);
     EXPECT_EQ(with([&](Mover& m) { m.r.y = scalar(1e10); }), Status::out_of_range);
     EXPECT_EQ(with([&](Mover& m) { m.v.z = nan; }), Status::not_finite);
-    EXPECT_EQ(with([&](Mover& m) { m.v.z = scalar(1e7); }), Status::out_of_range);
+    for (scalar Vector::*axis : {&Vector::x, &Vector::y, &Vector::z}) {
+        EXPECT_EQ(with([&](Mover& m) { m.v.*axis = scalar(1e7); }), Status::out_of_range);
+        EXPECT_EQ(with([&](Mover& m) { m.v_drift.*axis = scalar(-1e7); }), Status::out_of_range);
+    }
+    EXPECT_EQ(with([&](Mover& m) { m.v_drift.x = nan; }), Status::not_finite);
+    EXPECT_EQ(with([&](Mover& m) { m.up.x = nan; }), Status::not_finite);
     EXPECT_EQ(with([&](Mover& m) { m.up = {0, 1, 1}; }), Status::bad_direction);
     EXPECT_EQ(with([&](Mover& m) { m.capsule.radius = -1; }), Status::bad_shape);
     EXPECT_EQ(with([&](Mover& m) { m.capsule.half_length = nan; }), Status::not_finite);
     EXPECT_EQ(with([&](Mover& m) { m.skin = 0; }), Status::bad_shape);
     EXPECT_EQ(with([&](Mover& m) { m.skin = 1; }), Status::bad_shape);
+    EXPECT_EQ(with([&](Mover& m) { m.skin = ingot::limits::size_min / 2; }), Status::bad_shape);
     EXPECT_EQ(with([&](Mover& m) { m.slope = 2; }), Status::out_of_range);
     EXPECT_EQ(with([&](Mover& m) { m.step = -1; }), Status::out_of_range);
     EXPECT_EQ(with([&](Mover& m) { m.stick = nan; }), Status::not_finite);
+    EXPECT_EQ(with([&](Mover& m) { m.stick = -1; }), Status::out_of_range);
     EXPECT_EQ(with([&](Mover& m) { m.force_max = -1; }), Status::out_of_range);
     EXPECT_EQ(with([&](Mover& m) { m.ground.n.x = nan; }), Status::not_finite);
     EXPECT_EQ(with([&](Mover& m) { m.r_in_ground.x = nan; }), Status::not_finite);
     EXPECT_EQ(refused(good, {{nan, 0, 0}, 0}, h), Status::not_finite);
     EXPECT_EQ(refused(good, {{scalar(1e7), 0, 0}, 0}, h), Status::out_of_range);
     EXPECT_EQ(refused(good, {{0, 0, 0}, -1}, h), Status::out_of_range);
+    EXPECT_EQ(refused(good, {{0, 0, 0}, nan}, h), Status::not_finite);
     EXPECT_EQ(refused(good, {}, nan), Status::not_finite);
     EXPECT_EQ(refused(good, {}, 0), Status::bad_step);
     EXPECT_EQ(refused(good, {}, 2), Status::bad_step);
