@@ -121,8 +121,10 @@ TEST(DamagedLevels, whose_nodes_lead_in_circles_end_all_the_same) {
             node.origin = {};
             node.shifts = 0x999;
             node.counts = 0;
-            for (int k = 0; k < 4; ++k)
-                node.counts = static_cast<uint16_t>(node.counts | (between(random, 0, 3) > 0 ? ingot::MeshNode::inner : between(random, 0, 15)) << 4 * k);
+            for (int k = 0; k < 4; ++k) {
+                const int children = between(random, 0, 3) > 0 ? ingot::MeshNode::inner : between(random, 0, 15);
+                node.counts = static_cast<uint16_t>(node.counts | children << 4 * k);
+            }
             node.first_node = static_cast<uint16_t>(between(random, 0, mesh.view.mesh.node_count));
             node.first_triangle = static_cast<uint16_t>(between(random, 0, mesh.view.mesh.triangle_count + 8));
             for (int axis = 0; axis < 3; ++axis)

@@ -134,7 +134,8 @@ TEST(MoverAnywhere, comes_out_of_what_it_is_put_into) {
         std::vector<Block> blocks;
         std::vector<uint16_t> heights(25 * 25);
         for (uint16_t& height : heights) height = static_cast<uint16_t>(random() % 700);  // m / 1024
-        const auto hills = ingot::height_field_of<25, 25, 25 * 25>(*reinterpret_cast<const uint16_t(*)[25 * 25]>(heights.data()), 1, 1, scalar(1) / 1024);
+        const auto& samples = *reinterpret_cast<const uint16_t(*)[25 * 25]>(heights.data());
+        const auto hills = ingot::height_field_of<25, 25, 25 * 25>(samples, 1, 1, scalar(1) / 1024);
         ASSERT_TRUE(hills.ok());
         mover.r = rounded(middle);
         if (kind == in_box) {
@@ -178,6 +179,48 @@ TEST(MoverAnywhere, comes_out_of_what_it_is_put_into) {
             EXPECT_GT(gap_to(mover, blocks), 0) << draw;
         }
         EXPECT_LT((exact(mover.r) - exact(from)).norm(), most) << draw;
+    }
+}
+
+/// More than it can hold touches it, much of it equally near: balls about its axis, each with its mirror images, and tiles below an axis that lies.
+TEST(MoverAnywhere, is_told_the_same_planes_whoever_came_first) {
+    for (int draw = 0; draw < (INGOT_TEST_BRIEF ? 30 : 500); ++draw) {
+        level_test::Random random(static_cast<uint64_t>(draw));
+        Mover mover;
+        mover.up = draw % 2 == 0 ? Vector{0, 0, 1} : Vector{0, 1, 0};
+        std::vector<BodyDef> defs;
+        const auto put = [&defs](const ingot::Shape& shape, const V& r) {
+            BodyDef def;
+            def.immovable = true;
+            def.shape = shape;
+            def.state.r_CM = rounded(r);
+            defs.push_back(def);
+        };
+        for (int i = 0; i < 12; ++i) {
+            const double angle = within(random, 0, pi / 2), far = 0.3 + 0.05 + within(random, -0.02, 0.01);
+            const V r{far * std::cos(angle), far * std::sin(angle), within(random, 0, 0.6)};
+            for (const int side : {0, 1, 2, 3, 4, 5, 6, 7})
+                put(ingot::Sphere{scalar(0.05)}, V(side & 1 ? -r.x() : r.x(), side & 2 ? -r.y() : r.y(), side & 4 ? -r.z() : r.z()));
+        }
+        for (const double x : {-0.25, 0.25})
+            for (const double y : {-0.25, 0.25}) put(ingot::Box{{scalar(0.25), scalar(0.25), scalar(0.125)}}, V(x, y, draw % 2 == 0 ? -1.02 : -0.42));
+        ingot::MoverPlane first[ingot::movers::planes_max], planes[ingot::movers::planes_max];
+        int count = -1;
+        for (int order = 0; order < 4; ++order) {
+            auto& world = empty_world<Street>();
+            for (const BodyDef& def : defs) ASSERT_TRUE(world.add(def).ok());
+            const auto told = world.collide_mover(mover, planes);
+            ASSERT_TRUE(told.ok());
+            if (count < 0) {
+                count = told.value;
+                std::copy(planes, planes + count, first);
+                EXPECT_GE(count, 4) << draw;
+            }
+            ASSERT_EQ(told.value, count) << draw;
+            for (int k = 0; k < count; ++k)
+                EXPECT_TRUE(same(planes[k].n, first[k].n) && planes[k].gap == first[k].gap) << draw << " plane " << k << " of " << count;
+            std::shuffle(defs.begin(), defs.end(), random);
+        }
     }
 }
 
