@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Wherever a number of a snapshot is another, and the checksum is that of what is there: it is refused, and the world that it was for stays as it is
-// to the bit; or it is a world, which can be saved and loaded again, steps, and has no number in it that is none. In scenes of all there is but joints.
+// to the bit; or it is a world, which can be saved and loaded again, steps, and has no number in it that is none. In scenes of all but joints.
 #include <gtest/gtest.h>
 
 #include <limits>
