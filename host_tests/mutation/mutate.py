@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: MIT
 """Mutation run over kernel/: small faults are put in, one at a time, and the host tests have to notice.
 
-    mutate.py [--count 400] [--seed 1] [--jobs 2] [--rooms blocks,collide] [--programs query_test,laws_test] [--brief] [--scratch build/mutation]
+    mutate.py [--count 400] [--seed 1] [--jobs 2] [--rooms blocks,collide] [--programs query_test,laws_test] [--brief] [--again LOG]
+              [--scratch build/mutation]
 
 A sample of mutants is drawn: operators and comparisons exchanged, constants changed, conditions negated, statements left out. clang's syntax tree
 says where they are. All of the sample are compiled at once into a copy of the tree, each behind a question `is this one switched on?`, so a mutant
@@ -11,6 +12,8 @@ crashes or takes ten times its time. (float, 4 lanes, gcc; all of it is float ar
 
 Not mutated: what is computed by the compiler (limits, static_assert, constexpr variables, array sizes, conditions of if constexpr) and macros.
 What the golden hashes alone would notice is not counted: a hash says that something changed, not what is right.
+
+A run in two parts takes less time: the first is brief, and what survives it is played again with all draws, by --again and the output of the first.
 
 Prints the score of each room and the survivors. survivors.csv lists those that were looked at, with the reason why no test can tell them from the
 kernel; they are not played and do not count. Columns: file, original, mutant (both as the run prints them), a piece of the line (may be empty), reason.
@@ -333,6 +336,21 @@ def read_reviewed():
     return is_reviewed
 
 
+def described(mutant):
+    return "%s:%d: %s  ->  %s" % (os.path.relpath(mutant.file, ROOT), mutant.line, mutant.original, mutant.mutant)
+
+
+def read_run(log):
+    """What survived a run, and how many were noticed in it, and are reviewed, of its output."""
+    with open(log) as file:
+        lines = file.read().split("\n")
+    survivors = {line[len("survives: "):].split("   (no case")[0] for line in lines if line.startswith("survives: ")}
+    totals = [line.split() for line in lines if line.startswith("kernel ")]
+    if not totals:
+        sys.exit(log + " is not the output of a run that has ended")
+    return survivors, int(totals[0][2]), int(totals[0][3])
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--count", type=int, default=400)
@@ -341,6 +359,7 @@ def main():
     parser.add_argument("--rooms", type=lambda names: names.split(","), default=[])
     parser.add_argument("--programs", type=lambda names: names.split(","), default=[], help="what these notice alone: quick, while tests are written")
     parser.add_argument("--brief", action="store_true", help="tests as brief as the preset `test` has them: half the time, and less is noticed")
+    parser.add_argument("--again", help="output of a run of the same count and seed: what survived there is played again")
     parser.add_argument("--scratch", default=os.path.join(ROOT, "build", "mutation"))
     parser.add_argument("--slowest", type=float, default=30.0, help="seconds of a case; slower ones are left out")
     parser.add_argument("--budget", type=float, default=300.0, help="seconds of tests for one mutant")
@@ -351,33 +370,38 @@ def main():
 
     everything = candidates(scratch)
     mutants = dict(enumerate(sample(everything, arguments.count, arguments.seed, arguments.rooms), 1))
+    noticed_before = reviewed_before = 0
+    if arguments.again:
+        survivors_before, noticed_before, reviewed_before = read_run(arguments.again)
+        mutants = {number: mutant for number, mutant in mutants.items() if described(mutant) in survivors_before}
     print("%d mutants of %d" % (len(mutants), len(everything)), flush=True)
     programs = build_all(mutants, scratch, arguments.jobs, arguments.programs, arguments.brief)
     print("built %d programs with %d mutants" % (len(programs), len(mutants)), flush=True)
     reaching = survey(programs, scratch, arguments.slowest, arguments.jobs)
     is_reviewed = read_reviewed()
 
-    rooms, survivors = collections.defaultdict(lambda: [0, 0, 0]), []  # mutants, killed, equal by review
+    rooms = collections.defaultdict(lambda: [0, 0, 0])  # mutants, killed, equal by review
     begin = time.time()
     with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
         play = lambda number: None if is_reviewed(mutants[number]) else killer(number, reaching.get(number, []), arguments.budget)
         for number, found in zip(mutants, pool.map(play, mutants)):
             mutant = mutants[number]
             room = rooms[room_of(mutant)]
-            name = os.path.relpath(mutant.file, ROOT)
             room[0] += 1
             if found:
                 room[1] += 1
             elif is_reviewed(mutant):
                 room[2] += 1
             else:
-                survivors.append((name, mutant, "" if number in reaching else "   (no case comes by)"))
-                print("survives: %s:%d: %s  ->  %s%s" % (name, mutant.line, mutant.original, mutant.mutant, survivors[-1][2]), flush=True)
+                print("survives: %s%s" % (described(mutant), "" if number in reaching else "   (no case comes by)"), flush=True)
     print("%-10s %8s %8s %9s %8s" % ("room", "mutants", "noticed", "reviewed", "per cent"))
     total = [sum(room[i] for room in rooms.values()) for i in range(3)]
     share = lambda room: 100.0 * room[1] / max(1, room[0] - room[2])
     for name, room in sorted(rooms.items()) + [("kernel", total)]:
         print("%-10s %8d %8d %9d %8.1f" % (name, *room, share(room)))
+    if arguments.again:
+        total = [total[0] + noticed_before + reviewed_before, total[1] + noticed_before, total[2] + reviewed_before]
+        print("%-10s %8d %8d %9d %8.1f" % ("both runs", *total, share(total)))
     print("%.0f s of tests, seed %d" % (time.time() - begin, arguments.seed))
     if total[0] == 0 or share(total) < arguments.least:
         sys.exit("mutation score %.1f %%, and %.1f %% are asked for" % (share(total), arguments.least))
