@@ -28,9 +28,6 @@ INGOT_INLINE Sym4 load_sym4(const LaneRow (&rows)[10]) {
     for (int entry = 0; entry < 10; ++entry) m.at[entry] = load(rows[entry]);
     return m;
 }
-INGOT_INLINE void store(LaneRow (&rows)[10], const Sym4& m) {
-    for (int entry = 0; entry < 10; ++entry) store(rows[entry], m.at[entry]);
-}
 
 /// The inverse of a positive definite matrix, by the symmetric sweep operator. Cost: 4 divisions, about 120 flops.
 template <int rows>
