@@ -128,4 +128,50 @@ TEST(Portable, numbers_go_from_the_lowest_byte_up) {
     EXPECT_EQ(memcmp(bytes.data() + 32, tag_and_steps, sizeof tag_and_steps), 0);
 }
 
+/// One body in a field of force.
+template <class Field>
+struct InField : ingot::Scene {
+    static constexpr int max_bodies = 8;
+    static constexpr bool translates = true;
+    using force_field = Field;
+    using flight = ingot::CommutatorFree4;
+};
+template <class Field>
+class PortableField : public ::testing::Test {};
+using Fields = ::testing::Types<ingot::PointMassGravity, ingot::GravityGradient, ingot::LinearDrag, ingot::QuadraticDrag, ingot::Spring,
+                                ingot::SpringDamper, ingot::MagneticDipole, ingot::WeightAboutPoint, ingot::ThrusterTable<2, 8>>;
+TYPED_TEST_SUITE(PortableField, Fields);
+
+TYPED_TEST(PortableField, each_of_its_numbers_is_saved_and_comes_back) {
+    using S = InField<TypeParam>;
+    static World<S> world, restored;
+    constexpr size_t count = sizeof(TypeParam) / sizeof(scalar);
+    clear(world);
+    ASSERT_TRUE(world.add(plain_body({1, 2, 3})).ok());
+    const std::vector<uint8_t> before = saved(world);
+    scalar numbers[count];
+    memcpy(numbers, &world.force_field(), sizeof numbers);
+    for (size_t i = 0; i < count; ++i) {
+        const scalar kept = numbers[i];
+        numbers[i] = scalar(0.5);
+        memcpy(static_cast<void*>(&world.force_field()), numbers, sizeof numbers);
+        const std::vector<uint8_t> bytes = saved(world);
+        EXPECT_FALSE(bytes == before) << i;
+        clear(restored);
+        ASSERT_EQ(ingot::load_snapshot(restored, bytes.data(), bytes.size()), Status::ok);
+        EXPECT_EQ(memcmp(&restored.force_field(), numbers, sizeof numbers), 0) << i;
+        numbers[i] = kept;
+    }
+}
+
+template <class... Field>
+std::vector<uint64_t> signatures_of(::testing::Types<Field...>) {
+    return {ingot::scene_signature<InField<Field>>()...};
+}
+TEST(PortableFields, are_no_two_of_them_alike) {
+    const std::vector<uint64_t> signatures = signatures_of(Fields{});
+    for (size_t i = 0; i < signatures.size(); ++i)
+        for (size_t k = 0; k < i; ++k) EXPECT_NE(signatures[i], signatures[k]) << i << " " << k;
+}
+
 }  // namespace
