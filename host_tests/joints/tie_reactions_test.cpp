@@ -191,7 +191,7 @@ TEST(TieReactions, gears_are_clutches) {
     const auto run = [&](int steps) {
         for (int step_i = 0; step_i < steps; ++step_i) ASSERT_TRUE(ingot::step(*world, scalar(1) / 60).clean());
     };
-    for (const ingot::JointId id : {at_B, gear}) {
+    for (const ingot::JointId id : {at_A, at_B, gear}) {
         ASSERT_EQ(world->set_joint_enabled(id, false), Status::ok);
         const scalar rate_B = world->joint_rate(at_B).value;
         ASSERT_EQ(world->apply_angular_impulse(A, {0, 0, scalar(0.05)}), Status::ok);
