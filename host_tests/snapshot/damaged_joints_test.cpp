@@ -224,6 +224,22 @@ TEST(DamagedJoints, of_gears) {
         joints.refuses(joints.sound.with_real(joints.field(hinge, "joint.gear_angle", i), 1), "an angle of a hinge");
     }
     joints.refuses(joints.sound.with_real(joints.field(hinge, "joint.ratio"), 1), "a ratio of a hinge");
+    // Whole turns of more than limits::turns_max, on both sides in their ratio, a half: after a step they begin again, and nothing else has changed.
+    const auto &turns = joints.field(gear, "joint.gear_turns"), &others = joints.field(gear, "joint.gear_turns", 1);
+    const Bytes turned = Sound<Jointed>::put(joints.sound.bytes, turns.offset, 2000000000, turns.size);
+    const Bytes both = Sound<Jointed>::sealed(Sound<Jointed>::put(turned, others.offset, 1000000000, others.size));
+    ASSERT_EQ(ingot::load_snapshot(*joints.victim, both.data(), both.size()), Status::ok);
+    Joints plain;
+    (void)ingot::step(*joints.victim, h);
+    (void)ingot::step(*plain.sound.world, h);
+    for (int i = 0; i < Jointed::max_bodies; ++i) {
+        const BodyState a = joints.victim->state(joints.victim->body_at(i)).value, b = plain.sound.world->state(plain.sound.world->body_at(i)).value;
+        EXPECT_TRUE(same_bits(a, b)) << i;
+    }
+    EXPECT_LE(joints.victim->joint_gap(joints.victim->joint_at(gear)).value, ingot::limits::loop_gap);
+    copy(*plain.sound.world, *joints.victim);
+    plain.sound.keep();
+    for (int i = 0; i < 2; ++i) EXPECT_EQ(plain.field(gear, "joint.gear_turns", i).bits, 0u);
 }
 
 TEST(DamagedJoints, of_kinds_bodies_and_marks) {
