@@ -140,4 +140,114 @@ TEST(Figures, are_of_what_moves) {
     EXPECT_EQ(world->figure(tied.value).value.body_count, 1);
 }
 
+struct Read : ingot::Scene {
+    static constexpr int max_bodies = 8, max_joints = 16, max_loops = 10;
+    static constexpr bool translates = true;
+    using joints = ingot::Joints<ingot::BallJoint, ingot::HingeJoint, ingot::RodJoint, ingot::RopeJoint, ingot::ServoJoint, ingot::WithLimits,
+                                 ingot::WithDrives>;
+};
+using ReadWorld = ingot::World<Read>;
+using ReadDynamics = ingot::FigureDynamics<6>;
+
+ingot::BodyId add_link(ReadWorld& world, double x, const Matrix3d& A = Matrix3d::Identity()) {
+    ingot::BodyDef def;
+    def.mass = ingot::principal(ingot::with_mass(ingot::solid_box(1, {scalar(0.3), scalar(0.2), scalar(0.1)}), 2)).value;
+    def.state.r_CM = {static_cast<scalar>(x), 0, 0};
+    def.state.A = ingot_reference::to_matrix(A);
+    return world.add(def).value;
+}
+ingot::JointId join(ReadWorld& world, const ingot::Joint& kind, ingot::BodyId A, ingot::BodyId B, const Vector3d& axis = {0, 0, 1}) {
+    ingot::JointDef def;
+    def.body_A = A;
+    def.body_B = B;
+    def.joint = kind;
+    def.P = world.state(B).value.r_CM - Vector{scalar(0.5), 0, 0};
+    def.P_B = world.state(B).value.r_CM;
+    def.axis = to_vector(axis);
+    const auto id = world.add_joint(def);
+    EXPECT_TRUE(id.ok()) << ingot::name(id.status);
+    return id.value;
+}
+
+/// What closes a loop is told, however many there are, whichever body is asked for, and in whatever order joints came; ropes and servos close none, and
+/// what is read is the same with them as without.
+TEST(Figures, with_loops_have_no_dynamics) {
+    enum What { tree, servo, rope, two_grounds, three_grounds, twice, thrice, rod_within, two_rods_within, root_on_rod, late_ground, count };
+    ReadDynamics plain{};
+    for (int what = tree; what < count; ++what) {
+        const auto world = std::make_unique<ReadWorld>();
+        ASSERT_TRUE(weigh(*world));
+        ingot::BodyId bodies[4];
+        for (int i = 0; i < 4; ++i) bodies[i] = add_link(*world, i);
+        const bool floats = what == root_on_rod || what == rod_within;
+        if (what == late_ground) (void)join(*world, ingot::BallJoint{}, {}, bodies[3]);  // of a lower number than that of the body before
+        if (!floats) (void)join(*world, ingot::HingeJoint{}, {}, bodies[0]);
+        for (int i = 0; i < 3; ++i) (void)join(*world, ingot::HingeJoint{}, bodies[i], bodies[i + 1]);
+        if (what == servo) (void)join(*world, ingot::ServoJoint{}, bodies[0], bodies[2]);
+        if (what == rope) (void)join(*world, ingot::RopeJoint{9}, {}, bodies[2]);
+        const int loops = what == three_grounds || what == thrice || what == two_rods_within ? 2 : 1;
+        for (int i = 0; i < loops; ++i) {
+            if (what == two_grounds || what == three_grounds) (void)join(*world, ingot::BallJoint{}, {}, bodies[0]);
+            if (what == twice || what == thrice) (void)join(*world, ingot::BallJoint{}, bodies[0], bodies[3]);
+            if (what == rod_within || what == two_rods_within) (void)join(*world, ingot::RodJoint{}, bodies[0], bodies[2]);
+        }
+        if (what == root_on_rod) (void)join(*world, ingot::RodJoint{}, {}, bodies[0]);
+        ASSERT_EQ(world->apply_angular_impulse(bodies[3], {scalar(0.1), scalar(0.2), scalar(0.3)}), Status::ok);
+        for (int i = 0; i < 4; ++i) {
+            ReadDynamics read{};
+            const bool good = what <= rope || (what == root_on_rod && i == 0);
+            EXPECT_EQ(world->read_dynamics(bodies[i], read), good ? Status::ok : Status::bad_joint) << what << ", " << i;
+            EXPECT_EQ(read.body_count(), good ? 4 : 0) << what;
+            if (what > rope) continue;
+            constexpr int n = 4;
+            scalar matrix[n * n], again[n * n], of_plain[n * n];
+            if (what == tree && i == 0) plain = read;
+            ASSERT_EQ(read.direction_count(), n);
+            ASSERT_EQ(read.mass_matrix(matrix, n * n), Status::ok);
+            ASSERT_EQ(read.mass_matrix(again, n * n), Status::ok);  // asked twice, it is the same
+            ASSERT_EQ(plain.mass_matrix(of_plain, n * n), Status::ok);
+            for (int k = 0; k < n * n; ++k) {
+                EXPECT_EQ(matrix[k], again[k]);
+                EXPECT_EQ(matrix[k], of_plain[k]) << what << ", " << i;
+            }
+        }
+    }
+}
+
+/// The rates of a ball joint's twist and swing are what their angles change by.
+TEST(Figures, rates_of_ball_joints_are_those_of_their_angles) {
+    RandomInput random(9);
+    const double dt = INGOT_DOUBLE ? 1e-5 : 4e-3;
+    int looked_at = 0;
+    for (int run_i = 0; run_i < ingot_reference::draws(160); ++run_i) {
+        const auto world = std::make_unique<ReadWorld>();
+        const ingot::BodyId A = add_link(*world, 0), B = add_link(*world, 1);
+        const Vector3d axis = random.direction(), spin = random.vector(2);
+        const ingot::JointId id = join(*world, ingot::BallJoint{}, A, B, axis);
+        const Matrix3d turned = Eigen::AngleAxisd(random.real(0.3, 2), random.direction()).toRotationMatrix();
+        const auto put = [&](double t) {
+            ingot::BodyState state = world->state(B).value;
+            state.A = ingot_reference::to_matrix(Matrix3d(Eigen::AngleAxisd(spin.norm() * t, spin.normalized()).toRotationMatrix() * turned));
+            EXPECT_EQ(world->set_state(B, state), Status::ok);
+        };
+        const double swing = std::acos((turned * axis).dot(axis));
+        if (swing < 0.3 || swing > 2) continue;  // at its ends the swing has no direction
+        ++looked_at;
+        for (int which = 0; which < 2; ++which) {
+            put(dt);
+            const double after = static_cast<double>(world->joint_angle(id, which).value);
+            put(-dt);
+            const double before = static_cast<double>(world->joint_angle(id, which).value);
+            put(0);
+            const Vector3d I = Vector3d(2.0 / 3 * (0.04 + 0.01), 2.0 / 3 * (0.09 + 0.01), 2.0 / 3 * (0.09 + 0.04));
+            ingot::BodyState state = world->state(B).value;
+            state.L = to_vector(Vector3d(turned * I.cwiseProduct(turned.transpose() * spin)));
+            ASSERT_EQ(world->set_state(B, state), Status::ok);
+            // Third derivatives are of the cube of the spin, which is up to 4 rad/s, over the swing; an angle is rounded by a few eps.
+            EXPECT_NEAR(static_cast<double>(world->joint_rate(id, which).value), (after - before) / (2 * dt), 64 / 0.3 * dt * dt + 32 * eps / dt) << run_i;
+        }
+    }
+    EXPECT_GT(looked_at, 0);
+}
+
 }  // namespace

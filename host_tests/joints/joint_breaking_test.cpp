@@ -237,6 +237,13 @@ TEST(Breaking, is_mended_where_it_fits) {
         if (kind == FigureJointKind::fixed || kind == FigureJointKind::slider) {
             ASSERT_EQ(world->set_state(built.bodies[0], off), Status::ok);
             EXPECT_EQ(world->set_joint_enabled(built.joints[0], true), Status::bad_joint) << run_i;
+            off = fits;  // turned by half a turn about its axis, on it
+            const Vector3d n = kind == FigureJointKind::fixed ? Vector3d(0, 0, 1) : axis, P(0, 0, -0.25);
+            const Matrix3d half = 2 * n * n.transpose() - Matrix3d::Identity();
+            off.A = ingot_reference::to_matrix(Matrix3d(half * A));
+            off.r_CM = to_vector(Vector3d(P + half * (to_eigen(fits.r_CM) - P)));
+            ASSERT_EQ(world->set_state(built.bodies[0], off), Status::ok);
+            EXPECT_EQ(world->set_joint_enabled(built.joints[0], true), Status::bad_joint) << run_i;
         }
         off = fits;
         off.r_CM = off.r_CM + to_vector(square_to(axis) * 0.03);

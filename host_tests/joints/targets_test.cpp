@@ -319,6 +319,29 @@ TEST(Targets, go_on_from_a_snapshot) {
     EXPECT_EQ(world->state_hash(), other->state_hash());
 }
 
+/// At 0 Hz a target does not draw, whatever force it may take: its body goes as one that has none.
+TEST(Targets, of_no_frequency_are_nothing) {
+    for (const scalar most : {scalar(0), scalar(5), ingot::unlimited}) {
+        const auto drawn = std::make_unique<DrawingWorld>(), free = std::make_unique<DrawingWorld>();
+        std::vector<ingot::BodyId> bodies[2];
+        for (auto* const world : {drawn.get(), free.get()}) {
+            auto& of = bodies[world == drawn.get() ? 0 : 1];
+            of.push_back(add_box(*world, 3, {scalar(0.3), scalar(0.2), scalar(0.1)}, {0, 0, 0}));
+            ASSERT_EQ(world->apply_central_impulse(of[0], {3, 2, 1}), Status::ok);
+            ASSERT_EQ(world->apply_angular_impulse(of[0], {scalar(0.1), scalar(0.2), scalar(0.3)}), Status::ok);
+        }
+        const ingot::JointId id = draw(*drawn, bodies[0][0], {0, 1, most, most});
+        for (int step_i = 0; step_i < 60; ++step_i) {
+            ASSERT_TRUE(ingot::step(*drawn, scalar(1) / 60).clean());
+            ASSERT_TRUE(ingot::step(*free, scalar(1) / 60).clean());
+            EXPECT_EQ(to_eigen(drawn->target_force(id).value).norm() + to_eigen(drawn->target_torque(id).value).norm(), 0);
+        }
+        const Vector3d r = to_eigen(drawn->state(bodies[0][0]).value.r_CM), L = to_eigen(drawn->state(bodies[0][0]).value.L);
+        EXPECT_LE((r - to_eigen(free->state(bodies[1][0]).value.r_CM)).norm(), 256 * eps * r.norm());
+        EXPECT_LE((L - to_eigen(free->state(bodies[1][0]).value.L)).norm(), 256 * eps * L.norm());
+    }
+}
+
 /// What is wrong is refused, and nothing has changed.
 TEST(Targets, that_are_bad_are_refused) {
     const auto world = std::make_unique<FloorWorld>();

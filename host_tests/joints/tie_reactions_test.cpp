@@ -210,4 +210,28 @@ TEST(TieReactions, gears_are_clutches) {
     EXPECT_FALSE(world->is_joint_broken(at_A).value);
 }
 
+/// Axes that were let go are held again where they are parallel, wherever their bodies are, however they are turned about them; and nowhere else.
+TEST(TieReactions, parallel_axes_are_mended_where_they_fit) {
+    RandomInput random(4);
+    for (int run_i = 0; run_i < ingot_reference::draws(24); ++run_i) {
+        const auto world = std::make_unique<ingot::World<Tearing>>();
+        const ingot::BodyId A = add_ball(*world, 3, {0, 0, 0}), B = add_ball(*world, 2, {2, 0, 0});
+        const Vector3d axis = random.direction(), across = axis.unitOrthogonal();
+        const ingot::JointId id = join(*world, ingot::ParallelJoint{}, A, B, {0, 0, 0}, axis);
+        ASSERT_EQ(world->set_joint_enabled(id, false), Status::ok);
+        const auto mended_at = [&](const Vector3d& about, double angle) {
+            ingot::BodyState state = world->state(B).value;
+            state.r_CM = to_vector(random.vector(5));
+            state.A = ingot_reference::to_matrix(Eigen::AngleAxisd(angle, about).toRotationMatrix());
+            EXPECT_EQ(world->set_state(B, state), Status::ok);
+            return world->set_joint_enabled(id, true);
+        };
+        EXPECT_EQ(mended_at(across, random.real(0.5, 2.5)), Status::bad_joint) << run_i;
+        EXPECT_EQ(mended_at(across, 3.14159265), Status::bad_joint) << run_i;  // opposite
+        EXPECT_EQ(mended_at(axis, random.real(-3, 3)), Status::ok) << run_i;
+        ASSERT_TRUE(ingot::step(*world, scalar(1) / 60).clean());
+        EXPECT_LE(static_cast<double>(world->kinetic_energy()), 1e-6);
+    }
+}
+
 }  // namespace
