@@ -234,4 +234,33 @@ TEST(TieReactions, parallel_axes_are_mended_where_they_fit) {
     }
 }
 
+/// A servo whose B has come to stand turns nothing, and its A goes as if it were not there, to the bit; once B moves again it is turned.
+TEST(TieReactions, servos_of_what_stands_are_nothing) {
+    const auto world = std::make_unique<ingot::World<Tearing>>(), without = std::make_unique<ingot::World<Tearing>>();
+    std::vector<ingot::BodyId> bodies[2];
+    ingot::JointId servo{};
+    for (auto* const of : {world.get(), without.get()}) {
+        auto& ids = bodies[of == world.get() ? 0 : 1];
+        ids = {add_ball(*of, 3, {0, 0, 0}), add_ball(*of, 2, {2, 0, 0})};
+        (void)join(*of, ingot::HingeJoint{}, {}, ids[0], {0, 0, 0});
+        ASSERT_EQ(of->apply_angular_impulse(ids[0], {0, 0, scalar(0.1)}), Status::ok);
+        if (of == without.get()) continue;
+        servo = join(*of, ingot::ServoJoint{}, ids[0], ids[1]);
+        ASSERT_EQ(of->set_joint_drive(servo, ingot::SpringDrive{1, 1, 1}), Status::ok);
+    }
+    const ingot::MassProperties mass = [] {
+        return ingot::principal(ingot::with_mass(ingot::solid_sphere(1, scalar(0.1)), 2)).value;
+    }();
+    for (auto* const of : {world.get(), without.get()}) ASSERT_EQ(of->set_immovable(bodies[of == world.get() ? 0 : 1][1]), Status::ok);
+    for (int step_i = 0; step_i < 30; ++step_i) {
+        ASSERT_TRUE(ingot::step(*world, scalar(1) / 60).clean());
+        ASSERT_TRUE(ingot::step(*without, scalar(1) / 60).clean());
+        ASSERT_TRUE(are_same(*world, *without, bodies[0], bodies[1])) << step_i;
+        EXPECT_EQ(world->drive_torque(servo).value, 0);
+    }
+    ASSERT_EQ(world->set_movable(bodies[0][1], mass), Status::ok);
+    ASSERT_TRUE(ingot::step(*world, scalar(1) / 60).clean());
+    EXPECT_GT(world->omega(bodies[0][1]).value.z, 0);
+}
+
 }  // namespace

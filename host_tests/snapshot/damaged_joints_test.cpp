@@ -13,8 +13,8 @@ struct Jointed : ingot::Scene {
     static constexpr int max_bodies = 8, max_joints = 16, max_loops = 10;
     static constexpr bool translates = true;
     using joints = ingot::Joints<ingot::BallJoint, ingot::HingeJoint, ingot::SliderJoint, ingot::UniversalJoint, ingot::FixedJoint, ingot::WheelJoint,
-                                 ingot::RodJoint, ingot::RopeJoint, ingot::ParallelJoint, ingot::TargetJoint, ingot::ServoJoint, ingot::BallServoJoint,
-                                 ingot::GearJoint, ingot::WithLimits, ingot::WithDrives, ingot::WithBreaking>;
+                                 ingot::RodJoint, ingot::RopeJoint, ingot::ParallelJoint, ingot::TargetJoint, ingot::ServoJoint,
+                                 ingot::BallServoJoint, ingot::GearJoint, ingot::WithLimits, ingot::WithDrives, ingot::WithBreaking>;
 };
 
 /// Of every kind one, in motion, and the slot of one that was taken away.
@@ -124,7 +124,8 @@ TEST(DamagedJoints, of_numbers_that_are_out_of_range) {
     const Joints joints;
     const scalar more = 1 + 8 * ingot::epsilon, place = limits::position_max, pi = scalar(3.1415926535897932385);
     const Range ranges[] = {
-        {"joint.anchor.x", 2 * more * place, 2 * place}, {"joint.anchor.y", -2 * more * place, -2 * place}, {"joint.anchor.z", 2 * more * place, -2 * place},
+        {"joint.anchor.x", 2 * more * place, 2 * place}, {"joint.anchor.y", -2 * more * place, -2 * place},
+        {"joint.anchor.z", 2 * more * place, -2 * place},
         {"joint.restitution", -ingot::epsilon, 0}, {"joint.restitution", more, 1},
         {"joint.angle", pi * more, pi}, {"joint.angle", -pi * more, -pi},
         {"joint.stiffness", -ingot::epsilon, limits::drive_hertz_max}, {"joint.stiffness", limits::drive_gain_max * more, 0},
@@ -141,14 +142,16 @@ TEST(DamagedJoints, of_numbers_that_are_out_of_range) {
     };
     for (const Range& range : ranges) {
         const std::string name = range.name;
-        const bool is_target = name == "joint.hertz" || name == "joint.damping_ratio" || name == "joint.max_force" || name.rfind("joint.target_", 0) == 0;
+        const bool is_target =
+            name == "joint.hertz" || name == "joint.damping_ratio" || name == "joint.max_force" || name.rfind("joint.target_", 0) == 0;
         const JointKind kind = is_target && name != "joint.target_rate" ? JointKind::target : JointKind::hinge;
         const auto& field = joints.field(joints.slot_of(kind), name);
         joints.refuses(joints.sound.with_real(field, range.beyond), name + " beyond its range");
         joints.accepts(joints.sound.with_real(field, range.last), name + " at the end of its range");
     }
     for (const char* const name : {"joint.axis.x", "joint.axis.z", "joint.side.y"})
-        for (int side = 0; side < 2; ++side) joints.refuses(joints.sound.with_real(joints.field(1, name, side), 2), std::string(name) + ", no unit vector");
+        for (int side = 0; side < 2; ++side)
+            joints.refuses(joints.sound.with_real(joints.field(1, name, side), 2), std::string(name) + ", no unit vector");
     Bytes along = joints.sound.bytes;  // unit vectors, not at right angles
     for (const char* const part : {".x", ".y", ".z"}) {
         const auto &axis = joints.field(1, std::string("joint.axis") + part), &side = joints.field(1, std::string("joint.side") + part);
@@ -166,7 +169,8 @@ TEST(DamagedJoints, of_limits) {
         scalar beyond;
     };
     for (const Ends& ends : {Ends{JointKind::ball, 0, swing}, {JointKind::ball, 1, swing}, {JointKind::hinge, 0, turns}, {JointKind::slider, 0, far},
-                             {JointKind::universal, 0, swing}, {JointKind::universal, 1, swing}, {JointKind::wheel, 0, turns}, {JointKind::wheel, 1, far}}) {
+                             {JointKind::universal, 0, swing}, {JointKind::universal, 1, swing}, {JointKind::wheel, 0, turns},
+                             {JointKind::wheel, 1, far}}) {
         const int slot = joints.slot_of(ends.kind);
         const auto &lower = joints.field(slot, "joint.lower", ends.range), &upper = joints.field(slot, "joint.upper", ends.range);
         const std::string what = "of kind " + std::to_string(static_cast<int>(ends.kind)) + " range " + std::to_string(ends.range);
@@ -175,7 +179,8 @@ TEST(DamagedJoints, of_limits) {
         joints.refuses(joints.sound.with_real(lower, ends.beyond / 4 * 3), "lower above upper " + what);
         joints.accepts(joints.sound.with_real(upper, ingot::unlimited), "none " + what);
     }
-    joints.refuses(joints.sound.with_real(joints.field(joints.slot_of(JointKind::ball), "joint.upper", 1), limits::joint_cone_min / 2), "a narrow cone");
+    const auto& cone = joints.field(joints.slot_of(JointKind::ball), "joint.upper", 1);
+    joints.refuses(joints.sound.with_real(cone, limits::joint_cone_min / 2), "a narrow cone");
     for (const JointKind kind : {JointKind::servo, JointKind::ball_servo}) {  // they have none
         joints.refuses(joints.sound.with_real(joints.field(joints.slot_of(kind), "joint.lower"), 0), "of a servo");
         joints.refuses(joints.sound.with_real(joints.field(joints.slot_of(kind), "joint.upper", 1), 0), "of a servo");
@@ -236,7 +241,7 @@ TEST(DamagedJoints, of_gears) {
         const BodyState a = joints.victim->state(joints.victim->body_at(i)).value, b = plain.sound.world->state(plain.sound.world->body_at(i)).value;
         EXPECT_TRUE(same_bits(a, b)) << i;
     }
-    EXPECT_LE(joints.victim->joint_gap(joints.victim->joint_at(gear)).value, ingot::limits::loop_gap);
+    EXPECT_LE(joints.victim->joint_gap(joints.victim->joint_at(gear)).value, 2 * ingot::limits::joint_gap);
     copy(*plain.sound.world, *joints.victim);
     plain.sound.keep();
     for (int i = 0; i < 2; ++i) EXPECT_EQ(plain.field(gear, "joint.gear_turns", i).bits, 0u);
@@ -252,8 +257,8 @@ TEST(DamagedJoints, of_kinds_bodies_and_marks) {
             joints.refuses(joints.sound.with(at("joint.generation"), at("joint.generation").bits + 1), "life" + what);
             continue;
         }
-        for (const auto kind : {JointKind::none, JointKind::carriage, JointKind::driven_ball, static_cast<JointKind>(15), static_cast<JointKind>(255)})
-            joints.refuses(joints.sound.with(at("joint.kind"), static_cast<uint64_t>(kind)), "another kind" + what);
+        for (const unsigned kind : {0u, static_cast<unsigned>(JointKind::carriage), static_cast<unsigned>(JointKind::driven_ball), 15u, 255u})
+            joints.refuses(joints.sound.with(at("joint.kind"), kind), "another kind" + what);
         joints.refuses(joints.sound.with(at("joint.body_A"), Jointed::max_bodies), "no body A" + what);
         joints.refuses(joints.sound.with(at("joint.body_B"), Jointed::max_bodies), "no body B" + what);
         joints.refuses(joints.sound.with(at("joint.body_B"), at("joint.body_A").bits), "one body" + what);
