@@ -17,8 +17,8 @@ namespace limits = ingot::limits;
 struct Wild : ingot::Scene {
     static constexpr int max_bodies = 12, max_joints = 18, max_loops = 6;
     static constexpr bool translates = true;
-    using joints = ingot::Joints<ingot::BallJoint, ingot::HingeJoint, ingot::SliderJoint, ingot::UniversalJoint, ingot::WheelJoint, ingot::TargetJoint,
-                                 ingot::GearJoint, ingot::WithLimits, ingot::WithDrives>;
+    using joints = ingot::Joints<ingot::BallJoint, ingot::HingeJoint, ingot::SliderJoint, ingot::UniversalJoint, ingot::WheelJoint,
+                                 ingot::TargetJoint, ingot::GearJoint, ingot::WithLimits, ingot::WithDrives>;
 };
 using WildWorld = ingot::World<Wild>;
 scalar number(double x) { return static_cast<scalar>(x); }
