@@ -37,19 +37,24 @@ void point_on_placed(const PlacedShape& point, const PlacedShape& s, [[maybe_unu
     point_on_shape<Shapes>(point, s, manifold);
 }
 
-/// The body whose surface is nearest to a point, no further away than `within`, m; inside of several, the one it is deepest in.
+/// The body whose surface is nearest to a point, no further away than `within`, m; inside of several, the one it is deepest in. Behind a level, where
+/// there is no end to the inside, what counts is how far its surface is.
 /// Of bodies at the same distance the one of the lowest slot. Distances carry a few roundings of the sizes and of |point - r_CM|.
 template <class Shapes, class All, class Sees>
 SlotNearest find_nearest(const All& all, const Vector& point, scalar within, const Sees& sees) {
     const PlacedShape ball = {{ShapeKind::sphere, {}, 0}, point, identity_matrix<scalar>(), nullptr};
     SlotNearest nearest = {no_slot, within, point, {}};
-    look_about(all, point, nearest.distance, [&](int slot) {
+    scalar least = within;
+    look_about(all, point, least, [&](int slot) {
         if (!sees(slot)) return;
+        const PlacedShape shape = placed_body<Shapes>(all.bodies, all.surfaces, slot);
         Manifold manifold;
-        point_on_placed<Shapes>(ball, placed_body<Shapes>(all.bodies, all.surfaces, slot), nearest.distance, manifold);
+        point_on_placed<Shapes>(ball, shape, least, manifold);
         if (manifold.count == 0) return;
         const scalar distance = manifold.points[0].separation;
-        if (!(nearest.slot == no_slot ? distance <= nearest.distance : is_before(distance, slot, nearest.distance, nearest.slot))) return;
+        const scalar far = Shapes::has(ShapeKind::level) && shape.shape.kind == ShapeKind::level ? abs(distance) : distance;
+        if (!(nearest.slot == no_slot ? far <= least : is_before(far, slot, least, nearest.slot))) return;
+        least = far;
         nearest = {slot, distance, manifold.points[0].P - manifold.n * (distance * scalar(0.5)), manifold.n};
     });
     return nearest;

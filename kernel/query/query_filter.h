@@ -29,7 +29,7 @@ struct QueryHit {
 /// The body nearest to a point.
 struct QueryNearest {
     BodyId body{};    ///< the null id: none is near enough
-    scalar distance{};  ///< m, from its surface; negative inside
+    scalar distance{};  ///< m, from its surface; negative inside, and behind a level
     Vector P{};       ///< m, world: on its surface
     Vector n{};       ///< unit, out of the body
     int shape{};      ///< which of the body's shapes, where it has several; else 0
