@@ -39,6 +39,10 @@ std::vector<BodyState> states_of(const World<S>& world) {
     return states;
 }
 
+struct PointMaterials : Room<ingot::SequentialImpulses, false> {
+    static constexpr bool sleeps = false, axis_locks = true, rolling_resistance = true, reads_contacts = true;
+};
+
 template <class S>
 class LockedContacts : public ::testing::Test {};
 using Rooms = testing::Types<LockedRoom, WithMaterials>;
@@ -76,6 +80,34 @@ TYPED_TEST(LockedContacts, hold_locks_and_give_no_energy) {
         }
     }
     printf("    largest gain of a step, of the energy %.3g, allowed %.3g\n", worst, gain_of_step<TypeParam>);
+}
+
+template <class S>
+class LockedRolling : public ::testing::Test {};
+using RollingRooms = testing::Types<WithMaterials, PointMaterials>;
+TYPED_TEST_SUITE(LockedRolling, RollingRooms);
+
+/// Where locks leave a body no turn across a contact there is nothing to roll: it does not freeze, and what contacts tell is finite.
+TYPED_TEST(LockedRolling, is_nothing_where_no_turn_is_left) {
+    RandomInput random(12);
+    for (int case_i = 0; case_i < draws(40); ++case_i) {
+        const double rates[] = {60, 30, 120, 240, 1000}, h = 1 / rates[case_i % 5];
+        Thrown<TypeParam> thrown(9.81, {random.real(0, 0.5), random.real(0, 1)});
+        close_room(thrown, 2);
+        throw_forty(thrown, random);
+        auto& world = *thrown.world;
+        for (int slot = 0; slot < TypeParam::max_bodies; ++slot) {
+            const BodyId id = world.body_at(slot);
+            if (id.generation == 0 || !world.is_movable(id)) continue;
+            ASSERT_EQ(world.set_locks(id, static_cast<unsigned>(random.integer(0, 7)) << 3), Status::ok);
+            ASSERT_EQ(world.set_rolling_resistance(id, scalar(random.real(0, 0.1))), Status::ok);
+        }
+        for (int step_i = 0; step_i < 60; ++step_i) {
+            ASSERT_EQ(ingot::step(world, scalar(h)).bodies_frozen, 0) << case_i << " step " << step_i;
+            if constexpr (TypeParam::reads_contacts)
+                for (const ingot::ContactInfo& contact : world.contacts()) ASSERT_TRUE(ingot::is_finite(contact.j)) << case_i << " step " << step_i;
+        }
+    }
 }
 
 /// Who has no locks moves as in a scene whose bodies have none, to the bit; also beside bodies with locks that it does not meet.

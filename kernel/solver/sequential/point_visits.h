@@ -110,7 +110,7 @@ INGOT_SHARED Vector clamp_friction(const PointContact& contact, const Vector& f,
     const scalar spin = dot(visit.n(), relative.angular), before = visit.record.j_torsion, radius = visit.contact.radius;
     if (abs(spin) * radius <= ignored && abs(before) <= limit * radius) return false;
     const scalar K = compliance_about(visit.pair, visit.n());
-    const scalar next = clamp(before - spin / K, limit * radius), d = next - before;
+    const scalar next = clamp(K > 0 ? before - spin / K : before, limit * radius), d = next - before;  // K is 0 where locks leave no turn
     visit.record.j_torsion = next;
     visit.contact.change.torsion += d;
     push_pair(visit.pair, &PointBody::velocity, visit.contact.middle, {}, visit.n() * d);
@@ -122,6 +122,7 @@ INGOT_SHARED Vector clamp_friction(const PointContact& contact, const Vector& f,
 template <class View>
 bool solve_rolling(const VisitOf<View>& visit, const RelativeVelocity& relative, scalar load, scalar ignored, SweepOfPoints& sweep) {
     PointRolling& rolling = visit.rolling();
+    if (!(rolling.K > 0)) return false;
     RollingRecord& record = visit.rolling_record();
     const Vector spin = across(visit.n(), relative.angular), before = record.j;
     const scalar limit = record.lever * load, ignored_spin = ignored / rolling.size;
@@ -220,10 +221,12 @@ void begin_rolling(const VisitOf<View>& visit, scalar share) {
     const scalar about = compliance_about(visit.pair, visit.n());
     RollingRecord& record = visit.rolling_record();
     PointRolling& rolling = visit.rolling();
-    rolling.K = (trace_of(A) + trace_of(B) - about) * limits::friction_stiffening;
-    rolling.size = sqrt(((A.inv_M > 0 ? A.inv_M : 0) + (B.inv_M > 0 ? B.inv_M : 0)) / rolling.K);
+    const scalar trace = trace_of(A) + trace_of(B), K = trace - about;
+    // Locked axes may leave no turn across n, and a rounding, of either sign, in its place: 0, and nothing rolls.
+    rolling.K = K > 64 * epsilon * trace ? K * limits::friction_stiffening : scalar(0);
+    rolling.size = rolling.K > 0 ? sqrt(((A.inv_M > 0 ? A.inv_M : 0) + (B.inv_M > 0 ? B.inv_M : 0)) / rolling.K) : scalar(0);
     rolling.change = rolling.along = {};
-    record.j = across(visit.n(), record.j) * share;
+    record.j = rolling.K > 0 ? across(visit.n(), record.j) * share : Vector{};
 }
 
 template <class View>
