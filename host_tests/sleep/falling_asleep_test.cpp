@@ -206,6 +206,26 @@ struct Boxes512 : OnEarth {
         return box;
     }
 };
+/// What is slow need not wait there; what moves, and what has begun to fall, does not sleep for that. At any rate, saved and loaded as it goes.
+struct AtOnce : Bedroom<2> {
+    static constexpr scalar sleep_time = 0;
+};
+TEST(FallingAsleep, at_once_is_not_before_it_rests) {
+    for (const int rate : {30, 60, 240, 1000}) {
+        Play<AtOnce> play({flat_ground(1), solid_ball(1, scalar(0.5), {0, 0, 3}, 1)}, OnEarth::gravity);
+        auto& world = play.world();
+        int steps = 0;
+        for (; world.asleep_count() == 0 && steps < 20 * rate; ++steps) {
+            (void)ingot::step(world, 1 / static_cast<scalar>(rate));
+            std::vector<uint8_t> bytes(ingot::snapshot_size<AtOnce>());
+            ASSERT_TRUE(ingot::save_snapshot(world, bytes.data(), bytes.size()).ok());
+            ASSERT_EQ(ingot::load_snapshot(world, bytes.data(), bytes.size()), ingot::Status::ok) << rate << " Hz, step " << steps;
+        }
+        EXPECT_EQ(world.asleep_count(), 1) << rate;
+        EXPECT_LT(play.state(1).r_CM.z, scalar(0.51)) << rate << " Hz: it lies";
+    }
+}
+
 TEST(FallingAsleep, a_pile_of_512_boxes_sleeps_as_a_whole) {
     using S = Bedroom<Boxes512::body_count, true, ingot::SortedTree>;
     Play<S> play(bodies_from<Boxes512::body_count>(Boxes512::body), OnEarth::gravity);

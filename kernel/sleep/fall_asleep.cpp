@@ -57,10 +57,9 @@ void fall_asleep(const BodyView& bodies, const SurfaceView& surfaces, const Vect
         if (!is_dynamic(bodies, slot)) return;
         scalar& rest_time = rest.rest_time[slot];
         const scalar longer = rest_time + h;
-        rest_time = !is_at_rest(bodies, surfaces, rest, gravity, pull_sq != nullptr ? pull_sq[slot] : g_sq, limits.speed, slot) ? 0
-                    : longer < limits.time                                                                                      ? longer
-                                                                                                                                : limits.time;
-        if (rest_time < limits.time) rest.marks[rest.root(slot)] = 1;
+        const bool rests = is_at_rest(bodies, surfaces, rest, gravity, pull_sq != nullptr ? pull_sq[slot] : g_sq, limits.speed, slot);
+        rest_time = !rests ? 0 : longer < limits.time ? longer : limits.time;
+        if (!rests || rest_time < limits.time) rest.marks[rest.root(slot)] = 1;  // with a time of 0 none is too short
     });
     for_awake(rest, [&](int slot) {
         if (!is_dynamic(bodies, slot) || rest.marks[rest.root(slot)] == 0) put_to_sleep(bodies, rest, slot);
