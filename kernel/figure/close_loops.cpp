@@ -360,7 +360,8 @@ void keep_loops(const FigureView& view, const LoopView& loops, int doublings) {
         if (figure.doublings > doublings) return;
         for_loop_joints(loops, of, [&](const LoopJoint& loop) {
             JointRecord& joint = view.lists.joints[loop.joint];
-            joint.j = loop.given * (loop.is_A ? -scale : scale);
+            const Vector on_B = loop.given * (loop.is_A ? -scale : scale);
+            joint.j = is_finite(on_B) ? on_B : Vector{};  // nothing of bodies that have gone bad
             joint.resolved = figure.resolved ? 1 : 0;
             joint.doublings = figure.doublings;
             if (loop.kind == JointKind::target) keep_target(view, loops, loop);
