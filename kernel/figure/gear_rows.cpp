@@ -104,7 +104,8 @@ void add_unit(const FigureView& view, const LoopFigure& of, GearMotion& motion, 
     motion.on[motion.count++] = unit;
 }
 
-/// m/s, with which bodies go whose joint has to turn so fast: what hangs on them is no further away than the joint is, it is supposed.
+/// m/s, with which bodies go whose joint has to turn so fast: what hangs on them is no further away than the joint is, it is supposed. Of a joint
+/// whose sides both move as they are told: more than any.
 scalar speed_by(const FigureView& view, const GearedJoint& joint, scalar rate) {
     const auto size_of = [&](Index node_i, const Vector& arm) {
         if (node_i == no_node) return scalar(0);
@@ -113,6 +114,7 @@ scalar speed_by(const FigureView& view, const GearedJoint& joint, scalar rate) {
             return sqrt(max(I.x, max(I.y, I.z)) / at.get(rows[row_i].M) + length_sq(arm));
         });
     };
+    if (joint.node_A == no_node && joint.node_B == no_node) return scalar_max;  // it takes up nothing
     if (joint.kind == JointKind::slider) return abs(rate);
     return 2 * abs(rate) * max(size_of(joint.node_B, joint.arm_on_B()), size_of(joint.node_A, joint.arm_on_A()));
 }
