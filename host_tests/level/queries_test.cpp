@@ -140,7 +140,8 @@ TYPED_TEST(LevelQueries, in_company_are_the_nearer_of_two) {
             expect_nearer(of.both->cast_shape(moving, way), of.level->cast_shape(moving, way), of.bodies->cast_shape(moving, way), fraction);
             const scalar far = of.draw(random, 0, 1) * of.reach;
             // Behind a level there is no end to its inside: its surface counts.
-            const auto near = of.both->find_nearest(from, far), on_level = of.level->find_nearest(from, far), on_body = of.bodies->find_nearest(from, far);
+            const auto near = of.both->find_nearest(from, far), on_level = of.level->find_nearest(from, far);
+            const auto on_body = of.bodies->find_nearest(from, far);
             ASSERT_TRUE(near.ok() && on_level.ok() && on_body.ok());
             const bool is_of_level = on_level.value.found() && (!on_body.value.found() || std::abs(on_level.value.distance) < on_body.value.distance);
             EXPECT_EQ(near.value.found(), on_level.value.found() || on_body.value.found());
