@@ -56,13 +56,18 @@ constexpr auto pebble_of_body = ingot::convex_hull_of_body<10>(
     pebble_mass.value);
 static_assert(pebble_of_body.ok());
 
+/// 2 m wide.
+constexpr auto cube_hull =
+    ingot::convex_hull<8>({{-1, -1, -1}, {1, -1, -1}, {-1, 1, -1}, {1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {-1, 1, 1}, {1, 1, 1}});
+static_assert(cube_hull.ok());
+
 struct Slab : ingot::Scene {
     static constexpr int max_bodies = 80;
     static constexpr bool translates = true;
     static constexpr int max_manifolds = 400;
     static constexpr bool reads_contacts = true;
     using shapes = ingot::Shapes<ingot::Sphere, ingot::Box, ingot::Capsule, ingot::Cylinder, ingot::Hull, ingot::HalfSpace>;
-    static constexpr ingot::ConvexHull hulls[] = {pebble_of_body.value.view()};
+    static constexpr ingot::ConvexHull hulls[] = {pebble_of_body.value.view(), cube_hull.value.view()};
 };
 /// Its level is whatever the test has drawn.
 struct OnLevel : Slab {

@@ -40,10 +40,10 @@ void goes_as_on_a_slab(int draw) {
     EXPECT_NEAR(went.impulse / as.impulse, 1, 0.01) << what;
 }
 
-/// Half of the ground is a level, and half another one, a box, or a row of boxes: over the seam.
-void crosses_a_seam(int draw) {
+/// Half of the ground is a level, and half another one, a box, a row of boxes or of hulls, or a plane that goes on below the level: over the seam.
+enum Beside { another_level, one_box, boxes, hulls, a_plane };
+void crosses_a_seam(int draw, Beside beside) {
     Random random(static_cast<uint64_t>(40000 + draw));
-    const int beside = draw % 3;
     const Soup soup = terrain(random, between(random, 8, 30), 128, [](int, int) { return 8; });
     Ground ground, other;
     take_mesh(soup, 1.0 / 256, ground);
@@ -63,26 +63,28 @@ void crosses_a_seam(int draw) {
     auto& on_level = empty_world<OnLevel>();
     add_level(on_level, ground.view);
     OnLevel::levels[1] = other.view;
-    if (beside == 0) {
+    if (beside == another_level) {
         LevelDef def_of_other;
         def_of_other.number = 1;
         def_of_other.friction = scalar(0.3);
         def_of_other.r = {-other.view.high.x, 0, 0};
         ASSERT_TRUE(on_level.add_level(def_of_other).ok());
     } else {
-        BodyDef box;
-        box.immovable = true;
-        box.friction = scalar(0.3);
-        const auto half = static_cast<scalar>(beside == 1 ? 10 : 1);  // one box, or several side by side
-        box.shape = ingot::Box{{half, half, half}};
+        BodyDef solid;
+        solid.immovable = true;
+        solid.friction = scalar(0.3);
+        const auto half = static_cast<scalar>(beside == one_box ? 10 : 1);
+        solid.shape = ingot::Box{{half, half, half}};
+        if (beside == hulls) solid.shape = ingot::hull_of<OnLevel>(1);
+        if (beside == a_plane) solid.shape = ingot::HalfSpace{{0, 0, 1}, seam.z};
         for (int i = -3; i < 12; ++i) {
-            box.state.r_CM = {-half, beside == 1 ? static_cast<scalar>(2) : static_cast<scalar>(2 * i), seam.z - half};
-            ASSERT_TRUE(on_level.add(box).ok());
-            if (beside == 1) break;
+            if (beside != a_plane) solid.state.r_CM = {-half, beside == one_box ? static_cast<scalar>(2) : static_cast<scalar>(2 * i), seam.z - half};
+            ASSERT_TRUE(on_level.add(solid).ok());
+            if (beside == one_box || beside == a_plane) break;
         }
     }
     const Went went = go(on_level, def, rate, static_cast<int>(seconds * rate));
-    std::string what = "draw " + std::to_string(draw) + ", beside " + std::to_string(beside) + ", body ";
+    std::string what = "draw " + std::to_string(draw) + ", beside " + std::to_string(static_cast<int>(beside)) + ", body ";
     what += std::to_string(static_cast<int>(kind)) + ", size " + std::to_string(size) + ", speed " + std::to_string(speed) + ", ";
     what += std::to_string(rate) + " Hz";
     EXPECT_NEAR(length(went.by) / length(as.by), 1, 1e-3) << what;
@@ -92,7 +94,9 @@ void crosses_a_seam(int draw) {
 }
 
 TEST(SmoothGround, goes_on_across_the_seams_of_levels_and_boxes) {
-    for (int draw = 0; draw < ingot_reference::draws(600); ++draw) crosses_a_seam(draw);
+    constexpr Beside first[] = {another_level, one_box, boxes}, then[] = {hulls, a_plane};
+    for (int draw = 0; draw < ingot_reference::draws(600); ++draw) crosses_a_seam(draw, first[draw % 3]);
+    for (int draw = 0; draw < ingot_reference::draws(300); ++draw) crosses_a_seam(draw, then[draw % 2]);
 }
 
 /// The bars of the project: way and speed within 0.1 %, no hop above 0.1 mm, what the ground bears within 1 %.

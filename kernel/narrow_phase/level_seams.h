@@ -53,7 +53,13 @@ private:
             put_on_box(S_, touch);
             touch.inner = S_.r + S_.A * clamp(transpose_times(S_.A, body_.r - S_.r), S_.shape.size);
         }
-        if (is_kind<ShapeKind::hull>(S_)) put_on_hull(S_, touch);
+        if (is_kind<ShapeKind::hull>(S_)) {
+            Touch below_body = touch;
+            below_body.p = body_.r;
+            put_on_hull(S_, below_body);
+            put_on_hull(S_, touch);
+            touch.inner = below_body.p;
+        }
         if (S_.shape.kind == ShapeKind::level) put_on_level(touch);
         return touch;
     }
