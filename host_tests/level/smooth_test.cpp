@@ -96,7 +96,7 @@ void crosses_a_seam(int draw, Beside beside) {
 TEST(SmoothGround, goes_on_across_the_seams_of_levels_and_boxes) {
     constexpr Beside first[] = {another_level, one_box, boxes}, then[] = {hulls, a_plane};
     for (int draw = 0; draw < ingot_reference::draws(600); ++draw) crosses_a_seam(draw, first[draw % 3]);
-    for (int draw = 0; draw < ingot_reference::draws(300); ++draw) crosses_a_seam(draw, then[draw % 2]);
+    for (int draw = 0; draw < ingot_reference::draws(400); ++draw) crosses_a_seam(draw, then[draw % 2]);
 }
 
 /// The bars of the project: way and speed within 0.1 %, no hop above 0.1 mm, what the ground bears within 1 %.

@@ -60,15 +60,15 @@ private:
             put_on_hull(S_, touch);
             touch.inner = below_body.p;
         }
-        if (S_.shape.kind == ShapeKind::level) put_on_level(touch);
+        if (S_.shape.kind == ShapeKind::level) put_on_level(touch, max(point.separation, scalar(0)));
         return touch;
     }
     /// Of the triangles near by: is d the normal of one; or else, on which edge or corner does the point belong: a direction that was searched for
-    /// has points that are off by millimetres.
-    void put_on_level(Touch& touch) const {
+    /// has points that are off by millimetres, and by more the further apart they are. gap: m.
+    void put_on_level(Touch& touch, scalar gap) const {
         const LevelTable& table = *Shapes::level_of(S_.shape);
         const LevelFrame frame(S_, table);
-        const scalar near = 8 * flush_;
+        const scalar near = 8 * (flush_ + gap);
         const Vector p = frame.seen_point(touch.p), d = frame.seen_direction(touch.d), reach = {near, near, near};
         scalar least = near * near, least_of_face = near * near;
         for_triangles_in(table, p - reach, p + reach, [&](const LevelTriangle& triangle) {

@@ -6,9 +6,12 @@ namespace ingot { inline namespace INGOT_ABI {
 void put_on_box(const PlacedShape& box, Touch& touch) {
     const Vector &h = box.shape.size, q = transpose_times(box.A, touch.p - box.r), e = transpose_times(box.A, touch.d);
     int across = 0;
+    // A direction that was searched for may be off by thousandths: so little does not lead to a side that is far from the point.
     const auto put = [&](scalar q_i, scalar e_i, scalar h_i) {
-        if (abs(e_i) <= touch.tilt) return ++across, clamp(q_i, h_i);
-        return e_i < 0 ? -h_i : h_i;
+        const scalar side = e_i < 0 ? -h_i : h_i;
+        const scalar tilt = abs(side - q_i) > limits::far_side * h_i ? max(touch.tilt, limits::face_tilt) : touch.tilt;
+        if (abs(e_i) <= tilt) return ++across, clamp(q_i, h_i);
+        return side;
     };
     touch.p = box.r + box.A * Vector{put(q.x, e.x, h.x), put(q.y, e.y, h.y), put(q.z, e.z, h.z)};
     touch.face = across == 2;
