@@ -143,6 +143,52 @@ TEST(OnTriangles, sheets_have_two_sides) {
     }
 }
 
+/// Slivers 90 m long and a step of the lattice wide lie in a plane: float makes no plane of them, and they are as if they were not there, to bodies,
+/// queries and movers.
+TEST(OnTriangles, slivers_whose_area_is_lost_are_not_there) {
+    Random random(52);
+    Soup soup;
+    for (const auto& corner : {std::array<int, 2>{0, 0}, {65535, 0}, {65535, 65535}, {0, 65535}})
+        soup.points.push_back(lattice_point(corner[0], corner[1], 8));
+    soup.faces = {{0, 1, 2}, {0, 2, 3}};
+    Ground ground[2];
+    take_mesh(soup, 1.0 / 1024, ground[0]);
+    for (int i = 0; i < 12; ++i) {
+        const int x = between(random, 0, 9), y = between(random, 0, 9), first = static_cast<int>(soup.points.size());
+        for (const int along : {0, 65500, 65499})
+            soup.points.push_back(lattice_point(x + along, y + along - (along > 0 ? i % 2 : 0) - (along == 65499 ? 1 : 0), 8));
+        soup.faces.push_back({first, first + 1, first + 2});
+    }
+    take_mesh(soup, 1.0 / 1024, ground[1]);
+    ASSERT_GT(ground[1].view.mesh.triangle_count, 2);
+    for (int draw = 0; draw < ingot_reference::draws(40); ++draw) {
+        const double at = within(random, 10, 50), angle = within(random, 0, 2 * pi);
+        BodyDef def = goer(random, static_cast<Goer>(draw % (goers_count - 1)), static_cast<scalar>(within(random, 0.1, 0.4)), within(random, 0, 4));
+        def.state.r_CM = def.state.r_CM + Vector{static_cast<scalar>(at), static_cast<scalar>(at), 8.0f / 1024};
+        const Vector from = def.state.r_CM + Vector{0, 0, 3}, way = about_z(angle).c0 * scalar(2) - Vector{0, 0, 6};
+        const ingot::PlacedShape ball = {ingot::Sphere{scalar(0.2)}, from, ingot::identity_matrix<scalar>(), nullptr};
+        Vector r[2], of_mover[2];
+        scalar told[2][3];
+        for (int which = 0; which < 2; ++which) {
+            auto& world = empty_world<OnLevel>();
+            add_level(world, ground[which].view);
+            told[which][0] = world.cast_ray(from, way).value.fraction;
+            told[which][1] = world.cast_shape(ball, way).value.fraction;
+            told[which][2] = world.find_nearest(from, 10).value.distance;
+            ingot::Mover mover;
+            mover.r = from;
+            for (int i = 0; i < 120; ++i) ASSERT_EQ(world.move(mover, {about_z(angle).c0, 0}, scalar(1) / 60), Status::ok);
+            of_mover[which] = mover.r;
+            const BodyId id = world.add(def).value;
+            for (int i = 0; i < 60; ++i) (void)ingot::step(world, scalar(1) / 60);
+            r[which] = world.state(id).value.r_CM;
+        }
+        for (const int i : {0, 1, 2}) EXPECT_NEAR(told[0][i], told[1][i], 1e-5 * std::abs(told[0][i])) << draw << " " << i;
+        EXPECT_LT(length(of_mover[0] - of_mover[1]), 1e-4) << draw;
+        EXPECT_LT(length(r[0] - r[1]), 1e-3 * (length(r[0] - def.state.r_CM) + 0.1)) << draw;
+    }
+}
+
 TEST(LevelsOfAWorld, ids_rooms_and_edits) {
     Random random(3);
     const Ground ground = plane_of(random, Seams::grid);
