@@ -220,6 +220,74 @@ TEST(Pens, draw_scenes_that_have_neither_shapes_nor_places) {
     EXPECT_EQ(pen.strokes.size(), 3u + 3u + 2u);
 }
 
+struct Attic : ingot::Scene {
+    static constexpr int max_bodies = 4, max_joints = 2, max_loops = 2, max_manifolds = 8, max_shapes_of_body = 2;
+    static constexpr bool translates = true;
+    using shapes = ingot::Shapes<ingot::Sphere>;
+    using joints = ingot::Joints<ingot::HingeJoint, ingot::RodJoint>;
+};
+
+/// A body that has flown out of all numbers has a colour of its own; one of one shape, where there may be two, is drawn once; what the world holds as
+/// its B has one arm, and a rod is a line between two points.
+TEST(Pens, draw_frozen_bodies_rods_and_what_the_world_holds) {
+    ingot::World<Attic> world;
+    BodyDef ball = solid(ingot::Sphere{1}, {0, 0, ingot::limits::position_max});
+    ball.state.v_CM = {0, 0, ingot::limits::speed_max};
+    const BodyId lost = world.add(ball).value;
+    ball = solid(ingot::Sphere{1}, {4, 0, 0});
+    const BodyId hung = world.add(ball).value;
+    ball.state.r_CM = {8, 0, 0};
+    const BodyId other = world.add(ball).value;
+    ingot::JointDef joint;
+    joint.body_A = hung;
+    joint.joint = ingot::HingeJoint{};
+    joint.P = {4, 0, 2};
+    ASSERT_TRUE(world.add_joint(joint).ok());
+    joint.body_B = other;
+    joint.joint = ingot::RodJoint{};
+    joint.P = {4, 0, 0};
+    joint.P_B = {8, 0, 0};
+    ASSERT_TRUE(world.add_joint(joint).ok());
+    EXPECT_EQ(ingot::step(world, scalar(1) / 60).bodies_frozen, 1);
+    ASSERT_TRUE(world.is_frozen(lost));
+    NotingPen pen;
+    ingot::draw<Draw::shapes | Draw::joints>(world, pen);
+    EXPECT_GT(pen.of(DrawColor::frozen).size(), 0u);
+    EXPECT_EQ(pen.of(DrawColor::awake).size(), 2 * pen.of(DrawColor::frozen).size());
+    EXPECT_EQ(pen.of(DrawColor::joint_axis).size(), 1u);
+    EXPECT_EQ(pen.of(DrawColor::joint).size(), 2u + 3u + 3u);  // arm and gap; two arms and the rod; the cross of its point
+}
+
+template <bool reads>
+struct Knocks : ingot::Scene {
+    static constexpr int max_bodies = 2, max_contacts = 8;
+    static constexpr bool translates = true, reads_contacts = reads;
+    using solver = ingot::FrictionlessImpacts;
+    using shapes = ingot::Shapes<ingot::Sphere, ingot::HalfSpace>;
+};
+template <bool reads>
+std::size_t strokes_of_a_knock() {
+    ingot::World<Knocks<reads>> world;
+    BodyDef ground;
+    ground.immovable = true;
+    ground.shape = ingot::HalfSpace{{0, 0, 1}, 0};
+    BodyDef ball = solid(ingot::Sphere{1}, {0, 0, 1});
+    ball.state.v_CM = {0, 0, -1};
+    EXPECT_TRUE(world.add(ground).ok() && world.add(ball).ok());
+    EXPECT_EQ(ingot::step(world, scalar(1) / 60).status, Status::ok);
+    int contacts = 0;
+    for (const ContactInfo& contact : world.contacts()) contacts += contact.j > 0 ? 1 : 0;
+    EXPECT_EQ(contacts, 1);
+    NotingPen pen;
+    ingot::draw<Draw::contacts | Draw::impulses>(world, pen);
+    return pen.strokes.size();
+}
+/// A contact whose place no array keeps is none that can be drawn.
+TEST(Pens, draw_contacts_that_have_places) {
+    EXPECT_EQ(strokes_of_a_knock<false>(), 0u);
+    EXPECT_EQ(strokes_of_a_knock<true>(), 3u + 1u + 1u);  // a cross, its impulse and its friction
+}
+
 TEST(Reads, tell_what_is_wrong) {
     auto world = yard();
     const BodyId ground = world->body_at(0);
