@@ -58,10 +58,10 @@ struct Shelf {
     Shelf() {
         EXPECT_EQ(world->set_tag(5), Status::ok);  // so that the null id is of no world
         int place = 0;
-        for (const ingot::Joint& kind : {ingot::Joint(ingot::BallJoint{}), ingot::Joint(ingot::HingeJoint{}), ingot::Joint(ingot::SliderJoint{}),
-                                         ingot::Joint(ingot::UniversalJoint{}), ingot::Joint(ingot::FixedJoint{}), ingot::Joint(ingot::WheelJoint{}),
-                                         ingot::Joint(ingot::RodJoint{}), ingot::Joint(ingot::RopeJoint{}), ingot::Joint(ingot::ParallelJoint{}),
-                                         ingot::Joint(ingot::TargetJoint{}), ingot::Joint(ingot::ServoJoint{}), ingot::Joint(ingot::BallServoJoint{})}) {
+        const ingot::Joint kinds[] = {ingot::BallJoint{},   ingot::HingeJoint{}, ingot::SliderJoint{}, ingot::UniversalJoint{},
+                                      ingot::FixedJoint{},  ingot::WheelJoint{}, ingot::RodJoint{},    ingot::RopeJoint{},
+                                      ingot::ParallelJoint{}, ingot::TargetJoint{}, ingot::ServoJoint{}, ingot::BallServoJoint{}};
+        for (const ingot::Joint& kind : kinds) {
             const Vector at = {static_cast<scalar>(2 * place++), 0, 0};
             const bool is_target = kind.kind == ingot::JointKind::target;
             const ingot::BodyId A = is_target ? ingot::BodyId{} : add_ball(*world, at), B = add_ball(*world, at + Vector{0, 0, -1});
