@@ -14,10 +14,7 @@ using ingot::LevelTriangle;
 using ingot::PlacedShape;
 using Exact = ingot::Vec3<double>;
 
-struct Asked : OnLevel {
-    static inline LevelTable levels[1] = {};
-};
-struct AskedByTree : Asked {
+struct ByTree : OnLevel {
     using broad_phase = ingot::QueryTree;
 };
 
@@ -124,7 +121,7 @@ void expect_nearer(const ingot::Result<Hit>& both, const ingot::Result<Hit>& a, 
 
 template <class S>
 struct LevelQueries : testing::Test {};
-using Scenes = testing::Types<Asked, AskedByTree>;
+using Scenes = testing::Types<OnLevel, ByTree>;
 TYPED_TEST_SUITE(LevelQueries, Scenes);
 
 TYPED_TEST(LevelQueries, in_company_are_the_nearer_of_two) {

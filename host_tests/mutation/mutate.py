@@ -359,7 +359,7 @@ def main():
     parser.add_argument("--rooms", type=lambda names: names.split(","), default=[])
     parser.add_argument("--programs", type=lambda names: names.split(","), default=[], help="what these notice alone: quick, while tests are written")
     parser.add_argument("--brief", action="store_true", help="tests as brief as the preset `test` has them: half the time, and less is noticed")
-    parser.add_argument("--again", help="output of a run of the same count and seed: what survived there is played again")
+    parser.add_argument("--again", help="output of a run of the same count and seed, on this kernel: what survived there is played again")
     parser.add_argument("--scratch", default=os.path.join(ROOT, "build", "mutation"))
     parser.add_argument("--slowest", type=float, default=30.0, help="seconds of a case; slower ones are left out")
     parser.add_argument("--budget", type=float, default=300.0, help="seconds of tests for one mutant")

@@ -98,8 +98,11 @@ TYPED_TEST(AnyNumber, is_refused_or_makes_a_world) {
     int refused = 0, accepted = 0;
     for (const int steps : {0, 1, 40}) {
         fill(*world, steps);
-        copy(*other, *world);
+        clear(*other);
         const Bytes sound = saved(*world);
+        ASSERT_EQ(ingot::load_snapshot(*other, sound.data(), sound.size()), Status::ok);
+        ASSERT_EQ(saved(*other), sound) << "as it is";
+        copy(*other, *world);
         const auto further = [&random] { return INGOT_TEST_BRIEF ? static_cast<size_t>(100 + 99 * random.symmetric()) : size_t{1}; };
         for (size_t at = first; at + sizeof(scalar) <= sound.size() - checksum; at += further())
             for (int value_i = 0; value_i < 12; ++value_i) {
