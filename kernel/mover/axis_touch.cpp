@@ -82,18 +82,16 @@ bool is_over(const TriangleFace& face, const Vector& x) {
 
 }  // namespace
 
-AxisTouch touch_of_triangle(const PlacedShape& capsule, const TriangleFace& face, bool solid) {
+AxisTouch touch_of_triangle(const PlacedShape& capsule, const TriangleFace& face) {
     constexpr AxisTouch none = {false, false, false, {}, {}, 0};
     const scalar radius = capsule.shape.size.x, half = capsule.shape.size.y;
     const Vector &u = capsule.A.c2, a = capsule.r - u * half, b = capsule.r + u * half;
     const scalar at_a = dot(face.n, a - face.corners[0]), at_b = dot(face.n, b - face.corners[0]);
     const scalar low = min(at_a, at_b), high = max(at_a, at_b);
-    if (!(high > 0) && !solid) return none;  // behind it
+    if (!(high > 0)) return none;  // behind it
     if (!(low > 0)) {
-        // The axis goes through it, or, of what is solid, ends below it.
-        const Vector x = high > 0 ? a + (b - a) * (at_a / (at_a - at_b)) : (at_a > at_b ? a : b) - face.n * high;
-        if (is_over(face, x)) return {true, true, true, face.n, x, low - radius};
-        if (!(high > 0)) return none;
+        const Vector x = a + (b - a) * (at_a / (at_a - at_b));
+        if (is_over(face, x)) return {true, true, true, face.n, x, low - radius};  // the axis goes through it
     }
     AxisNearest nearest = nearest_to_end(a, face);
     const auto take = [&nearest](const AxisNearest& other) {
@@ -186,25 +184,103 @@ bool hidden_by_level_at(const PlacedShape& T, const LevelTable& table, const Vec
     return hidden_by_level(table, frame.seen_point(p), frame.seen_direction(d), limits::edge_tilt, flush);
 }
 
+namespace {
+
+/// The way out of a level for a capsule whose axis is in it: there is one. Each triangle would push its own way, with the others in that.
+class WayOut {
+public:
+    WayOut(const PlacedShape& capsule, bool is_mesh, scalar flush)
+        : a_(capsule.r - capsule.A.c2 * capsule.shape.size.y), b_(capsule.r + capsule.A.c2 * capsule.shape.size.y), radius_(capsule.shape.size.x),
+          flush_(flush), is_mesh_(is_mesh) {}
+
+    /// Of a triangle that the axis goes through.
+    void see_crossed(const AxisTouch& touch) { consider(touch, 0); }
+    /// Of a triangle that the axis is before.
+    void see_before(scalar distance) { before_ = some_before_ ? min(before_, distance) : distance, some_before_ = true; }
+    /// Of a triangle that an end of the axis is behind: out by where it is nearest, so that below a valley there is a way, too.
+    void see_behind(const TriangleFace& face) {
+        const scalar at_a = dot(face.n, a_ - face.corners[0]), at_b = dot(face.n, b_ - face.corners[0]);
+        a_is_below_ = a_is_below_ || (!(at_a > 0) && is_below(face, a_));
+        b_is_below_ = b_is_below_ || (!(at_b > 0) && is_below(face, b_));
+        if (is_mesh_ && (at_a > 0 || at_b > 0)) return;
+        if (!(at_a > 0)) see_end_behind(face, a_);
+        if (!(at_b > 0)) see_end_behind(face, b_);
+    }
+
+    /// A field is solid, at any depth: in it is what has ground above both ends. A mesh has an inside as deep as the radius, behind what is nearest.
+    bool is_in() const {
+        if (!best_.there || behind_ == 0) return best_.there;
+        return is_mesh_ ? !some_before_ || behind_ < before_ : a_is_below_ && b_is_below_;
+    }
+    const AxisTouch& touch() const { return best_; }
+
+private:
+    void see_end_behind(const TriangleFace& face, const Vector& end) {
+        const TriangleTouch on = nearest_on_triangle(face, end, 0);
+        const Vector away = on.p - end;
+        const scalar distance = sqrt(length_sq(away));
+        if (is_mesh_ && !(distance < radius_)) return;
+        const Vector n = on.part != TrianglePart::inside && distance > epsilon * radius_ ? away * (1 / distance) : face.n;
+        const scalar low = min(dot(n, a_ - on.p), dot(n, b_ - on.p));
+        consider({true, true, false, n, on.p, low - radius_}, distance);
+    }
+    /// The nearest; of those that the axis goes through, the one that it is out of by the least.
+    void consider(const AxisTouch& touch, scalar behind) {
+        if (best_.there && (behind > behind_ || (behind == behind_ && !comes_first(touch)))) return;
+        best_ = touch;
+        behind_ = behind;
+    }
+    bool comes_first(const AxisTouch& touch) const {
+        const Vector &n = touch.n, &m = best_.n;
+        if (touch.gap != best_.gap) return touch.gap > best_.gap;
+        return n.x != m.x ? n.x < m.x : n.y != m.y ? n.y < m.y : n.z < m.z;
+    }
+    bool is_below(const TriangleFace& face, const Vector& p) const {
+        bool is = true;
+        for (int i = 0; i < 3; ++i) {
+            const Vector q = p - face.corners[i];
+            is = is && face.along[i].x * q.y - face.along[i].y * q.x >= -flush_;
+        }
+        return is;
+    }
+
+    const Vector a_, b_;
+    const scalar radius_, flush_;
+    const bool is_mesh_;
+    AxisTouch best_ = {};
+    scalar behind_ = 0, before_ = 0;  ///< m, from the axis to what is nearest
+    bool some_before_ = false, a_is_below_ = false, b_is_below_ = false;
+};
+
+}  // namespace
+
 void add_touches_of_level(const PlacedShape& capsule, const PlacedShape& level, const LevelTable& table, const MoverReach& asked, int slot,
                           MoverTouches& touches) {
     const LevelFrame frame(level, table);
     const PlacedShape seen = frame.seen(capsule);
     const Vector more = {asked.reach, asked.reach, asked.reach};
     const LevelReach reach = reach_in_level(seen);
+    WayOut out(seen, table.is_mesh(), asked.flush);
+    const auto add = [&](const AxisTouch& found, const Vector& inner) {
+        touches.add({level.A * found.n, frame.place(found.P), frame.place(inner), level.A * found.n, found.gap - asked.skin, slot, found.face});
+    };
     for_triangles_in(table, seen.r - reach.below - more, seen.r + reach.above + more, [&](const LevelTriangle& triangle) {
         TriangleFace face;
         if (!face_of_triangle(triangle, face)) return;
-        const AxisTouch found = touch_of_triangle(seen, face, !table.is_mesh());
+        out.see_behind(face);
+        const AxisTouch found = touch_of_triangle(seen, face);
         if (!found.there || !(found.gap <= asked.reach)) return;
+        if (found.crosses) return out.see_crossed(found);
+        out.see_before(found.gap + seen.shape.size.x);
         Vector inwards = (face.corners[0] + face.corners[1] + face.corners[2]) * (scalar(1) / 3) - found.P;
         const scalar way = sqrt(length_sq(inwards)), most = 4 * asked.flush;
         if (way > most) inwards = inwards * (most / way);
         const Vector inner = found.face ? found.P + inwards : found.P;
         const auto hidden = [&](const Vector& p) { return hidden_by_level(table, p, found.n, limits::edge_tilt, asked.flush); };
-        if (!found.crosses && hidden(found.P) && (!found.face || hidden(inner))) return;
-        touches.add({level.A * found.n, frame.place(found.P), frame.place(inner), level.A * found.n, found.gap - asked.skin, slot, found.face});
+        if (hidden(found.P) && (!found.face || hidden(inner))) return;
+        add(found, inner);
     });
+    if (out.is_in()) add(out.touch(), out.touch().P);
 }
 
 ShapeEntry cast_axis_on_level(const PlacedShape& capsule, const Vector& way, scalar fraction_max, const AxisCast& cast, const PlacedShape& level,
@@ -219,8 +295,12 @@ ShapeEntry cast_axis_on_level(const PlacedShape& capsule, const Vector& way, sca
     for_triangles_in(table, low, high, [&](const LevelTriangle& triangle) {
         TriangleFace face;
         if (!face_of_triangle(triangle, face)) return;
-        const ShapeEntry entry = cast_axis(seen, seen_way, first.meets ? first.fraction : fraction_max, cast,
-                                           [&](const PlacedShape& now) { return touch_of_triangle(now, face, !table.is_mesh()); });
+        const ShapeEntry entry = cast_axis(seen, seen_way, first.meets ? first.fraction : fraction_max, cast, [&](const PlacedShape& now) {
+            const AxisTouch touch = touch_of_triangle(now, face);
+            const bool from_begin = cast.flush > 0 && touch.there && !touch.crosses && touch.gap <= cast.stop + cast.near;
+            if (!from_begin || length_sq(now.r - seen.r) > 0) return touch;
+            return hidden_by_level(table, touch.P, touch.n, limits::edge_tilt, cast.flush) ? AxisTouch{} : touch;
+        });
         if (entry.meets && (!first.meets || entry.fraction < first.fraction)) first = entry;
     });
     if (!first.meets) return first;

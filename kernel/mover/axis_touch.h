@@ -30,14 +30,17 @@ AxisTouch touch_of_shape(const PlacedShape& capsule, const PlacedShape& other, s
 /// out.
 bool passes_box(const PlacedShape& capsule, const Vector& way, const PlacedShape& box, scalar reach);
 
-/// Of a triangle, in the frame of its level; exact. solid: what is below it is inside.
-AxisTouch touch_of_triangle(const PlacedShape& capsule, const TriangleFace& face, bool solid);
+/// Of a triangle that the axis goes through, or is before; in the frame of its level; exact.
+AxisTouch touch_of_triangle(const PlacedShape& capsule, const TriangleFace& face);
 
 /// How far a capsule gets.
 struct AxisCast {
     scalar stop;   ///< m, the gap at which it ends
     scalar slack;  ///< m; what is nearer than `stop` from the begin is met when it comes nearer by so much; 0: at once
     scalar near;   ///< m, a gap this much larger is as good
+    /// m; above 0: it is in something. Then what it touches of a level from the begin, along a direction that neighbours within `flush` hide, is not
+    /// met: no plane is asked of it either.
+    scalar flush = 0;
 };
 
 /// Where on its way a capsule comes near to a shape: a gap of AxisCast::stop, or a little more, never less. As cast_on_shape: Newton's method from

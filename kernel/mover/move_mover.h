@@ -116,7 +116,9 @@ public:
     }
 
 private:
-    AxisCast forward() const { return {l_.skin - l_.enter, l_.enter / 2, l_.near}; }
+    AxisCast forward(bool leaves = false) const {
+        return {l_.skin - l_.enter, l_.enter / 2, l_.near, leaves ? space_.asked().flush : scalar(0)};
+    }
     AxisCast down() const { return {l_.skin - l_.enter, 0, l_.near}; }
 
     /// Ground to walk on, no higher above its foot, where it is at `from`, than a step.
@@ -124,6 +126,7 @@ private:
         return dot(touch.upright, up_) >= l_.slope_cos && dot(touch.n, up_) >= movers::support_min &&
                dot(touch.P - from, up_) + to_foot_ <= l_.step + l_.skin;
     }
+    bool has_axis_in(const MoverTouch& touch) const { return touch.gap + l_.skin <= -push_max_; }
     /// The gap of what is on the skin, to roundings, is 0.
     scalar gap_of(const MoverTouch& touch) const { return abs(touch.gap) <= l_.still ? scalar(0) : touch.gap; }
 
@@ -137,26 +140,44 @@ private:
     }
 
     /// What is left of a way by what is touched. walks_from: m, where it walks from: what is too steep, or too high from there, is a wall; null: it
-    /// flies.
-    INGOT_NOINLINE Vector left_of(const PlacedShape& at, const Vector& way, const Vector* walks_from) const {
+    /// flies. leaves: it is in something. What its axis is in is no wall: out of a floor it goes up. But where other planes are in that way, out is
+    /// as far as they let it go: it is not pressed into them.
+    INGOT_NOINLINE Vector left_of(const PlacedShape& at, const Vector& way, const Vector* walks_from, bool& leaves) const {
         MoverTouches touches;
         space_.planes_at(at, touches);
-        HalfSpaces spaces;
+        HalfSpaces all, beside, out;
+        leaves = false;
         for (int i = 0; i < touches.count; ++i) {  // bound: movers::planes_max
             const MoverTouch& touch = touches.touches[i];
-            const scalar gap = gap_of(touch);
-            if (walks_from != nullptr && dot(touch.n, up_) > 0 && !is_walkable(touch, *walks_from) && add_as_wall(touch, gap, spaces)) continue;
-            spaces.add(touch.n, min(-gap, push_max_));
+            const scalar gap = gap_of(touch), least = min(-gap, push_max_);
+            const bool is_in = touch.gap < -l_.skin;
+            const bool too_much = walks_from != nullptr && !has_axis_in(touch) && dot(touch.n, up_) > 0 && !is_walkable(touch, *walks_from);
+            HalfSpaces& other = is_in ? out : beside;
+            leaves = leaves || is_in;
+            if (too_much && add_as_wall(touch, gap, all)) {
+                (void)add_as_wall(touch, gap, other);
+                continue;
+            }
+            all.add(touch.n, least);
+            other.add(touch.n, least);
         }
-        return nearest_in(spaces, way, movers::far_of_move);
+        const Vector by = nearest_in(all, way, movers::far_of_move);
+        if (out.count == 0 || allows(beside, by)) return by;
+        return nearest_in(beside, nearest_in(out, way, movers::far_of_move), movers::far_of_move);
+    }
+    bool allows(const HalfSpaces& spaces, const Vector& by) const {
+        bool allowed = true;
+        for (int i = 0; i < spaces.count; ++i) allowed = allowed && dot(spaces.n[i], by) >= spaces.least[i] - l_.still;  // bound: movers::planes_max
+        return allowed;
     }
 
     INGOT_NOINLINE void slide(PlacedShape& at, const Vector& way, const Vector* walks_from) const {
         Vector left = way;
         for (int i = 0; i < movers::slides_max; ++i) {
-            const Vector by = left_of(at, left, walks_from);
+            bool leaves;
+            const Vector by = left_of(at, left, walks_from, leaves);
             if (!(length_sq(by) > 0)) return;
-            const SlotHit hit = space_.cast(at, by, forward());
+            const SlotHit hit = space_.cast(at, by, forward(leaves));
             at.r += by * hit.fraction;
             if (hit.slot == no_slot) return;
             left = left * (1 - hit.fraction);

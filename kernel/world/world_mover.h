@@ -35,8 +35,10 @@ public:
     ///
     /// Standing, it goes over the ground at the speed it is told, up and down slopes and steps no less far across `up` than on the level; what is
     /// steeper than its slope, or higher than its step, is a wall. It sticks to ground that falls away by no more than `stick`. In the air gravity of
-    /// the world counts. It keeps `skin` from all there is; where it is put into something, it leaves. Bodies in its way get as much as they need to
-    /// go with it, at force_max at most; it does not weigh on what it stands on.
+    /// the world counts. It keeps `skin` from all there is. Where it is put into something it leaves it, by its radius at once, and no further than
+    /// what else is there lets it. Out of a level it comes to the outside: of a field from any depth, of a mesh where its capsule still touches a
+    /// triangle; what is all behind a mesh meets nothing of it. Bodies in its way get as much as they need to go with it, at force_max at most; it
+    /// does not weigh on what it stands on.
     /// Mover::r, v, ground and what is kept for the next step become what has come of it.
     /// Errors: those of check_mover and check_mover_input; bad_step; out_of_range (it would leave limits::position_max).
     Status move(Mover& mover, const MoverInput& input, scalar h) {
