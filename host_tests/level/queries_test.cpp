@@ -161,7 +161,7 @@ TYPED_TEST(LevelQueries, in_company_are_the_nearer_of_two) {
 constexpr double roundings = 64 * 60 * static_cast<double>(ingot::epsilon);
 
 TYPED_TEST(LevelQueries, tell_what_all_triangles_do) {
-    int overlapped = 0, hit = 0;
+    int overlapped = 0, behind = 0, hit = 0, hit_from_behind = 0;
     for (int draw = 0; draw < ingot_reference::draws(200); ++draw) {
         Random random(static_cast<uint64_t>(5300 + draw));
         const Company<TypeParam> of(random);
@@ -181,18 +181,20 @@ TYPED_TEST(LevelQueries, tell_what_all_triangles_do) {
             const PlacedShape ball = {ingot::Sphere{radius}, p, ingot::identity_matrix<scalar>(), nullptr};
             BodyId ids[2];
             const bool overlaps = distance < static_cast<double>(radius);
-            // From behind, what hangs below triangles is met: see TriangleHull.
-            if (std::abs(distance - static_cast<double>(radius)) > 1e-4 * distance + roundings && (overlaps || near.value.distance > 0)) {
+            if (std::abs(distance - static_cast<double>(radius)) > 1e-4 * distance + roundings) {
                 EXPECT_EQ(of.level->find_overlaps(ball, ids, 2).value, overlaps ? 1 : 0);
                 overlapped += overlaps ? 1 : 0;
+                behind += near.value.distance < 0 && !overlaps ? 1 : 0;
             }
 
             const PlacedShape moving = {ingot::Sphere{static_cast<scalar>(distance * 0.5 + 0.01)}, p, ingot::identity_matrix<scalar>(), nullptr};
             const Vector way = of.place(random) - p;
             const auto cast = of.level->cast_shape(moving, way);
             ASSERT_TRUE(cast.ok());
-            if (cast.value.found() && near.value.distance > moving.shape.size.x) {
+            // From either side: what begins behind triangles meets those that it comes to from outside, and nothing below the others.
+            if (cast.value.found() && std::abs(near.value.distance) > moving.shape.size.x) {
                 ++hit;
+                hit_from_behind += near.value.distance < 0 ? 1 : 0;
                 const double there = triangles.distance(exact(p) + exact(way) * static_cast<double>(cast.value.fraction));
                 const double off = there - static_cast<double>(moving.shape.size.x);
                 EXPECT_LE(off, 2 * static_cast<double>(ingot::limits::cast_gap * moving.shape.size.x) + roundings) << "it stops at the ground";
@@ -201,7 +203,70 @@ TYPED_TEST(LevelQueries, tell_what_all_triangles_do) {
         ASSERT_FALSE(testing::Test::HasFailure()) << "draw " << draw;
     }
     EXPECT_GT(overlapped, 20);
+    EXPECT_GT(behind, 20);
     EXPECT_GT(hit, 10);
+    EXPECT_GT(hit_from_behind, 5);
+}
+
+/// m, how far a box and a triangle are apart along the axis that parts them most; below 0: they overlap by so much.
+/// Source: Gottschalk et al., "OBBTree", 1996: the normals of faces, and the cross products of edges.
+double apart(const std::array<Exact, 3>& corners, const Exact& r, const Exact (&axes)[3], const Exact& half) {
+    const Exact edges[3] = {corners[1] - corners[0], corners[2] - corners[1], corners[0] - corners[2]};
+    double most = -1e30;
+    const auto try_axis = [&](const Exact& axis) {
+        if (norm(axis) < 1e-9) return;
+        const Exact n = axis * (1 / norm(axis));
+        double low = 1e30, high = -1e30;
+        for (const Exact& corner : corners) low = std::min(low, dot(n, corner - r)), high = std::max(high, dot(n, corner - r));
+        const double reach = std::abs(dot(n, axes[0])) * half.x + std::abs(dot(n, axes[1])) * half.y + std::abs(dot(n, axes[2])) * half.z;
+        most = std::max({most, low - reach, -high - reach});
+    };
+    try_axis(cross(edges[0], edges[1]));
+    for (const Exact& axis : axes) {
+        try_axis(axis);
+        for (const Exact& edge : edges) try_axis(cross(axis, edge));
+    }
+    return most;
+}
+
+/// The triangle itself counts, from either side, and no thickness of it.
+TEST(LevelOverlaps, of_boxes_are_what_separating_axes_tell) {
+    int with = 0, without = 0, behind = 0;
+    for (int draw = 0; draw < ingot_reference::draws(400); ++draw) {
+        Random random(static_cast<uint64_t>(5400 + draw));
+        const level_tool::MeshData mesh = built(loose_triangles(random, between(random, 1, 6), 4096, 2048));
+        OnLevel::levels[0] = mesh.view;
+        std::unique_ptr<World<OnLevel>> world{new World<OnLevel>};
+        LevelDef def;
+        def.r = {static_cast<scalar>(within(random, -20, 20)), static_cast<scalar>(within(random, -20, 20)), 0};
+        ASSERT_TRUE(world->add_level(def).ok());
+        const Triangles triangles(mesh.view, def);
+        for (int query = 0; query < 40; ++query) {
+            const auto size = [&random] { return static_cast<scalar>(0.1 * std::pow(10, within(random, 0, 1))); };
+            // About a corner of one of them, and beside it by up to its own size.
+            const ingot::Box form = {{size(), size(), size()}};
+            const Exact corner = triangles.all[random() % triangles.all.size()][random() % 3];
+            const double reach = static_cast<double>(ingot::bounding_radius(form));
+            const auto about = [&](double p) { return static_cast<scalar>(p + within(random, -1.5, 1.5) * (0.1 + reach)); };
+            const PlacedShape box = {form, {about(corner.x), about(corner.y), about(corner.z)}, any_rotation(random), nullptr};
+            const Exact axes[3] = {exact(box.A.c0), exact(box.A.c1), exact(box.A.c2)};
+            double least = 1e30;
+            bool is_behind = false;
+            for (const auto& triangle : triangles.all) {
+                const double far = apart(triangle, exact(box.r), axes, exact(box.shape.size));
+                if (far < least) is_behind = dot(cross(triangle[1] - triangle[0], triangle[2] - triangle[0]), exact(box.r) - triangle[0]) < 0;
+                least = std::min(least, far);
+            }
+            if (std::abs(least) < 1e-4 + roundings) continue;
+            BodyId ids[2];
+            EXPECT_EQ(world->find_overlaps(box, ids, 2).value, least < 0 ? 1 : 0) << draw << " " << query << ": " << least;
+            ++(least < 0 ? with : without);
+            behind += is_behind && least > 0 && least < 0.1 ? 1 : 0;
+        }
+    }
+    EXPECT_GT(with, ingot_reference::draws(400));
+    EXPECT_GT(without, ingot_reference::draws(400));
+    EXPECT_GT(behind, ingot_reference::draws(400));
 }
 
 }  // namespace

@@ -21,8 +21,8 @@ ShapeEntry cast_on_level(const PlacedShape& moving, const Vector& way, const Pla
     for_triangles_in(table, low, high, [&](const LevelTriangle& triangle) {
         TriangleFace face;
         if (!face_of_triangle(triangle, face) || !(dot(face.n, seen_way) < 0)) return;
-        const TriangleHull hull(face, least_half_extent(moving.shape, moving.hull));
-        const ShapeEntry entry = cast_on_shape(seen, frame.seen_direction(way), hull.placed(), first.meets ? first.fraction : fraction_max);
+        const TriangleHull sheet(face, 0);
+        const ShapeEntry entry = cast_on_shape(seen, frame.seen_direction(way), sheet.placed(), first.meets ? first.fraction : fraction_max);
         if (entry.meets && (!first.meets || entry.fraction < first.fraction)) first = entry;
     });
     if (!first.meets) return first;
@@ -36,8 +36,8 @@ bool overlaps_level(const PlacedShape& shape, const PlacedShape& level, const Le
     for_triangles_in(table, seen.r - reach.below, seen.r + reach.above, [&](const LevelTriangle& triangle) {
         TriangleFace face;
         if (overlaps || !face_of_triangle(triangle, face)) return;
-        const TriangleHull hull(face, least_half_extent(shape.shape, shape.hull));
-        overlaps = closest_points(seen, hull.placed()).overlap;
+        const TriangleHull sheet(face, 0);
+        overlaps = closest_points(seen, sheet.placed()).overlap;
     });
     return overlaps;
 }

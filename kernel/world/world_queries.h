@@ -45,7 +45,8 @@ public:
         return {Status::ok, {id_of_shape(hit.slot), hit.fraction, hit.P, hit.n, number_of_shape(hit.slot)}};
     }
 
-    /// The first body on the way of a shape that does not turn, m; it stops short of it by limits::cast_gap. See QueryHit.
+    /// The first body on the way of a shape that does not turn, m; it stops short of it by limits::cast_gap. Triangles of levels are met from
+    /// outside, and from behind they are not there. See QueryHit.
     /// Errors: those of cast_ray, of check_shape and check_rotation; bad_shape (none, a half space, a hull without its form).
     Result<QueryHit> cast_shape(const PlacedShape& shape, const Vector& way, const QueryFilter& filter = {}) const {
         static_assert(shapes_only());
@@ -90,7 +91,8 @@ public:
                                       })};
     }
 
-    /// All bodies that a shape overlaps or touches, in the order of slots, into found[0 .. capacity).
+    /// All bodies that a shape overlaps or touches, in the order of slots, into found[0 .. capacity). Of levels their triangles count, from either
+    /// side, and not what lies below them.
     /// Returns: how many there are. More than capacity: those of the lowest slots are kept.
     /// Errors:  those of cast_shape; out_of_range (a capacity below zero).
     Result<int> find_overlaps(const PlacedShape& shape, BodyId* found, int capacity, const QueryFilter& filter = {}) const {
