@@ -118,6 +118,75 @@ TEST(NormalCone, of_a_hull_is_of_the_faces_that_meet) {
     EXPECT_GT(seen, 3000);
 }
 
+/// A direction that was searched for is off by thousandths. So little leads from the inside of a face to no edge, from the middle of an edge to no
+/// corner; what is off by more, or leads over an edge that is near, belongs to the edge.
+TEST(PutOnHull, does_not_go_to_what_is_far_away) {
+    RandomInput random(1443);
+    const double far = static_cast<double>(ingot::limits::far_side);
+    const double off_least = 2 * static_cast<double>(ingot::limits::edge_tilt), off_most = static_cast<double>(ingot::limits::face_tilt) / 2;
+    int faces = 0, edges = 0, near_edges = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const ingot::ConvexHull& hull = *hull_of(random);
+        const PlacedShape T = {{ShapeKind::hull, {}}, to_vector(random.vector(3)), to_matrix(random.rotation()), &hull};
+        const ingot::HullEdge& edge = hull.edges[random.integer(0, hull.edge_count - 1)];
+        const V a = exact(hull.vertices[edge.a]), b = exact(hull.vertices[edge.b]), along = (b - a).normalized();
+        const V n = exact(hull.faces[edge.face_left].n), m = exact(hull.faces[edge.face_right].n);
+        if (n.dot(m) > 0.9L || hull.inner_radius < hull.radius / 20) continue;  // a face of its own each, and no sliver
+        const ingot::HullFace& face = hull.faces[edge.face_left];
+        const V on_edge = a + (b - a) * static_cast<long double>(random.real(0.2, 0.8));
+        const double off = random.real(off_least, off_most);
+        const auto put = [&](const V& q, const V& d) {
+            const ingot::Vector p = T.r + T.A * to_vector(q.cast<double>()), d_world = T.A * to_vector(d.normalized().cast<double>());
+            ingot::Touch touch = {p, d_world, ingot::limits::edge_tilt, false, {}};
+            ingot::put_on_hull(T, touch);
+            return touch;
+        };
+        const auto moved = [&](const ingot::Touch& touch, const V& q) { return (exact(touch.p) - exact(T.r) - exact(T.A) * q).norm(); };
+        // Of places of 4 m, and a turn; faces are as flat as a hull of 2 m has them.
+        const long double slack = 64 * static_cast<long double>(ingot::epsilon) + 8 * static_cast<long double>(ingot::limits::hull_flatness);
+        V middle = V::Zero();
+        for (int k = 0; k < face.loop_count; ++k) middle += exact(hull.vertices[hull.loops[face.loop_first + k]]) / face.loop_count;
+        // How far a point of the face is inside of its edges, but for one; 0 beside a face so much in its plane that either may be meant.
+        const auto inside_of = [&](const V& q, int but_for) {
+            double inside = 1e9;
+            for (int f = 0; f < hull.face_count; ++f) {
+                const V of = exact(hull.faces[f].n), across = of - n * n.dot(of);
+                if (f == edge.face_left || f == but_for) continue;
+                const auto far_in = static_cast<double>((static_cast<long double>(hull.faces[f].offset) - of.dot(q)) / across.norm());
+                inside = across.norm() < 2 * static_cast<long double>(ingot::limits::face_tilt) ? 0 : std::min(inside, far_in);
+            }
+            return inside;
+        };
+        const double near = far * static_cast<double>(hull.inner_radius);
+        const V aside = V(n.cross(exact(to_vector(random.direction())))).normalized();
+        if (inside_of(middle, -1) > 2 * near) {
+            const ingot::Touch touch = put(middle, n + aside * static_cast<long double>(off));
+            EXPECT_TRUE(touch.face) << i;
+            EXPECT_LE(moved(touch, middle), slack) << i;
+            ++faces;
+        }
+        const V between = (n + m).normalized() + along * static_cast<long double>(random.integer(0, 1) == 0 ? off : -off);
+        long double furthest = 0;
+        for (int k = 0; k < hull.vertex_count; ++k) furthest = std::max(furthest, between.dot(exact(hull.vertices[k])));
+        if (furthest <= std::max(between.dot(a), between.dot(b))) {  // else an edge goes on from its end, all but straight
+            const ingot::Touch touch = put(on_edge, between);
+            EXPECT_FALSE(touch.face) << i;
+            EXPECT_LE(moved(touch, on_edge), slack) << i << " along an edge";
+            ++edges;
+        }
+        // Just inside of that edge, and off towards it.
+        const V out = along.cross(n), q = on_edge - out * static_cast<long double>(near / 2);
+        if (!(inside_of(q, edge.face_right) > 2 * near)) continue;
+        const ingot::Touch over = put(q, n + out * static_cast<long double>(off));
+        EXPECT_FALSE(over.face) << i;
+        EXPECT_LE(moved(over, on_edge), slack) << i << " at an edge";
+        ++near_edges;
+    }
+    EXPECT_GT(faces, 2000);
+    EXPECT_GT(edges, 5000);
+    EXPECT_GT(near_edges, 1000);
+}
+
 /// Below the axis of a cylinder is what is in the plane of the axis and of what is up: wherever the cylinder is and however far along.
 TEST(NormalCone, a_point_is_below_the_axis_wherever_the_cylinder_is) {
     RandomInput random(1442);

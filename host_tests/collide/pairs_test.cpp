@@ -331,6 +331,44 @@ TEST(Rod, is_touched_where_the_other_is) {
     ASSERT_GT(touching, 3000);
 }
 
+/// Over a face of a hull, wherever over it, a ball is as far as the plane is. A search that roundings end early may know the direction to no more
+/// than ten-thousandths: along that a corner of the face, a metre away, seemed to be in the ball.
+TEST(Ball, is_as_far_from_a_face_as_its_plane) {
+    RandomInput random(1406);
+    int over = 0;
+    long double worst = 0;
+    for (int i = 0; i < draws(100000); ++i) {
+        const ingot::ConvexHull& hull = *hull_of(random);
+        const ingot::HullFace& face = hull.faces[random.integer(0, hull.face_count - 1)];
+        const std::uint8_t* loop = hull.loops + face.loop_first;
+        const int k = random.integer(1, face.loop_count - 2);
+        const V a = exact(hull.vertices[loop[0]]), b = exact(hull.vertices[loop[k]]), c = exact(hull.vertices[loop[k + 1]]);
+        const V n = exact(face.n);
+        double s = random.real(0, 1), t = random.real(0, 1);
+        if (s + t > 1) s = 1 - s, t = 1 - t;
+        const V on_face = a + (b - a) * static_cast<long double>(s) + (c - a) * static_cast<long double>(t);
+        const double radius = std::exp(random.real(-3, 0)), gap = random.real(-0.1 * radius, 0.015);
+        PlacedShape B = placed(ingot::Hull{hull.radius}, random.vector(3), orientation(random));
+        B.hull = &hull;
+        const V r = exact(B.r) + exact(B.A) * (on_face + n * static_cast<long double>(radius + gap));
+        const PlacedShape A = placed(ingot::Sphere{static_cast<scalar>(radius)}, r.cast<double>());
+        const long double height = (exact(B.A) * n).dot(exact(A.r) - exact(B.r)) - static_cast<long double>(face.offset) - exact(A.shape.size).x();
+        Manifold m{};
+        ASSERT_TRUE(collide(A, B, scalar(0.02), m));
+        ASSERT_EQ(m.count, 1) << i;
+        // What a search is content with, corners that are off the plane of their face, and roundings of the places.
+        const long double size = static_cast<long double>(hull.radius) + static_cast<long double>(radius) + 3;
+        const long double slack = static_cast<long double>(ingot::limits::nearest_accuracy) * static_cast<long double>(radius + gap) +
+                                  static_cast<long double>(ingot::limits::hull_flatness * hull.radius) + 32 * ingot::epsilon * size;
+        const long double off = std::abs(static_cast<long double>(m.points[0].separation) - height);
+        EXPECT_LE(off, slack) << i << " of radius " << radius << ", gap " << gap;
+        worst = std::max(worst, off);
+        ++over;
+    }
+    std::printf("balls over faces: %.2Lg off\n", worst);
+    EXPECT_EQ(over, draws(100000));
+}
+
 using K = ShapeKind;
 INSTANTIATE_TEST_SUITE_P(
     All, Pair,

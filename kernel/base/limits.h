@@ -110,7 +110,8 @@ inline constexpr scalar flush_share = scalar(5e-3);  ///< of the lesser bounding
 /// while it lands.
 inline constexpr scalar edge_tilt = scalar(1e-3);
 inline constexpr scalar face_tilt = scalar(0.02);
-/// Of a half extent: a side of a box that is further from a point of contact is one of it only where the direction is off by face_tilt.
+/// Of a half extent: a side of a box, or an edge of a hull, that is further from a point of contact is one of it only where the direction is off by
+/// face_tilt.
 inline constexpr scalar far_side = scalar(1) / 16;
 /// Of how deep a body and a triangle of a level overlap: what pokes into the body counts where it is out again within so much. Its direction is then
 /// within 60 degrees of the nearest.

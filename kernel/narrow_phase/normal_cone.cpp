@@ -34,23 +34,48 @@ bool hidden_by_half_space(const PlacedShape& T, const Touch& touch, const Vector
     return face.height < -flush || along < 0 || length_sq(aside) > touch.tilt * touch.tilt;
 }
 
+namespace {
+
+/// True where d, which is off the normal of a face by `aside`, leads over an edge of it that is near q, a point in its plane. As for put_on_box, d
+/// may be off by thousandths, and so little does not lead to an edge that is far from the point.
+bool leads_over_edge(const ConvexHull& hull, int face_i, const Vector& q, const Vector& aside, scalar tilt) {
+    const Vector& n = hull.faces[face_i].n;
+    bool leads = false;
+    // bound: 3 limits::hull_vertices_max - 6
+    for (int i = 0; i < hull.edge_count; ++i) {
+        const HullEdge& edge = hull.edges[i];
+        if (edge.face_left != face_i && edge.face_right != face_i) continue;
+        const HullFace& other = hull.faces[edge.face_left == face_i ? edge.face_right : edge.face_left];
+        const Vector across = other.n - n * dot(n, other.n);
+        const scalar size = sqrt(length_sq(across)), inside = other.offset - dot(other.n, q);
+        leads = leads || (dot(across, aside) > tilt * size && inside < limits::far_side * hull.inner_radius * size);
+    }
+    return leads;
+}
+
+}  // namespace
+
 void put_on_hull(const PlacedShape& s, Touch& touch) {
     const ConvexHull& hull = *s.hull;
     const Vector d = transpose_times(s.A, touch.d);
     Vector q = transpose_times(s.A, touch.p - s.r);
     const auto put = [&](const Vector& on_hull) { touch.p = s.r + s.A * on_hull; };
+    int face_i = 0;
     // bound: 2 limits::hull_vertices_max - 4
-    for (int i = 0; i < hull.face_count; ++i) {
-        const HullFace& face = hull.faces[i];
-        const scalar along = dot(face.n, d);
-        if (!(along > 0 && length_sq(d - face.n * along) <= touch.tilt * touch.tilt)) continue;
-        touch.face = true;
-        q = q - face.n * (dot(face.n, q) - face.offset);
+    for (int i = 1; i < hull.face_count; ++i)
+        if (dot(hull.faces[i].n, d) > dot(hull.faces[face_i].n, d)) face_i = i;
+    const HullFace& face = hull.faces[face_i];
+    const Vector aside = d - face.n * dot(face.n, d), below = q - face.n * (dot(face.n, q) - face.offset);
+    const scalar aside_sq = length_sq(aside), most = max(touch.tilt, limits::face_tilt);
+    touch.face = dot(face.n, d) > 0 && (aside_sq <= touch.tilt * touch.tilt ||
+                                        (aside_sq <= most * most && !leads_over_edge(hull, face_i, below, aside, touch.tilt)));
+    if (touch.face) {
+        q = below;
         // bound: 2 limits::hull_vertices_max - 4
         for (int k = 0; k < hull.face_count; ++k) {  // back over the edges of the face: exact for one of them
             const scalar beyond = dot(hull.faces[k].n, q) - hull.faces[k].offset;
-            const Vector aside = hull.faces[k].n - face.n * dot(face.n, hull.faces[k].n);
-            if (k != i && beyond > 0 && length_sq(aside) > touch.tilt * touch.tilt) q = q - aside * (beyond / length_sq(aside));
+            const Vector across = hull.faces[k].n - face.n * dot(face.n, hull.faces[k].n);
+            if (k != face_i && beyond > 0 && length_sq(across) > touch.tilt * touch.tilt) q = q - across * (beyond / length_sq(across));
         }
         return put(q);
     }
@@ -58,17 +83,21 @@ void put_on_hull(const PlacedShape& s, Touch& touch) {
     // bound: limits::hull_vertices_max
     for (int i = 1; i < hull.vertex_count; ++i)
         if (dot(hull.vertices[i], d) > dot(hull.vertices[corner], d)) corner = i;
+    Vector nearest = hull.vertices[corner];
+    scalar least = scalar_max;
     // bound: 3 limits::hull_vertices_max - 6
     for (int i = 0; i < hull.edge_count; ++i) {
         const HullEdge& edge = hull.edges[i];
         if (edge.a != corner && edge.b != corner) continue;
         const Vector &from = hull.vertices[edge.a], along = hull.vertices[edge.b] - from;
-        const scalar rise = dot(along, d), size_sq = length_sq(along);
-        if (rise * rise > touch.tilt * touch.tilt * size_sq) continue;
-        const scalar t = dot(q - from, along) / size_sq;
-        return put(from + along * (t < 0 ? scalar(0) : t > 1 ? scalar(1) : t));
+        const scalar rise = dot(along, d), size_sq = length_sq(along), t = dot(q - from, along) / size_sq;
+        const scalar from_corner = edge.a == corner ? t : 1 - t, tilt = from_corner > limits::far_side / 2 ? most : touch.tilt;
+        const Vector on = from + along * (t < 0 ? scalar(0) : t > 1 ? scalar(1) : t);
+        if (rise * rise > tilt * tilt * size_sq || !(length_sq(q - on) < least)) continue;
+        least = length_sq(q - on);
+        nearest = on;
     }
-    put(hull.vertices[corner]);
+    put(nearest);
 }
 
 namespace {
