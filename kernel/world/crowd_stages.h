@@ -145,18 +145,21 @@ template <class S, class Fast>
     }
 }
 
-/// Nothing has been pushed into what cannot move: bodies whose contact with it has a record are put back on it.
+/// Nothing has been pushed into what cannot move: bodies that may have come to it are put back on it, whether or not their contact has a record.
+/// Joints and impacts within the step take bodies where nobody expected them.
 template <class S, class Fast>
 [[gnu::cold]] void free_of_fixed(Step<S>& now, const SurfaceView& surfaces, const Fast& fast_pairs) {
     auto& storage = now.storage;
-    // bound: max_manifolds
-    for (int pair_i = 0; pair_i < storage.manifold_count; ++pair_i) {
-        const BodyPair& pair = storage.pairs[pair_i];
+    const PairList found = storage.pair_list();
+    // bound: pairs_with_own of scene.h
+    for (int pair_i = 0; pair_i < *found.count; ++pair_i) {
+        const BodyPair& pair = found.pairs[pair_i];
         const int A = pair.body_A / S::max_shapes_of_body, B = pair.body_B / S::max_shapes_of_body;
         if (!meets_fixed(now.bodies, A, B) || rests(storage, pair)) continue;
         Manifold manifold;
         scalar margin = 0;
         find_refused<ShapesOf<S>>(storage.shapes(), surfaces, storage.bounds, now.h, fast_pairs, pair, manifold, margin);
+        if (manifold.count == 0) continue;
         const scalar slack = limits::touching_gap * scale_of(S::length_unit, manifold.halvings);
         push_out(held_step(now, true), A, B, manifold.n, -least_separation(manifold) - slack);
         place_shapes_of(now, A, B);
@@ -176,9 +179,8 @@ bool has_refused(Step<S>& now) {
 /// After bodies have been moved: see hold_apart.h.
 template <class S, class Fast>
 [[gnu::noinline, gnu::cold]] void hold_refused(Step<S>& now, const SurfaceView& surfaces, const Fast& fast_pairs) {
-    if (!has_refused(now)) return;
     place_shapes(now);
-    as_kinematic_bodies_moved(now, [&] { hold_all_refused(now, surfaces, fast_pairs, true); });
+    if (has_refused(now)) as_kinematic_bodies_moved(now, [&] { hold_all_refused(now, surfaces, fast_pairs, true); });
     free_of_fixed(now, surfaces, fast_pairs);
     forget_refused(now.storage.pair_list());
 }
