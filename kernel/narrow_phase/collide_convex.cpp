@@ -244,6 +244,14 @@ void refine(const PlacedShape& A, const PlacedShape& B, scalar smallest, Search&
     }
 }
 
+/// A search that rounding ended may be off by ten-thousandths, and along that a corner metres away seems to overlap: a face may part them further.
+void look_at_all_faces(const PlacedShape& A, const PlacedShape& B, const Search& nothing, Search& rest) {
+    Search face = nothing;
+    look_at_faces(A, B, true, face);
+    look_at_faces(B, A, false, face);
+    rest.look(face.n, face.gap, axis_code(between, 0));
+}
+
 void collide_convex(const PlacedShape& A, const PlacedShape& B, scalar margin, Manifold& manifold, const Manifold* before_it) {
     const Before before = remember(before_it);
     const scalar reach = core_radius(A) + core_radius(B);
@@ -265,14 +273,7 @@ void collide_convex(const PlacedShape& A, const PlacedShape& B, scalar margin, M
         rest.look(near.n, gap_seen_along(A, B, near.n), axis_code(between, 0));
         if (rest.gap - reach > margin) return no_points(rest.n, manifold);
         apart = rest.gap > 0 && rest.gap >= near.distance - limits::nearest_direction * smallest;
-        // A search that rounding ended may be off by ten-thousandths, and along that a corner metres away seems to overlap: a face may part them
-        // further.
-        if (apart && reach > 0 && rest.gap < near.distance * (1 - limits::nearest_accuracy)) {
-            Search face = nothing;
-            look_at_faces(A, B, true, face);
-            look_at_faces(B, A, false, face);
-            rest.look(face.n, face.gap, axis_code(between, 0));
-        }
+        if (apart && reach > 0 && rest.gap < near.distance * (1 - limits::nearest_accuracy)) look_at_all_faces(A, B, nothing, rest);
         if (apart && reach > 0 && !cylinder) return void(touch(A, B, rest, margin, before, smallest, false, manifold));
     }
     Search faces = nothing, faces_A = nothing, faces_B = nothing;
