@@ -196,7 +196,7 @@ private:
 template <class S>
 void expect_halls_hold(bool has_room) {
     int full = 0, deep = 0, without_room = 0, left_in = 0;
-    for (int draw = 0; draw < ingot_reference::draws(144); ++draw) {
+    for (int draw = 0; draw < ingot_reference::draws(80); ++draw) {
         Shot<S> shot(static_cast<uint64_t>(draw));
         const double begin = shot.energy(), most = 0.1 * (std::abs(begin) + shot.fall());
         const double slack = 64 * static_cast<double>(ingot::epsilon) * half_hall;
@@ -225,7 +225,7 @@ void expect_halls_hold(bool has_room) {
     if (has_room) {
         EXPECT_GT(deep, 0);
     } else {
-        EXPECT_GT(2 * full, ingot_reference::draws(144));
+        EXPECT_GT(2 * full, ingot_reference::draws(80));
         EXPECT_LE(left_in, 1 + without_room / 1000) << "of " << without_room;
     }
 }
