@@ -79,6 +79,56 @@ TEST(Gears, rotors_share_what_one_is_struck_by) {
     }
 }
 
+/// Two rotors that have turned for a while are coupled where they are: none is turned by that, and from there on the one goes its ratio of what the
+/// other goes, as often as they are coupled and let go.
+TEST(Gears, couple_from_where_joints_are) {
+    RandomInput random(3);
+    for (int run_i = 0; run_i < ingot_reference::draws(60); ++run_i) {
+        const auto world = std::make_unique<GearedWorld>();
+        const double r = (random.integer(0, 1) * 2 - 1) * std::exp(random.real(-1.5, 1.5)), rate = rates[random.integer(0, 4)];
+        const bool slides = run_i % 3 == 0;
+        const ingot::BodyId A = add_rotor(*world, random.real(1, 5), {0.5, 0.4, 0.1}, {0, 0, 0}), B = add_rotor(*world, 2, {0.2, 0.3, 0.1}, {3, 0, 0});
+        const ingot::JointId at_A = join(*world, ingot::HingeJoint{}, {}, A, {0, 0, 0}, {0, 0, 1});
+        const ingot::JointId at_B = slides ? join(*world, ingot::SliderJoint{}, {}, B, {3, 0, 0}, {0, 0, 1})
+                                           : join(*world, ingot::HingeJoint{}, {}, B, {3, 0, 0}, {0, 0, 1});
+        const auto place = [&](ingot::BodyId id) {  // about z, or along it
+            const ingot::BodyState state = world->state(id).value;
+            return slides && id == B ? static_cast<double>(state.r_CM.z) : std::atan2(static_cast<double>(state.A.c0.y), static_cast<double>(state.A.c0.x));
+        };
+        const auto step_on = [&](int steps) {
+            for (int step_i = 0; step_i < steps; ++step_i) ASSERT_TRUE(ingot::step(*world, static_cast<scalar>(1 / rate)).clean()) << run_i;
+        };
+        for (int times = 0; times < 3; ++times) {
+            const auto angular = [&] { return Vector{0, 0, static_cast<scalar>(random.real(-3, 3))}; };
+            ASSERT_EQ(world->apply_angular_impulse(A, angular()), Status::ok);
+            if (slides) {
+                ASSERT_EQ(world->apply_impulse(B, {0, 0, static_cast<scalar>(random.real(-1, 1))}, world->state(B).value.r_CM), Status::ok);
+            } else {
+                ASSERT_EQ(world->apply_angular_impulse(B, angular()), Status::ok);
+            }
+            step_on(random.integer(1, 20));
+            const double begin[2] = {place(A), place(B)};
+            const auto gear = world->add_gear(at_A, at_B, static_cast<scalar>(r));
+            ASSERT_TRUE(gear.ok());
+            EXPECT_EQ(world->joint_gap(gear.value).value, 0) << run_i;
+            double turned[2] = {};
+            double before[2] = {begin[0], begin[1]};
+            for (int step_i = 0; step_i < 12; ++step_i) {
+                step_on(1);
+                const ingot::BodyId of[2] = {A, B};
+                for (int i = 0; i < 2; ++i) {
+                    const double now = place(of[i]), way = now - before[i];
+                    turned[i] += slides && i == 1 ? way : std::remainder(way, 2 * 3.14159265358979);
+                    before[i] = now;
+                }
+                const double rounding = 64 * eps * (1 + std::abs(r)) * (4 + std::abs(turned[0]) + std::abs(turned[1])) + held;
+                ASSERT_LE(std::abs(turned[1] - r * turned[0]), rounding * std::max(1.0, std::abs(r))) << run_i << ", time " << times << ", step " << step_i;
+            }
+            ASSERT_EQ(world->remove(gear.value), Status::ok);
+        }
+    }
+}
+
 /// A thousand turns of the faster, and more: the phase is as good as in the first.
 TEST(Gears, do_not_slip) {
     for (const double r : {-1.0 / 3, 17.0 / 31, 7.3, -40.0}) {
