@@ -87,13 +87,15 @@ TEST(Gears, couple_from_where_joints_are) {
         const auto world = std::make_unique<GearedWorld>();
         const double r = (random.integer(0, 1) * 2 - 1) * std::exp(random.real(-1.5, 1.5)), rate = rates[random.integer(0, 4)];
         const bool slides = run_i % 3 == 0;
-        const ingot::BodyId A = add_rotor(*world, random.real(1, 5), {0.5, 0.4, 0.1}, {0, 0, 0}), B = add_rotor(*world, 2, {0.2, 0.3, 0.1}, {3, 0, 0});
+        const ingot::BodyId A = add_rotor(*world, random.real(1, 5), {0.5, 0.4, 0.1}, {0, 0, 0});
+        const ingot::BodyId B = add_rotor(*world, 2, {0.2, 0.3, 0.1}, {3, 0, 0});
         const ingot::JointId at_A = join(*world, ingot::HingeJoint{}, {}, A, {0, 0, 0}, {0, 0, 1});
         const ingot::JointId at_B = slides ? join(*world, ingot::SliderJoint{}, {}, B, {3, 0, 0}, {0, 0, 1})
                                            : join(*world, ingot::HingeJoint{}, {}, B, {3, 0, 0}, {0, 0, 1});
         const auto place = [&](ingot::BodyId id) {  // about z, or along it
             const ingot::BodyState state = world->state(id).value;
-            return slides && id == B ? static_cast<double>(state.r_CM.z) : std::atan2(static_cast<double>(state.A.c0.y), static_cast<double>(state.A.c0.x));
+            if (slides && id == B) return static_cast<double>(state.r_CM.z);
+            return std::atan2(static_cast<double>(state.A.c0.y), static_cast<double>(state.A.c0.x));
         };
         const auto step_on = [&](int steps) {
             for (int step_i = 0; step_i < steps; ++step_i) ASSERT_TRUE(ingot::step(*world, static_cast<scalar>(1 / rate)).clean()) << run_i;
@@ -122,7 +124,8 @@ TEST(Gears, couple_from_where_joints_are) {
                     before[i] = now;
                 }
                 const double rounding = 64 * eps * (1 + std::abs(r)) * (4 + std::abs(turned[0]) + std::abs(turned[1])) + held;
-                ASSERT_LE(std::abs(turned[1] - r * turned[0]), rounding * std::max(1.0, std::abs(r))) << run_i << ", time " << times << ", step " << step_i;
+                const double off = std::abs(turned[1] - r * turned[0]);
+                ASSERT_LE(off, rounding * std::max(1.0, std::abs(r))) << run_i << ", time " << times << ", step " << step_i;
             }
             ASSERT_EQ(world->remove(gear.value), Status::ok);
         }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Two balls on a rod or a rope, both of which move: the way of each is known in closed form. Their centre flies as one body. About it they go straight
-// until the rope is as long as it can be; that takes the speed along it, as an impact that does not bounce; from there on they go in a circle, at the
-// speed that is left.
+// Two balls on a rod or a rope, both of which move: the way of each is known in closed form. Their centre flies as one body. About it they go
+// straight until the rope is as long as it can be; that takes the speed along it, as an impact that does not bounce; from there on they go in a
+// circle, at the speed that is left.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -113,7 +113,7 @@ BuiltPair add_pair(OnTiesWorld& world, const TwoBalls& two) {
 /// How often the substeps of a pair that turns by so much in each are halved: see limits::turn_of_doublings.
 int doublings_of(double turn_of_substep) {
     int doublings = 0;
-    while (doublings < ingot::limits::doublings_max && turn_of_substep > static_cast<double>(ingot::limits::turn_of_doublings[doublings])) ++doublings;
+    for (const scalar turn : ingot::limits::turn_of_doublings) doublings += turn_of_substep > static_cast<double>(turn) ? 1 : 0;
     return doublings;
 }
 
@@ -124,7 +124,8 @@ TEST(PairsOnTies, go_in_a_circle_about_their_centre) {
     RandomInput random(1);
     int halved = 0, taut = 0;
     for (int run_i = 0; run_i < ingot_reference::draws(80); ++run_i) {
-        const double rate = rates[random.integer(0, 4)], h = static_cast<double>(static_cast<scalar>(1 / rate)), substep = h / OnTies::effort.substeps;
+        const double rate = rates[random.integer(0, 4)], h = static_cast<double>(static_cast<scalar>(1 / rate));
+        const double substep = h / OnTies::effort.substeps;
         const auto world = std::make_unique<OnTiesWorld>();
         const Vector3d weight = run_i % 2 == 0 ? Vector3d::Zero() : Vector3d(0, 0, -g);
         ASSERT_EQ(world->set_gravity(to_vector(weight)), Status::ok);
@@ -159,9 +160,10 @@ TEST(PairsOnTies, go_in_a_circle_about_their_centre) {
                     continue;
                 }
                 // Doublings are of the step after: the first goes as it comes.
-                const double angle = two.rate() * (t - from), first = std::min(angle, 2 * two.rate() * h), cut = turn / (1 << doublings_of(turn * 0.98));
+                const double angle = two.rate() * (t - from), first = std::min(angle, 2 * two.rate() * h);
+                const double cut = turn / (1 << doublings_of(turn * 0.98));
                 const double late = (angle - first) * (cut * cut / 6) * 1.1 + first * std::min(1.0, turn * turn / 6 * 1.1) + (two.is_rope ? turn : 0);
-                EXPECT_LE((apart - d).norm(), two.length * std::min(2.0, late) + 4 * roundings) << run_i << ", pair " << i << ": " << turn << " rad a substep";
+                EXPECT_LE((apart - d).norm(), two.length * std::min(2.0, late) + 4 * roundings) << run_i << ", pair " << i << ": " << turn << " rad";
                 if (t < from + 2 * h || doublings_of(turn * 0.98) != doublings_of(turn * 1.02)) continue;
                 // It is the speed along the last chord, half of a turn from the circle. The force is the mean of a step, along which it turns.
                 EXPECT_NEAR(speed.norm(), fast * (1 + cut * cut / 8), fast * (cut * cut * cut * cut / 8 + 64 * eps * step_i) + roundings * rate)
@@ -178,8 +180,8 @@ TEST(PairsOnTies, go_in_a_circle_about_their_centre) {
     EXPECT_GT(taut, ingot_reference::draws(80));
 }
 
-/// A pair that goes in a circle on a rope, one of which is struck towards the other, or across: the rope lets go at once, or stays taut. Who is let go
-/// flies straight.
+/// A pair that goes in a circle on a rope, one of which is struck towards the other, or across: the rope lets go at once, or stays taut. Who is let
+/// go flies straight.
 TEST(PairsOnTies, that_are_struck_together_are_let_go) {
     RandomInput random(4);
     int let_go = 0, held_on = 0;
@@ -201,8 +203,8 @@ TEST(PairsOnTies, that_are_struck_together_are_let_go) {
         const Vector3d n = apart().normalized() * (struck == 0 ? 1 : -1);  // from who is struck to the other
         const Vector3d across = n.cross(random.direction()).normalized();
         const double blow = fast * random.real(0.5, 3);
-        ASSERT_EQ(world->apply_impulse(built.balls[struck], to_vector(Vector3d((together ? n : across) * (blow * two.M[struck]))), state(struck).r_CM),
-                  Status::ok);
+        const Vector j = to_vector(Vector3d((together ? n : across) * (blow * two.M[struck])));
+        ASSERT_EQ(world->apply_impulse(built.balls[struck], j, state(struck).r_CM), Status::ok);
         const Vector3d from = apart(), u = speed();
         // In a step it gets no further than half-way through the other side, and in the next the rope may be at its end again.
         const double size = from.norm() + two.r[0].norm() + two.v[0].norm() * 20 * h + u.norm() * h + 2;
@@ -222,18 +224,20 @@ TEST(PairsOnTies, that_are_struck_together_are_let_go) {
 }
 
 /// A light ball between two heavy ones on rods, which are held taut by their turn about the middle: plucked along the axis it swings as a string
-/// does, at a frequency that is known. A substep is late by a 24th part of the square of its turn of that: so much of the angle, and so much less where
-/// the pull is such that substeps are halved. Whichever of two is A of a rod.
+/// does, at a frequency that is known. A substep is late by a 24th part of the square of its turn of that: so much of the angle, and so much less
+/// where the pull is such that substeps are halved. Whichever of two is A of a rod.
 TEST(StringsOfTies, swing_at_their_frequency) {
     RandomInput random(3);
     int halved[4] = {};
     for (int run_i = 0; run_i < ingot_reference::draws(160); ++run_i) {
-        const double rate = rates[random.integer(0, 4)], h = static_cast<double>(static_cast<scalar>(1 / rate)), substep = h / OnTies::effort.substeps;
+        const double rate = rates[random.integer(0, 4)], h = static_cast<double>(static_cast<scalar>(1 / rate));
+        const double substep = h / OnTies::effort.substeps;
         const auto world = std::make_unique<OnTiesWorld>();
         ASSERT_EQ(world->set_gravity({}), Status::ok);
-        const double m = std::exp(random.real(0, 2)), M = m * std::exp(random.real(std::log(100.0), std::log(3000.0))), L = std::exp(random.real(std::log(0.2), std::log(5.0)));
+        const auto even = [&random](double low, double high) { return std::exp(random.real(std::log(low), std::log(high))); };  // in its logarithm
+        const double m = even(1, 7), M = m * even(100, 3000), L = even(0.2, 5);
         // rad, by which it swings in a substep, squared: omega^2 = 2 T / L (1 / m + 1 / (2 M)), where T = M w^2 L
-        const double tight = std::exp(random.real(std::log(0.02), std::log(12.0))), omega = std::sqrt(tight) / substep;
+        const double tight = even(0.02, 12), omega = std::sqrt(tight) / substep;
         const double w = omega / std::sqrt(2 * M * (1 / m + 0.5 / M));
         const double a = 0.03 * L * std::sqrt(m / M);  // so little that it does not draw in the heavy ones
         const Eigen::Matrix3d R = random.rotation();
@@ -259,7 +263,7 @@ TEST(StringsOfTies, swing_at_their_frequency) {
         }
         // One rod alone turns the light ball back by half of that; a pull that is a tenth short of a limit counts for less.
         int doublings = 0;
-        while (doublings < ingot::limits::doublings_max && 0.45 * tight > static_cast<double>(ingot::limits::tension_of_doublings[doublings])) ++doublings;
+        for (const scalar tension : ingot::limits::tension_of_doublings) doublings += 0.45 * tight > static_cast<double>(tension) ? 1 : 0;
         ++halved[doublings];
         const double cut_sq = tight / (1 << 2 * doublings);
         const int steps = std::min(200, static_cast<int>(std::ceil(20 / (omega * h))));

@@ -202,7 +202,8 @@ TEST(TriangleParts, the_nearest_of_a_level_is_found_from_afar) {
             // About it, and as far on the other side of where its numbers begin.
             const V about_it = seen(ground.view.middle()), other = exact(def.r) * 2 - about_it;
             const V p = exact(rounded((query % 2 == 0 ? other : about_it) + direction(random) * about(random, 1, 300)));
-            const Real distance = distance_from(p), rounding = 64 * static_cast<Real>(ingot::epsilon) * (p.norm() + exact(def.r).norm() + middle.norm());
+            const Real distance = distance_from(p);
+            const Real rounding = 64 * static_cast<Real>(ingot::epsilon) * (p.norm() + exact(def.r).norm() + middle.norm());
             const auto near = world.find_nearest(rounded(p), 2000);
             ASSERT_TRUE(near.ok() && near.value.found()) << draw << ": " << static_cast<double>(distance) << " m away";
             EXPECT_LE(std::abs(std::abs(static_cast<Real>(near.value.distance)) - distance), rounding) << draw;
@@ -216,6 +217,151 @@ TEST(TriangleParts, the_nearest_of_a_level_is_found_from_afar) {
     }
     EXPECT_GT(found, 100);
     EXPECT_GT(on_other_side, 30);
+}
+
+/// Four corners that make a solid, of blades and needles too, with its faces outward.
+struct Solid {
+    Ground ground;
+    V corners[4];
+    static constexpr int faces[4][3] = {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}};
+
+    V normal(int i) const { return (corners[faces[i][1]] - corners[faces[i][0]]).cross(corners[faces[i][2]] - corners[faces[i][0]]).normalized(); }
+    bool has(const V& p) const {
+        bool inside = true;
+        for (int i = 0; i < 4; ++i) inside = inside && normal(i).dot(p - corners[faces[i][0]]) < 0;
+        return inside;
+    }
+    V nearest_of(int i, const V& p) const {
+        const V n = normal(i), c[3] = {corners[faces[i][0]], corners[faces[i][1]], corners[faces[i][2]]};
+        bool over = true;
+        V best = c[0];
+        for (int k = 0; k < 3; ++k) {
+            const V along = c[(k + 1) % 3] - c[k];
+            over = over && n.cross(along).dot(p - c[k]) >= 0;
+            const V q = c[k] + along * std::min(Real(1), std::max(Real(0), along.dot(p - c[k]) / along.squaredNorm()));
+            if ((q - p).norm() < (best - p).norm()) best = q;
+        }
+        return over ? V(p - n * n.dot(p - c[0])) : best;
+    }
+    V nearest(const V& p) const {
+        V best = corners[0];
+        for (int i = 0; i < 4; ++i)
+            if ((nearest_of(i, p) - p).norm() < (best - p).norm()) best = nearest_of(i, p);
+        return best;
+    }
+    /// Whether another place of it is as near, to a rounding: on the other side of a blade, it may be.
+    bool is_as_near_elsewhere(const V& p, Real rounding) const {
+        const V q = nearest(p);
+        bool is = false;
+        for (int i = 0; i < 4; ++i) {
+            const V other = nearest_of(i, p);
+            is = is || ((other - q).norm() > 1e-12L && (other - p).norm() - (q - p).norm() < rounding);
+        }
+        return is;
+    }
+};
+Solid drawn_solid(Random& random) {
+    for (;;) {
+        const int extent[3] = {between(random, 100, 1000), between(random, 100, 1000), between(random, 30, 300)};
+        Soup soup;
+        Solid solid;
+        for (V& corner : solid.corners) {
+            soup.points.push_back(lattice_point(between(random, 0, extent[0]), between(random, 0, extent[1]), between(random, 0, extent[2])));
+            const auto& p = soup.points.back();
+            corner = V(p.x, p.y, p.z) / 256;
+        }
+        const V across = (solid.corners[1] - solid.corners[0]).cross(solid.corners[2] - solid.corners[0]);
+        const Real height = across.norm() > 0 ? across.normalized().dot(solid.corners[3] - solid.corners[0]) : 0;
+        if (std::abs(height) < 0.05L || across.norm() < 0.05L) continue;
+        if (height > 0) {
+            std::swap(solid.corners[0], solid.corners[1]);
+            std::swap(soup.points[0], soup.points[1]);
+        }
+        for (const auto& face : Solid::faces) soup.faces.push_back({face[0], face[1], face[2], 0});
+        take_mesh(soup, 1.0 / 256, solid.ground);
+        return solid;
+    }
+}
+
+/// Of a closed level who is outside is before its nearest point, and who is inside is behind it: at ridges and corners however sharp, where faces
+/// have one nearest point, and some of them have behind them who is outside.
+TEST(ClosedLevels, have_an_inside_and_an_outside) {
+    int inside = 0, outside = 0, at_ridges = 0;
+    for (int draw = 0; draw < ingot_reference::draws(2000); ++draw) {
+        Random random(static_cast<uint64_t>(9500 + draw));
+        const Solid solid = drawn_solid(random);
+        auto& world = empty_world<OnLevel>();
+        OnLevel::levels[0] = solid.ground.view;
+        ASSERT_TRUE(world.add_level({}).ok());
+        for (int query = 0; query < 12; ++query) {
+            const int a = between(random, 0, 3), b = (a + between(random, 1, 3)) % 4;
+            const V on_edge = solid.corners[a] + (solid.corners[b] - solid.corners[a]) * static_cast<Real>(within(random, 0, 1));
+            const V within_it = (solid.corners[0] + solid.corners[1] + solid.corners[2] + solid.corners[3]) / 4;
+            const V p = exact(rounded(query % 4 == 0 ? V(on_edge + (within_it - on_edge) * static_cast<Real>(within(random, 0, 1)))
+                                                     : V(on_edge + direction(random) * about(random, 0.02, 2))));
+            const V q = solid.nearest(p);
+            const Real distance = (p - q).norm(), rounding = 64 * static_cast<Real>(ingot::epsilon) * 8;
+            if (distance < 1e-3L || solid.is_as_near_elsewhere(p, rounding)) continue;
+            const auto near = world.find_nearest(rounded(p), 100);
+            ASSERT_TRUE(near.ok() && near.value.found());
+            const Real due = solid.has(p) ? -distance : distance;
+            ASSERT_LE(std::abs(static_cast<Real>(near.value.distance) - due), rounding) << draw << ", " << query << ": " << static_cast<double>(due);
+            // Its normal leads from the point of the surface that it names to p, or away from it.
+            ASSERT_LE((exact(near.value.P) + exact(near.value.n) * static_cast<Real>(near.value.distance) - p).norm(), rounding * 4) << draw;
+            ASSERT_LE(std::abs(exact(near.value.n).norm() - 1), 8 * static_cast<Real>(ingot::epsilon));
+            int sides = 0;
+            for (int i = 0; i < 4; ++i) {
+                const V c = solid.corners[Solid::faces[i][0]];
+                sides += std::abs(solid.normal(i).dot(q - c)) < rounding ? (solid.normal(i).dot(p - c) > 0 ? 1 : 16) : 0;
+            }
+            at_ridges += sides > 16 && sides % 16 != 0 && !solid.has(p) ? 1 : 0;
+            ++(solid.has(p) ? inside : outside);
+        }
+    }
+    EXPECT_GT(inside, ingot_reference::draws(500));
+    EXPECT_GT(outside, ingot_reference::draws(5000));
+    EXPECT_GT(at_ridges, ingot_reference::draws(500));
+}
+
+/// A shape that is moved out of a level, from deep below it, meets nothing on its way: no triangle is met from behind.
+TEST(ClosedLevels, let_out_what_comes_from_behind) {
+    int cast = 0;
+    for (int draw = 0; draw < ingot_reference::draws(400); ++draw) {
+        Random random(static_cast<uint64_t>(9600 + draw));
+        Ground ground;
+        Soup soup = terrain(random, 12, 256, [&](int, int) { return 2000 + between(random, 0, 60); });
+        take_mesh(soup, 1.0 / 256, ground);
+        auto& world = empty_world<OnLevel>();
+        OnLevel::levels[0] = ground.view;
+        ASSERT_TRUE(world.add_level({}).ok());
+        for (int query = 0; query < 8; ++query) {
+            const double x = within(random, 3, 9), y = within(random, 3, 9);
+            const auto size = static_cast<scalar>(within(random, 0.05, 0.5));
+            const BodyDef body = goer(random, static_cast<Goer>(between(random, 0, goers_count - 1)), size, 0);
+            const ingot::PlacedShape shape = {body.shape, {static_cast<scalar>(x), static_cast<scalar>(y), scalar(1)}, any_rotation(random),
+                                              body.shape.kind == ingot::ShapeKind::hull ? Slab::hulls : nullptr};
+            // Steeper than any triangle, whose slope is no more than 60 / 256 either way.
+            const Vector way = {static_cast<scalar>(within(random, -1, 1)), static_cast<scalar>(within(random, -1, 1)),
+                                static_cast<scalar>(within(random, 8, 20))};
+            const auto up = world.cast_shape(shape, way);
+            ASSERT_TRUE(up.ok());
+            EXPECT_FALSE(up.value.found()) << draw << ", " << query;
+            // And on the last of its way, from just below a ground of 8 m and less.
+            const ingot::PlacedShape pebble = {ingot::Sphere{scalar(0.05)}, {shape.r.x, shape.r.y, scalar(7.4)}, shape.A, nullptr};
+            const auto last = world.cast_shape(pebble, {0, 0, static_cast<scalar>(within(random, 0.5, 0.95))});
+            ASSERT_TRUE(last.ok());
+            EXPECT_FALSE(last.value.found()) << draw << ", " << query;
+            ingot::PlacedShape above = shape;
+            above.r = shape.r + way;
+            if (above.r.z > 11) {
+                const auto down = world.cast_shape(above, -way);
+                ASSERT_TRUE(down.ok());
+                EXPECT_TRUE(down.value.found()) << draw << ", " << query;
+                ++cast;
+            }
+        }
+    }
+    EXPECT_GT(cast, ingot_reference::draws(400));
 }
 
 }  // namespace

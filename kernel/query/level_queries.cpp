@@ -42,15 +42,35 @@ bool overlaps_level(const PlacedShape& shape, const PlacedShape& level, const Le
     return overlaps;
 }
 
+namespace {
+
+/// Of triangles that have one nearest point to p, the one that says on which side of them p is: at an edge the one that faces p most. At a corner it
+/// is one of the two at the edge that leads most towards p: others may face it more, and have it behind them though it is outside.
+struct FacingTriangle {
+    Vector p_on, n;  ///< m; unit, away from the ground
+    scalar lead;     ///< m, of the way to p along that edge: none but at a corner, where it is 0 or below
+    scalar facing;   ///< m, of p above the triangle or below it
+    bool behind;
+};
+
+FacingTriangle facing_of(const TriangleFace& face, const TriangleTouch& touch, const Vector& away, scalar distance) {
+    const int i = touch.i;
+    const scalar along = touch.part == TrianglePart::corner ? max(dot(away, face.along[i]), -dot(away, face.along[i == 0 ? 2 : i - 1])) : scalar(0);
+    const scalar height = dot(face.n, away);
+    const bool behind = height < 0, rounded = distance > 0 && touch.part != TrianglePart::inside;
+    return {touch.p, rounded ? away * ((behind ? scalar(-1) : scalar(1)) / distance) : face.n, min(along, scalar(0)), abs(height), behind};
+}
+
+}  // namespace
+
 void point_on_level(const PlacedShape& point, const PlacedShape& level, const LevelTable& table, scalar within, Manifold& manifold) {
     const LevelFrame frame(level, table);
     const Vector p = frame.seen(point).r, half = half_extents_of(table), off = p - table.middle();
     const Vector beyond = {max(abs(off.x) - half.x, scalar(0)), max(abs(off.y) - half.y, scalar(0)), max(abs(off.z) - half.z, scalar(0))};
     const scalar to_box = sqrt(length_sq(beyond)), everything = to_box + 2 * sqrt(length_sq(half)) + table.step;
     const scalar most = min(within, everything);
-    Vector nearest{}, n{};
-    scalar least = -1, sine = 0;
-    bool behind = false;
+    FacingTriangle nearest{};
+    scalar least = -1;
     // bound: 2 log2 of a table's extent in steps, 16: each turn doubles it
     for (scalar reach = min(to_box + table.step, most);; reach = min(2 * reach, most)) {
         const Vector box = {reach, reach, reach};
@@ -59,22 +79,18 @@ void point_on_level(const PlacedShape& point, const PlacedShape& level, const Le
             if (!face_of_triangle(triangle, face)) return;
             const TriangleTouch touch = nearest_on_triangle(face, p, 0);
             const Vector away = p - touch.p;
-            const scalar distance = sqrt(length_sq(away)), height = dot(face.n, away);
-            // Of triangles that share the nearest point the one that faces it most says on which side it is.
-            const bool nearer = least < 0 || distance < least;
-            const bool as_near = !nearer && distance <= least * (1 + 4 * epsilon);
-            if (!nearer && !(as_near && abs(height) > sine)) return;
-            if (nearer) least = distance;
-            nearest = touch.p;
-            sine = abs(height);
-            behind = height < 0;
-            n = distance > 0 && touch.part != TrianglePart::inside ? away * ((behind ? scalar(-1) : scalar(1)) / distance) : face.n;
+            const scalar distance = sqrt(length_sq(away)), rounding = 8 * epsilon * (abs(p.x) + abs(p.y) + abs(p.z) + distance);
+            if (least >= 0 && distance > least + rounding) return;
+            const FacingTriangle now = facing_of(face, touch, away, distance);
+            const bool nearer = least < 0 || distance < least - rounding, leads = now.lead > nearest.lead + rounding;
+            least = least < 0 ? distance : min(least, distance);
+            if (nearer || leads || (now.lead >= nearest.lead - rounding && now.facing > nearest.facing)) nearest = now;
         });
         if ((least >= 0 && least <= reach) || !(reach < most)) break;
     }
     if (least < 0 || least > within) return no_points({}, manifold);
-    const scalar separation = behind ? -least : least;
-    one_point(level.A * n, frame.place(nearest + n * (separation / 2)), separation, 0, manifold);
+    const scalar separation = nearest.behind ? -least : least;
+    one_point(level.A * nearest.n, frame.place(nearest.p_on + nearest.n * (separation / 2)), separation, 0, manifold);
 }
 
 } }  // namespace ingot
