@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which islands are solved directly: those in which a body carries more than limits::direct_mass_ratio of its own mass, whatever the masses are, and
-// beside whatever.
+// Which islands are solved directly: those in which a body carries more than limits::direct_mass_ratio of its own mass, or is so much heavier than
+// what it touches, whatever the masses are, and beside whatever.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,12 +26,15 @@ PlacedBody cube(double kg, double half, double x, double z) {
     return solid_box(static_cast<scalar>(kg), {side, side, side}, {static_cast<scalar>(x), 0, static_cast<scalar>(z)}, scalar(0.6));
 }
 
-/// Cubes on each other. Which of them bears most of its own mass, and how much: all that is above it.
+/// Cubes on each other. How much one of them bears of its own mass, which is all that is above it; or two that touch have of each other's.
 struct Tower {
     std::vector<double> M;  ///< kg, from below
     double ratio() const {
         double most = 0, above = 0;
-        for (std::size_t i = M.size(); i-- > 0; above += M[i]) most = std::max(most, above / M[i]);
+        for (std::size_t i = M.size(); i-- > 0; above += M[i]) {
+            most = std::max(most, above / M[i]);
+            if (i > 0) most = std::max({most, M[i] / M[i - 1], M[i - 1] / M[i]});
+        }
         return most;
     }
 };
@@ -45,7 +48,8 @@ Tower drawn_tower(RandomInput& random) {
         const std::size_t light = static_cast<std::size_t>(random.integer(0, static_cast<int>(tower.M.size()) - 2));
         double above = 0;
         for (std::size_t i = light + 1; i < tower.M.size(); ++i) above += tower.M[i];
-        tower.M[light] = above / (static_cast<double>(ingot::limits::direct_mass_ratio) * std::exp(random.real(-1, 1) * (random.integer(0, 1) == 0 ? 0.7 : 0.05)));
+        const double spread = random.integer(0, 1) == 0 ? 0.7 : 0.05;
+        tower.M[light] = above / (static_cast<double>(ingot::limits::direct_mass_ratio) * std::exp(random.real(-spread, spread)));
         const double off = tower.ratio() / static_cast<double>(ingot::limits::direct_mass_ratio);
         if (std::abs(off - 1) > 0.001 && off < 3 && above < 1e5) return tower;
     }
