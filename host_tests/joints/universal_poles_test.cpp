@@ -145,7 +145,8 @@ TYPED_TEST(UniversalPoles, give_no_energy_to_what_has_no_weight) {
 
 /// As of all figures that fall: see joint_energy_test.
 TYPED_TEST(UniversalPoles, give_no_energy_to_what_swings) {
-    for (int run_i = 0; run_i < ingot_reference::draws(200); ++run_i) {
+    const int runs = ingot_reference::draws(200), apart = std::max(1, 200 / runs);  // few are spread over all
+    for (int run_i = 0; run_i < runs * apart; run_i += apart) {
         RandomInput random(static_cast<uint64_t>(run_i));
         const auto world = std::make_unique<ingot::World<TypeParam>>();
         ASSERT_TRUE(weigh(*world));
