@@ -108,6 +108,44 @@ TEST(WorkBudget, is_kept_by_bounces) {
     expect_kept_by_bounces<Scarce<ingot::HybridIslands<>, 6>>(14);
 }
 
+/// A row of balls with small gaps that bounce, which is one island: each impact that goes through it looks at all contacts for the next, so it is told
+/// as a sweep at least. A row that is longer has more of them, and no more than there is work for.
+struct Row : ingot::Scene {
+    static constexpr int max_bodies = 12, max_manifolds = 24;
+    static constexpr int work_budget = 60 * max_manifolds;
+    static constexpr bool translates = true;
+    using shapes = ingot::Shapes<ingot::Sphere>;
+};
+TEST(WorkBudget, of_impacts_is_told_as_sweeps) {
+    RandomInput random(21);
+    int waves = 0;
+    for (int case_i = 0; case_i < ingot_reference::draws(120); ++case_i) {
+        const auto world = std::make_unique<ingot::World<Row>>();
+        ASSERT_EQ(world->set_gravity({}), ingot::Status::ok);
+        const int count = random.integer(4, 12);
+        double x = 0;
+        for (int i = 0; i < count; ++i) {
+            ingot::BodyDef def;
+            def.shape = ingot::Sphere{scalar(0.1)};
+            def.mass = ingot::principal(ingot::solid_sphere(static_cast<scalar>(random.real(500, 2000)), scalar(0.1))).value;
+            def.restitution = static_cast<scalar>(random.real(0.5, 1));
+            def.state.r_CM = {static_cast<scalar>(x), 0, 0};
+            def.state.v_CM = {i == 0 ? static_cast<scalar>(random.real(1, 4)) : scalar(0), 0, 0};
+            x += 0.2 + random.real(1e-4, 2e-3);
+            ASSERT_TRUE(world->add(def).ok());
+        }
+        int waves_of_row = 0;
+        for (int step_i = 0; step_i < 6; ++step_i) {
+            const StepReport report = ingot::step(*world, scalar(1) / static_cast<scalar>(rates[case_i % 4]));
+            EXPECT_GE(report.sweeps, report.impact_waves) << case_i << ", step " << step_i;
+            EXPECT_LE(report.sweeps * manifolds_of(*world), Row::work_budget) << case_i << ", step " << step_i;
+            waves_of_row += report.impact_waves;
+        }
+        waves += waves_of_row > 4 ? 1 : 0;
+    }
+    EXPECT_GT(waves, ingot_reference::draws(120) / 2);
+}
+
 /// The same bits as without, step by step.
 template <class Without, class With>
 void expect_same_with_plenty(unsigned seed) {
