@@ -108,8 +108,8 @@ TEST(WorkBudget, is_kept_by_bounces) {
     expect_kept_by_bounces<Scarce<ingot::HybridIslands<>, 6>>(14);
 }
 
-/// A row of balls with small gaps that bounce, which is one island: each impact that goes through it looks at all contacts for the next, so it is told
-/// as a sweep at least. A row that is longer has more of them, and no more than there is work for.
+/// A row of balls with small gaps that bounce, which is one island: each impact that goes through it looks at all contacts for the next, so it is
+/// told as a sweep at least; and there are no more than there is work for.
 struct Row : ingot::Scene {
     static constexpr int max_bodies = 12, max_manifolds = 24;
     static constexpr int work_budget = 60 * max_manifolds;
