@@ -139,9 +139,13 @@ TEST(TimeOfImpact, is_when_the_shapes_meet_and_never_later) {
     for (int i = 0; i < 400; ++i) {
         const double from_A = i % 3 == 0 ? random.real(0, 0.5) : 0, from_B = i % 3 == 1 ? random.real(0, 0.5) : 0, begin = std::max(from_A, from_B);
         const Shape A = any_shape(random), B = any_shape(random);
-        const BodyPath path_A = any_path(random, from_A, 1);
-        BodyPath path_B = any_path(random, from_B, -1);
+        BodyPath path_A = any_path(random, from_A, 1), path_B = any_path(random, from_B, -1);
         if (i % 10 == 9) path_B.r_CM.y += 6;  // well beside it
+        if (i % 4 == 3) {                     // each is drawn towards the other, or away from it
+            const scalar pull = i % 8 == 3 ? scalar(1) : scalar(-1);
+            path_A.fall.x -= pull;
+            path_B.fall.x += pull;
+        }
         const auto gap = [&](double t) { return gap_at(path_A, A, path_B, B, t); };
         // Both move and turn by less than `speed` in a step, so between two looks the gap changes by no more than speed / looks.
         constexpr int looks = 200;
