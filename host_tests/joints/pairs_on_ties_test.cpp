@@ -72,8 +72,9 @@ TwoBalls drawn_pair(RandomInput& random, double rate_max, bool is_rope) {
     TwoBalls two;
     two.is_rope = is_rope;
     two.g = random.integer(0, 1) == 0 ? Vector3d::Zero() : Vector3d(0, 0, -g);
-    for (double& M : two.M) M = std::exp(random.real(0, std::log(100.0)));
-    two.length = random.real(0.3, 2);
+    const double scale = std::exp(random.real(-6, 0));  // kg, of the lighter
+    for (double& M : two.M) M = scale * std::exp(random.real(0, std::log(100.0)));
+    two.length = std::exp(random.real(std::log(0.02), std::log(2.0)));
     two.r[0] = random.vector(2);
     const Vector3d n = random.direction(), across = n.cross(random.direction()).normalized();
     two.r[1] = two.r[0] + n * (is_rope ? two.length * random.real(0.5, 0.9) : two.length);
