@@ -45,7 +45,8 @@ TEST(ExactReach, is_the_same_by_the_tree_as_without) {
         }
         ASSERT_TRUE(ingot::step(*all, scalar(1) / 60).clean() && ingot::step(*tree, scalar(1) / 60).clean());  // it plants the tree
         for (int query_i = 0; query_i < 40; ++query_i) {
-            const Vector from = to_vector(Eigen::Vector3d(random.integer(0, 1) == 0 ? far_place(random) : Eigen::Vector3d(middle + random.vector(10))));
+            const Eigen::Vector3d near_by = middle + random.vector(10), anywhere = far_place(random);
+            const Vector from = to_vector(query_i % 2 == 0 ? anywhere : near_by);
             const QueryNearest nearest = all->find_nearest(from, 5000).value;
             ASSERT_TRUE(nearest.found());
             for (int steps = -3; steps <= 3; ++steps) {
