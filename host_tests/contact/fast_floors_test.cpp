@@ -30,7 +30,7 @@ struct Tiled : ingot::Scene {
 };
 using World = ingot::World<Tiled>;
 
-constexpr double g = 9.81, eps = static_cast<double>(ingot::epsilon);
+constexpr double eps = static_cast<double>(ingot::epsilon);
 
 /// Tiles of all lengths, 0.1 to 1 m, along x, of one height; or a half space.
 void add_floor(World& world, RandomInput& random, bool tiled, double e) {
