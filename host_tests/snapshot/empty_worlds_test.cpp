@@ -151,4 +151,39 @@ TEST(EmptyWorlds, have_no_bytes_for_what_is_not_named) {
     EXPECT_GE(kept, printed + 9 * sizeof(scalar));
 }
 
+struct Jointed : Flyers {
+    static constexpr int max_joints = 8;
+    using joints = ingot::Joints<ingot::BallJoint>;
+};
+struct Geared : Flyers {
+    static constexpr int max_joints = 8, max_loops = 4;
+    using joints = ingot::Joints<ingot::BallJoint, ingot::HingeJoint, ingot::GearJoint>;
+};
+
+/// Nor has a joint of a scene without gears the numbers of one.
+TEST(EmptyWorlds, have_no_bytes_for_gears_that_are_not_named) {
+    const auto size_of = [](auto& world, int joints) {
+        RandomInput random(1);
+        for (int i = 0; i < 8; ++i) {
+            ingot::JointDef def;
+            def.body_B = add_body(world, random, i);
+            def.joint = ingot::BallJoint{};
+            def.P = world.state(def.body_B).value.r_CM;
+            if (i < joints) {
+                EXPECT_TRUE(world.add_joint(def).ok());
+            }
+        }
+        return saved(world).size();
+    };
+    const auto bytes_of_joint = [&](auto of) {
+        using World = decltype(of);
+        const auto few = std::make_unique<World>(), more = std::make_unique<World>();
+        return (size_of(*more, 7) - size_of(*few, 2)) / 5;
+    };
+    const size_t plain = bytes_of_joint(ingot::World<Jointed>{}), geared = bytes_of_joint(ingot::World<Geared>{});
+    // Two frames of three vectors, an impulse, and who it is; a gear has a ratio, and a place and a way of both of its joints beside.
+    EXPECT_LE(plain, 21 * sizeof(scalar) + 24);
+    EXPECT_GE(geared, plain + 5 * sizeof(scalar));
+}
+
 }  // namespace
