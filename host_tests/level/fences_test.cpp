@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Bodies across fences: thin walls, roofs and blades whose tops are within them. Wherever a contact is told to be, there is the body, and there is the
-// ground.
+// Bodies across fences: thin walls, roofs and blades whose tops are within them. Wherever a contact is told to be, there is the body, and there is
+// the ground.
 #include <gtest/gtest.h>
 
 #include <cmath>
