@@ -189,4 +189,40 @@ TEST(BadFigures, by_each_way_out) {
             }
 }
 
+/// A pair that flies out of the world along any axis, either way: who is beyond limits::position_max freezes within it, as a lone body does, and a
+/// snapshot says so.
+TEST(BadFigures, beyond_the_largest_place) {
+    for (int axis = 0; axis < 3; ++axis)
+        for (const scalar way : {scalar(-1), scalar(1)}) {
+            const auto world = std::make_unique<WildWorld>(), loaded = std::make_unique<WildWorld>();
+            const auto along = [&](scalar x) { return axis == 0 ? Vector{x, 0, 0} : axis == 1 ? Vector{0, x, 0} : Vector{0, 0, x}; };
+            std::vector<ingot::BodyId> bodies;
+            for (int i = 0; i < 2; ++i) {
+                ingot::BodyDef def;
+                def.mass = {1, {1, 1, 1}, {}, ingot::identity_matrix<scalar>()};
+                def.state.r_CM = along(way * limits::position_max);
+                def.state.v_CM = along(way * limits::speed_max);
+                bodies.push_back(world->add(def).value);
+            }
+            ingot::JointDef def;
+            def.body_A = bodies[0];
+            def.body_B = bodies[1];
+            def.joint = ingot::BallJoint{};
+            def.P = along(way * limits::position_max);
+            ASSERT_TRUE(world->add_joint(def).ok());
+            // In float a step may be less than the rounding of such a place.
+            int frozen = 0;
+            for (int step_i = 0; step_i < 60 && frozen == 0; ++step_i) frozen = ingot::step(*world, limits::step_max).bodies_frozen;
+            EXPECT_EQ(frozen, 2) << axis << ", " << way;
+            for (const ingot::BodyId id : bodies) {
+                const ingot::BodyState state = world->state(id).value;
+                EXPECT_LE(std::abs(dot(state.r_CM, along(way))), limits::position_max);
+            }
+            std::vector<uint8_t> bytes(ingot::snapshot_size<Wild>());
+            const auto size = ingot::save_snapshot(*world, bytes.data(), bytes.size());
+            ASSERT_TRUE(size.ok());
+            EXPECT_EQ(ingot::load_snapshot(*loaded, bytes.data(), size.value), Status::ok) << axis << ", " << way;
+        }
+}
+
 }  // namespace

@@ -112,7 +112,9 @@ void ask_of_loops(const FigureView& view, const LoopView& loops, scalar h, int b
 /// False for what has gone bad, too: it stays where it was, and freezes.
 bool is_in_range(const Vector& r, const Matrix& A, const Vector& v, const Vector& w) {
     const scalar most = limits::speed_runaway;
-    return is_finite(r) && is_finite(A) && abs(v.x) <= most && abs(v.y) <= most && abs(v.z) <= most && is_within_runaway(w);
+    const scalar far = limits::position_max;
+    if (!(abs(r.x) <= far && abs(r.y) <= far && abs(r.z) <= far)) return false;
+    return is_finite(A) && abs(v.x) <= most && abs(v.y) <= most && abs(v.z) <= most && is_within_runaway(w);
 }
 
 template <unsigned width, class Kinds>
