@@ -20,18 +20,23 @@ inline constexpr scalar tension_of_doublings[doublings_max] = {scalar(0.5), 2, 8
 inline constexpr scalar turn_of_doublings[doublings_max] = {scalar(0.25), scalar(0.5), 1};  ///< rad, of a body in a whole substep
 /// Of the compliance that two bodies would have without joints: where these leave a contact less, it is rounding, and nothing is solved there.
 inline constexpr scalar held_compliance = 64 * epsilon;
-/// Of the energy of a figure, by its targets of a substep: they are left out beyond. Less of scenes with ties, against which no inertia is added, and
-/// of machines that touch nothing and have no drives: with 1.5, 14 of 1000 rings gained more with each substep, and came apart. What carries a load,
-/// or is driven, needs its targets: with 1.02 a bridge under boxes opened by 0.1 m, and an engine's crank lagged by a third of its way.
+/// The same of a figure whose loops are far from a dead point, over the root of the least pivot of their rows.
+inline constexpr scalar looped_compliance = 16 * epsilon;
+/// Of the energy of a figure, by its targets of a substep: they are left out beyond. Less of machines, against which no inertia is added: with 1.5,
+/// 14 of 1000 rings gained more with each substep, and came apart. What is driven needs its targets: with 1.02 an engine's crank lagged by a third of
+/// its way.
 inline constexpr scalar target_gain = scalar(1.5), target_gain_of_machines = scalar(1.02);
 /// Of the rows of a figure that close its loops: of four hinges, say. More would be solved in the cube of their number.
 inline constexpr int loop_rows_max = 24;
 /// Of the compliance that a row which closes a loop would have if its bodies had no joints: what gives way by less, once the rows before it hold, is
 /// left out. With less, rows that say the same as others would be solved by their roundings; with more, what is nearly straight comes apart.
-inline constexpr scalar loop_compliance = INGOT_DOUBLE ? scalar(1e-10) : scalar(1e-6);
+inline constexpr scalar loop_compliance = INGOT_DOUBLE ? scalar(1e-10) : scalar(4e-6);
+/// What gives way by less than this of it is near a dead point: targets of second order are given up. See fit_taut_machines.
+inline constexpr scalar taut_compliance = scalar(1e-4);
 /// The same of the free direction of a joint, without the loops: what they leave of it is a difference of sums.
 inline constexpr scalar row_compliance = 16 * loop_compliance;
 inline constexpr scalar loop_gap = INGOT_DOUBLE ? scalar(5e-10) : scalar(2e-5);  ///< m, rad; joint_gap of figures with loops
+inline constexpr scalar taut_gap = 4 * loop_compliance;  ///< of an arm; rad; a push leaves half of a way, and the row still gives way
 inline constexpr scalar parted_gap = scalar(1e-3);       ///< m, rad, that pushes leave of a figure with loops: what asks for more cannot be
 inline constexpr scalar push_turn = scalar(0.1);         ///< rad, of any body by one push of a figure with loops, or by those of contacts
 inline constexpr scalar throw_speed = 4 * push_speed_max;  ///< m/s, of any body of a figure by pushes of contacts: levers make more of them

@@ -35,18 +35,17 @@ INGOT_INLINE LaneTwist answer_back(const JointedBlock& block, const LaneWrench& 
 
 /// As ResponseOf, with sums of compliance through the figures.
 ///
-/// Joints may leave a point no way to go along a row, and sums of roundings in the place of its compliance. So a row counts as compliant by
-/// limits::held_compliance of what its bodies would answer without joints, at least.
+/// Joints may leave a point no way to go along a row, and sums of roundings in the place of its compliance. So a row counts as compliant by a share
+/// of what its bodies would answer without joints, at least: SideResponse::joined.
 struct JointedResponse : Response {
     const JointedBlock* block;
 
     INGOT_INLINE lane compliance(const Levers& row, const Vec3<lane>& d, const Levers& other, const Vec3<lane>& d_other, lane linear) const {
         const lane K = compliance_of({d, load(row.J_A)}, {-d, load(row.J_B)}, {d_other, load(other.J_A)}, {-d_other, load(other.J_B)});
-        return &row == &other ? max(K, splat<lane>(limits::held_compliance) * Response::compliance(row, d, other, d_other, linear)) : K;
+        return &row == &other ? max(K, rounding() * Response::compliance(row, d, other, d_other, linear)) : K;
     }
     INGOT_INLINE lane turn_compliance(const Vec3<lane>& k_A, const Vec3<lane>& k_B, const Vec3<lane>& axis, const Vec3<lane>& other) const {
-        return max(turn_coupling(k_A, k_B, axis, other),
-                   splat<lane>(limits::held_compliance) * Response::turn_compliance(k_A, k_B, axis, other));
+        return max(turn_coupling(k_A, k_B, axis, other), rounding() * Response::turn_compliance(k_A, k_B, axis, other));
     }
     INGOT_INLINE lane turn_coupling(const Vec3<lane>&, const Vec3<lane>&, const Vec3<lane>& axis, const Vec3<lane>& other) const {
         const Vec3<lane> none{};
@@ -56,10 +55,11 @@ struct JointedResponse : Response {
     INGOT_INLINE mask held_fast(const Vec3<lane>& P, const Vec3<lane>& d) const {
         const LaneWrench on_A = {d, cross(P - A.r_CM, d)}, on_B = {-d, cross(d, P - B.r_CM)};
         const lane free = inv_M + dot(A.spin_of(on_A.T), on_A.T) + dot(B.spin_of(on_B.T), on_B.T);
-        return compliance_of(on_A, on_B, on_A, on_B) < splat<lane>(limits::held_compliance) * free;
+        return compliance_of(on_A, on_B, on_A, on_B) < rounding() * free;
     }
 
 private:
+    INGOT_INLINE lane rounding() const { return max(load(block->A.joined), load(block->B.joined)); }
     INGOT_INLINE lane compliance_of(const LaneWrench& on_A, const LaneWrench& on_B, const LaneWrench& other_A, const LaneWrench& other_B) const {
         LaneTwist of_A = answer_of(block->A, other_A), of_B = answer_of(block->B, other_B);
         if (block->some_across) {

@@ -18,7 +18,7 @@ namespace ingot { inline namespace INGOT_ABI {
 struct SideResponse {
     LaneRow vv[6], wv[9], ww[6];
     LaneRow I[6];    ///< kg m^2, world: what turns a change of omega into one of L
-    LaneRow joined;  ///< 1: a body of a figure; 0: a free one, or what cannot move
+    LaneRow joined;  ///< of a body of a figure, by what share of what it would answer without joints rounding is all that it does; 0: it has none
 };
 
 /// Beside a block whose manifolds have a body with joints.

@@ -1,11 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "prepare_responses.h"
 
+#include "../base/figure_limits.h"
 #include "../figure/respond_figures.h"
+#include "../math/sqrt.h"
 
 namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
+
+scalar share_of_rounding(const FigureView&, const NoLoops&, Index) { return limits::held_compliance; }
+/// What loops take from a response is a square of X, whose rounding grows as the root of the least pivot falls.
+scalar share_of_rounding(const FigureView& view, const LoopView& loops, Index node_i) {
+    const LoopFigure* const of = loops.of_node(view, node_i);
+    return of == nullptr ? limits::held_compliance : max(limits::held_compliance, limits::looped_compliance / sqrt(of->least));
+}
 
 /// Of the body of one lane, from its tile or its figure.
 template <class Loops>
@@ -27,7 +36,7 @@ void write_side(const SolverView& solver, const JointedBodies& jointed, const Lo
     set_lane(side.wv, lane_i, answer.B);
     set_lane(side.vv, lane_i, answer.C);
     set_lane(side.I, lane_i, I);
-    side.joined[lane_i] = joined ? 1 : 0;
+    side.joined[lane_i] = joined ? share_of_rounding(jointed.figures, loops, jointed.node_of[body_i]) : 0;
 }
 
 void write_across(JointedBlock& block, int lane_i, const Across& across) {

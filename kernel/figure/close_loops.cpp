@@ -105,6 +105,19 @@ void aim_loops(const FigureView& view, const LoopView& loops, const LoopFigure& 
     });
 }
 
+void fit_loops(const FigureView& view, const LoopView& loops, const LoopFigure& of, scalar h) {
+    for_loop_joints(loops, of, [&](LoopJoint& loop) {
+        if (locks_nothing(loop) || loop.kind == JointKind::target) return;
+        if (loop.kind == JointKind::gear) return aim_gear(view, loops, loop, false, h);
+        const LoopSides sides = sides_of(view, loop, h);
+        if (!has_length(loop.kind)) return set_targets(loop, back_of_motion(loop.kind, sides, false, h) * (1 / h));
+        Vector moved;
+        (void)sides_after(sides, sides.now(), false, h, moved);
+        const scalar reeled = loop.length - loops.ties[loop.joint].length_at(view.elapsed, view.h);
+        loop.target[0] = (reeled - dot(loop.direction[0], moved)) / h;
+    });
+}
+
 scalar aim_pushes(const FigureView& view, const LoopView& loops, const LoopFigure& of) {
     const scalar per_unit_sq = 1 / (view.unit * view.unit);
     scalar most = 0;

@@ -12,6 +12,8 @@ void aim_loops(const FigureView& view, const LoopView& loops, const LoopFigure& 
 /// The same of where they are now, for a push. Returns the square of the largest, rad or units of length.
 scalar aim_pushes(const FigureView& view, const LoopView& loops, const LoopFigure& of);
 
+/// Speeds that fit each joint where it is, whatever gap it has: what is reeled in goes on. After aim_loops.
+void fit_loops(const FigureView& view, const LoopView& loops, const LoopFigure& of, scalar h);
 /// They are left as they move.
 void leave_out_targets(const LoopView& loops, const LoopFigure& of);
 /// m/s, with which a machine is driven at most, by what moves as it is told and by what is reeled in. After aim_loops.

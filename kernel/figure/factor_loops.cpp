@@ -241,13 +241,15 @@ struct Triangle {
 };
 
 /// L of C = L L^T, the row first that gives way most by what the others have left it. Returns how many there are until none gives way any more.
-int factor_triangle(const Triangle& C, scalar* free, uint8_t* order) {
+/// least: see LoopFigure.
+int factor_triangle(const Triangle& C, scalar* free, uint8_t* order, scalar& least) {
     for (int i = 0; i < C.count; ++i) order[i] = static_cast<uint8_t>(i);  // bound: limits::loop_rows_max
     for (int i = 0; i < C.count; ++i) {
         int best = i;
         for (int k = i + 1; k < C.count; ++k)  // bound: limits::loop_rows_max
             if (C.at(k, k) * free[best] > C.at(best, best) * free[k]) best = k;
         if (!(C.at(best, best) > limits::loop_compliance * free[best])) return i;
+        least = min(least, C.at(best, best) / free[best]);
         if (best != i) {
             C.exchange(i, best);
             Triangle::swap(free[i], free[best]);
@@ -306,7 +308,8 @@ void factor_loops_of(const FigureView& view, const LoopView& loops, LoopFigure& 
     uint8_t* const order = loops.order + of.first_row;
     answer_rows(view, loops, of);
     couple_rows(view, loops, of, L, free);
-    of.rank = static_cast<Index>(factor_triangle({L, of.row_count}, free, order));
+    of.least = 1;
+    of.rank = static_cast<Index>(factor_triangle({L, of.row_count}, free, order, of.least));
     drop_impulses(loops, of, order);
     for (int node_i = 0; node_i < of.node_count; ++node_i) solve_triangle(L, of, order, loops.X_of(of, node_i));  // bound: max_bodies
 }

@@ -72,6 +72,15 @@ void leave_out_biases(const FigureRows<width, Kinds>& rows, M gains, M is_far) {
     }
 }
 
+/// Of lanes that are flagged.
+template <unsigned width, class Kinds>
+void fit_biases(const FigureRows<width, Kinds>& rows, const scalar (&flags)[lanes]) {
+    scalar of_rows[width];
+    for (int lane_i = 0; lane_i < static_cast<int>(width); ++lane_i) of_rows[lane_i] = flags[lane_i];  // bound: lanes
+    const auto fits = rows.all.get(of_rows) > T_of_width<width>{};
+    if (any(fits)) leave_out_biases(rows, fits, fits);
+}
+
 template <unsigned width, class Kinds>
 void pass_alone(const FigureRows<width, Kinds>& rows) {
     clear_impulses(rows);
@@ -116,6 +125,15 @@ auto doubtful_lanes(const FigureRows<width, Kinds>& rows, const LoopView& loops,
     return either(rows.all.get(flags) > T{}, far_lanes(rows, h));
 }
 
+/// Lanes whose figures are no machines.
+template <unsigned width, class Kinds>
+auto lanes_of_trees(const FigureRows<width, Kinds>& rows, const LoopView& loops) {
+    scalar flags[width];
+    for (scalar& flag : flags) flag = 1;
+    for_looped(rows, loops, [&](const LoopFigure& of, int lane_i) { flags[lane_i] = of.row_count > 0 ? 0 : 1; });
+    return rows.all.get(flags) > T_of_width<width>{};
+}
+
 /// The energies of a figure, and its mass, stand in FigureRow::drive of its root until the solve begins: a machine gains or not as a whole.
 template <unsigned width, class Kinds>
 void note_energies(const FigureRows<width, Kinds>& rows) {
@@ -137,8 +155,8 @@ inline void allow_driven_speed(const FigureView& view, const LoopFigure& of, sca
     });
 }
 
-/// The same of scenes with loops.
-inline void hold_back_targets(const FigureView& view, const LoopView& loops, scalar h, scalar gain) {
+/// What targets make of the energies of all that is doubtful, by a way up and down.
+inline void measure_targets(const FigureView& view, const LoopView& loops, scalar h) {
     for_groups(view, [&](const auto& rows) {
         if (any(doubtful_lanes(rows, loops, h))) pass_alone(rows);
     });
@@ -153,12 +171,44 @@ inline void hold_back_targets(const FigureView& view, const LoopView& loops, sca
         if (of.row_count == 0) return;  // servos alone: its figures are by themselves
         share_energies(view, of);
         if (loops.ties != nullptr) allow_driven_speed(view, of, driven_speed(view, loops, of));
+        for_figures_of(view, of, [](const auto& rows, const auto& at) { rows[0].drive[2][at.lane_i] = 0; });  // no gap is closed by a target
     });
+}
+template <unsigned width, class Kinds>
+auto gaining_lanes(const FigureRows<width, Kinds>& rows, const LoopView& loops, scalar h, scalar gain) {
+    const auto of = read(rows.all, rows[0].drive);
+    return both(doubtful_lanes(rows, loops, h), gaining_lanes(rows, {of.x, of.y}, of.z, h, gain));
+}
+
+/// Machines near a dead point, as a chain is that is drawn taut, have a second way to where targets of second order want them: through it, to its
+/// mirror image. And there the rounding of a gap, over a substep, is a speed that takes a large impulse. So these get velocities that fit their joints
+/// as they are, which takes energy alone, and pushes take back the gaps; and so do machines of which targets would take more energy than there is.
+/// True where there is one. After measure_targets.
+inline bool fit_taut_machines(const FigureView& view, const LoopView& loops, scalar h, scalar gain) {
+    const auto is_taut = [&](const LoopFigure& of, const Vector& energies) {
+        return of.row_count > 0 && (of.least < limits::taut_compliance || energies.y > energies.x * gain);
+    };
+    bool some = false;
     for_groups(view, [&](const auto& rows) {
-        const auto doubtful = doubtful_lanes(rows, loops, h);
-        if (!any(doubtful)) return;
-        const auto of = read(rows.all, rows[0].drive);
-        const auto gains = both(doubtful, gaining_lanes(rows, {of.x, of.y}, of.z, h, gain));
+        scalar flags[lanes]{};
+        for_looped(rows, loops, [&](const LoopFigure& of, int lane_i) {
+            flags[lane_i] = is_taut(of, read(rows.one(lane_i), rows[0].drive)) ? 1 : 0;
+            some = some || flags[lane_i] > 0;
+        });
+        fit_biases(rows, flags);
+    });
+    if (!some) return false;
+    for_looped_figures(view, loops, [&](const LoopFigure& of) {
+        const auto energies = [](const auto& rows, const auto& at, int) { return read(at, rows[0].drive); };
+        if (is_taut(of, at_node(view, of.first_node, energies))) fit_loops(view, loops, of, h);
+    });
+    return true;
+}
+
+/// The same as hold_back_targets of trees, of scenes with loops. After measure_targets.
+inline void hold_back_targets(const FigureView& view, const LoopView& loops, scalar h, scalar gain) {
+    for_groups(view, [&](const auto& rows) {
+        const auto gains = gaining_lanes(rows, loops, h, gain);
         if (!any(gains)) return;
         leave_out_biases(rows, gains, far_lanes(rows, h));
         for_looped(rows, loops, [&](const LoopFigure& of_loops, int lane_i) {
@@ -264,15 +314,6 @@ void share_targets(const FigureRows<width, Kinds>& rows, scalar h, M alone) {
     const T most = allowed_energy(rows, energies.before, mass, h, 1 + limits::figure_gain_allowed);
     const auto gains = both(alone, energies.after > most);
     if (any(gains)) share_up_to(rows, gains, energies.after, most);
-}
-
-/// Lanes whose figures are no machines.
-template <unsigned width, class Kinds>
-auto lanes_of_trees(const FigureRows<width, Kinds>& rows, const LoopView& loops) {
-    scalar flags[width];
-    for (scalar& flag : flags) flag = 1;
-    for_looped(rows, loops, [&](const LoopFigure& of, int lane_i) { flags[lane_i] = of.row_count > 0 ? 0 : 1; });
-    return rows.all.get(flags) > T_of_width<width>{};
 }
 
 /// The same of scenes with loops. Machines have limits::target_gain_of_machines alone.

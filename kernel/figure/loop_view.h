@@ -81,6 +81,7 @@ struct LoopFigure {
     Index first_joint;     ///< no_loop: none
     Index row_count;
     Index rank;            ///< of its rows, how many are independent
+    scalar least;          ///< of what a row would give way without joints, the least that one does, once those before it hold; 1: has none
     bool was_apart;        ///< in some substep of the batch pushes have left a gap: with more substeps there is less to push
     bool is_settled;       ///< none of its ropes has come to its end, or was let go, since the substep was solved last
     bool in_solve;         ///< in contact: the sweeps at hand began with its island

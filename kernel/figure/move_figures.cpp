@@ -134,10 +134,16 @@ void begin_solve(const FigureView& view, const NoLoops&, scalar h) { begin_solve
 
 namespace {
 
-void aim_machines(const FigureView& view, const LoopView& loops, scalar h, scalar gain) {
+void aim(const FigureView& view, const LoopView& loops, scalar h) {
     for_groups(view, [h](const auto& rows) { aim_joints(rows, h); });
     for_looped_figures(view, loops, [&](const LoopFigure& of) { aim_loops(view, loops, of, h); });
     share_targets(view, loops, h);
+    measure_targets(view, loops, h);
+}
+
+void aim_machines(const FigureView& view, const LoopView& loops, scalar h, scalar gain) {
+    aim(view, loops, h);
+    if (fit_taut_machines(view, loops, h, gain)) measure_targets(view, loops, h);
     hold_back_targets(view, loops, h, gain);
     if (loops.targets != nullptr) for_looped_figures(view, loops, [&](const LoopFigure& of) { aim_targets(view, loops, of, h); });
     clear_solve(view);
@@ -146,7 +152,7 @@ void aim_machines(const FigureView& view, const LoopView& loops, scalar h, scala
 }  // namespace
 
 void begin_solve(const FigureView& view, const LoopView& loops, scalar h) {
-    aim_machines(view, loops, h, loops.ties == nullptr ? limits::target_gain : limits::target_gain_of_machines);
+    aim_machines(view, loops, h, limits::target_gain_of_machines);
 }
 void begin_flight_solve(const FigureView& view, const NoLoops& loops, scalar h, bool) { begin_solve(view, loops, h); }
 void begin_flight_solve(const FigureView& view, const NoLoopsOfHinges&, scalar h, bool) { begin_solve_of_trees<HingesAlone>(view, h); }

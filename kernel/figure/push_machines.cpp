@@ -10,14 +10,25 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
-/// How far a figure's joints may be off without a push: those with loops less.
+/// Units of length or rad, squared: how far a machine may be off where a row is left out, or nearly is. If what is taut was pushed straight in each
+/// substep, no solve would see that it gives way, and what velocities lack would gather.
+scalar allowed_of_taut(const FigureView& view, const LoopView& loops, const LoopFigure& of) {
+    scalar most_sq = 0;
+    for_loop_joints(loops, of, [&](const LoopJoint& loop) { most_sq = max(most_sq, length_sq(loop.arm)); });
+    return most_sq * (limits::taut_gap * limits::taut_gap / (view.unit * view.unit));
+}
+
+/// How far a figure's joints may be off without a push, squared: those with loops less. The first push is given to all but what is taut.
 template <unsigned width, class Kinds>
-auto allowed_of(const FigureRows<width, Kinds>& rows, const LoopView& loops) {
+auto allowed_of(const FigureRows<width, Kinds>& rows, const LoopView& loops, bool again) {
     using T = typename AllLanes<width>::T;
     scalar allowed[width];
-    rows.all.put(allowed, splat<T>(limits::joint_gap * limits::joint_gap));
+    rows.all.put(allowed, splat<T>(again ? limits::joint_gap * limits::joint_gap : scalar(-1)));
     for_looped(rows, loops, [&](const LoopFigure& of, int lane_i) {
-        if (of.row_count > 0) allowed[lane_i] = limits::loop_gap * limits::loop_gap;
+        if (of.row_count == 0) return;
+        if (again) allowed[lane_i] = limits::loop_gap * limits::loop_gap;
+        if (of.least < limits::taut_compliance)
+            allowed[lane_i] = max(allowed[lane_i], allowed_of_taut(rows.view, loops, of));
     });
     return rows.all.get(allowed);
 }
@@ -28,7 +39,7 @@ template <unsigned width, class Kinds>
 bool begin_push(const FigureRows<width, Kinds>& rows, const LoopView& loops, bool again) {
     using T = typename AllLanes<width>::T;
     const T most = rows.all.get(note_of(rows, noted_gap));
-    const auto off = both(most > (again ? allowed_of(rows, loops) : splat<T>(scalar(-1))), most < rows.all.get(note_of(rows, noted_before)));
+    const auto off = both(most > allowed_of(rows, loops, again), most < rows.all.get(note_of(rows, noted_before)));
     rows.all.put(note_of(rows, noted_turn), select(off, T{}, splat<T>(scalar(-1))));
     if (!any(off)) return false;
     rows.all.put(note_of(rows, noted_before), most);
