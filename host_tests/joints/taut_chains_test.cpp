@@ -83,8 +83,8 @@ void add_chain(ingot::World<S>& world, RandomInput& random, const Chain& chain, 
 /// m, by which a row that is left out lets things fall in a step, before pushes lift them again.
 double fallen(double rate) { return g / (rate * rate); }
 
-/// In double rows are seen that give way by 1e-10, to which a substep comes from far: solved with contacts, chains at a dead point are straightened by
-/// pushes alone then, which leave what a substep lets fall. To be better.
+/// In double rows are seen that give way by 1e-10, to which a substep comes from far: solved with contacts, chains at a dead point are straightened
+/// by pushes alone then, which leave what a substep lets fall. To be better.
 template <class S>
 constexpr bool is_pushed_straight = INGOT_DOUBLE && S::max_manifolds > 0;
 

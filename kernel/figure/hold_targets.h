@@ -181,9 +181,9 @@ auto gaining_lanes(const FigureRows<width, Kinds>& rows, const LoopView& loops, 
 }
 
 /// Machines near a dead point, as a chain is that is drawn taut, have a second way to where targets of second order want them: through it, to its
-/// mirror image. And there the rounding of a gap, over a substep, is a speed that takes a large impulse. So these get velocities that fit their joints
-/// as they are, which takes energy alone, and pushes take back the gaps; and so do machines of which targets would take more energy than there is.
-/// True where there is one. After measure_targets.
+/// mirror image. And there the rounding of a gap, over a substep, is a speed that takes a large impulse. So these get velocities that fit their
+/// joints as they are, which takes energy alone, and pushes take back the gaps; and so do machines of which targets would take more energy than
+/// there is. True where there is one. After measure_targets.
 inline bool fit_taut_machines(const FigureView& view, const LoopView& loops, scalar h, scalar gain) {
     const auto is_taut = [&](const LoopFigure& of, const Vector& energies) {
         return of.row_count > 0 && (of.least < limits::taut_compliance || energies.y > energies.x * gain);
