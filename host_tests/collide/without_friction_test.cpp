@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "joints/figure.h"
 #include "reference/kernel_types.h"
 #include "reference/random_input.h"
 
@@ -77,7 +78,7 @@ TEST(WithoutFriction, boxes_touch_walls_with_the_corners_that_are_level) {
         const Vector3d half(random.real(0.2, 1), random.real(0.2, 1), random.real(0.2, 1));
         const double margin = flatness * half.norm();
         // Turned off the level by some margins at most, or at all.
-        const Eigen::Matrix3d level = Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), wall.n).toRotationMatrix();
+        const Eigen::Matrix3d level = ingot_figures::least_turn(Vector3d::UnitZ(), wall.n).toRotationMatrix();
         const Vector3d tilt = random.vector(case_i % 4 == 0 ? 0.5 : 2 * flatness);
         const Eigen::Matrix3d A = level * Eigen::AngleAxisd(tilt.norm(), tilt.normalized()).toRotationMatrix();
         double lowest = 0;

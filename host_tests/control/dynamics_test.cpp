@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "control/read_figure.h"
+#include "joints/figure.h"
 
 namespace {
 
@@ -216,7 +217,7 @@ TEST(Dynamics, effective_inertia_is_above_zero_however_bodies_are_put) {
         ASSERT_TRUE(world->add_joint(joint).ok());
         // The turn that takes axis_B to where axis is, but for a small one.
         const double off = run_i % 5 == 0 ? 0 : std::pow(10, random.real(-8, -2));
-        const auto turn = Eigen::Quaterniond::FromTwoVectors(axis_B, axis) * Eigen::AngleAxisd(off, axis.cross(axis_B).normalized());
+        const auto turn = ingot_figures::least_turn(axis_B, axis) * Eigen::AngleAxisd(off, axis.cross(axis_B).normalized());
         ingot::BodyState state = world->state(id).value;
         state.A = ingot_reference::to_matrix((turn * ingot_reference::to_eigen(state.A)).eval());
         ASSERT_EQ(world->set_state(id, state), Status::ok);

@@ -153,6 +153,9 @@ inline Quaterniond least_turn(const Vector3d& a, const Vector3d& b) {
     return Quaterniond(1 + a.dot(b), n.x(), n.y(), n.z()).normalized();
 }
 
+/// The rotation by an angle about a unit axis.
+inline Matrix3d turn_about(const Vector3d& axis, double angle) { return Eigen::AngleAxisd(angle, axis).toRotationMatrix(); }
+
 /// The rotation by |phi| about phi.
 inline Quaterniond rotation_by(const Vector3d& phi) {
     const double angle = phi.norm(), half = angle / 2;

@@ -10,8 +10,6 @@ namespace {
 
 const Vector3d x_axis(1, 0, 0), y_axis(0, 1, 0), z_axis(0, 0, 1);
 
-Matrix3d turn(const Vector3d& axis, double angle) { return Eigen::AngleAxisd(angle, axis).toRotationMatrix(); }
-
 /// A bar of square section between two points, body z along it.
 FigureBody bar(double M, double thickness, const Vector3d& from, const Vector3d& to) {
     FigureBody body = box(M, Vector3d(thickness / 2, thickness / 2, (to - from).norm() / 2), (from + to) / 2, along((to - from).normalized()));
@@ -34,7 +32,7 @@ FigureScene bridge(int planks, int boxes, double box_factor) {
     for (int plank_i = 0; plank_i < planks; ++plank_i) {
         const double slope = bend * (plank_i + 0.5 - planks / 2.0);
         const Vector3d e = at_angle(slope);
-        const int plank = scene.add(box(10, Vector3d(length / 2, 0.5, 0.04), place + length / 2 * e, turn(y_axis, -slope)));
+        const int plank = scene.add(box(10, Vector3d(length / 2, 0.5, 0.04), place + length / 2 * e, turn_about(y_axis, -slope)));
         scene.join(hinge(last, plank, place, y_axis));
         middles.push_back(scene.body(plank).r_CM);
         place += length * e;
@@ -87,7 +85,7 @@ FigureScene rope_over_edge(int links, double left_mass, double right_mass) {
 FigureScene door(int hinges, double lean) {
     FigureScene scene;
     scene.name = "door";
-    const Matrix3d R = turn(x_axis, lean) * turn(z_axis, 1);  // opened about its own line, which leans
+    const Matrix3d R = turn_about(x_axis, lean) * turn_about(z_axis, 1);  // opened about its own line, which leans
     FigureBody leaf = box(10, Vector3d(0.5, 0.02, 1), R * Vector3d(0.5, 0, 1), R);
     leaf.shape = FigureShape::none;
     const int body = scene.add(leaf);
@@ -151,9 +149,9 @@ FigureScene bennett_loop(double angle, double speed) {
     for (int hinge_i = 0; hinge_i < 4; ++hinge_i) {
         places.push_back(place);
         axes.push_back(R.col(2));
-        R = R * turn(z_axis, angles[hinge_i]);
+        R = R * turn_about(z_axis, angles[hinge_i]);
         place += (hinge_i % 2 == 0 ? a : b) * R.col(0);
-        R = R * turn(x_axis, hinge_i % 2 == 0 ? twist_a : twist_b);
+        R = R * turn_about(x_axis, hinge_i % 2 == 0 ? twist_a : twist_b);
     }
     int last = the_world;  // the fourth link
     for (std::size_t hinge_i = 0; hinge_i < 4; ++hinge_i) {

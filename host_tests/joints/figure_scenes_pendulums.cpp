@@ -9,8 +9,6 @@ namespace ingot_figures {
 
 namespace {
 
-Matrix3d turn(const Vector3d& axis, double angle) { return Eigen::AngleAxisd(angle, axis).toRotationMatrix(); }
-
 FigureBody pendulum_body(double M, const Vector3d& I, const Vector3d& r_CM, const Matrix3d& A) {
     FigureBody body;
     body.M = M;
@@ -26,7 +24,7 @@ FigureScene planar_pendulum(double k, double theta_0) {
     FigureScene scene;
     scene.name = "planar_pendulum";
     scene.g = {0, 0, -k};
-    const Matrix3d A = turn(Vector3d::UnitY(), theta_0);
+    const Matrix3d A = turn_about(Vector3d::UnitY(), theta_0);
     const int body = scene.add(pendulum_body(1, Vector3d(0.25, 0.25, 0.125), A * Vector3d(0, 0, -0.5), A));
     scene.join(hinge(the_world, body, Vector3d::Zero(), Vector3d::UnitY()));
     return scene;
@@ -48,7 +46,7 @@ FigureScene double_parallel_pendulum(const DoublePendulum& p) {
     scene.name = "double_parallel_pendulum";
     scene.g = {0, 0, -p.g};
     const Vector3d y = Vector3d::UnitY();
-    const Matrix3d A_1 = turn(y, p.q1), A_2 = turn(y, p.q2);
+    const Matrix3d A_1 = turn_about(y, p.q1), A_2 = turn_about(y, p.q2);
     const Vector3d knee = A_1 * Vector3d(0, 0, -p.l1), omega_1 = p.q1_rate * y, omega_2 = p.q2_rate * y;
     FigureBody first = pendulum_body(p.m1, p.I1, A_1 * Vector3d(0, 0, -p.c1), A_1);
     first.omega = omega_1;
@@ -67,7 +65,7 @@ FigureScene double_perpendicular_pendulum(const DoublePendulum& p) {
     scene.name = "double_perpendicular_pendulum";
     scene.g = {0, 0, -p.g};
     const Vector3d y = Vector3d::UnitY();
-    const Matrix3d A_1 = turn(y, p.q1), A_2 = A_1 * turn(Vector3d::UnitX(), p.q2);
+    const Matrix3d A_1 = turn_about(y, p.q1), A_2 = A_1 * turn_about(Vector3d::UnitX(), p.q2);
     const Vector3d knee = A_1 * Vector3d(0, 0, -p.l1), axis = A_1.col(0), omega_1 = p.q1_rate * y, omega_2 = omega_1 + p.q2_rate * axis;
     FigureBody first = pendulum_body(p.m1, p.I1, A_1 * Vector3d(0, 0, -p.c1), A_1);
     first.omega = omega_1;
@@ -84,7 +82,7 @@ FigureScene double_perpendicular_pendulum(const DoublePendulum& p) {
 FigureScene pendulum_with_stop(double theta_0, double stop, double restitution) {
     FigureScene scene;
     scene.name = "pendulum_with_stop";
-    const Matrix3d A = turn(Vector3d::UnitY(), theta_0);
+    const Matrix3d A = turn_about(Vector3d::UnitY(), theta_0);
     const int body = scene.add(pendulum_body(1, Vector3d(1.0 / 12, 1.0 / 12, 1.0 / 96), A * Vector3d(0, 0, -0.5), A));
     FigureJoint joint = hinge(the_world, body, Vector3d::Zero(), Vector3d::UnitY());
     (stop < theta_0 ? joint.lower : joint.upper) = stop - theta_0;
@@ -176,7 +174,7 @@ double top_precession(double spin, double tilt) {
 FigureScene heavy_top(double spin, double tilt) {
     FigureScene scene;
     scene.name = "heavy_top";
-    const Matrix3d A = turn(Vector3d::UnitY(), tilt);
+    const Matrix3d A = turn_about(Vector3d::UnitY(), tilt);
     const Vector3d axis = A.col(2);
     FigureBody plate = box(1, plate_half, top_arm * axis, A);
     plate.shape = FigureShape::none;

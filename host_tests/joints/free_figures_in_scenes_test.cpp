@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "figures.h"
+#include "joints/figure_scenes.h"
 #include "reference/draws.h"
 
 namespace {
@@ -118,7 +119,7 @@ TEST(FreeFigures, chains_fall_and_lie) {
             link.mass = ingot::principal(ingot::with_mass(ingot::solid_capsule(1, scalar(0.08), scalar(0.15)), static_cast<scalar>(M))).value;
             link.shape = ingot::Capsule{scalar(0.08), scalar(0.15)};
             link.friction = scalar(0.6);
-            link.state.A = ingot_reference::to_matrix(Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), along).toRotationMatrix());
+            link.state.A = ingot_reference::to_matrix(ingot_figures::along(along));
             link.state.r_CM = to_vector(top - 0.5 * link_i * along);
             link.state.L = to_vector(random.direction() * (0.02 * M));
             built.bodies.push_back(world->add(link).value);

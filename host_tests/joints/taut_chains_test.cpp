@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "figures.h"
+#include "joints/figure_scenes.h"
 #include "reference/draws.h"
 
 namespace {
@@ -54,7 +55,7 @@ void add_body(ingot::World<S>& world, const ingot::Shape& shape, const ingot::Ma
 
 template <class S>
 void add_chain(ingot::World<S>& world, RandomInput& random, const Chain& chain, Built& built) {
-    const Eigen::Matrix3d A = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), chain.along).toRotationMatrix();
+    const Eigen::Matrix3d A = ingot_figures::along(chain.along);
     const int kinds_of_chain = random.integer(0, 2);  // ball joints, hinges at every other, or hinges
     ingot::JointDef joint;
     joint.axis = to_vector(chain.along.cross(random.integer(0, 1) == 1 ? Eigen::Vector3d(0, 0, 1) : random.direction()).normalized().eval());
