@@ -97,7 +97,9 @@ scalar bounding_radius(const Shape& shape);
 struct ConvexHull;
 /// The least half extent of a shape; of a hull, the radius of the ball about its centre that it holds. What has no size is infinitely thick.
 /// Units: m. hull: the form of a hull; else null.
-scalar least_half_extent(const Shape& shape, const ConvexHull* hull);
+///
+/// Never inlined: where gcc sees it beside BodyShapes::hull, in one unit at -O3, it takes the null of other kinds for one that a hull may have.
+INGOT_NOINLINE scalar least_half_extent(const Shape& shape, const ConvexHull* hull);
 
 /// Errors: not_finite, bad_shape (a size outside limits::size_min .. size_max), bad_direction (a normal not of unit length),
 ///         out_of_range (an offset beyond limits::position_max).

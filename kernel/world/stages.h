@@ -332,44 +332,6 @@ void put_aside([[maybe_unused]] Step<S>& now) {
     if constexpr (S::sleeps) put_aside(now.storage);
 }
 
-/// A body that froze cannot move any more: pairs are searched for anew, without those of which neither can. The compliance of such a pair is zero.
-template <class S>
-void invalidate_frozen_bounds([[maybe_unused]] Step<S>& now) {
-    if constexpr (S::sleeps)
-        for_active(now.storage.rest_view(), [&now](int slot) {
-            // bound: max_shapes_of_body
-            for (int shape_slot = slot * S::max_shapes_of_body; shape_slot < (slot + 1) * S::max_shapes_of_body; ++shape_slot)
-                if (is_frozen(now.bodies, slot)) invalidate_bounds(now.storage.bounds, shape_slot);
-        });
-    else if constexpr (stacks<S>)
-        // bound: max_bodies max_shapes_of_body
-        for (int slot = 0; slot < now.storage.slots_used * S::max_shapes_of_body; ++slot)
-            if (is_frozen(now.bodies, slot / S::max_shapes_of_body)) invalidate_bounds(now.storage.bounds, slot);
-}
-
-/// Calls a stage for the bodies that a step may have changed: all, or the tiles of those that are active.
-template <class S, class Stage>
-INGOT_INLINE void over_active(Step<S>& now, const Stage& stage) {
-    if constexpr (S::sleeps)
-        over_active_tiles(now.bodies, now.storage.rest_view(), stage);
-    else
-        stage(now.bodies);
-}
-
-/// The forces of the step are over. Bodies that it drove out of range stand still from now on.
-template <class S>
-INGOT_INLINE void freeze_bad_bodies(Step<S>& now) {
-    if constexpr (S::rotation::as_printed || flies_in_field<S>) mark_runaway_spins(now.bodies);
-    int frozen = 0;
-    over_active(now, [&frozen](const BodyView& some) {
-        clear_forces(some);
-        if (any_bad_bodies(some)) frozen += freeze_bad_bodies(some);
-    });
-    if (frozen == 0) return;
-    count(now.report.bodies_frozen, frozen);
-    invalidate_frozen_bounds(now);
-}
-
 /// Time has passed, and queries find shapes where their bodies are now.
 template <class S>
 void finish_step(Step<S>& now) {

@@ -2,6 +2,7 @@
 // The step is the table of contents of the kernel: a line a stage, and no branch. What a stage asks of a scene stands in stages.h and schemes.h.
 #pragma once
 
+#include "freeze_stages.h"
 #include "schemes.h"
 #include "stages.h"
 

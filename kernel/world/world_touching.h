@@ -86,7 +86,8 @@ private:
                 of_points += point.j;
             }
         }
-        if (of_points > 0) sum.P = first + moved * (1 / of_points);
+        const scalar share = 1 / of_points;  // of less than a normal number there is none: any of the places is as good
+        if (of_points > 0) sum.P = share <= scalar_max ? first + moved * share : first;
         return sum;
     }
 };
