@@ -213,7 +213,7 @@ void note_passed_sensors([[maybe_unused]] const Collision& collision, [[maybe_un
             const BodyPath& path_B = path_of(collision, other, at_rest);
             collision.shapes.for_shapes(slot, [&](ShapeSlot shape_A) {
                 collision.shapes.for_shapes(other, [&](ShapeSlot shape_B) {
-                    if (!collision.sensors.has(shape_A.number, shape_B.number)) return;
+                    if (!collision.sensors.has(shape_A.number, shape_B.number) || is_companion(collision, shape_B)) return;
                     const ShapeOnPath A = shape_on_path(collision.shapes, shape_A, path), B = shape_on_path(collision.shapes, shape_B, path_B);
                     bool meet = false;
                     for_parts_on_path(collision, A, B, [&](const ShapeOnPath& part, const Vector&) {

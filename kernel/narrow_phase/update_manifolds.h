@@ -122,7 +122,11 @@ void update_manifolds(const PairUpdate<Shapes, renews, FastPairs>& update, const
             if (pair.record < refused_record) manifolds.pairs[(*manifolds.count)++] = pair;
             continue;
         }
-        const auto overlap = [&] { return shapes_overlap<Shapes>(update.bodies, update.surfaces, pair); };
+        const auto overlap = [&] {
+            if constexpr (Shapes::has(ShapeKind::level))  // one of its shapes stands for all of it
+                if (is_with_level(update.surfaces, pair) && !is_first_of_level(update.surfaces, pair)) return false;
+            return shapes_overlap<Shapes>(update.bodies, update.surfaces, pair);
+        };
         if (outcome == PairOutcome::unknown && rules.keeps(pair)) {
             if (has_record)
                 manifolds.pairs[(*manifolds.count)++] = pair;
