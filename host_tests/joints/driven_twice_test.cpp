@@ -56,8 +56,8 @@ TYPED_TEST(DrivenTwice, gains_nothing) {
             I = static_cast<double>(def.mass.I_body.x);
             id = world->add(def).value;
         }
-        // Of what a body has for a substep: 1e-2 to 1e6, and damped up to the critical. Two tuned drives are a spring of twice what each is tuned for,
-        // and without damping a quarter of a turn is as far as their poles go.
+        // Of what a body has for a substep: 1e-2 to 1e6, and damped up to the critical. Two tuned drives are a spring of twice what each is tuned
+        // for, and without damping a quarter of a turn is as far as their poles go.
         const double relative = std::pow(10, random.real(-2, 6)), damping_ratio = random.real(0, 1);
         const double k = std::min(relative * I / (h * h), static_cast<double>(ingot::limits::drive_gain_max));
         const int law = random.integer(0, 3), kind = random.integer(0, 3);
