@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <memory>
 #include <vector>
 
 #include "reference/kernel_types.h"
@@ -298,6 +299,37 @@ TYPED_TEST(Contacts, lie_between_the_surfaces) {
         }
         ASSERT_EQ(points, i % 2 == 0 ? 4 : 1);
     }
+}
+
+struct Feather : Scene {
+    static constexpr int max_bodies = 2, max_manifolds = 4;
+    static constexpr bool translates = true, reads_contacts = true;
+    using shapes = Shapes<Sphere, HalfSpace>;
+};
+
+/// What next to no weight gives is below all normal numbers, whose inverse is none: its place is told all the same.
+TEST(ReadingContacts, tell_where_next_to_nothing_presses) {
+    int below = 0;
+    for (int power = 0; power < (INGOT_DOUBLE ? 320 : 45); ++power) {
+        const auto world = std::make_unique<ingot::World<Feather>>();
+        ASSERT_EQ(world->set_gravity({0, 0, -std::pow(scalar(10), scalar(-power))}), ingot::Status::ok);
+        ingot::BodyDef ground, def;
+        ground.immovable = true;
+        ground.shape = ingot::HalfSpace{{0, 0, 1}, 0};
+        ASSERT_TRUE(world->add(ground).ok());
+        const scalar M = ingot::limits::mass_min;
+        def.mass = {M, {M / 10, M / 10, M / 10}, {}, ingot::identity_matrix<scalar>()};
+        def.shape = ingot::Sphere{scalar(0.5)};
+        def.state.r_CM = {3, 0, scalar(0.5)};
+        const auto id = world->add(def);
+        ASSERT_TRUE(id.ok());
+        for (int step_i = 0; step_i < 3; ++step_i) (void)ingot::step(*world, scalar(1) / 60);
+        const ingot::ContactSum sum = world->contact_sum(id.value).value;
+        if (!(sum.j_normal > 0)) continue;
+        below += 1 / sum.j_normal > ingot::scalar_max ? 1 : 0;
+        EXPECT_NEAR(static_cast<double>(sum.P.x), 3, 1e-3) << power;
+    }
+    EXPECT_GT(below, 0);
 }
 
 TEST(ReadingContacts, costs_memory_only_where_it_is_named) {

@@ -228,6 +228,7 @@ void aim_drive(const FigureView& view, const Rows& all, JointRow& row, scalar h)
             row.K = compliance_of(joint, all, row.along);
         row.gamma = 1 / motion.resist;
         row.lower = row.upper = pull * row.gamma;
+        share_with_tree(joint, all, row);
     });
 }
 

@@ -60,13 +60,14 @@ inline FeltByLoops felt_by_loops(const FigureView& view, const LoopView& loops, 
     return felt;
 }
 
-/// By how much a row gives way to an impulse of 1, once its loops hold, which without them gives way by K. 0: they hold it, but for rounding.
-inline scalar compliance_with_loops(const FigureView& view, const LoopView& loops, const ImpulseAlong& impulse, scalar K) {
+/// By how much a row gives way to an impulse of 1, once its loops hold, which without them gives way by K. 0: they hold it, but for rounding, which
+/// is that of the terms of K: alone.
+inline scalar compliance_with_loops(const FigureView& view, const LoopView& loops, const ImpulseAlong& impulse, scalar K, scalar alone) {
     const FeltByLoops felt = felt_by_loops(view, loops, impulse);
     if (felt.of == nullptr) return K;
     scalar left = K;
     for (int i = 0; i < felt.of->rank; ++i) left -= felt.parts[i] * felt.parts[i];  // bound: limits::loop_rows_max
-    return left > limits::row_compliance * K ? left : scalar(0);
+    return left > limits::row_compliance * alone ? left : scalar(0);
 }
 
 /// The change of a row's rate by an impulse of 1 on it: up to the parent, which answers with all of its figure, and down over the joint.
@@ -84,7 +85,7 @@ scalar compliance_of(const TreeJoint<width>& joint, const Rows& all, const Vecto
     }
     const scalar K = dot(along, free_rates(at, row, node.kind, twist_through(at, row, node.kind, of_parent, none, along) - of_parent));
     if constexpr (Rows::closes)
-        return compliance_with_loops(joint.view(), *all.loops, impulse_along(joint, along), K);
+        return compliance_with_loops(joint.view(), *all.loops, impulse_along(joint, along), K, K);
     else
         return K;
 }
@@ -140,22 +141,46 @@ inline scalar compliance_of_servo(const LoopedJoint& joint, const LoopedRowView&
     return K > limits::row_compliance * alone ? K : scalar(0);
 }
 
-/// Of a joint that closes a loop: both of its bodies answer, each to what is on either.
-inline scalar compliance_of(const LoopedJoint& joint, const LoopedRowView& all, const Vector& along) {
+/// Of a joint that closes a loop, without its loops: both of its bodies answer, each to what is on either. alone: as if there were nothing between
+/// them in the tree.
+struct CompliancesInTree {
+    scalar K, alone;
+
+    /// Of less it is seen what roundings leave: the tree holds what the row is along, by its joints or by their drives, or the loops do.
+    scalar least() const { return limits::row_compliance * alone; }
+};
+inline CompliancesInTree compliances_in_tree(const LoopedJoint& joint, const LoopedRowView& all, const ImpulseAlong& impulse) {
     const FigureView& view = joint.view();
-    const ImpulseAlong impulse = impulse_along(joint, along);
-    if (locks_nothing(joint.loop)) return compliance_of_servo(joint, all, impulse, along);
     const auto own = [&](Index node_i, const Spatial<scalar>& f) {
         return at_node(view, node_i, [&](const auto& rows, const auto& at, int row_i) {
             return dot(f, read(at, rows.response(all.responses, row_i)) * f);
         });
     };
     scalar K = own(impulse.child, impulse.row.on_child);
-    if (impulse.other != no_node) {
-        K += own(impulse.other, impulse.row.on_other);
-        K += 2 * dot(impulse.row.on_child, twist_across(view, all.responses, impulse.child, impulse.other, impulse.row.on_other));
-    }
-    return compliance_with_loops(view, joint.loops, impulse, K);
+    if (impulse.other == no_node) return {K, K};
+    K += own(impulse.other, impulse.row.on_other);
+    return {K + 2 * dot(impulse.row.on_child, twist_across(view, all.responses, impulse.child, impulse.other, impulse.row.on_other)), K};
+}
+inline scalar compliance_of(const LoopedJoint& joint, const LoopedRowView& all, const Vector& along) {
+    const ImpulseAlong impulse = impulse_along(joint, along);
+    if (locks_nothing(joint.loop)) return compliance_of_servo(joint, all, impulse, along);
+    const CompliancesInTree in_tree = compliances_in_tree(joint, all, impulse);
+    if (!(in_tree.K > in_tree.least())) return 0;
+    return compliance_with_loops(joint.view(), joint.loops, impulse, in_tree.K, in_tree.alone);
+}
+
+/// The row of a drive, beside the tree, of what is held stiffer than its compliance can be seen: as by a drive of the tree that turns the same way.
+/// Where it gives way more than that itself, it is taken for as stiff as can be seen, and visits find what it gives. Else each of the two would give
+/// all that both should, and it leaves that to the other.
+template <unsigned width, class Rows>
+void share_with_tree(const TreeJoint<width>&, const Rows&, JointRow&) {}
+inline void share_with_tree(const LoopedJoint& joint, const LoopedRowView& all, JointRow& row) {
+    if (row.K > 0 || locks_nothing(joint.loop)) return;
+    const scalar least = compliances_in_tree(joint, all, impulse_along(joint, row.along)).least();
+    if (row.gamma > least)
+        row.K = least;
+    else
+        row.j = row.j_sweep = 0;
 }
 
 } }  // namespace ingot
