@@ -13,6 +13,9 @@ enum class DriveKind : uint8_t { none, spring, tuned, motor };
 ///
 /// Torque: feedforward - stiffness (angle - target) - damping (rate - target_rate), with angle and rate as they are at the end of each substep, so
 /// that no stiffness rings or gains energy; cut at max_torque in every substep. Of a slider read force and travel.
+///
+/// A target that goes on is a sum of steps, and rounds in each: in float, the second hand of a clock is late by 0.7 rad after an hour of 60 steps a
+/// second. What has to keep time is told its target anew, by World::set_joint_target, now and then.
 struct JointDrive {
     DriveKind kind{};                ///< by which of the kinds below it was made; none: it does nothing
     scalar stiffness = 0;            ///< N m/rad, N/m, 0 to limits::drive_gain_max; tuned: Hz, 0 to limits::drive_hertz_max

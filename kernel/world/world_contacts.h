@@ -99,7 +99,8 @@ public:
 
     /// m/s, in the axes of the shape (a body's, where it has one): how the surface moves over it, as a conveyor belt does. What touches it is
     /// drawn along by friction, and comes to rest on the belt; the body itself does not move, but for what pushes back. Of a velocity only what
-    /// lies along the surface counts. Up to limits::speed_max.
+    /// lies along the surface counts. Up to limits::speed_max. In scenes that sleep, what lies on a belt that is no faster than Scene::sleep_speed
+    /// falls asleep there.
     Status set_surface_velocity(BodyId id, const Vector& velocity, int shape_i = 0) {
         static_assert(belts_only());
         const Result<int> shape_slot = find_shape(id, shape_i);
