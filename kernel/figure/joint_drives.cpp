@@ -228,7 +228,11 @@ void aim_drive(const FigureView& view, const Rows& all, JointRow& row, scalar h)
             row.K = compliance_of(joint, all, row.along);
         row.gamma = 1 / motion.resist;
         row.lower = row.upper = pull * row.gamma;
-        share_with_tree(joint, all, row);
+        // Sweeps begin with what it gives by itself: beside what a stiff drive pulls at the rates as they are, what is left of it is rounding.
+        if (!shares_with_tree(joint, all, row))
+            row.j = row.j_sweep = 0;
+        else if (joint.closes && !motion.saturated)
+            row.j = row.j_sweep = max(-row.most, min(row.most, pull / (1 + row.K * motion.resist)));
     });
 }
 

@@ -171,16 +171,17 @@ inline scalar compliance_of(const LoopedJoint& joint, const LoopedRowView& all, 
 
 /// The row of a drive, beside the tree, of what is held stiffer than its compliance can be seen: as by a drive of the tree that turns the same way.
 /// Where it gives way more than that itself, it is taken for as stiff as can be seen, and visits find what it gives. Else each of the two would give
-/// all that both should, and it leaves that to the other.
+/// all that both should: false, it leaves that to the other.
 template <unsigned width, class Rows>
-void share_with_tree(const TreeJoint<width>&, const Rows&, JointRow&) {}
-inline void share_with_tree(const LoopedJoint& joint, const LoopedRowView& all, JointRow& row) {
-    if (row.K > 0 || locks_nothing(joint.loop)) return;
+bool shares_with_tree(const TreeJoint<width>&, const Rows&, JointRow&) {
+    return true;
+}
+inline bool shares_with_tree(const LoopedJoint& joint, const LoopedRowView& all, JointRow& row) {
+    if (row.K > 0 || locks_nothing(joint.loop)) return true;
     const scalar least = compliances_in_tree(joint, all, impulse_along(joint, row.along)).least();
-    if (row.gamma > least)
-        row.K = least;
-    else
-        row.j = row.j_sweep = 0;
+    if (!(row.gamma > least)) return false;
+    row.K = least;
+    return true;
 }
 
 } }  // namespace ingot
