@@ -39,8 +39,8 @@ TYPED_TEST_SUITE(DrivenTwice, Scenes);
 /// Springs begin at rest, so all the energy there is is that of the motion before the first step: no two drives may add to it. Where a spring stores
 /// some it may come back.
 ///
-/// To be better: of 2560 draws one gains a great deal in float, a tuned wheel beside another at 1000 Hz, and of 640 in double one in flight and one among
-/// contacts, in their first step. So one of 300 may.
+/// To be better: of 2560 draws one gains a great deal in float, a tuned wheel beside another at 1000 Hz, and of 640 in double one in flight and one
+/// among contacts, in their first step. So one of 300 may.
 TYPED_TEST(DrivenTwice, gains_nothing) {
     using World = ingot::World<TypeParam>;
     RandomInput random(5);
