@@ -26,7 +26,7 @@ struct FigureBits {
     static constexpr uint8_t halved = 1;  ///< the step of a figure was cut: it turned far, or passes found no end
     /// passes found no end for the finest parts of the step of a figure: the substeps took it. It counts in sweeps_unfinished
     static constexpr uint8_t unsolved = 2;
-    static constexpr uint8_t left_to_substeps = 4;  ///< one closes loops, or has joints that the scheme has no rows for
+    static constexpr uint8_t left_to_substeps = 4;  ///< one closes loops, has joints that the scheme has no rows for, or was put apart
 };
 
 /// What a step has to say. Nothing is lost silently: a full array, a body taken out of the motion, an iteration that

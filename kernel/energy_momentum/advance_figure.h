@@ -8,6 +8,7 @@
 namespace ingot { inline namespace INGOT_ABI {
 
 struct FigureAdvance {
+    bool fits;    ///< its joints are together as it begins
     bool solved;  ///< rows hold the end of the step; else nothing in them counts
     int passes;   ///< of all parts
     int halvings_to_begin_with;  ///< of the next step

@@ -171,7 +171,8 @@ void advance_figures(FigureView& view, const EnergyMomentumView& scheme, Reactio
     Progress<width> at = {view, scheme, {view, view.groups[0]}, (1u << width) - 1u, {}, {}, {}, {}};
     view.elapsed = 0;
     set_spins(at.figures);
-    if (!was_seen) fit_to_joints(view, at.figures);
+    const unsigned fits = was_seen ? at.good : fit_to_joints(view, at.figures);
+    at.good &= fits;
     begin_progress(at);
     recall_forces(at);
     begin_reactions(view, NoLoops{}, reactions);
@@ -188,7 +189,8 @@ void advance_figures(FigureView& view, const EnergyMomentumView& scheme, Reactio
     for (unsigned lane_i = 0; lane_i < width; ++lane_i) {  // bound: lanes
         const bool is_far = turn_sq[lane_i] > turn_sq_max && halvings < limits::newton_halvings_max;
         const bool is_easy = halvings > 0 && at.most_passes[lane_i] <= limits::newton_easy_passes && 4 * turn_sq[lane_i] <= turn_sq_max;
-        advances[lane_i] = {(at.good >> lane_i & 1u) != 0 && !is_far, at.passes[lane_i], is_easy ? halvings - 1 : halvings};
+        const bool is_good = (at.good >> lane_i & 1u) != 0;
+        advances[lane_i] = {(fits >> lane_i & 1u) != 0, is_good && !is_far, at.passes[lane_i], is_easy ? halvings - 1 : halvings};
     }
 }
 

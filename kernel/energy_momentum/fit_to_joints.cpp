@@ -3,6 +3,7 @@
 
 #include "../base/figure_limits.h"
 #include "../figure/factor_figures.h"
+#include "../figure/displace_rows.h"
 #include "../figure/joint_sides.h"
 #include "../figure/move_figures.h"
 #include "../figure/row_motion.h"
@@ -104,6 +105,18 @@ KineticShares<T> kinetic_shares_of(const FigureRows<width>& figures, const Vec3<
     return {kinetic * splat<T>(scalar(0.5)), taken * splat<T>(scalar(0.5))};
 }
 
+/// What joints take is a part of what there is, but for what ground gives that moves. More is made of roundings, as where the axes of a universal
+/// joint lie on each other.
+template <class T, class Mask>
+auto is_a_part(const KineticShares<T>& energy, Mask is_at_rest) {
+    return either(opposite(is_at_rest), energy.taken <= energy.kinetic * splat<T>(2));
+}
+template <unsigned width>
+auto lanes_of_ground_at_rest(const FigureRows<width>& figures) {
+    const auto ground = ground_of(figures, figures.all);
+    return opposite(length_sq(ground.v) + length_sq(ground.w) > typename AllLanes<width>::T{});
+}
+
 /// What bodies do beside the motion of the whole becomes s times as fast.
 template <unsigned width, class Mask, class T = typename AllLanes<width>::T>
 void scale_motion(const FigureRows<width>& figures, const WholeMotion<T>& whole, Mask scales, T s) {
@@ -137,16 +150,20 @@ void take_up_roundings(const FigureRows<width>& figures) {
 }
 
 template <unsigned width>
-void fit_to_joints(const FigureView& view, const FigureRows<width>& figures) {
+unsigned fit_to_joints(const FigureView& view, const FigureRows<width>& figures) {
+    using T = typename AllLanes<width>::T;
     place_joints(view);
     factor_figures(view, NoLoops{}, 0);
     push_figures(view, NoLoops{}, false);
+    const auto is_together = set_pushes(figures) <= splat<T>(limits::parted_gap * limits::parted_gap);
     set_spins(figures);
     place_joints(view);
     factor_figures(view, NoLoops{}, 0);
     find_change(view, figures);
-    take_change(figures, figures.all_lanes());
+    const auto is_part = is_a_part(kinetic_shares_of(figures, motion_of_whole(figures).v), lanes_of_ground_at_rest(figures));
+    take_change(figures, is_part);
     set_spins(figures);
+    return bits(both(is_together, is_part));
 }
 
 template <unsigned width>
@@ -157,12 +174,12 @@ void take_hidden_energy(const FigureView& view, const FigureRows<width>& figures
     find_change(view, figures);
     const WholeMotion<T> whole = motion_of_whole(figures);
     const KineticShares<T> energy = kinetic_shares_of(figures, whole.v);
-    const auto takes = energy.taken > splat<T>(limits::hidden_share) * energy.kinetic;
+    const auto is_at_rest = lanes_of_ground_at_rest(figures);
+    const auto takes = both(is_a_part(energy, is_at_rest), energy.taken > splat<T>(limits::hidden_share) * energy.kinetic);
     if (!any(takes)) return;
     take_change(figures, takes);
     const T left = (energy.kinetic - energy.taken) - whole.energy, none{};
-    const Ground<T> ground = ground_of(figures, figures.all);
-    const auto is_at_rest = opposite(length_sq(ground.v) + length_sq(ground.w) > none), scales = both(takes, both(is_at_rest, left > none));
+    const auto scales = both(takes, both(is_at_rest, left > none));
     if (snap == Snap::keep && any(scales)) {
         const T gain = min(splat<T>(1) + energy.taken / select(scales, left, splat<T>(1)), splat<T>(limits::snap_gain_max));
         scale_motion(figures, whole, scales, sqrt(select(scales, gain, splat<T>(1))));
@@ -170,11 +187,11 @@ void take_hidden_energy(const FigureView& view, const FigureRows<width>& figures
     set_spins(figures);
 }
 
-template void fit_to_joints(const FigureView& view, const FigureRows<1>& figures);
+template unsigned fit_to_joints(const FigureView& view, const FigureRows<1>& figures);
 template void take_hidden_energy(const FigureView& view, const FigureRows<1>& figures, Snap snap);
 template void take_up_roundings(const FigureRows<1>& figures);
 #if INGOT_LANES > 1
-template void fit_to_joints(const FigureView& view, const FigureRows<lanes>& figures);
+template unsigned fit_to_joints(const FigureView& view, const FigureRows<lanes>& figures);
 template void take_hidden_energy(const FigureView& view, const FigureRows<lanes>& figures, Snap snap);
 template void take_up_roundings(const FigureRows<lanes>& figures);
 #endif

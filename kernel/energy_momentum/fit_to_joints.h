@@ -7,9 +7,10 @@
 namespace ingot { inline namespace INGOT_ABI {
 
 /// Takes a figure onto its joints that something else has moved: bodies by displacements that no velocity sees, velocities by impulses of its joints.
-/// It loses energy by that and gains none.
+/// It loses energy by that and gains none. Returns a bit a lane: it is on its joints. What is not, as bodies were put too far apart, is for the
+/// substeps.
 template <unsigned width>
-void fit_to_joints(const FigureView& view, const FigureRows<width>& figures);
+unsigned fit_to_joints(const FigureView& view, const FigureRows<width>& figures);
 
 /// After a step: where more than limits::hidden_share of the kinetic energy is in velocities that joints do not allow, these velocities are taken
 /// out.

@@ -179,6 +179,7 @@ private:
         if (halvings > 0) note_figures(report_, FigureBits::halved);
         figure.doublings = no_key;
         if (advance.solved) return;
+        if (!advance.fits) return note_figures(report_, FigureBits::left_to_substeps);
         if (halvings < limits::newton_halvings_max) {
             figure.doublings = static_cast<uint8_t>(key_of(halvings + 1, was_seen));
             return;

@@ -37,6 +37,7 @@ struct Figure {
     Index ground;    ///< slot of the body that cannot move, to which the root is tied, or no_body: the world, or nothing
     uint8_t doublings;  ///< of the substeps, that it asks for
     bool resolved;      ///< spins changed little in the last substep: targets of second order are right for it
+    uint8_t parted;     ///< 2: a joint is further apart than pushes leave it, as bodies were put there; 1: it was in the substep before
 };
 
 /// Figures of one form that are solved side by side: as many as there are lanes, or one.

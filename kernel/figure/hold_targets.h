@@ -102,16 +102,74 @@ auto far_lanes(const FigureRows<width, Kinds>& rows, scalar h) {
     return most > splat<T>(1);
 }
 
+/// What a joint is off by, in units of limits::parted_gap, squared; beyond what rounding makes of where its bodies are.
+template <unsigned width, class Kinds, class T = T_of_width<width>>
+T parted_by(const FigureRows<width, Kinds>& rows, int row_i) {
+    const JointKind kind = rows.kind(row_i);
+    const Spatial<T> back = twist_back(kind, sides_now(rows, rows.all, row_i, locks_turns(kind)));
+    const auto squared = [](scalar of) { return splat<T>(of * of); };
+    const T rounding = length_sq(read(rows.all, rows[row_i].r)) * squared(16 * epsilon);
+    return max(length_sq(back.v) / (rounding + squared(limits::parted_gap * rows.view.unit)), length_sq(back.w) / squared(limits::parted_gap));
+}
+
+/// Lanes that were found to be parted; see parted_lanes.
+template <unsigned width, class Kinds>
+auto noted_parted_lanes(const FigureRows<width, Kinds>& rows) {
+    scalar flags[width];
+    for (int lane_i = 0; lane_i < static_cast<int>(width); ++lane_i) flags[lane_i] = rows.figure(lane_i).parted;  // bound: lanes
+    return rows.all.get(flags) > T_of_width<width>{};
+}
+
+/// Figure::parted of a figure that is looked at, or goes on to be.
+inline void note_parted(const FigureView& view, Figure& figure, bool is_apart) {
+    const bool asks = view.elapsed == 0 || figure.parted > 0;
+    if (is_apart && asks)
+        figure.parted = 2;
+    else if (figure.parted > 0)
+        --figure.parted;
+}
+template <unsigned width, class Kinds, class T = T_of_width<width>>
+void note_parted(const FigureRows<width, Kinds>& rows) {
+    T most{};
+    for (int row_i = 0; row_i < rows.count(); ++row_i)  // bound: max_bodies
+        if (rows.node(row_i).kind != JointKind::none) most = max(most, parted_by(rows, row_i));
+    scalar by[width];
+    rows.all.put(by, most);
+    for (int lane_i = 0; lane_i < static_cast<int>(width); ++lane_i) note_parted(rows.view, rows.figure(lane_i), by[lane_i] > 1);  // bound: lanes
+}
+
+/// Lanes with a joint that is further apart than pushes leave it: bodies were put to where they are, and no velocity has to take them back. Looked at
+/// as a step begins, and then until they are together; and in the substep after that, as figures with loops were placed before the push.
+template <unsigned width, class Kinds>
+auto parted_lanes(const FigureRows<width, Kinds>& rows) {
+    bool asks = rows.view.elapsed == 0;
+    for (int lane_i = 0; lane_i < static_cast<int>(width); ++lane_i) asks = asks || rows.figure(lane_i).parted > 0;  // bound: lanes
+    if (asks) note_parted(rows);
+    return noted_parted_lanes(rows);
+}
+
+/// Of scenes with loops: what is tied to each other is parted together. Before the joints are aimed.
+inline void find_parted(const FigureView& view, const LoopView& loops) {
+    for_groups(view, [](const auto& rows) { (void)parted_lanes(rows); });
+    for_looped_figures(view, loops, [&](const LoopFigure& of) {
+        uint8_t parted = 0;
+        for (int i = of.figure; i < of.figure + of.figure_count; ++i) parted = max(parted, view.figures[i].parted);  // bound: max_bodies
+        const bool asks = parted > 0 || view.elapsed == 0;
+        if (asks && aim_pushes(view, loops, of) > limits::parted_gap * limits::parted_gap) parted = 2;
+        for (int i = of.figure; i < of.figure + of.figure_count; ++i) view.figures[i].parted = parted;
+    });
+}
+
 /// Targets of what is not resolved may ask for what cannot be, where joints come near to where they lock: light bodies would get any speed. Where a
 /// figure would have more than limits::target_gain times its energy they are left out: velocities then fit the joints, which takes energy, and
-/// pushes take back the gaps.
+/// pushes take back the gaps. So they do where bodies were put apart.
 template <unsigned width, class Kinds, class M>
 void hold_back_targets(const FigureRows<width, Kinds>& rows, scalar h, M is_exact) {
-    const auto is_far = far_lanes(rows, h);
+    const auto is_parted = parted_lanes(rows), is_far = either(far_lanes(rows, h), is_parted);
     const auto doubtful = either(opposite(is_exact), is_far);
     if (!any(doubtful)) return;
     pass_alone(rows);
-    const auto gains = both(doubtful, gaining_lanes(rows, figure_energies_of(rows), mass_of(rows), h));
+    const auto gains = either(is_parted, both(doubtful, gaining_lanes(rows, figure_energies_of(rows), mass_of(rows), h)));
     if (any(gains)) leave_out_biases(rows, gains, is_far);
 }
 
@@ -122,7 +180,7 @@ auto doubtful_lanes(const FigureRows<width, Kinds>& rows, const LoopView& loops,
     scalar flags[width];
     for (int lane_i = 0; lane_i < rows.lane_count; ++lane_i) flags[lane_i] = rows.figure(lane_i).resolved ? 0 : 1;  // bound: lanes
     for_looped(rows, loops, [&](const LoopFigure& of, int lane_i) { flags[lane_i] = of.row_count > 0 ? 1 : flags[lane_i]; });
-    return either(rows.all.get(flags) > T{}, far_lanes(rows, h));
+    return either(either(rows.all.get(flags) > T{}, noted_parted_lanes(rows)), far_lanes(rows, h));
 }
 
 /// Lanes whose figures are no machines.
@@ -177,7 +235,8 @@ inline void measure_targets(const FigureView& view, const LoopView& loops, scala
 template <unsigned width, class Kinds>
 auto gaining_lanes(const FigureRows<width, Kinds>& rows, const LoopView& loops, scalar h, scalar gain) {
     const auto of = read(rows.all, rows[0].drive);
-    return both(doubtful_lanes(rows, loops, h), gaining_lanes(rows, {of.x, of.y}, of.z, h, gain));
+    const auto gains = both(doubtful_lanes(rows, loops, h), gaining_lanes(rows, {of.x, of.y}, of.z, h, gain));
+    return either(gains, both(noted_parted_lanes(rows), lanes_of_trees(rows, loops)));
 }
 
 /// Machines near a dead point, as a chain is that is drawn taut, have a second way to where targets of second order want them: through it, to its
@@ -186,7 +245,8 @@ auto gaining_lanes(const FigureRows<width, Kinds>& rows, const LoopView& loops, 
 /// there is. True where there is one. After measure_targets.
 inline bool fit_taut_machines(const FigureView& view, const LoopView& loops, scalar h, scalar gain) {
     const auto is_taut = [&](const LoopFigure& of, const Vector& energies) {
-        return of.row_count > 0 && (of.least < limits::taut_compliance || energies.y > energies.x * gain);
+        const bool is_parted = view.figures[of.figure].parted > 0;
+        return of.row_count > 0 && (is_parted || of.least < limits::taut_compliance || energies.y > energies.x * gain);
     };
     bool some = false;
     for_groups(view, [&](const auto& rows) {
@@ -210,7 +270,7 @@ inline void hold_back_targets(const FigureView& view, const LoopView& loops, sca
     for_groups(view, [&](const auto& rows) {
         const auto gains = gaining_lanes(rows, loops, h, gain);
         if (!any(gains)) return;
-        leave_out_biases(rows, gains, far_lanes(rows, h));
+        leave_out_biases(rows, gains, either(far_lanes(rows, h), noted_parted_lanes(rows)));
         for_looped(rows, loops, [&](const LoopFigure& of_loops, int lane_i) {
             if ((bits(gains) >> lane_i & 1u) != 0) leave_out_targets(loops, of_loops);
         });

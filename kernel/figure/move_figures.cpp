@@ -135,6 +135,7 @@ void begin_solve(const FigureView& view, const NoLoops&, scalar h) { begin_solve
 namespace {
 
 void aim(const FigureView& view, const LoopView& loops, scalar h) {
+    find_parted(view, loops);
     for_groups(view, [h](const auto& rows) { aim_joints(rows, h); });
     for_looped_figures(view, loops, [&](const LoopFigure& of) { aim_loops(view, loops, of, h); });
     share_targets(view, loops, h);

@@ -83,6 +83,7 @@ public:
         return {Status::ok, read_state(storage_.bodies(), slot.value)};
     }
 
+    /// A body that is put away from its joints draws the others after it in the steps that follow, by ways that no velocity sees.
     /// A kinematic body is put there, whatever is in its way, and goes on with v_CM and, in the place of L, omega: see move_to for one that is to
     /// push others aside.
     /// Errors: those of check_state, frozen, immovable (a velocity for a body that has none), not_in_scene.
