@@ -131,6 +131,7 @@ TEST(DamagedJoints, of_numbers_that_are_out_of_range) {
         {"joint.stiffness", -ingot::epsilon, limits::drive_hertz_max}, {"joint.stiffness", limits::drive_gain_max * more, 0},
         {"joint.damping", -ingot::epsilon, limits::damping_ratio_max}, {"joint.damping", limits::drive_gain_max * more, 0},
         {"joint.target", place * more, place}, {"joint.target", -place * more, -place},
+        {"joint.target_low", place * ingot::epsilon * more, place * ingot::epsilon}, {"joint.target_low", -place * ingot::epsilon * more, 0},
         {"joint.target_rate", limits::drive_rate_max * more, limits::drive_rate_max}, {"joint.target_rate", -limits::drive_rate_max * more, 1},
         {"joint.feedforward", limits::drive_gain_max * more, limits::drive_gain_max}, {"joint.feedforward", -limits::drive_gain_max * more, 1},
         {"joint.max_torque", -ingot::epsilon, ingot::unlimited},
@@ -144,7 +145,7 @@ TEST(DamagedJoints, of_numbers_that_are_out_of_range) {
         const std::string name = range.name;
         const bool is_target =
             name == "joint.hertz" || name == "joint.damping_ratio" || name == "joint.max_force" || name.rfind("joint.target_", 0) == 0;
-        const JointKind kind = is_target && name != "joint.target_rate" ? JointKind::target : JointKind::hinge;
+        const JointKind kind = is_target && name != "joint.target_rate" && name != "joint.target_low" ? JointKind::target : JointKind::hinge;
         const auto& field = joints.field(joints.slot_of(kind), name);
         joints.refuses(joints.sound.with_real(field, range.beyond), name + " beyond its range");
         joints.accepts(joints.sound.with_real(field, range.last), name + " at the end of its range");

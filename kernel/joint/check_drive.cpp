@@ -25,6 +25,9 @@ Status check_drive(const JointDrive& drive) {
     return good ? Status::ok : Status::out_of_range;
 }
 
-bool is_valid(const DriveRecord& record) { return is_finite(record.torque) && check_drive(record.drive) == Status::ok; }
+bool is_valid(const DriveRecord& record) {
+    // What a target rounds off is no more than that of the largest.
+    return is_finite(record.torque) && is_within(record.target_low, epsilon * limits::position_max) && check_drive(record.drive) == Status::ok;
+}
 
 } }  // namespace ingot

@@ -14,8 +14,8 @@ enum class DriveKind : uint8_t { none, spring, tuned, motor };
 /// Torque: feedforward - stiffness (angle - target) - damping (rate - target_rate), with angle and rate as they are at the end of each substep, so
 /// that no stiffness rings or gains energy; cut at max_torque in every substep. Of a slider read force and travel.
 ///
-/// A target that goes on is a sum of steps, and rounds in each: in float, the second hand of a clock is late by 0.7 rad after an hour of 60 steps a
-/// second. What has to keep time is told its target anew, by World::set_joint_target, now and then.
+/// A target that goes on is a sum of steps, which keeps what it rounds off: a clock's hand is off by the roundings of its own angle and of its rate, and
+/// not by one more with each step. World::set_joint_target begins a sum anew.
 struct JointDrive {
     DriveKind kind{};                ///< by which of the kinds below it was made; none: it does nothing
     scalar stiffness = 0;            ///< N m/rad, N/m, 0 to limits::drive_gain_max; tuned: Hz, 0 to limits::drive_hertz_max
@@ -53,7 +53,14 @@ struct MotorDrive {
 /// What a world keeps of the drive of a direction. Of a ball joint: target, rate and feedforward are components in the axes of A.
 struct DriveRecord {
     JointDrive drive{DriveKind::none, 0, 0, 0, 0, 0, 0};  ///< zeros where there is none: a world is all zero as it begins
-    scalar torque{};  ///< N m, N; mean of the last step
+    scalar torque{};      ///< N m, N; mean of the last step
+    scalar target_low{};  ///< rad, m; target + target_low is the sum of its steps
+
+    /// The same drive, to another target.
+    void aim(const JointDrive& at) {
+        drive = at;
+        target_low = 0;
+    }
 };
 
 } }  // namespace ingot

@@ -67,7 +67,7 @@ public:
         drive.target_rate = target_rate;
         const Status status = check_drive(drive);
         if (status != Status::ok) return status;
-        storage_.drive_of(joint.value, which).drive = drive;
+        storage_.drive_of(joint.value, which).aim(drive);
         this->wake_sides(joint.value);
         return Status::ok;
     }
@@ -80,7 +80,7 @@ public:
         for (int i = 0; i < 3; ++i) of[i] = storage_.drive_of(joint.value, i).drive;
         const Status status = set_targets(of, target, target_rate);
         if (status != Status::ok) return status;
-        for (int i = 0; i < 3; ++i) storage_.drive_of(joint.value, i).drive = of[i];
+        for (int i = 0; i < 3; ++i) storage_.drive_of(joint.value, i).aim(of[i]);
         this->wake_sides(joint.value);
         return Status::ok;
     }

@@ -120,6 +120,7 @@ struct JointEntry : NoNumbers {
             each("joint.stiffness", drive.stiffness);
             each("joint.damping", drive.damping);
             each("joint.target", drive.target);
+            each("joint.target_low", drives[i].target_low);
             each("joint.target_rate", drive.target_rate);
             each("joint.feedforward", drive.feedforward);
             each("joint.max_torque", drive.max_torque);
