@@ -129,6 +129,15 @@ void scale_motion(const FigureRows<width>& figures, const WholeMotion<T>& whole,
     }
 }
 
+/// By a turn that is a rounding: so is its square. That of a body with 10^6 rad/s is none.
+template <class T>
+Mat3<T> turned_back(const Mat3<T>& A, const Vec3<T>& turn) {
+    const Mat3<T> turned = A + cross(turn, A);
+    const auto is_far = length_sq(turn) > splat<T>(epsilon);
+    if (!any(is_far)) return turned;
+    return select(is_far, Mat3<T>{A.c0 + chord(turn, A.c0), A.c1 + chord(turn, A.c1), A.c2 + chord(turn, A.c2)}, turned);
+}
+
 }  // namespace
 
 template <unsigned width>
@@ -139,10 +148,8 @@ void take_up_roundings(const FigureRows<width>& figures) {
         FigureRow<width>& row = figures[row_i];
         auto sides = sides_now(figures, figures.all, row_i, locks_turns(kind));
         if (kind != JointKind::ball) {
-            auto A = read(figures.all, row.A);
-            A = A + cross(twist_back(kind, sides).w, A);
-            A = A + polar_correction(A);
-            write(figures.all, row.A, A);
+            const auto A = read(figures.all, row.A), turned = turned_back(A, twist_back(kind, sides).w);
+            write(figures.all, row.A, turned + polar_correction(turned));
             sides.gap = sides_now(figures, figures.all, row_i, false).gap;
         }
         write(figures.all, row.r, read(figures.all, row.r) + twist_back(kind, sides).v);
