@@ -153,7 +153,8 @@ inline void find_parted(const FigureView& view, const LoopView& loops) {
     for_groups(view, [](const auto& rows) { (void)parted_lanes(rows); });
     for_looped_figures(view, loops, [&](const LoopFigure& of) {
         uint8_t parted = 0;
-        for (int i = of.figure; i < of.figure + of.figure_count; ++i) parted = max(parted, view.figures[i].parted);  // bound: max_bodies
+        for (int i = of.figure; i < of.figure + of.figure_count; ++i)  // bound: max_bodies
+            if (view.figures[i].parted > parted) parted = view.figures[i].parted;
         const bool asks = parted > 0 || view.elapsed == 0;
         if (asks && aim_pushes(view, loops, of) > limits::parted_gap * limits::parted_gap) parted = 2;
         for (int i = of.figure; i < of.figure + of.figure_count; ++i) view.figures[i].parted = parted;
