@@ -13,9 +13,7 @@ scalar share_of_rounding(const FigureView&, const NoLoops&, Index) { return limi
 /// What loops take from a response is a square of X, whose rounding grows as the root of the least pivot falls.
 scalar share_of_rounding(const FigureView& view, const LoopView& loops, Index node_i) {
     const LoopFigure* const of = loops.of_node(view, node_i);
-    // A machine whose first body has gone bad is of no batch in this step: there are no pivots of it.
-    if (of == nullptr || !is_of_batch(view, of->figure)) return limits::held_compliance;
-    return max(limits::held_compliance, limits::looped_compliance / sqrt(of->least));
+    return of == nullptr ? limits::held_compliance : max(limits::held_compliance, limits::looped_compliance / sqrt(of->least));
 }
 
 /// Of the body of one lane, from its tile or its figure.

@@ -94,7 +94,7 @@ struct SolverView {
     SolverBody* bodies;        ///< [0] stands for all that cannot move and for spare lanes
     SolverBodyHistory* histories;
     Index* slot_of;         ///< by solver body
-    Index* local_of;        ///< by slot of a body that touches; 0: immovable, or gone bad. Others: see takes_part
+    Index* local_of;        ///< by slot of a body that touches; 0: immovable, or gone bad and of no figure. Others: see takes_part
     Index* level_of_body;   ///< by solver body
     uint32_t* colours_of_body; ///< by solver body, within the level at hand
     Index* island_of;       ///< by solver body

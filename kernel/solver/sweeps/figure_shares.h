@@ -44,18 +44,12 @@ inline void take_share(const SolverView& solver, int body_i, scalar share, scala
     }
 }
 
-/// Of the joint of a row. Null: its body has gone bad.
-template <class View, class Rows>
-Island* island_of(const View& solver, const Rows& rows, const JointRow& row) {
-    const Index body_i = solver.local_of[solver.jointed.figures.nodes[node_of(rows, row)].slot];
-    return body_i == 0 ? nullptr : &solver.islands[solver.island_of[body_i]];
-}
 /// Calls each(row, island) for the rows of the joints of candidates.
 template <class View, class Rows, class Each>
 void for_candidate_rows(const View& solver, const Rows& rows, const Each& each) {
     for (int i = 0; i < rows.count; ++i) {  // bound: rows_of_joint max_joints
-        Island* const island = island_of(solver, rows, rows.list[i]);
-        if (island != nullptr && is_candidate(*island)) each(rows.list[i], *island);
+        Island& island = island_of_node(solver, node_of(rows, rows.list[i]));
+        if (is_candidate(island)) each(rows.list[i], island);
     }
 }
 

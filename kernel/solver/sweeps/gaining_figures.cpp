@@ -18,9 +18,9 @@ bool add_driven(const View& solver, const Rows& rows, const BodyView& bodies, sc
         solver.islands[island_i].sums[gained_at] = solver.islands[island_i].sums[driven_at] = 0;
     bool some = false;
     for (int i = 0; i < rows.count; ++i) {  // bound: rows_of_joint max_joints
-        Island* const island = island_of(solver, rows, rows.list[i]);
-        if (!rows.list[i].is_drive || island == nullptr || !island->in_batch) continue;
-        island->sums[driven_at] = 1;
+        Island& island = island_of_node(solver, node_of(rows, rows.list[i]));
+        if (!rows.list[i].is_drive || !island.in_batch) continue;
+        island.sums[driven_at] = 1;
         some = true;
     }
     if (!some) return false;

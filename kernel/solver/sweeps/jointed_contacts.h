@@ -146,19 +146,12 @@ private:
         for (int island_i = 0; island_i < this->view.island_count; ++island_i)  // bound: max_bodies
             this->view.islands[island_i].in_batch = this->view.islands[island_i].plan == this->view.plan;
     }
-    /// They leave it, but for those that open_island lets in again: an island is solved as it would be alone.
+    /// They leave it, and some are let in again: an island is solved as it would be alone.
     void close_batch() {
         jointed.some_stand = true;
         for (int island_i = 0; island_i < this->view.island_count; ++island_i) this->view.islands[island_i].in_batch = false;
     }
-    /// Null: the body has gone bad.
-    Island* island_of(Index node) const {
-        const Index body_i = this->view.local_of[jointed.figures.nodes[node].slot];
-        return body_i == 0 ? nullptr : &this->view.islands[this->view.island_of[body_i]];
-    }
-    void open_island(Index node) {
-        if (Island* const island = island_of(node)) island->in_batch = true;
-    }
+    Island& island_of(Index node) const { return island_of_node(this->view, node); }
     /// Where joints are now.
     void place() {
         place_joints(jointed.figures);
@@ -189,7 +182,7 @@ private:
     void solve_loops_again(const BodyView& bodies, scalar h) {
         close_batch();
         for_looped_figures(jointed.figures, this->view.loops, [&](const LoopFigure& of) {
-            if (!of.is_settled) open_island(of.first_node);
+            if (!of.is_settled) island_of(of.first_node).in_batch = true;
         });
         refresh_in_solve(this->view, bodies);
         if constexpr (Whole::has_joint_rows) {
@@ -202,7 +195,7 @@ private:
     void solve_driven_again(const BodyView& bodies, scalar h) {
         close_batch();
         for (int i = 0; i < rows().count; ++i)  // bound: rows_of_joint max_joints
-            if (rows().list[i].gave_way) open_island(node_of(rows(), rows().list[i]));
+            if (rows().list[i].gave_way) island_of(node_of(rows(), rows().list[i])).in_batch = true;
         stand_rows();
         factor_figures(jointed.figures, rows(), h);
         respond_figures(jointed.figures, jointed.responses);
@@ -220,16 +213,13 @@ private:
     }
     /// Rows of islands that are not in the batch any more.
     void stand_rows() {
-        for (int i = 0; i < rows().count; ++i) {  // bound: rows_of_joint max_joints
-            const Island* const island = island_of(node_of(rows(), rows().list[i]));
-            rows().list[i].stands = island == nullptr || !island->in_batch;
-        }
+        for (int i = 0; i < rows().count; ++i)  // bound: rows_of_joint max_joints
+            rows().list[i].stands = !island_of(node_of(rows(), rows().list[i])).in_batch;
     }
     /// Machines of the islands that are in it are not settled.
     void reopen_machines() {
         for_looped_figures(jointed.figures, this->view.loops, [&](LoopFigure& of) {
-            const Island* const island = island_of(of.first_node);
-            of.is_settled = island == nullptr || !island->in_batch;
+            of.is_settled = !island_of(of.first_node).in_batch;
         });
     }
     /// Of the islands of the batch: those of the others stand.

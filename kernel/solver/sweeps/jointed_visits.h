@@ -71,13 +71,18 @@ void settle_jointed_sooner(View& solver, scalar h) {
     }
 }
 
+/// That of the body of a node.
+template <class View>
+Island& island_of_node(const View& solver, Index node) {
+    return solver.islands[solver.island_of[solver.local_of[solver.jointed.figures.nodes[node].slot]]];
+}
+
 /// Figures with loops stand where is_on(island) is false of theirs: an island does not know how long others are swept. begins: so do the sweeps.
 template <class View, class IsOn>
 INGOT_INLINE void stand_unless([[maybe_unused]] const View& solver, [[maybe_unused]] bool begins, [[maybe_unused]] const IsOn& is_on) {
     if constexpr (decltype(solver.loops)::closes)
         for_looped_figures(solver.jointed.figures, solver.loops, [&](LoopFigure& of) {
-            const Index body_i = solver.local_of[solver.jointed.figures.nodes[of.first_node].slot];
-            of.stands = body_i == 0 || !is_on(solver.islands[solver.island_of[body_i]]);
+            of.stands = !is_on(island_of_node(solver, of.first_node));
             if (begins) of.in_solve = !of.stands;
         });
 }

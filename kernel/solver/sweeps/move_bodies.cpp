@@ -59,6 +59,13 @@ bool begins_well(const BodyView& bodies, const MotionAtBegin& motion, scalar h, 
     return stays_in_range(bodies.rotation[at.tile], motion.v_CM + motion.a * h, motion.L + motion.tau * h, at.lane);
 }
 
+Index add_body(SolverView& solver, const MotionAtBegin& motion, int slot) {
+    const int local = solver.body_count++;
+    solver.slot_of[local] = static_cast<Index>(slot);
+    begin_body(solver, local, motion);
+    return static_cast<Index>(local);
+}
+
 /// The solver's own body of a slot; 0 for one that cannot move, or that has gone bad: its motion must not reach those that touch it.
 Index take_in(SolverView& solver, const BodyView& bodies, const Vector& gravity, scalar h, int slot) {
     const Place at = place_of(slot);
@@ -70,10 +77,16 @@ Index take_in(SolverView& solver, const BodyView& bodies, const Vector& gravity,
         if (!solver.side_by_side) mark_lane_bad(bodies.rotation[at.tile].bad, at.lane);
         return 0;
     }
-    const int local = solver.body_count++;
-    solver.slot_of[local] = static_cast<Index>(slot);
-    begin_body(solver, local, motion);
-    return static_cast<Index>(local);
+    return add_body(solver, motion, slot);
+}
+/// Of a figure: it is solved as one, so all of its bodies take part. One that has gone bad does so without the forces on it.
+Index take_in_of_figure(SolverView& solver, const BodyView& bodies, const Vector& gravity, scalar h, int slot) {
+    const Index local = take_in(solver, bodies, gravity, h, slot);
+    if (local != 0) return local;
+    const Place at = place_of(slot);
+    set_lane(bodies.translation[at.tile].F_T, at.lane, Vector{});
+    set_lane(bodies.rotation[at.tile].tau_T, at.lane, Vector{});
+    return add_body(solver, motion_of(bodies, gravity, slot), slot);
 }
 
 /// What cannot move is of several parts: 0 is there already.
@@ -106,7 +119,7 @@ void take_in_figures(SolverView& solver, JointedBodies& jointed, const BodyView&
     const FigureView& figures = jointed.figures;
     for (int node_i = 0; node_i < figures.node_count; ++node_i) {  // bound: max_bodies
         const Index slot = figures.nodes[node_i].slot;
-        solver.local_of[slot] = take_in(solver, bodies, gravity, h, slot);
+        solver.local_of[slot] = take_in_of_figure(solver, bodies, gravity, h, slot);
     }
     jointed.body_count = solver.body_count;
     for (int body_i = 0; body_i < solver.body_count; ++body_i) {
@@ -115,11 +128,10 @@ void take_in_figures(SolverView& solver, JointedBodies& jointed, const BodyView&
     }
     for (int node_i = 0; node_i < figures.node_count; ++node_i) {
         const FigureNode& node = figures.nodes[node_i];
-        const Index body_i = solver.local_of[node.slot], leader = solver.local_of[figures.nodes[figures.figures[node.figure].first_node].slot];
-        if (body_i == 0) continue;  // it has gone bad
+        const Index body_i = solver.local_of[node.slot];
         jointed.node_of[body_i] = static_cast<Index>(node_i);
         solver.bodies[body_i].dth[3] = turns_with_figure;
-        if (leader != 0) jointed.leader_of[body_i] = leader;
+        jointed.leader_of[body_i] = solver.local_of[figures.nodes[figures.figures[node.figure].first_node].slot];
     }
 }
 
@@ -128,9 +140,8 @@ void lead_machines(const SolverView& solver, JointedBodies& jointed, const LoopV
     const FigureView& figures = jointed.figures;
     for (int node_i = 0; node_i < figures.node_count; ++node_i) {  // bound: max_bodies
         const FigureNode& node = figures.nodes[node_i];
-        const Index body_i = solver.local_of[node.slot];
-        const Index leader = solver.local_of[figures.nodes[figures.figures[loops.machine_of[node.figure]].first_node].slot];
-        if (body_i != 0 && leader != 0) jointed.leader_of[body_i] = leader;
+        const Figure& first = figures.figures[loops.machine_of[node.figure]];
+        jointed.leader_of[solver.local_of[node.slot]] = solver.local_of[figures.nodes[first.first_node].slot];
     }
 }
 

@@ -158,8 +158,7 @@ void spread_doublings(const SolverView& solver, const JointedBodies& jointed) {
     const auto for_figures = [&](const auto& each) {
         for (int figure_i = 0; figure_i < jointed.figures.figure_count; ++figure_i) {  // bound: max_joints
             Figure& figure = jointed.figures.figures[figure_i];
-            const Index island_i = solver.island_of[solver.local_of[jointed.figures.nodes[figure.first_node].slot]];
-            if (island_i != no_island) each(figure, jointed.doublings_of[island_i]);
+            each(figure, jointed.doublings_of[solver.island_of[solver.local_of[jointed.figures.nodes[figure.first_node].slot]]]);
         }
     };
     for_figures([](const Figure& figure, uint8_t& doublings) {

@@ -8,12 +8,10 @@ namespace ingot { inline namespace INGOT_ABI {
 
 namespace {
 
-/// Null: the island is settled, or its body has gone bad.
+/// Null: the island is settled.
 template <class Rows>
 Island* live_island(const SolverView& solver, const JointedBodies& jointed, const Rows& rows, const JointRow& row) {
-    const Index body_i = solver.local_of[jointed.figures.nodes[node_of(rows, row)].slot];
-    if (body_i == 0) return nullptr;
-    Island& island = solver.islands[solver.island_of[body_i]];
+    Island& island = solver.islands[solver.island_of[solver.local_of[jointed.figures.nodes[node_of(rows, row)].slot]]];
     return island.in_batch && island.sweeps_on ? &island : nullptr;
 }
 
