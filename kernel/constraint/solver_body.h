@@ -50,11 +50,14 @@ using QuadOfBody = scalar (SolverBody::*)[4];
 INGOT_INLINE LaneQuad gather(const SolverBody* bodies, const Index* index, QuadOfBody part) {
     return gather4([&](int lane_i) { return static_cast<const scalar*>(bodies[index[lane_i]].*part); });
 }
-/// No two lanes share a body, other than the one that cannot move, whose numbers stay zero.
+/// No two lanes share a body, other than the one that cannot move. That one is never written: all that touch the ground read it, on other cores
+/// too, and what it would be given, 0 times an impulse, is no number where the impulse is not finite.
 INGOT_INLINE void scatter(SolverBody* bodies, const Index* index, QuadOfBody part, const LaneQuad& value) {
-    scatter4(value, [&](int lane_i) { return static_cast<scalar*>(bodies[index[lane_i]].*part); });
+    if (lanes == 1 && index[0] == 0) return;
+    alignas(4 * sizeof(scalar)) scalar nowhere[4];
+    scatter4(value, [&](int lane_i) { return index[lane_i] == 0 ? nowhere : static_cast<scalar*>(bodies[index[lane_i]].*part); });
 }
-/// Writes only the lanes named by bits, and nothing to the one that cannot move, which others may read meanwhile.
+/// Writes only the lanes named by bits.
 INGOT_INLINE void scatter_some(SolverBody* bodies, const Index* index, uint16_t lane_bits, QuadOfBody part, const LaneQuad& value) {
     scalar rows[4][lanes];
     for (int i = 0; i < 4; ++i) store(rows[i], value.at[i]);

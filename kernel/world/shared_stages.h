@@ -41,7 +41,7 @@ INGOT_INLINE void over_parts(Step<S>& now, const Each& each) {
 template <class S>
 bool is_one_large_island(const Step<S>& now) {
     const int contacts = now.solver.manifold_count, largest = now.parts.count > 1 ? now.parts.parts[0].pair_count : contacts;
-    return can_work_together && contacts >= limits::manifolds_together &&
+    return contacts >= limits::manifolds_together &&
            static_cast<scalar>(largest * S::workers::workers) > limits::uneven_share * static_cast<scalar>(contacts);
 }
 

@@ -221,8 +221,8 @@ void add_level(SolverView& solver, Joints& jointed, int begin, int end, int batc
     for (; position < end; ++position) add_color(solver, jointed, by_colour + position, 1, 0, group);  // a body with more: one at a time
 }
 
-/// Lanes without a manifold join the only visit of their block, because a visit with all lanes stores whole vectors. They write the zeros of the body
-/// that cannot move.
+/// Lanes without a manifold join the only visit of their block, because a visit with all lanes stores whole vectors. Their bodies are the one that
+/// cannot move.
 void take_spare_lanes_along(SolverView& solver, Visit& visit) {
     const ContactBlock& block = solver.blocks[visit.block];
     unsigned spare = 0;

@@ -31,8 +31,7 @@ void add_live(SolverView& solver, Visit visit) {
         if (is_on(solver, block.island[lane_i])) on |= bit;
     }
     if (on == 0) return;
-    const unsigned marks = visit.lane_bits & ~static_cast<unsigned>(all_lanes);
-    visit.lane_bits = (on | spare | marks) == visit.lane_bits ? visit.lane_bits : static_cast<uint16_t>(on | marks);
+    visit.lane_bits = (on | spare) == visit.lane_bits ? visit.lane_bits : static_cast<uint16_t>(on);
     solver.some_visits[solver.live_count++] = visit;
 }
 

@@ -19,15 +19,6 @@ bool are_of_one_group(const SolverView& view, const Visit& a, const Visit& b) {
     return view.level[of_a] == view.level[of_b] && view.colour[of_a] == view.colour[of_b] && view.colour[of_a] < contact_colours;
 }
 
-bool has_fixed_body(const SolverView& view, const ContactBlock& block) {
-    for (int lane_i = 0; lane_i < lanes; ++lane_i) {
-        if (is_spare(block.manifold[lane_i])) return true;
-        const BodyPair& pair = view.pairs[block.manifold[lane_i]];
-        if (view.local_of[pair.body_A] == 0 || view.local_of[pair.body_B] == 0) return true;
-    }
-    return false;
-}
-
 }  // namespace
 
 WorkTogether::Groups WorkTogether::list_groups(const SolverView& view, const Visit* visits, int count, Index* ends) {
@@ -49,11 +40,6 @@ bool WorkTogether::has_large_groups(const Groups& groups) const {
 void WorkTogether::begin_batch(const SolverView& view) {
     visit_groups_ = list_groups(view, view.visits, view.visit_count, ends_of_visits_).count;
     shares_ = view.visit_count >= 2 * limits::tasks_worth_share * run_.least_visits && has_large_groups(groups_of_all(view));
-    if (!shares_) return;
-    for (int visit_i = 0; visit_i < view.visit_count; ++visit_i) {  // bound: max_manifolds
-        Visit& visit = view.visits[visit_i];
-        if (has_fixed_body(view, view.blocks[visit.block])) visit.lane_bits = static_cast<uint16_t>(visit.lane_bits | visit_of_fixed);
-    }
 }
 
 } }  // namespace ingot

@@ -42,11 +42,6 @@ struct WorkAlone {
     }
 };
 
-/// In Visit::lane_bits, where several cores work: some body of the visit cannot move. All such bodies are one of the solver's: nobody writes it then.
-inline constexpr uint16_t visit_of_fixed = 1u << 15;
-/// Lanes leave room for it.
-inline constexpr bool can_work_together = lanes <= 8;
-
 /// Becomes a part of its blocks.
 INGOT_INLINE void take_blocks(SolverView& view, const TaskRange& blocks) {
     view.blocks += blocks.begin;
