@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A level takes several slots of shapes, and is one body: who senses it is told of it once, under its id, be it slow or fast.
+// A level takes several slots of shapes, and is one body: who senses it is told of it once, under its id, be it slow or fast, small or large, alone
+// or with others beside it, at any rate.
 #include <algorithm>
 #include <memory>
 #include <vector>
@@ -7,6 +8,7 @@
 #include "level/small_levels.h"
 #include "reference/draws.h"
 #include "reference/kernel_types.h"
+#include "reference/powers_of_two.h"
 #include "reference/random_input.h"
 #include "stage.h"
 
@@ -14,13 +16,24 @@ using namespace events_stage;
 
 namespace {
 
+using ingot_reference::power_of_two;
+
+template <int k>
+constexpr auto hill_of_size() {
+    return ingot::height_field_of<4, 2>(level_test::hill_samples, power_of_two(k), power_of_two(k), power_of_two(k - 6));
+}
+template <int k>
+inline constexpr auto hill = hill_of_size<k>();
+
 /// Shapes of one body are as many as it has: so a level takes four slots of bodies, or two.
 template <int shapes_of_body>
 struct OverHills : ingot::Scene {
-    static constexpr int max_bodies = 16, max_manifolds = 48, max_shapes_of_body = shapes_of_body;
-    static constexpr int max_overlaps = 32, max_events = 64;
+    static constexpr int max_bodies = 24, max_manifolds = 96, max_shapes_of_body = shapes_of_body;
+    static constexpr int max_overlaps = 64, max_events = 128;
     static constexpr bool translates = true, continuous = true;
-    static constexpr ingot::LevelTable levels[] = {level_test::hill.value.view()};
+    static constexpr ingot::LevelTable levels[] = {hill<-6>.value.view(), hill<-3>.value.view(), hill<0>.value.view(), hill<3>.value.view(),
+                                                   hill<6>.value.view()};
+    static constexpr double sizes[] = {0.015625, 0.125, 1, 8, 64};
     using shapes = ingot::Shapes<ingot::Sphere, ingot::Box, ingot::Level>;
 };
 
@@ -29,36 +42,60 @@ struct Sensed {
     bool operator==(const Sensed& other) const { return sensor == other.sensor && visitor == other.visitor; }
 };
 
-/// How many steps had the level in a sensor, slow or in flight.
+/// How many steps had a level in a sensor, slow or in flight.
 struct Met {
     int slow, fast;
 };
+
+/// A level somewhere, turned, and two sensors and a body above it that go down: in all of the run, or by a length of the level's cells and more in a
+/// step. Some of them meet the level beside it, too.
+template <class S>
+void add_hill(World<S>& world, ingot_reference::RandomInput& random, double dt, bool is_fast, std::vector<BodyId>& levels) {
+    using ingot_reference::to_vector;
+    ingot::LevelDef level;
+    level.number = random.integer(0, 4);
+    const double size = S::sizes[level.number];
+    const Eigen::Matrix3d A = random.rotation();
+    const Eigen::Vector3d place = random.vector(4 * size) + Eigen::Vector3d(0, levels.empty() ? 0 : 2000, 0);
+    level.r = to_vector(place);
+    level.A = ingot_reference::to_matrix(A);
+    ingot::LevelDef beside = level;
+    beside.r = to_vector(place + 3 * size * A.col(0));
+    const bool level_first = random.integer(0, 1) == 0, has_two = random.integer(0, 1) == 0;
+    const auto add_levels = [&] {
+        for (int i = 0; i < (has_two ? 2 : 1); ++i) {
+            const auto added = world.add_level(i == 0 ? level : beside);
+            ASSERT_TRUE(added.ok());
+            levels.push_back(added.value);
+        }
+    };
+    if (level_first) add_levels();
+    for (int i = 0; i < 3; ++i) {
+        const auto half = static_cast<scalar>(size * random.real(0.05, 0.4));
+        const Eigen::Vector3d above = size * Eigen::Vector3d(random.real(0, has_two ? 6 : 3), random.real(0, 1), random.real(0.3, 2));
+        const double speed = is_fast ? random.real(0.8, 4.7) * size / dt : random.real(0.05, 2) * size / (40 * dt);
+        const Shape shape = random.integer(0, 1) == 0 ? Shape(ingot::Sphere{half}) : Shape(ingot::Box{{half, half, half}});
+        BodyDef def = body(shape, to_vector(place + A * above), to_vector(-speed * A.col(2)));
+        def.state.A = level.A;
+        ASSERT_TRUE(world.add(i < 2 ? sensor(def) : def).ok());
+    }
+    if (!level_first) add_levels();
+}
 
 template <int shapes_of_body>
 void expect_told_once(uint64_t seed, Met& met) {
     using Hills = World<OverHills<shapes_of_body>>;
     ingot_reference::RandomInput random(seed);
     const auto world = std::make_unique<Hills>();
-    const bool level_first = random.integer(0, 1) == 0, is_fast = random.integer(0, 1) == 0;
-    BodyId level{};
-    const auto add_level = [&] {
-        const auto added = world->add_level({});
-        ASSERT_TRUE(added.ok());
-        level = added.value;
-    };
-    if (level_first) add_level();
-    for (int i = 0; i < 3; ++i) {
-        const auto size = static_cast<scalar>(random.real(0.05, 0.4));
-        const Vector r = {static_cast<scalar>(random.real(0, 3)), static_cast<scalar>(random.real(0, 1)), static_cast<scalar>(random.real(0.3, 2))};
-        const Vector v = {0, 0, static_cast<scalar>(is_fast ? -random.real(50, 300) : -random.real(0.1, 3))};
-        BodyDef def = body(random.integer(0, 1) == 0 ? Shape(ingot::Sphere{size}) : Shape(ingot::Box{{size, size, size}}), r, v);
-        ASSERT_TRUE(world->add(i < 2 ? sensor(def) : def).ok());
-    }
-    if (!level_first) add_level();
+    constexpr double rates[] = {30, 60, 120, 240, 1000};
+    const double dt = 1 / rates[random.integer(0, 4)];
+    const bool is_fast = random.integer(0, 1) == 0;
+    std::vector<BodyId> levels;
+    for (int hill_i = random.integer(0, 1); hill_i < 2; ++hill_i) ASSERT_NO_FATAL_FAILURE(add_hill(*world, random, dt, is_fast, levels));
 
     std::vector<Sensed> in;
     for (int step_i = 0; step_i < 40; ++step_i) {
-        ASSERT_EQ(ingot::step(*world, h).overlaps_lost, 0);
+        ASSERT_EQ(ingot::step(*world, static_cast<scalar>(dt)).overlaps_lost, 0);
         for (const ingot::Event& event : world->events()) {
             const Sensed pair = {event.A, event.B};
             const auto place = std::find(in.begin(), in.end(), pair);
@@ -75,7 +112,7 @@ void expect_told_once(uint64_t seed, Met& met) {
             const ingot::OverlapInfo overlap = world->overlap(i).value;
             ASSERT_NE(std::find(in.begin(), in.end(), Sensed{overlap.sensor, overlap.visitor}), in.end());
             ASSERT_EQ(world->body_at(overlap.visitor.slot), overlap.visitor);
-            if (overlap.visitor == level) ++(is_fast ? met.fast : met.slow);
+            if (std::find(levels.begin(), levels.end(), overlap.visitor) != levels.end()) ++(is_fast ? met.fast : met.slow);
         }
     }
 }
