@@ -233,7 +233,7 @@ TYPED_TEST(BesideBadBodies, others_go_as_beside_calm_ones) {
     // To be mended: see told_after_freezing_test.
     if (is_sanitized && ingot::swings_freely<S>) GTEST_SKIP();
     using World = ingot::World<S>;
-    constexpr int count = is_sanitized ? 48 : 160, heaps = 4;  // watched, a draw takes seconds
+    constexpr int count = is_sanitized ? 16 : 160, heaps = 4;  // watched, a draw takes seconds
     constexpr double rates[] = {30, 60, 120, 240, 1000};
     RandomInput random(2);
     int froze = 0, beside = 0;

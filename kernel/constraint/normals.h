@@ -38,6 +38,10 @@ INGOT_INLINE mask is_used(const Block& block, int row) {
     return load(block.count) > splat<lane>(static_cast<scalar>(row));
 }
 
+/// Of rows of blocks with so many: a manifold of one point has that one, unless joints hold its bodies fast. Who shares the block is no matter.
+template <int rows, bool articulates>
+inline constexpr bool always_used = rows == 1 && !articulates;
+
 INGOT_INLINE mask bounces(const NormalRow& row) { return load(row.landing) < splat<lane>(limits::unbounded); }
 
 /// Where a point is now: its separation at the begin of the step, and what displacements have made of it.
@@ -110,7 +114,7 @@ struct Normals {
             before.at[row] = load(block.row[row].j);
             const lane speed =
                 (rows == 1 && block.central ? approach : row_speed(block.row[row].levers, approach, pair)) - load(block.row[row].target);
-            w.at[row] = rows == 1 ? speed : select(is_used(block, row), speed, lane{});
+            w.at[row] = always_used<rows, Visit::articulates> ? speed : select(is_used(block, row), speed, lane{});
         }
         const mask none[block_rows] = {};
         const scalar slack = limits::approach_slack * at.solver.unit;
@@ -129,7 +133,7 @@ struct Normals {
     }
 
     /// The position sweep: what is off, of displacements dp and dth.
-    template <int rows, class Block>
+    template <int rows, bool articulates, class Block>
     static INGOT_INLINE Pushes pushes_due(const Block& block, const Vec3<lane>& n, const BodyPairLanes& displaced, scalar h, scalar unit) {
         const lane deepest = splat<lane>(-limits::push_speed_max * h * unit), settled = splat<lane>(-limits::settled_gap * unit);
         const lane apart = dot(n, displaced.linear_A - displaced.linear_B), inv_M = load(block.inv_M_A) + load(block.inv_M_B);
@@ -139,7 +143,7 @@ struct Normals {
             const lane s = separation_now(block, row, apart, displaced);
             const mask lands = bounces(block.row[row]), pressed = presses(load(block.row[row].j), inv_M, splat<lane>(unit));
             const lane w = select(lands, s - load(block.row[row].landing), position_target(s, pressed, deepest));
-            due.w.at[row] = rows == 1 ? w : select(is_used(block, row), w, lane{});
+            due.w.at[row] = always_used<rows, articulates> ? w : select(is_used(block, row), w, lane{});
             due.pulls[row] = either(lands, pressed);
             due.lands = either(due.lands, lands);
             due.off = either(due.off, select(due.pulls[row], -abs(due.w.at[row]), due.w.at[row]) < settled);
@@ -222,6 +226,8 @@ private:
     static INGOT_INLINE Row4 impulses_kept(const View& solver, const Block& block, const BodyPairLanes& pair, scalar h) {
         Row4 kept;
         for (int row = 0; row < rows; ++row) kept.at[row] = load(block.row[row].j);
+        if constexpr (View::articulates)  // what joints hold fast carries nothing
+            for (int row = 0; row < rows; ++row) kept.at[row] = select(is_used(block, row), kept.at[row], lane{});
         if (solver.some_hit) {
             const mask hit = pair.last[1] + pair.last[3] > lane{};
             if (any(hit)) {

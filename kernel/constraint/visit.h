@@ -30,6 +30,7 @@ template <int row_count, bool all_lanes, class View>
 struct RowVisit {
     static constexpr int rows = row_count;
     static constexpr bool whole = all_lanes;
+    static constexpr bool articulates = View::articulates;
 
     const View& solver;
     int block_i;

@@ -16,7 +16,7 @@ INGOT_INLINE uint16_t visit_jointed_positions(const View& solver, int block_i, C
     const Vec3<lane> n = load(block.n);
     JointedPairLanes pair(gather_bodies(solver, block, &SolverBody::dp, &SolverBody::dth),
                           solver.jointed.blocks[block_i - solver.jointed.first_block]);
-    Pushes due = Normals::pushes_due<rows>(block, n, pair, h, solver.unit);
+    Pushes due = Normals::pushes_due<rows, true>(block, n, pair, h, solver.unit);
     if (again) due.off = both(both(due.off, due.lands), is_used(block, 1));
     due.off = both(due.off, active);
     if (!any(due.off)) return 0;
@@ -44,7 +44,7 @@ INGOT_INLINE void visit_central_positions(const View& solver, ContactBlock& bloc
     const LaneQuad dp_A = gather(solver.bodies, block.body_A, &SolverBody::dp), dp_B = gather(solver.bodies, block.body_B, &SolverBody::dp);
     pair.linear_A = vector_of(dp_A);
     pair.linear_B = vector_of(dp_B);
-    const Pushes due = Normals::pushes_due<1>(block, n, pair, h, solver.unit);
+    const Pushes due = Normals::pushes_due<1, false>(block, n, pair, h, solver.unit);
     if (!any(due.off)) return;
     const Row4 q = Normals::push<1>(block, due, limits::approach_slack * h * solver.unit, lanes_of(lane_bits));
     add_linear(pair, n * select(due.off, q.at[0], lane{}), load(block.inv_M_A), load(block.inv_M_B));

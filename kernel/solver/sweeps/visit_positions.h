@@ -17,7 +17,7 @@ INGOT_INLINE bool visit_positions(const View& solver, ContactBlock& block, uint1
     const mask active = lanes_of(lane_bits);
     const Vec3<lane> n = load(block.n);
     auto pair = held_pair(solver, block, gather_bodies(solver, block, &SolverBody::dp, &SolverBody::dth));
-    Pushes due = Normals::pushes_due<rows>(block, n, pair, h, solver.unit);
+    Pushes due = Normals::pushes_due<rows, false>(block, n, pair, h, solver.unit);
     // A single point lands by one push, and has no more in a block of one row. It has no more beside manifolds of several points either: the same
     // bits.
     if (again) due.off = both(both(due.off, due.lands), is_used(block, 1));
