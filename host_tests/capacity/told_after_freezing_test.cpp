@@ -181,11 +181,7 @@ protected:
         return some;
     }
     /// It loads, and what is loaded goes on as the other does.
-    static void expect_same_life(const World& world, [[maybe_unused]] const Heap<S>& heap, scalar h) {
-        // An energy-momentum step leaves the rotation of what turns by a million radians in it further from one than a snapshot takes.
-        if constexpr (ingot::swings_freely<S>)
-            for (const BodyId id : heap.bodies)
-                if (ingot::length_sq(world.omega(id).value) > scalar(1e14)) return;
+    static void expect_same_life(const World& world, scalar h) {
         const auto loaded = std::make_unique<World>(), copy = std::make_unique<World>(world);
         const auto bytes = saved(world);
         ASSERT_EQ(ingot::load_snapshot(*loaded, bytes.data(), bytes.size()), Status::ok);
@@ -264,7 +260,7 @@ TYPED_TEST(ToldAfterFreezing, is_finite_and_goes_on) {
                     for (const BodyId id : heaps[0].bodies)
                         if (world->is_frozen(id))
                             for (const ingot::ContactInfo& contact : world->contacts_of(id)) touched += contact.point_count;
-                this->expect_same_life(*world, heaps[0], h);
+                this->expect_same_life(*world, h);
             }
             if (this->HasFailure()) {
                 std::printf("run %d, step %d\n", run_i, step_i);
