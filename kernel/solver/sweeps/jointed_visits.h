@@ -52,11 +52,12 @@ INGOT_INLINE void reach_contacts(const View& solver) {
     }
 }
 
-/// What sweeps at their bound may do wrong is known of islands without joints alone: those with some are not swept again.
+/// What sweeps at their bound may do wrong is known of islands without joints alone: those with some are not swept again. Of those of the batch: what
+/// the others have been found to be is no matter of a solve that they are not in.
 template <class View>
 void excuse_jointed(View& solver) {
     for (int island_i = 0; island_i < solver.island_count; ++island_i)  // bound: max_bodies
-        if (solver.jointed.doublings_of[island_i] != 0) solver.islands[island_i].at_bound = false;
+        if (solver.islands[island_i].in_batch && solver.jointed.doublings_of[island_i] != 0) solver.islands[island_i].at_bound = false;
 }
 
 /// Sweeps of islands with joints that move end sooner: at limits::jointed_settled_share of what gravity gives in a substep of h seconds, or of what
