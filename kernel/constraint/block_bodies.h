@@ -23,19 +23,26 @@ INGOT_LONG_HELPER BodyPairLanes gather_bodies(const SolverView& solver, const Co
 
 INGOT_INLINE LaneQuad quad_of(const Vec3<lane>& v, lane last) { return {{v.x, v.y, v.z, last}}; }
 
-/// Writes back the lanes of the visit: of one quad, or of all four.
-INGOT_INLINE void scatter_visited(const SolverView& solver, const Index* bodies, uint16_t lane_bits, QuadOfBody part, const LaneQuad& value) {
-    if (is_all(lane_bits))
-        scatter(solver.bodies, bodies, part, value);
-    else
-        scatter_some(solver.bodies, bodies, lane_bits, part, value);
+/// Writes back the lanes of the visit, of one side.
+INGOT_INLINE void scatter_visited(const SolverView& solver, const Index* bodies, uint16_t lane_bits, QuadOfBody linear, const LaneQuad& of_linear) {
+    if (!is_all(lane_bits)) return scatter_some(solver.bodies, bodies, lane_bits, linear, of_linear);
+    WrittenBodies(solver.bodies, bodies).put(linear, of_linear);
+}
+INGOT_INLINE void scatter_visited(const SolverView& solver, const Index* bodies, uint16_t lane_bits, QuadOfBody linear, const LaneQuad& of_linear,
+                                  QuadOfBody angular, const LaneQuad& of_angular) {
+    if (is_all(lane_bits)) {
+        const WrittenBodies to(solver.bodies, bodies);
+        to.put(linear, of_linear);
+        to.put(angular, of_angular);
+        return;
+    }
+    scatter_some(solver.bodies, bodies, lane_bits, linear, of_linear);
+    scatter_some(solver.bodies, bodies, lane_bits, angular, of_angular);
 }
 INGOT_LONG_HELPER void scatter_bodies(const SolverView& solver, const ContactBlock& block, uint16_t lane_bits, const BodyPairLanes& pair,
                                  QuadOfBody linear, QuadOfBody angular) {
-    scatter_visited(solver, block.body_A, lane_bits, linear, quad_of(pair.linear_A, pair.last[0]));
-    scatter_visited(solver, block.body_A, lane_bits, angular, quad_of(pair.angular_A, pair.last[1]));
-    scatter_visited(solver, block.body_B, lane_bits, linear, quad_of(pair.linear_B, pair.last[2]));
-    scatter_visited(solver, block.body_B, lane_bits, angular, quad_of(pair.angular_B, pair.last[3]));
+    scatter_visited(solver, block.body_A, lane_bits, linear, quad_of(pair.linear_A, pair.last[0]), angular, quad_of(pair.angular_A, pair.last[1]));
+    scatter_visited(solver, block.body_B, lane_bits, linear, quad_of(pair.linear_B, pair.last[2]), angular, quad_of(pair.angular_B, pair.last[3]));
 }
 
 } }  // namespace ingot

@@ -50,13 +50,22 @@ using QuadOfBody = scalar (SolverBody::*)[4];
 INGOT_INLINE LaneQuad gather(const SolverBody* bodies, const Index* index, QuadOfBody part) {
     return gather4([&](int lane_i) { return static_cast<const scalar*>(bodies[index[lane_i]].*part); });
 }
-/// No two lanes share a body, other than the one that cannot move. That one is never written: all that touch the ground read it, on other cores
-/// too, and what it would be given, 0 times an impulse, is no number where the impulse is not finite.
-INGOT_INLINE void scatter(SolverBody* bodies, const Index* index, QuadOfBody part, const LaneQuad& value) {
-    if (lanes == 1 && index[0] == 0) return;
-    alignas(4 * sizeof(scalar)) scalar nowhere[4];
-    scatter4(value, [&](int lane_i) { return index[lane_i] == 0 ? nowhere : static_cast<scalar*>(bodies[index[lane_i]].*part); });
-}
+/// Where the lanes of a visit are written to. No two share a body, other than the one that cannot move. That one is never written: all that touch the
+/// ground read it, on other cores too, and what it would be given, 0 times an impulse, is no number where the impulse is not finite.
+class WrittenBodies {
+public:
+    INGOT_INLINE WrittenBodies(SolverBody* bodies, const Index* index) {
+        for (int lane_i = 0; lane_i < lanes; ++lane_i) to_[lane_i] = index[lane_i] == 0 ? &nowhere_ : bodies + index[lane_i];
+    }
+    INGOT_INLINE void put(QuadOfBody part, const LaneQuad& value) const {
+        if (lanes == 1 && to_[0] == &nowhere_) return;
+        scatter4(value, [&](int lane_i) { return static_cast<scalar*>(to_[lane_i]->*part); });
+    }
+
+private:
+    SolverBody nowhere_;
+    SolverBody* to_[lanes];
+};
 /// Writes only the lanes named by bits.
 INGOT_INLINE void scatter_some(SolverBody* bodies, const Index* index, uint16_t lane_bits, QuadOfBody part, const LaneQuad& value) {
     scalar rows[4][lanes];

@@ -352,18 +352,6 @@ void note_drives(const FigureView& view, const Rows& all) {
     }
 }
 
-namespace {
-
-/// The target of the next step. Kahan: rounding does not add up over the steps.
-void move_target(DriveRecord& of, scalar h) {
-    const scalar due = of.drive.target_rate * h + of.target_low, target = of.drive.target + due;
-    const scalar kept = max(-limits::position_max, min(limits::position_max, target));
-    of.target_low = kept == target ? due - (target - of.drive.target) : scalar(0);
-    of.drive.target = kept;
-}
-
-}  // namespace
-
 template <class Rows>
 void keep_drives(const FigureView& view, const Rows& all, int doublings) {
     for_driven(view, all, [&](const auto& joint, const FigureNode& node) {
@@ -382,7 +370,7 @@ void keep_drives(const FigureView& view, const Rows& all, int doublings) {
         }
         for (int i = 0; i < count; ++i) {
             if (is_finite(torque[i])) of[i].torque = torque[i];  // else of bodies that have gone bad
-            move_target(of[i], view.h);
+            of[i].go_on(view.h);
         }
         if (!is_ball(node.kind)) return;
         const Vector target = least_turn({of[0].drive.target, of[1].drive.target, of[2].drive.target});

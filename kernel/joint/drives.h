@@ -2,6 +2,8 @@
 // What drives joints: springs and dampers, servos, motors. In scenes that name WithDrives among their joints.
 #pragma once
 
+#include "../base/limits.h"
+#include "../math/lanes.h"
 #include "joints.h"
 
 namespace ingot { inline namespace INGOT_ABI {
@@ -14,8 +16,8 @@ enum class DriveKind : uint8_t { none, spring, tuned, motor };
 /// Torque: feedforward - stiffness (angle - target) - damping (rate - target_rate), with angle and rate as they are at the end of each substep, so
 /// that no stiffness rings or gains energy; cut at max_torque in every substep. Of a slider read force and travel.
 ///
-/// A target that goes on is a sum of steps, which keeps what it rounds off: a clock's hand is off by the roundings of its own angle and of its rate, and
-/// not by one more with each step. World::set_joint_target begins a sum anew.
+/// A target that goes on is a sum of steps, which keeps what it rounds off: a clock's hand is off by the roundings of its own angle and of its rate,
+/// and not by one more with each step. World::set_joint_target begins a sum anew.
 struct JointDrive {
     DriveKind kind{};                ///< by which of the kinds below it was made; none: it does nothing
     scalar stiffness = 0;            ///< N m/rad, N/m, 0 to limits::drive_gain_max; tuned: Hz, 0 to limits::drive_hertz_max
@@ -60,6 +62,13 @@ struct DriveRecord {
     void aim(const JointDrive& at) {
         drive = at;
         target_low = 0;
+    }
+    /// To the target of the next step. Kahan: rounding does not add up over the steps.
+    void go_on(scalar h) {
+        const scalar due = drive.target_rate * h + target_low, target = drive.target + due;
+        const scalar kept = max(-limits::position_max, min(limits::position_max, target));
+        target_low = kept == target ? due - (target - drive.target) : scalar(0);
+        drive.target = kept;
     }
 };
 
