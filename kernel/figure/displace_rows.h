@@ -22,7 +22,7 @@ T set_push(const FigureRows<width, Kinds>& rows, int row_i) {
 
 /// The same of all joints of a group.
 template <unsigned width, class Kinds, class T = typename AllLanes<width>::T>
-T set_pushes(const FigureRows<width, Kinds>& rows) {
+INGOT_LONG_HELPER T set_pushes(const FigureRows<width, Kinds>& rows) {
     T most{};
     for (int row_i = 0; row_i < rows.count(); ++row_i) {  // bound: max_bodies
         write(rows.all, rows[row_i].bias, rows.no_twist());

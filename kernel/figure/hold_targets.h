@@ -102,19 +102,9 @@ auto far_lanes(const FigureRows<width, Kinds>& rows, scalar h) {
     return most > splat<T>(1);
 }
 
-/// What a joint is off by, in units of limits::parted_gap, squared; beyond what rounding makes of where its bodies are.
-template <unsigned width, class Kinds, class T = T_of_width<width>>
-T parted_by(const FigureRows<width, Kinds>& rows, int row_i) {
-    const JointKind kind = rows.kind(row_i);
-    const Spatial<T> back = twist_back(kind, sides_now(rows, rows.all, row_i, locks_turns(kind)));
-    const auto squared = [](scalar of) { return splat<T>(of * of); };
-    const T rounding = length_sq(read(rows.all, rows[row_i].r)) * squared(16 * epsilon);
-    return max(length_sq(back.v) / (rounding + squared(limits::parted_gap * rows.view.unit)), length_sq(back.w) / squared(limits::parted_gap));
-}
-
-/// Lanes that were found to be parted; see parted_lanes.
+/// Lanes that were found to be parted: see find_parted.
 template <unsigned width, class Kinds>
-auto noted_parted_lanes(const FigureRows<width, Kinds>& rows) {
+auto parted_lanes(const FigureRows<width, Kinds>& rows) {
     scalar flags[width];
     for (int lane_i = 0; lane_i < static_cast<int>(width); ++lane_i) flags[lane_i] = rows.figure(lane_i).parted;  // bound: lanes
     return rows.all.get(flags) > T_of_width<width>{};
@@ -130,27 +120,30 @@ inline void note_parted(const FigureView& view, Figure& figure, bool is_apart) {
 }
 template <unsigned width, class Kinds, class T = T_of_width<width>>
 void note_parted(const FigureRows<width, Kinds>& rows) {
-    T most{};
-    for (int row_i = 0; row_i < rows.count(); ++row_i)  // bound: max_bodies
-        if (rows.node(row_i).kind != JointKind::none) most = max(most, parted_by(rows, row_i));
-    scalar by[width];
-    rows.all.put(by, most);
-    for (int lane_i = 0; lane_i < static_cast<int>(width); ++lane_i) note_parted(rows.view, rows.figure(lane_i), by[lane_i] > 1);  // bound: lanes
+    constexpr scalar rounding = 16 * epsilon / limits::parted_gap;  // of where bodies are
+    T r_sq{};
+    for (int row_i = 0; row_i < rows.count(); ++row_i) r_sq = max(r_sq, length_sq(read(rows.all, rows[row_i].r)));  // bound: max_bodies
+    const T allowed_sq = splat<T>(1) + r_sq * splat<T>(rounding * rounding / (rows.view.unit * rows.view.unit));
+    scalar off_sq[width], allowed[width];
+    rows.all.put(off_sq, set_pushes(rows) * splat<T>(1 / (limits::parted_gap * limits::parted_gap)));
+    rows.all.put(allowed, allowed_sq);
+    for (int lane_i = 0; lane_i < static_cast<int>(width); ++lane_i)  // bound: lanes
+        note_parted(rows.view, rows.figure(lane_i), off_sq[lane_i] > allowed[lane_i]);
 }
 
 /// Lanes with a joint that is further apart than pushes leave it: bodies were put to where they are, and no velocity has to take them back. Looked at
-/// as a step begins, and then until they are together; and in the substep after that, as figures with loops were placed before the push.
+/// as a step begins, and then until they are together; and in the substep after that, as figures with loops were placed before the push. Before the
+/// joints are aimed: a push stands in their biases.
 template <unsigned width, class Kinds>
-auto parted_lanes(const FigureRows<width, Kinds>& rows) {
+void find_parted(const FigureRows<width, Kinds>& rows) {
     bool asks = rows.view.elapsed == 0;
     for (int lane_i = 0; lane_i < static_cast<int>(width); ++lane_i) asks = asks || rows.figure(lane_i).parted > 0;  // bound: lanes
     if (asks) note_parted(rows);
-    return noted_parted_lanes(rows);
 }
 
-/// Of scenes with loops: what is tied to each other is parted together. Before the joints are aimed.
+/// The same of scenes with loops: what is tied to each other is parted together.
 inline void find_parted(const FigureView& view, const LoopView& loops) {
-    for_groups(view, [](const auto& rows) { (void)parted_lanes(rows); });
+    for_groups(view, [](const auto& rows) { find_parted(rows); });
     for_looped_figures(view, loops, [&](const LoopFigure& of) {
         uint8_t parted = 0;
         for (int i = of.figure; i < of.figure + of.figure_count; ++i)  // bound: max_bodies
@@ -181,7 +174,7 @@ auto doubtful_lanes(const FigureRows<width, Kinds>& rows, const LoopView& loops,
     scalar flags[width];
     for (int lane_i = 0; lane_i < rows.lane_count; ++lane_i) flags[lane_i] = rows.figure(lane_i).resolved ? 0 : 1;  // bound: lanes
     for_looped(rows, loops, [&](const LoopFigure& of, int lane_i) { flags[lane_i] = of.row_count > 0 ? 1 : flags[lane_i]; });
-    return either(either(rows.all.get(flags) > T{}, noted_parted_lanes(rows)), far_lanes(rows, h));
+    return either(either(rows.all.get(flags) > T{}, parted_lanes(rows)), far_lanes(rows, h));
 }
 
 /// Lanes whose figures are no machines.
@@ -237,7 +230,7 @@ template <unsigned width, class Kinds>
 auto gaining_lanes(const FigureRows<width, Kinds>& rows, const LoopView& loops, scalar h, scalar gain) {
     const auto of = read(rows.all, rows[0].drive);
     const auto gains = both(doubtful_lanes(rows, loops, h), gaining_lanes(rows, {of.x, of.y}, of.z, h, gain));
-    return either(gains, both(noted_parted_lanes(rows), lanes_of_trees(rows, loops)));
+    return either(gains, both(parted_lanes(rows), lanes_of_trees(rows, loops)));
 }
 
 /// Machines near a dead point, as a chain is that is drawn taut, have a second way to where targets of second order want them: through it, to its
@@ -271,7 +264,7 @@ inline void hold_back_targets(const FigureView& view, const LoopView& loops, sca
     for_groups(view, [&](const auto& rows) {
         const auto gains = gaining_lanes(rows, loops, h, gain);
         if (!any(gains)) return;
-        leave_out_biases(rows, gains, either(far_lanes(rows, h), noted_parted_lanes(rows)));
+        leave_out_biases(rows, gains, either(far_lanes(rows, h), parted_lanes(rows)));
         for_looped(rows, loops, [&](const LoopFigure& of_loops, int lane_i) {
             if ((bits(gains) >> lane_i & 1u) != 0) leave_out_targets(loops, of_loops);
         });

@@ -120,6 +120,7 @@ namespace {
 template <class Kinds>
 void begin_solve_of_trees(const FigureView& view, scalar h) {
     for_groups<Kinds>(view, [h](const auto& rows) {
+        find_parted(rows);
         aim_joints(rows, h);
         if constexpr (may_be_universal<Kinds>)
             if (has_universal_joint(rows)) share_targets(rows, h, rows.all_lanes());
