@@ -158,11 +158,10 @@ void take_up_roundings(const FigureRows<width>& figures) {
 
 template <unsigned width>
 unsigned fit_to_joints(const FigureView& view, const FigureRows<width>& figures) {
-    using T = typename AllLanes<width>::T;
     place_joints(view);
     factor_figures(view, NoLoops{}, 0);
     push_figures(view, NoLoops{}, false);
-    const auto is_together = set_pushes(figures) <= splat<T>(limits::parted_gap * limits::parted_gap);
+    const auto is_together = opposite(apart_lanes(figures));
     set_spins(figures);
     place_joints(view);
     factor_figures(view, NoLoops{}, 0);

@@ -2,6 +2,7 @@
 // Displacements of figures: from where their bodies are to where their joints want them.
 #pragma once
 
+#include "../base/figure_limits.h"
 #include "joint_sides.h"
 #include "row_motion.h"
 #include "tree_passes.h"
@@ -29,6 +30,16 @@ INGOT_LONG_HELPER T set_pushes(const FigureRows<width, Kinds>& rows) {
         if (rows.node(row_i).kind != JointKind::none) most = max(most, set_push(rows, row_i));
     }
     return most;
+}
+
+/// Lanes with a joint that is further apart than pushes leave it, and than where bodies are may be rounded. As biases of a push.
+template <unsigned width, class Kinds, class T = typename AllLanes<width>::T>
+auto apart_lanes(const FigureRows<width, Kinds>& rows) {
+    constexpr scalar rounding = 16 * epsilon / limits::parted_gap;
+    T r_sq{};
+    for (int row_i = 0; row_i < rows.count(); ++row_i) r_sq = max(r_sq, length_sq(read(rows.all, rows[row_i].r)));  // bound: max_bodies
+    const T allowed_sq = splat<T>(1) + r_sq * splat<T>(rounding * rounding / (rows.view.unit * rows.view.unit));
+    return set_pushes(rows) * splat<T>(1 / (limits::parted_gap * limits::parted_gap)) > allowed_sq;
 }
 
 template <unsigned width, class Kinds>

@@ -118,27 +118,17 @@ inline void note_parted(const FigureView& view, Figure& figure, bool is_apart) {
     else if (figure.parted > 0)
         --figure.parted;
 }
-template <unsigned width, class Kinds, class T = T_of_width<width>>
-void note_parted(const FigureRows<width, Kinds>& rows) {
-    constexpr scalar rounding = 16 * epsilon / limits::parted_gap;  // of where bodies are
-    T r_sq{};
-    for (int row_i = 0; row_i < rows.count(); ++row_i) r_sq = max(r_sq, length_sq(read(rows.all, rows[row_i].r)));  // bound: max_bodies
-    const T allowed_sq = splat<T>(1) + r_sq * splat<T>(rounding * rounding / (rows.view.unit * rows.view.unit));
-    scalar off_sq[width], allowed[width];
-    rows.all.put(off_sq, set_pushes(rows) * splat<T>(1 / (limits::parted_gap * limits::parted_gap)));
-    rows.all.put(allowed, allowed_sq);
-    for (int lane_i = 0; lane_i < static_cast<int>(width); ++lane_i)  // bound: lanes
-        note_parted(rows.view, rows.figure(lane_i), off_sq[lane_i] > allowed[lane_i]);
-}
 
-/// Lanes with a joint that is further apart than pushes leave it: bodies were put to where they are, and no velocity has to take them back. Looked at
-/// as a step begins, and then until they are together; and in the substep after that, as figures with loops were placed before the push. Before the
-/// joints are aimed: a push stands in their biases.
+/// Finds figures that are apart: bodies were put to where they are, and no velocity has to take them back. Looked at as a step begins, and then until
+/// they are together; and in the substep after that, as figures with loops were placed before the push. Before the joints are aimed.
 template <unsigned width, class Kinds>
 void find_parted(const FigureRows<width, Kinds>& rows) {
     bool asks = rows.view.elapsed == 0;
     for (int lane_i = 0; lane_i < static_cast<int>(width); ++lane_i) asks = asks || rows.figure(lane_i).parted > 0;  // bound: lanes
-    if (asks) note_parted(rows);
+    if (!asks) return;
+    const unsigned apart = bits(apart_lanes(rows));
+    for (int lane_i = 0; lane_i < static_cast<int>(width); ++lane_i)  // bound: lanes
+        note_parted(rows.view, rows.figure(lane_i), (apart >> lane_i & 1u) != 0);
 }
 
 /// The same of scenes with loops: what is tied to each other is parted together.
