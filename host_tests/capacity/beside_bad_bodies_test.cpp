@@ -14,6 +14,7 @@
 
 #include "joints/figures.h"
 #include "reference/draws.h"
+#include "reference/sanitized.h"
 
 namespace {
 
@@ -22,6 +23,7 @@ using ingot::BodyId;
 using ingot::scalar;
 using ingot::Status;
 using ingot::Vector;
+using ingot_reference::is_sanitized;
 using ingot_reference::RandomInput;
 namespace limits = ingot::limits;
 
@@ -222,11 +224,6 @@ class BesideBadBodies : public ::testing::Test {};
 using Scenes = ::testing::Types<Pile, Balls, Materials, Locked, OnLevels, Fast, Direct, Pointwise, Frictionless, Trees, Machines<Pile>,
                                 Machines<Materials>, Swinging>;
 TYPED_TEST_SUITE(BesideBadBodies, Scenes);
-
-#ifndef __has_feature
-#define __has_feature(name) 0
-#endif
-constexpr bool is_sanitized = __has_feature(address_sanitizer);
 
 TYPED_TEST(BesideBadBodies, others_go_as_beside_calm_ones) {
     using S = TypeParam;

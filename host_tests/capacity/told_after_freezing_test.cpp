@@ -11,6 +11,7 @@
 
 #include "joints/figures.h"
 #include "reference/draws.h"
+#include "reference/sanitized.h"
 
 namespace {
 
@@ -20,6 +21,7 @@ using ingot::JointId;
 using ingot::scalar;
 using ingot::Status;
 using ingot::Vector;
+using ingot_reference::is_sanitized;
 using ingot_reference::RandomInput;
 namespace limits = ingot::limits;
 
@@ -197,11 +199,6 @@ protected:
 using Scenes = ::testing::Types<Pile, Read, Direct, Pointwise, Sleepy, Fast, Jointed<Swinging>, Jointed<Read>, Jointed<Sleepy>, Jointed<Fast>,
                                 Smooth, SmoothPile>;
 TYPED_TEST_SUITE(ToldAfterFreezing, Scenes);
-
-#ifndef __has_feature
-#define __has_feature(name) 0
-#endif
-constexpr bool is_sanitized = __has_feature(address_sanitizer);
 
 /// Pushed and turned by what calls take, one body or all, a step or several; light and heavy.
 TYPED_TEST(ToldAfterFreezing, is_finite_and_goes_on) {

@@ -120,6 +120,19 @@ double worst_gap(const World& world, const Built& built) {
     return worst;
 }
 
+/// J, of some bodies.
+template <class World>
+double kinetic_energy_of(const World& world, const std::vector<ingot::BodyId>& bodies) {
+    using ingot_reference::to_eigen;
+    double sum = 0;
+    for (const ingot::BodyId id : bodies) {
+        const ingot::BodyState state = world.state(id).value;
+        sum += (static_cast<double>(world.mass(id).value) * to_eigen(state.v_CM).squaredNorm() +
+                to_eigen(state.L).dot(to_eigen(world.omega(id).value))) / 2;
+    }
+    return sum;
+}
+
 /// J, with that of height.
 template <class World>
 double energy_of(const World& world, const Built& built) {

@@ -83,15 +83,7 @@ struct JammedMachine {
         for (const ingot::BodyId id : bodies) sum += static_cast<double>(world.mass(id).value) * to_eigen(world.state(id).value.v_CM);
         return sum;
     }
-    double energy() const {
-        double sum = 0;
-        for (const ingot::BodyId id : bodies) {
-            const Vector3d v = to_eigen(world.state(id).value.v_CM);
-            sum += (static_cast<double>(world.mass(id).value) * v.squaredNorm() +
-                    to_eigen(world.state(id).value.L).dot(to_eigen(world.omega(id).value))) / 2;
-        }
-        return sum;
-    }
+    double energy() const { return kinetic_energy_of(world, bodies); }
 };
 
 /// A machine, or three beside each other whose lanes they share, and a world in which the second stands alone.

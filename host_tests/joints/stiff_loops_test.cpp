@@ -67,15 +67,7 @@ struct StiffLoop {
         const ingot::SpringDrive spring{static_cast<scalar>(stiffness)};
         sound = sound && world.set_joint_drive(wheel.value, spring, ingot::WheelJoint::steering) == Status::ok;
     }
-    double energy() const {
-        double sum = 0;
-        for (const ingot::BodyId id : bodies) {
-            const ingot::BodyState state = world.state(id).value;
-            sum += (static_cast<double>(world.mass(id).value) * to_eigen(state.v_CM).squaredNorm() +
-                    to_eigen(state.L).dot(to_eigen(world.omega(id).value))) / 2;
-        }
-        return sum;
-    }
+    double energy() const { return kinetic_energy_of(world, {bodies[0], bodies[1]}); }
 };
 
 /// What springs hold they got from the motion: the energy of the bodies is never more than it was. Sides that round apart are drawn together:
