@@ -143,7 +143,7 @@ private:
         if constexpr (has_shapes<S>) status = check_surface(def);
         if (status == Status::ok) status = check_definition(as_placed(def), S::translates, has_shapes<S> && S::shapes::has(def.shape.kind));
         if (status == Status::ok && !ShapesOf<S>::names_its_hull(def.shape)) status = Status::bad_shape;
-        features::All::over_all([&](auto feature) {
+        features::All::over_checking_definitions([&](auto feature) {
             const Status of_feature = decltype(feature)::template check_def<S>(def);
             if (of_feature != Status::ok) status = of_feature;
         });

@@ -63,6 +63,7 @@ struct LockedAxes : Feature {
         if ((locks & ~AxisLocks::all) != 0) return Status::out_of_range;
         return !locks_translations<S> && translations_locked(locks) != 0 ? Status::not_in_scene : Status::ok;
     }
+    static constexpr bool checks_definitions = true;
     template <class S>
     static Status check_def(const BodyDef& def) {
         if constexpr (S::axis_locks)

@@ -94,11 +94,9 @@ struct Feature {
     static constexpr bool check() {
         return true;
     }
-    /// What a definition may not say in a scene that does not name the feature.
-    template <class S>
-    static Status check_def(const BodyDef&) {
-        return Status::ok;
-    }
+    /// Whether it has something to say of definitions of bodies, in scenes that name it or in those that do not:
+    ///     template <class S> static Status check_def(const BodyDef&);
+    static constexpr bool checks_definitions = false;
     template <class S>
     static void begin_body(Storage<S>&, int, const BodyDef&) {}
     template <class S>
@@ -136,12 +134,16 @@ constexpr Picked<First..., Then...> operator+(Picked<First...>, Picked<Then...>)
     return {};
 }
 
+/// Those of `All` that the scene names. A struct, so that a compiler picks them once for a scene, and not again in every fold.
+template <class S, class... All>
+struct NamedOf {
+    using type = decltype((Picked<>{} + ... + If<All::template named<S>, Picked<All>, Picked<>>()));
+};
+
 /// The features there are.
 template <class... All>
 struct FeatureList {
-    /// Those that the scene names. Picked once for a scene: a compiler that asked every feature in every fold would spend a fifth of its time on it.
-    template <class S>
-    using Named = decltype((Picked<>{} + ... + If<All::template named<S>, Picked<All>, Picked<>>()));
+    using CheckingDefinitions = decltype((Picked<>{} + ... + If<All::checks_definitions, Picked<All>, Picked<>>()));
 
     /// Calls visit(feature) for each.
     template <class Visit>
@@ -151,7 +153,12 @@ struct FeatureList {
     /// For those that the scene names.
     template <class S, class Visit>
     static constexpr void over_named(const Visit& visit) {
-        over(Named<S>{}, visit);
+        over(typename NamedOf<S, All...>::type{}, visit);
+    }
+    /// For those that check definitions.
+    template <class Visit>
+    static constexpr void over_checking_definitions(const Visit& visit) {
+        over(CheckingDefinitions{}, visit);
     }
     template <class... Some, class Visit>
     static constexpr void over(Picked<Some...>, const Visit& visit) {

@@ -48,6 +48,7 @@ struct KinematicBodies : Feature {
                       "with kinematic_bodies a scene holds up to 65534 bodies and manifolds together: lower max_bodies or max_manifolds");
         return true;
     }
+    static constexpr bool checks_definitions = true;
     template <class S>
     static Status check_def(const BodyDef& def) {
         if (!def.kinematic) return Status::ok;

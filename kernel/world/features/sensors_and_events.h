@@ -77,6 +77,7 @@ struct Sensors : Feature {
         static_assert(!has_sensors<S> || stacks<S>, "sensors are for scenes of contacts with friction: set max_manifolds, or max_overlaps = 0");
         return true;
     }
+    static constexpr bool checks_definitions = true;
     template <class S>
     static Status check_def(const BodyDef& def) {
         return has_shapes<S> && !has_sensors<S> && def.sensor ? Status::not_in_scene : Status::ok;

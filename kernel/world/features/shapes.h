@@ -237,6 +237,7 @@ struct Filters : Feature {
         static_assert(!S::filters || stacks<S>, "filters are for contacts with friction: set max_manifolds, or filters = false");
         return true;
     }
+    static constexpr bool checks_definitions = true;
     template <class S>
     static Status check_def(const BodyDef& def) {
         const bool plain = def.filter.category == meets_all.category && def.filter.mask == meets_all.mask;
