@@ -56,6 +56,12 @@ void begin_sweeps(const SolverView& solver) {
 }
 
 template <class View>
+void begin_rows_again(const View& solver) {
+    for (int block_i = 0; block_i < solver.block_count; ++block_i)  // bound: max_manifolds, rounded up to whole blocks
+        ContactConstraint<View>::Given::for_rows(solver, block_i, [](const SeenRow& row) { row.j_sweep = row.j; });
+}
+
+template <class View>
 void extrapolate(const View& solver) {
     Index island_before = no_island;
     lane beta{};
@@ -83,13 +89,17 @@ void extrapolate(const View& solver) {
 }
 
 // The linker takes the one that the scene calls. Belts have no impulses of their own.
-template void extrapolate(const JointedView&);
-template void extrapolate(const LoopedView&);
-template void extrapolate(const JointedMaterialView&);
-template void extrapolate(const LoopedMaterialView&);
-template void extrapolate(const SolverView&);
-template void extrapolate(const BallView&);
-template void extrapolate(const RollingView&);
-template void extrapolate(const RollingBeltView&);
+#define INGOT_VIEW(View)                         \
+    template void begin_rows_again(const View&); \
+    template void extrapolate(const View&)
+INGOT_VIEW(JointedView);
+INGOT_VIEW(LoopedView);
+INGOT_VIEW(JointedMaterialView);
+INGOT_VIEW(LoopedMaterialView);
+INGOT_VIEW(SolverView);
+INGOT_VIEW(BallView);
+INGOT_VIEW(RollingView);
+INGOT_VIEW(RollingBeltView);
+#undef INGOT_VIEW
 
 } }  // namespace ingot

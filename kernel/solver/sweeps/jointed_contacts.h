@@ -189,6 +189,7 @@ private:
             stand_rows();
             aim_joint_rows(jointed.figures, rows(), h);
         }
+        begin_rows_again(without_belts(this->view));
         this->sweep_passively(bodies, h);
     }
     /// Of islands that have a drive which has given way.
@@ -209,6 +210,7 @@ private:
         else
             begin_solve(jointed.figures, this->view.loops, h);
         aim_joint_rows(jointed.figures, rows(), h);
+        begin_rows_again(without_belts(this->view));
         this->sweep_passively(bodies, h);
     }
     /// Rows of islands that are not in the batch any more.

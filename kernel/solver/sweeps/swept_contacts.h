@@ -4,6 +4,7 @@
 #include "../conduct_substeps.h"
 #include "../../constraint/prepare_blocks.h"
 #include "../../constraint/refresh_blocks.h"
+#include "conjugate_gradients.h"
 #include "diverged_islands.h"
 #include "gaining_figures.h"
 #include "gaining_islands.h"
@@ -105,6 +106,10 @@ protected:
     bool some_reverse = false;  ///< the slip of some contact turns round in this substep
 
     void sweep() { ingot::solve_velocities(whole, work); }
+    void solve_again() {
+        begin_rows_again(without_locks(without_belts(view)));
+        sweep();
+    }
     /// Sweeps, and again where sweeps that did not settle give energy, and where bounces do: each time these are lower.
     void sweep_passively(const BodyView& bodies, scalar h) {
         plan_sweeps(view);
@@ -113,15 +118,15 @@ protected:
         stay_passive(bodies, h);
     }
     void stay_passive(const BodyView& bodies, scalar h) {
-        if (some_reverse && take_back_reversals(view)) sweep();
+        if (some_reverse && take_back_reversals(view)) solve_again();
         if constexpr (View::articulates) hold_gaining_figures(whole, bodies, h);
         if constexpr (View::articulates && is_pushed) hold_pushed_figures(whole, bodies, h);
         if constexpr (View::articulates) excuse_jointed(view);
         // Belts do give energy.
         if (!gives_energy(view))
-            for (int round = 0; round < limits::gaining_rounds && find_gaining_islands(view, bodies, h); ++round) sweep();
+            for (int round = 0; round < limits::gaining_rounds && find_gaining_islands(view, bodies, h); ++round) solve_again();
         if constexpr (bounces)
-            for (int round = 0; round < limits::bounce_rounds && lower_bounces(without_locks(view), h); ++round) sweep();
+            for (int round = 0; round < limits::bounce_rounds && lower_bounces(without_locks(view), h); ++round) solve_again();
     }
     /// What follows on the last of all sweeps.
     void end_velocities(const BodyView& bodies, scalar h) {
