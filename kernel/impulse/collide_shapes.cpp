@@ -37,7 +37,6 @@ ContactPlace ContactSink::find(const Vector& n, int corner) const {
 }
 
 void ContactSink::make_room(int index) const {
-    if (*contacts.count == contacts.capacity) return;
     // bound: max_contacts
     for (int to = *contacts.count; to > index; --to) {
         contacts.contacts[to] = contacts.contacts[to - 1];
@@ -50,6 +49,7 @@ void ContactSink::add(ContactPlace place, const Vector& n, const Vector& lever_A
     INGOT_ASSERT(slot_A != slot_B);
     const bool is_added = !place.is_known && *contacts.count < contacts.capacity;
     if (is_added) {
+        make_room(place.index);
         ++*contacts.count;
     } else if (!place.is_known) {
         count(*lost);
@@ -197,7 +197,6 @@ void collide_box_half_space(const Placed& A, const Placed& B, ContactSink& sink)
         const scalar t = with_first ? first : own;
         if (!with_first && (first > 0 || !(own < limits::unbounded))) continue;
         const ContactPlace place = sink.find(face.n, corner_i);
-        if (!place.is_known) sink.make_room(place.index);
         sink.add(place, face.n, cross(BoxCorner(A, corner_i, sink.now).at(t), face.n), {}, gap.at(t), t, corner_i);
     }
 }

@@ -50,10 +50,12 @@ struct ContactSink {
 
     /// The place of the contact of this corner, if it is there; else behind the others of the two bodies, or behind all.
     ContactPlace find(const Vector& n, int corner) const;
-    /// Moves the contacts from a place on, for one more of a pair that has others.
-    void make_room(int index) const;
     /// when: s from `now`.
     void add(ContactPlace place, const Vector& n, const Vector& lever_A, const Vector& lever_B, scalar separation, scalar when, int corner);
+
+private:
+    /// Moves the contacts from a place on, for one more of a pair that has others.
+    void make_room(int index) const;
 };
 
 /// The contact of two that touch, or that meet within the rest of the step; then it is as it will be. What touches and is fast meets once the gap is
