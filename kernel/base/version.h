@@ -6,4 +6,4 @@
 #define INGOT_VERSION_PATCH 0
 
 /// Raised whenever a golden hash changes: recordings of another number do not replay to the bit.
-#define INGOT_DETERMINISM_VERSION 26
+#define INGOT_DETERMINISM_VERSION 27
